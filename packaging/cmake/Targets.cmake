@@ -1,0 +1,88 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# How targets are made here: the same language level, warnings and sanitizers for all of them.
+include_guard()
+
+set(CMAKE_CXX_STANDARD 20)
+set(CMAKE_CXX_STANDARD_REQUIRED ON)
+set(CMAKE_CXX_EXTENSIONS OFF)
+set(CMAKE_EXPORT_COMPILE_COMMANDS ON)
+set(CMAKE_RUNTIME_OUTPUT_DIRECTORY ${CMAKE_BINARY_DIR}/bin)
+set(CMAKE_POSITION_INDEPENDENT_CODE ON)
+if(NOT CMAKE_BUILD_TYPE)
+  set(CMAKE_BUILD_TYPE Release)
+endif()
+
+find_program(CCACHE ccache)
+if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
+  set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
+endif()
+
+add_library(robotcontrol_options INTERFACE)
+target_include_directories(robotcontrol_options INTERFACE ${PROJECT_SOURCE_DIR})
+target_compile_options(robotcontrol_options INTERFACE
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
+  # Results must not depend on which expressions the compiler fuses.
+  -ffp-contract=off)
+if(ROBOTCONTROL_SANITIZE)
+  target_compile_options(robotcontrol_options INTERFACE
+    -fsanitize=${ROBOTCONTROL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
+  target_link_options(robotcontrol_options INTERFACE -fsanitize=${ROBOTCONTROL_SANITIZE})
+  if(ROBOTCONTROL_SANITIZE MATCHES thread)
+    # Debian's protobuf library lays its maps out without the members that this macro adds.
+    target_compile_options(robotcontrol_options INTERFACE -U__SANITIZE_THREAD__)
+  endif()
+endif()
+
+# robotcontrol_library(NAME [OBJECT] SOURCES file... [PUBLIC lib...] [PRIVATE lib...] [MOC])
+# One folder's target. OBJECT is for folders that register solutions or views: a linker drops members
+# of a static library that nobody names. MOC is for those with QObjects.
+function(robotcontrol_library name)
+  cmake_parse_arguments(ARG "OBJECT;MOC" "" "SOURCES;PUBLIC;PRIVATE" ${ARGN})
+  set(kind STATIC)
+  if(ARG_OBJECT)
+    set(kind OBJECT)
+  endif()
+  if(NOT ARG_SOURCES)
+    add_library(${name} INTERFACE)
+    target_link_libraries(${name} INTERFACE robotcontrol_options ${ARG_PUBLIC})
+    return()
+  endif()
+  add_library(${name} ${kind} ${ARG_SOURCES})
+  target_link_libraries(${name} PUBLIC robotcontrol_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
+  if(ARG_MOC)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    target_compile_definitions(${name} PUBLIC QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII)
+  endif()
+endfunction()
+
+# robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
+# One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
+function(robotcontrol_test name)
+  cmake_parse_arguments(ARG "QT" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
+  if(NOT ARG_TIMEOUT)
+    set(ARG_TIMEOUT 60)
+  endif()
+  add_executable(${name} ${ARG_SOURCES})
+  target_compile_definitions(${name} PRIVATE
+    ROBOTCONTROL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
+  if(ARG_QT)
+    set_target_properties(${name} PROPERTIES AUTOMOC ON)
+    target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} Qt5::Test)
+  else()
+    target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} GTest::gmock_main)
+  endif()
+  add_test(NAME ${name} COMMAND ${name})
+  set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"
+    ENVIRONMENT "QT_QPA_PLATFORM=offscreen;LSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/lsan.supp:print_suppressions=0;TSAN_OPTIONS=suppressions=${PROJECT_SOURCE_DIR}/packaging/tsan.supp")
+endfunction()
+
+# robotcontrol_benchmark(NAME SOURCES file... LIBS lib...): a Google Benchmark program; never a timed test.
+function(robotcontrol_benchmark name)
+  cmake_parse_arguments(ARG "" "" "SOURCES;LIBS" ${ARGN})
+  if(ROBOTCONTROL_BENCHMARKS)
+    add_executable(${name} EXCLUDE_FROM_ALL ${ARG_SOURCES})
+    target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} benchmark::benchmark_main)
+    add_dependencies(benchmarks ${name})
+  endif()
+endfunction()
+add_custom_target(benchmarks)

@@ -1,0 +1,69 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/base/AtomicFile.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <cerrno>
+#include <cstring>
+#include <fstream>
+
+namespace robotlink {
+namespace {
+
+tl::unexpected<Error> systemFailure(const char* action, const std::filesystem::path& path) {
+  const std::string reason = std::strerror(errno);
+  return failure("file.io", std::string("cannot ") + action + ": " + reason, {path.string(), 0, 0}, {reason});
+}
+
+bool writeAll(int file, std::string_view contents) {
+  while (!contents.empty()) {
+    const ssize_t written = ::write(file, contents.data(), contents.size());
+    if (written < 0 && errno == EINTR) continue;
+    if (written <= 0) return false;
+    contents.remove_prefix(static_cast<std::size_t>(written));
+  }
+  return true;
+}
+
+}  // namespace
+
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents) {
+  std::error_code ignored;
+  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
+  std::string temporary = path.string() + ".XXXXXX";
+  const int file = ::mkstemp(temporary.data());
+  if (file < 0) return systemFailure("create a temporary file beside it", path);
+  const bool written = writeAll(file, contents) && ::fchmod(file, 0644) == 0 && ::fsync(file) == 0;
+  const int writeError = errno;
+  ::close(file);
+  if (written && ::rename(temporary.c_str(), path.c_str()) == 0) return {};
+  if (!written) errno = writeError;
+  const auto result = systemFailure("write", path);
+  ::unlink(temporary.c_str());
+  return result;
+}
+
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes) {
+  errno = 0;
+  std::error_code error;
+  if (std::filesystem::is_directory(path, error)) {
+    return failure("file.directory", "this is a directory; name a file in it", {path.string(), 0, 0});
+  }
+  std::ifstream stream(path, std::ios::binary);
+  if (!stream) return systemFailure("open", path);
+  std::string contents;
+  char buffer[1U << 16U];
+  while (stream.read(buffer, sizeof buffer) || stream.gcount() > 0) {
+    contents.append(buffer, static_cast<std::size_t>(stream.gcount()));
+    if (contents.size() > maxBytes) {
+      return failure("file.too-large", "the file is larger than " + std::to_string(maxBytes) + " bytes",
+                     {path.string(), 0, 0});
+    }
+  }
+  if (stream.bad()) return systemFailure("read", path);
+  return contents;
+}
+
+}  // namespace robotlink

@@ -1,0 +1,19 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <string_view>
+
+#include "robotlink/base/Error.h"
+
+namespace robotlink {
+
+/// Writes a file so that it is there as a whole or not at all: to a temporary neighbour, flushed to the disk, then
+/// renamed. A full disk or a missing right leaves the old file as it was.
+Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents);
+
+/// A whole file; fails if it cannot be read or is larger than `maxBytes`.
+Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = 64U << 20U);
+
+}  // namespace robotlink

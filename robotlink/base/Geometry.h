@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <Eigen/Core>
+#include <Eigen/Geometry>
+#include <cmath>
+#include <numbers>
+
+namespace robotlink {
+
+using Vector2 = Eigen::Vector2d;
+using Vector3 = Eigen::Vector3d;
+/// A rigid transform; name it target-in-frame: cameraInField = robotInField * cameraInRobot.
+using Pose3 = Eigen::Isometry3d;
+
+inline constexpr double kPi = std::numbers::pi;
+constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
+constexpr double degrees(double radians) { return radians * (180.0 / kPi); }
+
+/// The same angle in (-pi, pi].
+inline double normalizedAngle(double angle) {
+  angle = std::remainder(angle, 2 * kPi);
+  return angle <= -kPi ? angle + 2 * kPi : angle;
+}
+
+/// A pose on the ground: metres and radians, x to the front, y to the left, heading counter-clockwise.
+struct Pose2 {
+  double x = 0;
+  double y = 0;
+  double heading = 0;
+
+  Vector2 translation() const { return {x, y}; }
+  /// `*this` is a frame, `inner` a pose in it; the result is that pose in the frame's parent.
+  Pose2 operator*(const Pose2& inner) const {
+    const double c = std::cos(heading), s = std::sin(heading);
+    return {x + c * inner.x - s * inner.y, y + s * inner.x + c * inner.y,
+            normalizedAngle(heading + inner.heading)};
+  }
+  Vector2 operator*(const Vector2& point) const {
+    const double c = std::cos(heading), s = std::sin(heading);
+    return {x + c * point.x() - s * point.y(), y + s * point.x() + c * point.y()};
+  }
+  Pose2 inverse() const {
+    const double c = std::cos(heading), s = std::sin(heading);
+    return {-c * x - s * y, s * x - c * y, normalizedAngle(-heading)};
+  }
+  bool operator==(const Pose2&) const = default;
+};
+
+/// The pose of a body projected to the ground; heading is the direction of its x-axis.
+inline Pose2 groundPose(const Pose3& pose) {
+  return {pose.translation().x(), pose.translation().y(), std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
+}
+
+}  // namespace robotlink

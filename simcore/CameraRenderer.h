@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <span>
+
+#include "simcore/RenderScene.h"
+
+namespace simcore {
+
+/// A pinhole camera without distortion. It looks along its frame's x-axis; y is to the left, z up. The optical axis
+/// pierces the image at its centre (width / 2, height / 2), with pixel (0, 0) covering [0, 1) x [0, 1).
+struct CameraModel {
+  int width = 176;
+  int height = 144;
+  double horizontalAngle = robotlink::radians(57.6);  ///< opening angle, rad
+  double verticalAngle = robotlink::radians(47.8);
+};
+
+/// Noise added to every channel of every pixel: counter-based, so the same (seed, stream, frame) gives the same bytes.
+struct ImageNoise {
+  double sigma = 0;  ///< standard deviation, grey values
+  std::uint64_t seed = 0;
+  std::uint64_t stream = 0;  ///< one per camera
+  std::uint64_t frame = 0;
+};
+
+/// Draws a RenderScene on the CPU: a visibility buffer (AVX2 where the processor has it, the same arithmetic without),
+/// lighting per pixel, shadows by Embree rays. No GPU, no display. The same inputs give the same bytes.
+///
+/// One thread at a time may use a renderer; several renderers may share a scene.
+class CameraRenderer {
+ public:
+  struct Options {
+    bool shadows = true;
+  };
+  CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options);
+  ~CameraRenderer();
+  CameraRenderer(const CameraRenderer&) = delete;
+  CameraRenderer& operator=(const CameraRenderer&) = delete;
+
+  /// Where the bodies are now, by body index. Shared by all images until the next call.
+  void setPoses(std::span<const Pose3> bodyInWorld);
+
+  /// Draws into `image`, whose size and format (kYuyv or kRgb8) are made those of `camera` and `format`.
+  void render(const Pose3& cameraInWorld, const CameraModel& camera, robotlink::PixelFormat format,
+              const ImageNoise& noise, robotlink::Image& image);
+
+ private:
+  class Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace simcore

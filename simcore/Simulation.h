@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/base/Error.h"
+#include "simcore/CameraRenderer.h"
+#include "simcore/RenderScene.h"
+
+namespace simcore {
+
+class Scene;
+
+/// What a port carries, so that one generic view can show any of them.
+struct PortInfo {
+  std::string path;  ///< "red1/legFL1/position"
+  std::string robot;  ///< "red1"
+  std::string type;  ///< "angle", "distance", "acceleration", "contact", "image", ...
+  std::vector<int> shape;  ///< {} a scalar, {3} a vector, {height, width, channels} an image
+  std::string unit;  ///< "rad", "m", "m/s^2", "" ...
+};
+
+/// A sensor that yields numbers. Its reading is that of the last step, noise included.
+struct Sensor {
+  PortInfo info;
+  std::vector<double> values;
+};
+
+struct CameraSensor {
+  PortInfo info;
+  CameraModel model;
+  int body = 0;  ///< index in RenderScene::bodies
+  Pose3 cameraInBody = Pose3::Identity();
+  robotlink::Duration period{};  ///< between images
+};
+
+/// A joint's servo: it turns towards a requested angle with limited speed and torque.
+struct Servo {
+  PortInfo info;  ///< "red1/legFL1/request"
+  double minimum = 0, maximum = 0;  ///< rad
+  double maximumSpeed = 0;  ///< rad/s
+  double maximumTorque = 0;  ///< N m
+};
+
+struct SimulationOptions {
+  std::uint64_t seed = 1;
+  bool noise = true;
+};
+
+/// A world in motion: bodies, joints, contacts, sensors and servos, in steps of Simulation::kStep.
+///
+/// Deterministic: scene, seed and the servos' requests give the same bytes on one machine. One thread at a time may use
+/// a simulation; several simulations may run on several threads. Knows no robot program.
+class Simulation {
+ public:
+  static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
+
+  static robotlink::Result<std::unique_ptr<Simulation>> create(std::shared_ptr<const Scene> scene,
+                                                               SimulationOptions options);
+  ~Simulation();
+  Simulation(const Simulation&) = delete;
+  Simulation& operator=(const Simulation&) = delete;
+
+  void step();
+  std::uint64_t steps() const;
+  robotlink::Duration time() const;
+  /// Back to the scene's first poses, with a new seed.
+  void reset(std::uint64_t seed);
+
+  const Scene& scene() const;
+  std::shared_ptr<const RenderScene> renderScene() const;
+  /// Where each body of renderScene() is, by body index; valid until the next call to a non-const function.
+  std::span<const Pose3> bodyPoses() const;
+
+  std::span<const Sensor> sensors() const;
+  std::span<const CameraSensor> cameras() const;
+  std::span<const Servo> servos() const;
+  /// An angle for a servo; limited to its range.
+  void requestAngle(std::size_t servo, double angle);
+  /// Share of the maximum torque that a servo may use, 0 to 1.
+  void setTorqueLimit(std::size_t servo, double share);
+
+  /// True pose of a model ("red1", "ball") in the world. A robot's frame lies at its body's centre, x to the front.
+  std::optional<Pose3> modelPose(const std::string& model) const;
+  /// Puts a model somewhere, at rest, keeping its height and its joints; refuses a place where it would not fit.
+  robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose);
+
+  /// How often a robot and the ball began to touch.
+  std::uint64_t ballContacts() const;
+  std::uint64_t ballContacts(const std::string& robot) const;
+
+  /// A hash over all poses and velocities.
+  std::uint64_t digest() const;
+
+ private:
+  Simulation();
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace simcore
