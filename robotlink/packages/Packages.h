@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace foxglove {
+class JointStates;
+class RawImage;
+}  // namespace foxglove
+
+namespace robotcontrol {
+class BallModel;
+class BallPercept;
+class BodySensors;
+class CameraPose;
+class ColorRegions;
+class HeadMode;
+class HeadRequest;
+class JointRequest;
+class LandmarkPercepts;
+class MotionRequest;
+class MotionStatus;
+class OracleWorld;
+class PlayersModel;
+class RemoteMotion;
+class RobotPercepts;
+class RobotPose;
+}  // namespace robotcontrol
+
+namespace robotlink {
+
+/// The name of a package with its type. A package's stream in the workbench is robot + "/" + name.
+template <typename T>
+struct Package {
+  const char* name;
+};
+
+// What a robot's platform offers...
+inline constexpr Package<foxglove::RawImage> kCameraImage{"camera/image"};
+inline constexpr Package<foxglove::JointStates> kJointStates{"joints/states"};
+inline constexpr Package<robotcontrol::BodySensors> kBodySensors{"body/sensors"};
+inline constexpr Package<robotcontrol::OracleWorld> kOracleWorld{"oracle/world"};
+// ...and takes.
+inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/request"};
+
+// What the debug process offers: a person's wishes.
+inline constexpr Package<robotcontrol::RemoteMotion> kRemoteMotion{"remote/motion"};
+
+// What the tasks of the robot program exchange.
+inline constexpr Package<robotcontrol::CameraPose> kCameraPose{"camera/pose"};
+inline constexpr Package<robotcontrol::ColorRegions> kColorRegions{"percepts/regions"};
+inline constexpr Package<robotcontrol::BallPercept> kBallPercept{"percepts/ball"};
+inline constexpr Package<robotcontrol::LandmarkPercepts> kLandmarkPercepts{"percepts/landmarks"};
+inline constexpr Package<robotcontrol::RobotPercepts> kRobotPercepts{"percepts/robots"};
+inline constexpr Package<robotcontrol::BallModel> kBallModel{"models/ball"};
+inline constexpr Package<robotcontrol::RobotPose> kRobotPose{"models/pose"};
+inline constexpr Package<robotcontrol::PlayersModel> kPlayersModel{"models/players"};
+inline constexpr Package<robotcontrol::MotionRequest> kMotionRequest{"behavior/motion"};
+inline constexpr Package<robotcontrol::HeadMode> kHeadMode{"behavior/head"};
+inline constexpr Package<robotcontrol::HeadRequest> kHeadRequest{"motion/head"};
+inline constexpr Package<robotcontrol::MotionStatus> kMotionStatus{"motion/status"};
+
+}  // namespace robotlink
