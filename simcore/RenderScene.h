@@ -15,7 +15,8 @@ namespace simcore {
 using robotlink::Pose3;
 using robotlink::Rgb;
 
-/// Triangles in a frame of their own, metres; counter-clockwise seen from outside. One normal a vertex, unit length.
+/// Triangles in a frame of their own, metres; counter-clockwise seen from outside. One normal a vertex, unit
+/// length.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3f> normals;
@@ -39,10 +40,11 @@ struct Lamp {
   float attenuation = 0;  ///< 1/m^2
 };
 
-/// Everything that a camera or a viewer needs to draw a world, but for where the bodies are. Built once a scene, then
-/// immutable and shared between threads.
+/// Everything that a camera or a viewer needs to draw a world, but for where the bodies are. Built once a
+/// scene, then immutable and shared between threads.
 ///
-/// A pixel's colour is color * min(1, ambient + sum over lamps of visibility * irradiance * max(0, cos(angle))).
+/// A pixel's colour is color * min(1, ambient + sum over lamps of visibility * irradiance * max(0,
+/// cos(angle))).
 struct RenderScene {
   std::vector<Mesh> meshes;
   std::vector<RenderInstance> instances;
@@ -52,7 +54,10 @@ struct RenderScene {
   Rgb background;
 };
 
-/// Meshes of the usual shapes, centred on their frame's origin; cylinders and capsules along z.
+/// Meshes of the usual shapes, centred on their frame's origin; cylinders and capsules along z. Round ones
+/// are smooth: their vertices lie on the true surface, with its normals. `length` of a capsule is that of its
+/// cylinder alone, as in SDFormat and ODE; its ends reach `radius` beyond. At least 2 rings and 3 sides are
+/// made.
 Mesh boxMesh(const Eigen::Vector3f& size);
 Mesh sphereMesh(float radius, int rings = 12);
 Mesh cylinderMesh(float radius, float length, int sides = 24);
