@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <string>
+
+#include "robotlink/base/Geometry.h"
+#include "robotlink/base/Image.h"
+
+namespace foxglove {
+class ImageAnnotations;
+class SceneEntity;
+}  // namespace foxglove
+
+namespace robotlink {
+
+struct Color {
+  Rgb rgb;
+  double alpha = 1;
+};
+
+namespace colors {
+inline constexpr Color kRed{{220, 40, 40}}, kGreen{{40, 180, 60}}, kBlue{{40, 90, 230}}, kYellow{{240, 210, 40}},
+    kOrange{{250, 130, 20}}, kPink{{250, 90, 170}}, kSkyBlue{{90, 200, 240}}, kWhite{{255, 255, 255}},
+    kBlack{{0, 0, 0}}, kGrey{{128, 128, 128}};
+}  // namespace colors
+
+/// Draws into an image's plane; pixels, (0, 0) is the upper left corner of the image, y down; widths in pixels of
+/// the screen. A handle on a message of the current frame: do not keep it.
+class ImageDrawing {
+ public:
+  explicit ImageDrawing(foxglove::ImageAnnotations& to) : to_(to) {}
+  void line(const Vector2& from, const Vector2& to, Color color, double width = 1);
+  void arrow(const Vector2& from, const Vector2& to, Color color, double width = 1);
+  void circle(const Vector2& center, double radius, Color color, double width = 1, Color fill = {{}, 0});
+  /// `angle`: of the first axis against the image's x-axis, rad, clockwise as seen.
+  void ellipse(const Vector2& center, const Vector2& radii, double angle, Color color, double width = 1);
+  void polygon(std::span<const Vector2> corners, Color color, double width = 1, Color fill = {{}, 0});
+  void rectangle(const Vector2& upperLeft, const Vector2& lowerRight, Color color, double width = 1);
+  void dot(const Vector2& at, Color color, double size = 3);
+  void text(const Vector2& at, const std::string& text, Color color, double size = 10);
+
+ private:
+  foxglove::ImageAnnotations& to_;
+};
+
+/// Draws into a frame of the world (field or robot), in metres. The same drawing is shown in the Field view from
+/// above and in the Scene view in three dimensions; what is drawn flat lies on the ground. Widths in pixels of the
+/// screen. A handle on a message of the current frame: do not keep it.
+class SceneDrawing {
+ public:
+  explicit SceneDrawing(foxglove::SceneEntity& to) : to_(to) {}
+  // Flat, on the ground.
+  void line(const Vector2& from, const Vector2& to, Color color, double width = 1);
+  void arrow(const Vector2& from, const Vector2& to, Color color, double width = 1);
+  void circle(const Vector2& center, double radius, Color color, double width = 1, Color fill = {{}, 0});
+  void ellipse(const Vector2& center, const Vector2& radii, double angle, Color color, double width = 1);
+  void polygon(std::span<const Vector2> corners, Color color, double width = 1, Color fill = {{}, 0});
+  void dot(const Vector2& at, Color color, double diameter = 0.03);
+  void pose(const Pose2& pose, Color color, double length = 0.2);
+  void text(const Vector2& at, const std::string& text, Color color, double size = 12);
+  // In space.
+  void line(const Vector3& from, const Vector3& to, Color color, double width = 1);
+  void sphere(const Vector3& center, double radius, Color color);
+  void box(const Pose3& boxInFrame, const Vector3& size, Color color);
+  void axes(const Pose3& poseInFrame, double length);
+
+ private:
+  foxglove::SceneEntity& to_;
+};
+
+}  // namespace robotlink

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "robotlink/debugging/DebugProcess.h"
+#include "robotlink/debugging/TaskProcess.h"
+#include "robotlink/process/Platform.h"
+
+namespace robotlink {
+
+/// A process layout put on a platform: all of its processes, linked with each other and with the platform. An executor runs them.
+///
+/// Built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys, solutions, processes) are sent to the
+/// debug listener after a SendTables request and whenever they change; STOP never passes through here.
+class RobotProgram {
+ public:
+  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout, Platform& platform,
+                                                                    const std::filesystem::path& parameterFolder);
+  ~RobotProgram();
+
+  const RobotSetup& robot() const;
+  const Layout& layout() const;
+  /// In the order of the layout, the debug process among them.
+  const std::vector<Process*>& processes() const;
+  DebugProcess& debugProcess();
+
+  /// Stops all processes; their links to the platform never hold it back from now on. Idempotent.
+  void stop();
+
+ private:
+  RobotProgram();
+  struct Implementation;
+  std::unique_ptr<Implementation> implementation_;
+};
+
+/// The catalog of all registered solutions, for layout checks.
+TaskCatalog registeredTasks();
+
+}  // namespace robotlink

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/process/Layout.h"
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+/// A process of a layout: runs its tasks in order, each by the solution that is chosen for it.
+///
+/// Requests (debug keys, solutions, parameters) arrive with the package "debug/requests/<process>" and take effect at the start
+/// of a frame, all at once; refusals name their reason. What the process tells leaves it as "debug/queue/<process>" whenever
+/// the last queue was taken. The setup must outlive it.
+class TaskProcess final : public Process {
+ public:
+  struct Setup {
+    const RobotSetup& robot;
+    const Layout& layout;
+    const Layout::Process& process;
+    PlatformPackages platform;
+    std::filesystem::path parameterFolder;  ///< resources/parameters/<robot>: <task>.<solution>.textproto
+  };
+
+  /// Creates the default solutions of its tasks; fails if one cannot be created or its parameters cannot be read.
+  static tl::expected<std::unique_ptr<TaskProcess>, Errors> create(const Setup& setup, const Clock& clock);
+  ~TaskProcess() override;
+
+  DebugContext& debug();
+  /// Which solution a task uses now. Only while the process does not run, or from its own thread.
+  std::string activeSolution(const std::string& task) const;
+
+ protected:
+  void execute() override;
+
+ private:
+  struct Implementation;
+  TaskProcess(const Setup& setup, const Clock& clock);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace robotlink

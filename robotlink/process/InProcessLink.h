@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <mutex>
+
+#include "robotlink/process/Link.h"
+
+namespace robotlink {
+
+class Process;
+
+/// A link between two processes of one program. Hands the pointer over; never copies the package.
+/// Both processes must outlive it.
+class InProcessLink final : public Link {
+ public:
+  InProcessLink(Process& sender, Process& receiver) : sender_(sender), receiver_(receiver) {}
+
+  void offer(PackagePtr package) override;
+  bool delivered() const override { return !kept_.load(std::memory_order_acquire); }
+  PackagePtr take() override;
+  void close() override;
+  std::uint64_t missed() const override { return missed_.load(std::memory_order_relaxed); }
+
+ private:
+  Process& sender_;
+  Process& receiver_;
+  std::mutex mutex_;      // protects inbox_, pending_ and closed_
+  PackagePtr inbox_;      // delivered, not yet taken
+  PackagePtr pending_;    // told to send, not yet asked for
+  bool closed_ = false;
+  std::atomic<bool> kept_{false};   // pending_ is not null
+  std::atomic<bool> filled_{false};  // inbox_ is not null
+  std::atomic<std::uint64_t> missed_{0};
+};
+
+}  // namespace robotlink

@@ -1,0 +1,24 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+/// Where a robot program's sensor readings come from and its actuator commands go to. For the program it is an ordinary
+/// process; beyond that it owns the clock that all of the program's processes go by, and STOP acts on it.
+class Platform : public Process {
+ public:
+  using Process::Process;
+
+  /// Several platforms of one clock (robots in one simulation) are advanced together, by whoever owns the clock: lockstep
+  /// executors call this for each before runFrame() of any of them. Only the first of them moves the clock.
+  virtual void advance() = 0;
+  /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
+  virtual void engageStop(bool engaged) = 0;
+};
+
+}  // namespace robotlink

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/process/Process.h"
+
+#include <algorithm>
+#include <exception>
+
+namespace robotlink {
+
+Process::Process(std::string name, const Clock& clock) : name_(std::move(name)), clock_(clock) {}
+
+Process::~Process() = default;
+
+bool Process::satisfied() const {
+  return std::all_of(receivers_.begin(), receivers_.end(), [](const auto* r) { return r->satisfied(); }) &&
+         std::all_of(senders_.begin(), senders_.end(), [](const auto* s) { return s->satisfied(); });
+}
+
+std::optional<Instant> Process::due() const { return period_ > Duration::zero() ? due_ : std::nullopt; }
+
+bool Process::tryBeginFrame() {
+  if (stopped()) return false;
+  for (AnyReceiver* receiver : receivers_) receiver->take();
+  const auto dueAt = due();
+  return (!dueAt || clock_.now() >= *dueAt) && satisfied();
+}
+
+void Process::startPeriod(Instant now) {
+  if (period_ <= Duration::zero()) return;
+  // From due to due, not from now: lateness of one frame does not delay all later ones. Unless a whole period was lost.
+  due_ = due_.value_or(now) + period_;
+  if (*due_ <= now) due_ = now + period_;
+}
+
+void Process::runFrame() {
+  frameTime_ = clock_.now();
+  startPeriod(frameTime_);
+  for (AnyReceiver* receiver : receivers_) receiver->beginFrame();
+  try {
+    execute();
+    frames_.fetch_add(1, std::memory_order_relaxed);
+    return;  // Phase 3: links deliver what they keep when the receivers ask.
+  } catch (const std::exception& exception) {
+    const std::lock_guard lock(mutex_);
+    failure_ = exception.what();
+  } catch (...) {
+    const std::lock_guard lock(mutex_);
+    failure_ = "an exception of unknown type";
+  }
+  stop();
+}
+
+bool Process::waitForFrame(std::chrono::milliseconds limit) {
+  while (!stopped()) {
+    if (tryBeginFrame()) return true;
+    std::unique_lock lock(mutex_);
+    wakeUp_.wait_for(lock, limit, [this] { return woken_; });
+    woken_ = false;
+  }
+  return false;
+}
+
+void Process::wake() {
+  {
+    const std::lock_guard lock(mutex_);
+    woken_ = true;
+  }
+  wakeUp_.notify_one();
+}
+
+void Process::stop() {
+  stopped_.store(true, std::memory_order_release);
+  for (AnyReceiver* receiver : receivers_) receiver->close();
+  for (AnySender* sender : senders_) sender->close();
+  wake();
+}
+
+std::string Process::failure() const {
+  const std::lock_guard lock(mutex_);
+  return failure_;
+}
+
+std::string Process::waitsFor() const {
+  for (const AnyReceiver* receiver : receivers_) {
+    if (receiver->satisfied()) continue;
+    return "package " + receiver->package() +
+           (receiver->connected() ? " of " + receiver->peer() : ", which nobody sends");
+  }
+  for (const AnySender* sender : senders_) {
+    if (!sender->satisfied()) return "its package " + sender->package() + " to be taken";
+  }
+  return due() ? "its period" : "nothing";
+}
+
+}  // namespace robotlink

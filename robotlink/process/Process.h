@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <atomic>
+#include <condition_variable>
+#include <mutex>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Clock.h"
+#include "robotlink/process/Sender.h"
+
+namespace robotlink {
+
+/// A loop of three phases (the paper of the GermanTeam, 2002): (1) all receivers take what is available, until all blocking
+/// ends are satisfied and the period, if there is one, is over; (2) execute(), which may send; (3) what was sent and
+/// not yet delivered is delivered to the receivers that are ready. Nothing is queued: a slow process misses packages,
+/// and what enters phase 2 is the newest.
+///
+/// An executor drives it: tryBeginFrame() and runFrame() are called by one thread at a time; wake(), stop() and the
+/// statistics by any. The clock must outlive it. A process that throws is stopped, with the exception's text as failure().
+class Process {
+ public:
+  Process(std::string name, const Clock& clock);
+  virtual ~Process();
+  Process(const Process&) = delete;
+  Process& operator=(const Process&) = delete;
+
+  const std::string& name() const { return name_; }
+  const Clock& clock() const { return clock_; }
+  /// At least this long from one frame's start to the next, drift corrected; 0 is event-driven. Before it runs.
+  void setPeriod(Duration period) { period_ = period; }
+  Duration period() const { return period_; }
+  /// A nice value, for executors that have a thread for each process.
+  void setPriority(int priority) { priority_ = priority; }
+  int priority() const { return priority_; }
+
+  /// Phase 1: takes what is available; true if phase 2 may start now.
+  bool tryBeginFrame();
+  /// Phases 2 and 3; only after tryBeginFrame() returned true.
+  void runFrame();
+  /// Phase 1, waiting; false if the process was stopped. Only for executors that give it a thread. `limit` is the
+  /// real time after which it looks at its clock anew.
+  bool waitForFrame(std::chrono::milliseconds limit);
+
+  /// What it waits for, in words: "package camera/image of simulation", "joints/request to be taken", "its period".
+  std::string waitsFor() const;
+  /// The start of the current or last frame, by the clock.
+  Instant frameTime() const { return frameTime_; }
+  std::optional<Instant> due() const;
+
+  void wake();
+  /// Ends it, even while it waits; its links never hold another process back from now on.
+  void stop();
+  bool stopped() const { return stopped_.load(std::memory_order_acquire); }
+  /// What it threw; empty if it did not.
+  std::string failure() const;
+  std::uint64_t frames() const { return frames_.load(std::memory_order_relaxed); }
+
+  const std::vector<AnyReceiver*>& receivers() const { return receivers_; }
+  const std::vector<AnySender*>& senders() const { return senders_; }
+
+ protected:
+  virtual void execute() = 0;
+
+ private:
+  friend class AnyReceiver;
+  friend class AnySender;
+  void add(AnyReceiver& receiver) { receivers_.push_back(&receiver); }
+  void add(AnySender& sender) { senders_.push_back(&sender); }
+  bool satisfied() const;
+  void startPeriod(Instant now);
+
+  const std::string name_;
+  const Clock& clock_;
+  Duration period_{0};
+  int priority_ = 0;
+  std::optional<Instant> due_;
+  Instant frameTime_;
+  std::vector<AnyReceiver*> receivers_;
+  std::vector<AnySender*> senders_;
+  std::atomic<bool> stopped_{false};
+  std::atomic<std::uint64_t> frames_{0};
+
+  mutable std::mutex mutex_;  // protects woken_ and failure_
+  std::condition_variable wakeUp_;
+  bool woken_ = false;
+  std::string failure_;
+};
+
+}  // namespace robotlink

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
+namespace robotlink {
+
+/// One table of all that can be done, behind menus, toolbars, shortcuts, scripts and tests: what a button can do, a script can.
+/// The GUI's thread only.
+class CommandTable {
+ public:
+  using Value = std::variant<bool, double, std::string>;
+  enum class Type : std::uint8_t { kBool, kNumber, kText };
+  struct Argument {
+    std::string name;
+    Type type = Type::kText;
+    std::string help;
+  };
+  struct Command {
+    std::string name;  ///< "simulation.speed"
+    std::string help;
+    std::vector<Argument> arguments;
+    std::function<Result<void>(const std::vector<Value>&)> run;
+  };
+
+  /// The name must be new.
+  void add(Command command);
+  const Command* find(const std::string& name) const;
+  const std::map<std::string, Command>& all() const { return commands_; }
+
+  /// Fails if there is no such command or the arguments' number or types are not its own.
+  Result<void> run(const std::string& name, const std::vector<Value>& arguments = {}) const;
+  /// Runs one line: `simulation.speed 2`, `solution.select ball-percept "scan-lines"`. Texts may be quoted.
+  Result<void> runLine(const std::string& line) const;
+
+ private:
+  std::map<std::string, Command> commands_;
+};
+
+}  // namespace robotlink

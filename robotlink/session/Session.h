@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/session/StreamStore.h"
+#include "robotlink/session/Timeline.h"
+
+namespace robotcontrol {
+class DebugQueue;
+class Request;
+class RequestResult;
+}  // namespace robotcontrol
+
+namespace robotlink {
+
+/// What one window is about: robots on platforms with one clock, the history of what they told, and the way to ask them for
+/// something. Views know only this; whether a robot is simulated, real or logged cannot be told from it.
+///
+/// Streams: what is said under a robot is "<robot>/<path>" (DebugMessage.path); what belongs to the whole world is
+/// "scene" (SceneUpdate), "transforms" (FrameTransforms), "simulation" (SimulationStatus). See robotlink/session/STREAMS.md.
+///
+/// push...() may be called from any thread and never blocks on the GUI; all else from the thread that calls tick().
+class Session {
+ public:
+  /// Takes requests to whoever can fulfil them. Called in the thread of the one who asks; must not block. Results come back as messages.
+  using RequestSink = std::function<void(const robotcontrol::Request&)>;
+  using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
+
+  explicit Session(StreamStore::Limits limits = {});
+  ~Session();
+  Session(const Session&) = delete;
+  Session& operator=(const Session&) = delete;
+
+  // Producers, any thread.
+  void push(StreamMessage message);
+  void pushQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+  void pushResult(const robotcontrol::RequestResult& result);
+
+  // The GUI's thread.
+  /// Takes what was pushed into the history and moves the timeline; then calls the result handlers. Called at 30 Hz.
+  void tick();
+  StreamStore& store() { return store_; }
+  Timeline& timeline() { return timeline_; }
+  /// Messages that were dropped because nobody ticked, plus those that the robots' own queues dropped.
+  std::uint64_t dropped() const;
+
+  void setRobots(std::vector<std::string> robots);
+  const std::vector<std::string>& robots() const { return robots_; }
+  /// The robot that toolbars and views without one of their own talk about; empty if there is none.
+  const std::string& selectedRobot() const { return selectedRobot_; }
+  void selectRobot(const std::string& robot);
+
+  void setRequestSink(RequestSink sink);
+  /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer comes.
+  std::uint64_t request(robotcontrol::Request request, ResultHandler onResult = {});
+
+  /// Forgets the history (another scene was loaded).
+  void clear();
+
+ private:
+  struct Inbox;
+  StreamStore store_;
+  Timeline timeline_;
+  std::unique_ptr<Inbox> inbox_;
+  RequestSink sink_;
+  std::vector<std::string> robots_;
+  std::string selectedRobot_;
+};
+
+}  // namespace robotlink
