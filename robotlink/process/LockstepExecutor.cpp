@@ -18,9 +18,12 @@ void LockstepExecutor::step() {
   started_ = true;
   runUntilNoneCan(now);
   for (Entry& entry : processes_) report(entry, now);
-  for (Platform* platform : platforms_) platform->advance();
   for (Platform* platform : platforms_) {
     platform->tryBeginFrame();  // Takes what is there; platforms step when no other can, satisfied or not.
+    if (!platform->stopped()) platform->actuate();
+  }
+  if (options_.advance) options_.advance();
+  for (Platform* platform : platforms_) {
     if (!platform->stopped()) platform->runFrame();
   }
 }

@@ -14,12 +14,14 @@ namespace robotlink {
 /// same bytes at any speed.
 ///
 /// A step: in order, every process that may enter phase 2 runs, at most once an instant, until none can; then the
-/// platforms step. A process that has not run for `starvation` of the platform's time is reported with what it waits for,
+/// platforms step: all actuate, the world that they share moves its clock on, all send their sensors. A process that has not run for `starvation` of the platform's time is reported with what it waits for,
 /// once until it runs again. Processes and platforms must outlive the executor; one thread at a time.
 class LockstepExecutor {
  public:
   struct Options {
     Duration starvation = std::chrono::seconds(2);
+    /// Moves the platforms' world and its clock.
+    std::function<void()> advance;
     /// "X waits for Y"; called by step().
     std::function<void(const Process&, const std::string&)> onStarved;
     /// A process threw and was stopped; called by step().

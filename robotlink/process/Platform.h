@@ -14,9 +14,8 @@ class Platform : public Process {
  public:
   using Process::Process;
 
-  /// Several platforms of one clock (robots in one simulation) are advanced together, by whoever owns the clock: lockstep
-  /// executors call this for each before runFrame() of any of them. Only the first of them moves the clock.
-  virtual void advance() = 0;
+  /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after, sends the sensors.
+  virtual void actuate() = 0;
   /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
   virtual void engageStop(bool engaged) = 0;
 };
