@@ -1,0 +1,312 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/motions/MotionReader.h"
+
+#include <algorithm>
+#include <charconv>
+#include <fstream>
+#include <sstream>
+
+#include "robotlink/base/Geometry.h"
+
+namespace robotlink {
+namespace {
+
+struct Token {
+  std::string_view text;
+  int column = 1;
+};
+
+bool isSpace(char c) {
+  return c == ' ' || c == '\t' || c == '\r' || c == '\f' || c == '\v' || c == '\0';
+}
+
+std::size_t commentStart(std::string_view line) {
+  return std::min(line.find('"'), line.find("//"));
+}
+
+std::vector<Token> tokens(std::string_view line) {
+  std::vector<Token> result;
+  for (std::size_t i = 0; i < line.size();) {
+    std::size_t end = i + 1;
+    if (isSpace(line[i])) {
+      i = end;
+      continue;
+    }
+    if (line[i] != '=') {
+      while (end < line.size() && !isSpace(line[end]) && line[end] != '=') ++end;
+    }
+    result.push_back({line.substr(i, end - i), static_cast<int>(i) + 1});
+    i = end;
+  }
+  return result;
+}
+
+bool isName(std::string_view text) {
+  return std::all_of(text.begin(), text.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= 'A' && c <= 'Z') || (c >= '0' && c <= '9') || c == '_' || c == '-';
+  });
+}
+
+std::optional<double> number(std::string_view text) {
+  if (text.starts_with('+')) text.remove_prefix(1);
+  double value = 0;
+  const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
+  if (error != std::errc() || end != text.data() + text.size() || !std::isfinite(value)) return std::nullopt;
+  return value;
+}
+
+class Reader {
+ public:
+  Reader(const std::string& path, const std::vector<std::string>& joints) {
+    motion_.path = path;
+    motion_.joints = joints;
+    columns_ = joints.size();
+  }
+
+  tl::expected<MotionFile, Errors> read(std::string_view text) {
+    int labels = 0;
+    while (!text.empty()) {
+      const std::size_t end = std::min(text.find('\n'), text.size());
+      if (++line_ > kMaximumMotionLines) {
+        fail(1, "motion.too-many-lines",
+             "a motion has at most " + std::to_string(kMaximumMotionLines) + " lines");
+        break;
+      }
+      readLine(text.substr(0, end));
+      text.remove_prefix(std::min(end + 1, text.size()));
+      if (!motion_.lines.empty() && std::holds_alternative<MotionLabel>(motion_.lines.back().statement) &&
+          motion_.lines.back().number == line_ && ++labels > kMaximumMotionLabels) {
+        fail(1, "motion.too-many-labels",
+             "a motion has at most " + std::to_string(kMaximumMotionLabels) + " labels");
+        break;
+      }
+    }
+    if (motion_.name.empty() && errors_.empty()) {
+      line_ = 1;
+      fail(1, "motion.no-name", "the first line must be 'motion_id = NAME'");
+    }
+    if (!errors_.empty()) return tl::unexpected(std::move(errors_));
+    return std::move(motion_);
+  }
+
+ private:
+  void fail(int column, const char* id, std::string text) {
+    errors_.push_back({id, std::move(text), {}, {motion_.path, line_, column}});
+  }
+
+  void readLine(std::string_view row) {
+    const std::size_t comment = std::min(commentStart(row), row.size());
+    const std::vector<Token> words = tokens(row.substr(0, comment));
+    std::string_view remark = row.substr(comment);
+    while (!remark.empty() && isSpace(remark.back())) remark.remove_suffix(1);
+
+    if (words.size() >= 2 && words[1].text == "=") {
+      readHeader(words);
+    } else if (auto statement = readStatement(words)) {
+      motion_.lines.push_back({std::move(*statement), std::string(remark), line_});
+    }
+  }
+
+  void readHeader(const std::vector<Token>& words) {
+    const std::string_view key = words[0].text;
+    const bool single = words.size() == 3;
+    if (key == "joints") {
+      readJoints(words);
+    } else if (key == "motion_id" && single) {
+      readName(words[2]);
+    } else if (key == "units" && single && (words[2].text == "deg" || words[2].text == "mrad")) {
+      motion_.angleUnit =
+          words[2].text == "deg" ? MotionFile::AngleUnit::kDegrees : MotionFile::AngleUnit::kMilliradians;
+    } else if (key == "time" && single && (words[2].text == "ms" || words[2].text == "ticks")) {
+      motion_.timeUnit =
+          words[2].text == "ms" ? MotionFile::TimeUnit::kMilliseconds : MotionFile::TimeUnit::kTicks;
+    } else {
+      fail(words[0].column, "motion.bad-header",
+           "expected 'motion_id = NAME', 'joints = NAME...', 'units = deg|mrad' or 'time = ms|ticks'");
+    }
+    if (columnsUsed_ && key != "motion_id") {
+      fail(words[0].column, "motion.late-header",
+           "'" + std::string(key) + "' must stand before the first data line");
+    }
+  }
+
+  void readName(const Token& word) {
+    if (!isName(word.text)) {
+      fail(word.column, "motion.bad-name", "a motion's name consists of letters, digits, '_' and '-'");
+    } else if (!motion_.name.empty()) {
+      fail(word.column, "motion.second-name", "the motion already has the name '" + motion_.name + "'");
+    } else {
+      motion_.name = word.text;
+    }
+  }
+
+  void readJoints(const std::vector<Token>& words) {
+    motion_.joints.clear();
+    motion_.hasJointHeader = true;
+    motion_.jointHeaderLine = line_;
+    for (std::size_t i = 2; i < words.size(); ++i) {
+      const std::string name(words[i].text);
+      if (std::count(motion_.joints.begin(), motion_.joints.end(), name) > 0) {
+        fail(words[i].column, "motion.duplicate-joint", "the joint '" + name + "' has two columns");
+      }
+      motion_.joints.push_back(name);
+    }
+    if (motion_.joints.empty())
+      fail(words[0].column, "motion.no-joints", "'joints =' must name at least one joint");
+    columns_ = motion_.joints.size();
+  }
+
+  std::optional<MotionStatement> readStatement(const std::vector<Token>& words) {
+    if (words.empty()) return MotionRemark{};
+    const std::string_view key = words[0].text;
+    if (key == "label") return readLabel(words);
+    if (key == "transition") return readTransition(words);
+    if (key == "hardness") return readHardness(words);
+    if (key == "*" || key == "~" || key == "-" || number(key)) return readKeyFrame(words);
+    fail(words[0].column, "motion.unknown-line",
+         "'" + std::string(key) +
+             "' begins no line of a motion; expected label, transition, hardness or angles");
+    return std::nullopt;
+  }
+
+  bool checkNames(const std::vector<Token>& words, std::size_t count, const char* usage) {
+    if (words.size() != count + 1) {
+      const Token& at = words[std::min(words.size() - 1, count)];
+      fail(at.column, "motion.wrong-count", std::string("expected '") + usage + "'");
+      return false;
+    }
+    for (std::size_t i = 1; i < words.size(); ++i) {
+      if (isName(words[i].text)) continue;
+      fail(words[i].column, "motion.bad-name", "a name consists of letters, digits, '_' and '-'");
+      return false;
+    }
+    return true;
+  }
+
+  std::optional<MotionStatement> readLabel(const std::vector<Token>& words) {
+    if (!checkNames(words, 1, "label NAME")) return std::nullopt;
+    return MotionLabel{std::string(words[1].text)};
+  }
+
+  std::optional<MotionStatement> readTransition(const std::vector<Token>& words) {
+    if (!checkNames(words, 3, "transition REQUEST MOTION LABEL")) return std::nullopt;
+    return MotionTransition{std::string(words[1].text), std::string(words[2].text),
+                            std::string(words[3].text)};
+  }
+
+  /// True if a line has one value a joint and `more` numbers after them.
+  bool checkColumns(const std::vector<Token>& words, std::size_t first, std::size_t more) {
+    const std::size_t values = words.size() < first + more ? 0 : words.size() - first - more;
+    if (columns_ == 0) columns_ = values;
+    columnsUsed_ = true;
+    if (values == columns_ && values > 0) return true;
+    fail(words[std::min(first + columns_, words.size() - 1)].column, "motion.wrong-count",
+         "expected " + std::to_string(columns_) + " joints and " + std::to_string(more) + " more " +
+             (more == 1 ? "number" : "numbers") + ", found " + std::to_string(words.size() - first) +
+             " values");
+    return false;
+  }
+
+  std::optional<Duration> readDuration(const Token& word, double minimum) {
+    const auto value = number(word.text);
+    const bool ticks = motion_.timeUnit == MotionFile::TimeUnit::kTicks;
+    if (!value || *value < minimum || *value > 1e6 || *value != std::floor(*value)) {
+      fail(word.column, "motion.bad-duration",
+           std::string("a duration is a whole number of ") + (ticks ? "ticks" : "milliseconds") + " from " +
+               std::to_string(static_cast<int>(minimum)) + " to 1000000, not '" + std::string(word.text) +
+               "'");
+      return std::nullopt;
+    }
+    return static_cast<Duration::rep>(*value) *
+           (ticks ? kMotionTick : Duration(std::chrono::milliseconds(1)));
+  }
+
+  std::optional<MotionStatement> readHardness(const std::vector<Token>& words) {
+    if (!checkColumns(words, 1, 1)) return std::nullopt;
+    MotionHardness hardness;
+    for (std::size_t i = 1; i + 1 < words.size(); ++i) {
+      const auto value = number(words[i].text);
+      if (words[i].text == "*" || words[i].text == "~") {
+        hardness.shares.emplace_back();
+      } else if (value && *value >= 0 && *value <= 100) {
+        hardness.shares.emplace_back(*value / 100);
+      } else {
+        fail(words[i].column, "motion.bad-hardness", "a hardness is '*' or a number from 0 to 100 percent");
+        return std::nullopt;
+      }
+    }
+    const auto duration = readDuration(words.back(), 0);
+    if (!duration) return std::nullopt;
+    hardness.duration = *duration;
+    return hardness;
+  }
+
+  std::optional<JointValue> readAngle(const Token& word) {
+    if (word.text == "*" || word.text == "~") return JointValue{};
+    if (word.text == "-") return JointValue{JointValue::Kind::kRelease, 0};
+    const auto value = number(word.text);
+    if (!value) {
+      fail(word.column, "motion.bad-angle",
+           "'" + std::string(word.text) + "' is neither an angle nor '*', '~' or '-'");
+      return std::nullopt;
+    }
+    const bool inDegrees = motion_.angleUnit == MotionFile::AngleUnit::kDegrees;
+    const double angle = inDegrees ? radians(*value) : *value / 1000;
+    if (std::abs(angle) > radians(kMaximumMotionDegrees) + 1e-9) {
+      fail(word.column, "motion.angle-out-of-range",
+           "the angle " + std::string(word.text) + " is beyond -210 to 210 degrees");
+      return std::nullopt;
+    }
+    return JointValue{JointValue::Kind::kAngle, angle};
+  }
+
+  std::optional<MotionStatement> readKeyFrame(const std::vector<Token>& words) {
+    if (!checkColumns(words, 0, 2)) return std::nullopt;
+    KeyFrame frame;
+    for (std::size_t i = 0; i + 2 < words.size(); ++i) {
+      const auto value = readAngle(words[i]);
+      if (!value) return std::nullopt;
+      frame.joints.push_back(*value);
+    }
+    const Token& flag = words[words.size() - 2];
+    if (flag.text.size() != 1 || flag.text[0] < '0' || flag.text[0] > '3') {
+      fail(flag.column, "motion.bad-interpolation",
+           "the interpolation is 0, 1, 2 or 3, not '" + std::string(flag.text) + "'");
+      return std::nullopt;
+    }
+    frame.interpolation = flag.text[0] - '0';
+    const auto duration = readDuration(words.back(), 1);
+    if (!duration) return std::nullopt;
+    frame.duration = *duration;
+    return frame;
+  }
+
+  MotionFile motion_;
+  Errors errors_;
+  int line_ = 0;
+  std::size_t columns_ = 0;
+  bool columnsUsed_ = false;
+};
+
+}  // namespace
+
+tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
+                                            const std::vector<std::string>& joints) {
+  return Reader(path, joints).read(text);
+}
+
+tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
+                                                const std::vector<std::string>& joints) {
+  std::ifstream stream(file, std::ios::binary);
+  std::ostringstream text;
+  if (stream) text << stream.rdbuf();
+  if (!stream) {
+    return tl::unexpected(Errors{{"motion.unreadable",
+                                  "the file cannot be read; check its name and its rights",
+                                  {},
+                                  {file.string(), 0, 0}}});
+  }
+  return readMotion(text.str(), file.string(), joints);
+}
+
+}  // namespace robotlink

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string_view>
+
+#include "robotlink/base/Error.h"
+#include "robotlink/motions/MotionFile.h"
+
+namespace robotlink {
+
+/// The limits of the robots' motion compilers.
+inline constexpr int kMaximumMotionFiles = 500;
+inline constexpr int kMaximumMotionLines = 32000;
+inline constexpr int kMaximumMotionLabels = 5000;
+/// Largest angle of a data line, either way.
+inline constexpr double kMaximumMotionDegrees = 210;
+
+/// Reads the text of a motion (`.mof`): `motion_id = NAME`, `label`, `transition`, `hardness` and data lines,
+/// comments from `"` or `//` to the end of the line.
+///
+/// Three more header lines are our own; real files lack them: `joints = NAME...` names the columns, `units =
+/// deg|mrad` and `time = ms|ticks` say what numbers mean (degrees and milliseconds without them). Without
+/// `joints` the columns are `joints` given here, or, if that is empty, as many as the first data line has.
+/// Any text is answered: by a motion, or by all its errors with file, line and column. Ids begin with
+/// "motion.".
+tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
+                                            const std::vector<std::string>& joints = {});
+
+/// The same for a file.
+tl::expected<MotionFile, Errors> readMotionFile(const std::filesystem::path& file,
+                                                const std::vector<std::string>& joints = {});
+
+}  // namespace robotlink
