@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/config/FieldDescription.h"
+
+#include <algorithm>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/YamlReader.h"
+
+namespace robotlink {
+namespace {
+
+/// Lengths on a field lie between a millimetre and a hundred metres.
+double lengthOf(const YamlNode& node, std::string_view key) {
+  return node.numberIn(key, 0.001, 100);
+}
+
+void readPalette(const YamlNode& node, FieldDescription& field) {
+  for (const auto& [name, value] : node.entries()) {
+    const auto channels = value.as<std::vector<int>>();
+    const bool valid =
+        channels.size() == 3 && std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; });
+    if (!valid) {
+      value.fail("field.color", "a colour is three whole numbers from 0 to 255: [red, green, blue]", {name});
+      continue;
+    }
+    const auto channel = [&](std::size_t i) { return static_cast<std::uint8_t>(channels[i]); };
+    field.palette.push_back({name, {channel(0), channel(1), channel(2)}});
+  }
+}
+
+/// A required name of a palette's colour.
+std::string colorOf(const YamlNode& node, std::string_view key, const FieldDescription& field) {
+  const YamlNode child = node.child(key);
+  auto name = child.as<std::string>();
+  if (!child.empty() && field.color(name) == nullptr) {
+    child.fail("field.unknown-color", "the palette has no colour '" + name + "'", {name});
+  }
+  return name;
+}
+
+void readGround(const YamlNode& root, FieldDescription& field) {
+  const YamlNode surface = root.child("surface");
+  field.length = lengthOf(surface, "length");
+  field.width = lengthOf(surface, "width");
+  field.surfaceColor = colorOf(surface, "color", field);
+  field.surfaceFriction = surface.numberIn("friction", 0, 10);
+  const YamlNode surroundings = root.child("surroundings");
+  field.surroundingsMargin = surroundings.numberIn("margin", 0, 100);
+  field.surroundingsColor = colorOf(surroundings, "color", field);
+  const YamlNode walls = root.child("walls");
+  field.wallHeight = lengthOf(walls, "height");
+  field.wallThickness = lengthOf(walls, "thickness");
+  field.wallColor = colorOf(walls, "color", field);
+  field.cornerTriangleSide = lengthOf(root.child("corner_triangles"), "side");
+}
+
+void readLines(const YamlNode& lines, FieldDescription& field) {
+  field.lineWidth = lengthOf(lines, "width");
+  field.lineColor = colorOf(lines, "color", field);
+  field.centerCircleDiameter = lengthOf(lines, "center_circle_diameter");
+  field.penaltyAreaLength = lengthOf(lines.child("penalty_area"), "length");
+  field.penaltyAreaWidth = lengthOf(lines.child("penalty_area"), "width");
+}
+
+void readGoals(const YamlNode& root, FieldDescription& field) {
+  const YamlNode goal = root.child("goal");
+  field.goalWidth = lengthOf(goal, "width");
+  field.goalDepth = lengthOf(goal, "depth");
+  field.goalHeight = lengthOf(goal, "height");
+  for (const YamlNode& node : root.child("goals").items()) {
+    field.goals.push_back(
+        {node.required<std::string>("name"), node.numberIn("x", -100, 100), colorOf(node, "color", field)});
+  }
+}
+
+void readBeacons(const YamlNode& root, FieldDescription& field) {
+  const YamlNode beacon = root.child("beacon");
+  field.beaconRadius = lengthOf(beacon, "radius");
+  field.beaconBaseHeight = lengthOf(beacon, "base_height");
+  field.beaconBandHeight = lengthOf(beacon, "band_height");
+  field.beaconBaseColor = colorOf(beacon, "base_color", field);
+  for (const YamlNode& node : root.child("beacons").items()) {
+    const auto position = node.numbers("position", 2);
+    field.beacons.push_back({node.required<std::string>("name"), Vector2(position[0], position[1]),
+                             colorOf(node, "top", field), colorOf(node, "bottom", field)});
+  }
+}
+
+tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
+  const YamlNode root = yaml.root();
+  FieldDescription field;
+  if (root.required<int>("version") != 1)
+    root.fail("field.version", "only version 1 of this format is known");
+  field.name = root.required<std::string>("name");
+  readPalette(root.child("palette"), field);
+  readGround(root, field);
+  readLines(root.child("lines"), field);
+  readGoals(root, field);
+  readBeacons(root, field);
+  const YamlNode ball = root.child("ball");
+  field.ballRadius = lengthOf(ball, "radius");
+  field.ballMass = ball.numberIn("mass", 1e-4, 100);
+  field.ballColor = colorOf(ball, "color", field);
+  if (auto finished = yaml.finish(); !finished) return tl::unexpected(std::move(finished.error()));
+  return field;
+}
+
+}  // namespace
+
+const Rgb* FieldDescription::color(std::string_view colorName) const {
+  const auto found = std::ranges::find(palette, colorName, &PaletteColor::name);
+  return found == palette.end() ? nullptr : &found->rgb;
+}
+
+tl::expected<FieldDescription, Errors> FieldDescription::parse(std::string_view text, std::string file) {
+  auto yaml = YamlReader::parse(text, std::move(file));
+  if (!yaml) return tl::unexpected(Errors{yaml.error()});
+  return readField(*yaml);
+}
+
+tl::expected<FieldDescription, Errors> FieldDescription::load(const std::filesystem::path& file) {
+  const auto text = readFile(file);
+  if (!text) return tl::unexpected(Errors{text.error()});
+  return parse(*text, file.string());
+}
+
+}  // namespace robotlink

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/config/FieldDescription.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+
+#include "robotlink/base/AtomicFile.h"
+
+namespace robotlink {
+namespace {
+
+using testing::HasSubstr;
+
+const char* const kFile = ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml";
+
+std::string fieldText() {
+  return readFile(kFile).value();
+}
+
+/// The shipped file with one passage replaced.
+std::string withReplaced(const std::string& from, const std::string& to) {
+  std::string text = fieldText();
+  const std::size_t at = text.find(from);
+  EXPECT_NE(at, std::string::npos) << from;
+  return text.replace(at, from.size(), to);
+}
+
+std::string errorsOf(const std::string& text) {
+  const auto field = FieldDescription::parse(text, "field.yaml");
+  return field ? "" : describe(field.error());
+}
+
+TEST(FieldDescription, theFieldOf2002HasItsMeasures) {
+  const auto field = FieldDescription::load(kFile);
+  ASSERT_TRUE(field) << describe(field.error());
+  EXPECT_EQ(field->length, 4.2);
+  EXPECT_EQ(field->width, 2.7);
+  EXPECT_EQ(field->goals.size(), 2U);
+  ASSERT_EQ(field->beacons.size(), 6U);
+  EXPECT_DOUBLE_EQ(field->beaconTopBandHeight(), 0.35);
+  EXPECT_DOUBLE_EQ(field->beaconBottomBandHeight(), 0.25);
+  ASSERT_NE(field->color("orange"), nullptr);
+  EXPECT_EQ(field->color("mauve"), nullptr);
+}
+
+TEST(FieldDescription, theFieldOf2002IsSymmetric) {
+  const auto field = FieldDescription::load(kFile);
+  ASSERT_TRUE(field);
+  for (const auto& beacon : field->beacons) {
+    const auto mirrored = std::ranges::find_if(
+        field->beacons, [&](const auto& other) { return other.position.isApprox(-beacon.position); });
+    ASSERT_NE(mirrored, field->beacons.end()) << beacon.name;
+    EXPECT_EQ(mirrored->topColor == "pink", beacon.bottomColor == "pink") << beacon.name;
+  }
+}
+
+TEST(FieldDescription, aColorThatThePaletteLacksIsRefusedWithItsPlace) {
+  EXPECT_THAT(errorsOf(withReplaced("mass: 0.026, color: orange", "mass: 0.026, color: mauve")),
+              testing::MatchesRegex("field.yaml:[0-9]+:[0-9]+: the palette has no colour 'mauve'"));
+}
+
+TEST(FieldDescription, wrongValuesAreRefused) {
+  EXPECT_THAT(errorsOf(withReplaced("length: 4.2", "length: -4.2")), HasSubstr("'length' must lie between"));
+  EXPECT_THAT(errorsOf(withReplaced("length: 4.2", "length: 1e9")), HasSubstr("'length' must lie between"));
+  EXPECT_THAT(errorsOf(withReplaced("mass: 0.026", "mass: .nan")), HasSubstr("a finite number"));
+  EXPECT_THAT(errorsOf(withReplaced("[0, 130, 50]", "[0, 130, 256]")),
+              HasSubstr("three whole numbers from 0 to 255"));
+  EXPECT_THAT(errorsOf(withReplaced("position: [-2.2, 1.45]", "position: [-2.2]")),
+              HasSubstr("must have 2 numbers"));
+  EXPECT_THAT(errorsOf(withReplaced("thickness:", "thikness:")),
+              AllOf(HasSubstr("unknown key 'thikness'"), HasSubstr("'thickness' is missing")));
+  EXPECT_THAT(errorsOf(withReplaced("version: 1", "version: 2")), HasSubstr("only version 1"));
+}
+
+}  // namespace
+}  // namespace robotlink
