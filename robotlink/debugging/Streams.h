@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace robotlink::streams {
+
+// Where what a robot tells goes, below the robot's name: the values of DebugMessage.path. All of them, their
+// types and who sends them stand in robotlink/session/STREAMS.md. A package that is asked for goes where its
+// name says.
+
+inline constexpr char kLog[] = "log";                        ///< foxglove.Log, of all processes
+inline constexpr char kKeys[] = "tables/keys";               ///< KeyTable, of all processes together
+inline constexpr char kSolutions[] = "tables/solutions";     ///< SolutionTable
+inline constexpr char kProcesses[] = "tables/processes";     ///< ProcessTable
+inline constexpr char kResults[] = "results";                ///< RequestResult; handed to who asked, not kept
+inline constexpr char kFrames[] = "frames/";                 ///< + process: FrameInfo
+inline constexpr char kStopwatches[] = "stopwatches/";       ///< + process: StopwatchTimes
+inline constexpr char kParameters[] = "parameters/";         ///< + task/solution: ParameterValues
+inline constexpr char kImages[] = "images/";                 ///< + key: foxglove.RawImage
+inline constexpr char kPlots[] = "plots/";                   ///< + key or key/curve: PlotValue
+inline constexpr char kImageDrawings[] = "drawings/image/";  ///< + key: foxglove.ImageAnnotations
+inline constexpr char kFieldDrawings[] =
+    "drawings/field/";  ///< + key: foxglove.SceneUpdate in the frame "field"
+inline constexpr char kRobotDrawings[] =
+    "drawings/robot/";  ///< + key: foxglove.SceneUpdate in the robot's frame
+
+// What belongs to the whole world, with no robot before it.
+inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
+inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
+inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
+
+}  // namespace robotlink::streams
