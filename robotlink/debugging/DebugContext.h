@@ -15,6 +15,9 @@
 namespace google::protobuf {
 class Message;
 }
+namespace foxglove {
+class SceneEntity;
+}
 namespace robotcontrol {
 class DebugMessage;
 class DebugQueue;
@@ -25,15 +28,18 @@ namespace robotlink {
 
 enum class Level : std::uint8_t { kDebug, kInfo, kWarning, kError };
 
-/// The debugging state of one process: modes and counters of the debug keys, and what the process has told since its
-/// queue was last taken. Handed to the constructors of solutions; used by its process's thread only.
+/// The debugging state of one process: modes and counters of the debug keys, and what the process has told
+/// since its queue was last taken. Handed to the constructors of solutions; used by its process's thread
+/// only.
 ///
 /// Usage, so that nothing is computed unless somebody asked:
 ///
 ///     if (debug.on(kCircleKey)) debug.imageDrawing(kCircleKey).circle(center, radius, colors::kOrange, 1);
 ///
-/// What a frame tells is handed over whole at its end. The queue is bounded; what does not fit is dropped, oldest frames
-/// first, and counted.
+/// What a frame tells is handed over whole at its end, a FrameInfo last. The queue is bounded; what does not
+/// fit is dropped, oldest whole frames first, and its messages are counted. What is told outside frames
+/// belongs to the next. A drawing that is begun is sent even if nothing is drawn, so that the one before it
+/// disappears.
 class DebugContext {
  public:
   struct Options {
@@ -44,8 +50,9 @@ class DebugContext {
   DebugContext(const DebugContext&) = delete;
   DebugContext& operator=(const DebugContext&) = delete;
 
-  /// Whether a key's code shall run now. Counts: n times is true n times and then turns off; every n is true at each n-th
-  /// call; every n ms at the first call and then at least n ms apart. A key that is off costs one branch.
+  /// Whether a key's code shall run now. Counts: n times is true n times and then turns off; every n is true
+  /// at each n-th call; every n ms at the first call and then at least n ms apart, by the times of the
+  /// frames. A key that is off costs one branch.
   bool on(const DebugKey& key) {
     const State& state = states_[static_cast<std::size_t>(key.index())];
     return state.kind != 0 && dueNow(key.index());
@@ -58,6 +65,7 @@ class DebugContext {
   SceneDrawing fieldDrawing(const DebugKey& key);
   /// Coordinates in metres in the robot's frame (on the ground, x to the front).
   SceneDrawing robotDrawing(const DebugKey& key);
+  /// One image a frame and key: the last.
   void image(const DebugKey& key, const ImageView& image);
   void plot(const DebugKey& key, double value, const char* unit = "");
   /// Several curves under one key: "ball-model/position" with the curve "x".
@@ -70,7 +78,9 @@ class DebugContext {
 
   // The rest is for the process that owns the context.
   void setRobot(std::string robot) { robot_ = std::move(robot); }
+  /// Starts counting anew. Unknown keys and kinds are ignored.
   void setMode(int key, const robotcontrol::KeyMode& mode);
+  /// A key whose n times are over is OFF, but keeps its n; one that was switched off has n = 0.
   robotcontrol::KeyMode mode(int key) const;
   void beginFrame(Instant now, std::uint64_t number);
   /// Completes the frame; its messages can be taken from now on.
@@ -90,7 +100,9 @@ class DebugContext {
   };
   struct Frame;
   bool dueNow(int key);
-  robotcontrol::DebugMessage& messageFor(const std::string& path);
+  /// The message of this frame for a key in a stream, a new one if there is none.
+  robotcontrol::DebugMessage& messageFor(const char* stream, const DebugKey& key);
+  foxglove::SceneEntity& entityFor(const char* stream, const DebugKey& key, const std::string& frame);
 
   std::string process_;
   std::string robot_;

@@ -4,6 +4,7 @@
 #include <span>
 #include <string>
 
+#include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Image.h"
 
@@ -20,16 +21,18 @@ struct Color {
 };
 
 namespace colors {
-inline constexpr Color kRed{{220, 40, 40}}, kGreen{{40, 180, 60}}, kBlue{{40, 90, 230}}, kYellow{{240, 210, 40}},
-    kOrange{{250, 130, 20}}, kPink{{250, 90, 170}}, kSkyBlue{{90, 200, 240}}, kWhite{{255, 255, 255}},
-    kBlack{{0, 0, 0}}, kGrey{{128, 128, 128}};
+inline constexpr Color kRed{{220, 40, 40}}, kGreen{{40, 180, 60}}, kBlue{{40, 90, 230}},
+    kYellow{{240, 210, 40}}, kOrange{{250, 130, 20}}, kPink{{250, 90, 170}}, kSkyBlue{{90, 200, 240}},
+    kWhite{{255, 255, 255}}, kBlack{{0, 0, 0}}, kGrey{{128, 128, 128}};
 }  // namespace colors
 
-/// Draws into an image's plane; pixels, (0, 0) is the upper left corner of the image, y down; widths in pixels of
-/// the screen. A handle on a message of the current frame: do not keep it.
+/// Draws into an image's plane; pixels, (0, 0) is the upper left corner of the image, y down; widths in
+/// pixels of the screen. A handle on a message of the current frame: do not keep it. Shapes with a coordinate
+/// that is not finite are left out. Ellipses are loops of 32 points, arrows are lines; `time` is that of the
+/// image drawn on.
 class ImageDrawing {
  public:
-  explicit ImageDrawing(foxglove::ImageAnnotations& to) : to_(to) {}
+  explicit ImageDrawing(foxglove::ImageAnnotations& to, Instant time = {}) : to_(to), time_(time) {}
   void line(const Vector2& from, const Vector2& to, Color color, double width = 1);
   void arrow(const Vector2& from, const Vector2& to, Color color, double width = 1);
   void circle(const Vector2& center, double radius, Color color, double width = 1, Color fill = {{}, 0});
@@ -42,14 +45,18 @@ class ImageDrawing {
 
  private:
   foxglove::ImageAnnotations& to_;
+  Instant time_;
 };
 
-/// Draws into a frame of the world (field or robot), in metres. The same drawing is shown in the Field view from
-/// above and in the Scene view in three dimensions; what is drawn flat lies on the ground. Widths in pixels of the
-/// screen. A handle on a message of the current frame: do not keep it.
+/// Draws into a frame of the world (field or robot), in metres. The same drawing is shown in the Field view
+/// from above and in the Scene view in three dimensions; what is drawn flat lies on the ground. Widths in
+/// pixels of the screen. A handle on a message of the current frame: do not keep it. Shapes with a coordinate
+/// that is not finite are left out. Circles and ellipses are loops of 32 points, fills are triangles; flat
+/// shapes lie 5 mm above the ground, so that they are seen on it.
 class SceneDrawing {
  public:
   explicit SceneDrawing(foxglove::SceneEntity& to) : to_(to) {}
+  static constexpr double kGroundHeight = 0.005;
   // Flat, on the ground.
   void line(const Vector2& from, const Vector2& to, Color color, double width = 1);
   void arrow(const Vector2& from, const Vector2& to, Color color, double width = 1);

@@ -1,0 +1,222 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/DebugContext.h"
+
+#include <google/protobuf/timestamp.pb.h>
+#include <deque>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/Utf8.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace robotlink {
+
+using robotcontrol::DebugMessage;
+using robotcontrol::KeyMode;
+
+namespace {
+
+using Messages = std::vector<std::unique_ptr<DebugMessage>>;
+
+struct CompleteFrame {
+  Messages messages;
+  std::size_t bytes = 0;
+};
+
+foxglove::Log::Level logLevel(Level level) {
+  switch (level) {
+    case Level::kDebug:
+      return foxglove::Log::DEBUG;
+    case Level::kInfo:
+      return foxglove::Log::INFO;
+    case Level::kWarning:
+      return foxglove::Log::WARNING;
+    case Level::kError:
+      break;
+  }
+  return foxglove::Log::ERROR;
+}
+
+}  // namespace
+
+struct DebugContext::Frame {
+  Instant now;
+  std::uint64_t number = 0;
+  Messages messages;  // of the frame that is not complete yet
+  struct Begun {
+    const char* stream;
+    int key;
+    DebugMessage* message;
+  };
+  std::vector<Begun> begun;  // its drawings and images
+  std::deque<CompleteFrame> complete;
+  std::size_t completeBytes = 0;
+};
+
+DebugContext::DebugContext(std::string process, const Clock& clock, Options options)
+    : process_(std::move(process)),
+      clock_(clock),
+      options_(options),
+      states_(DebugKey::all().size()),
+      frame_(std::make_unique<Frame>()) {
+  DebugKey::seal();
+  frame_->now = clock_.now();
+}
+
+DebugContext::~DebugContext() = default;
+
+bool DebugContext::dueNow(int key) {
+  State& state = states_[static_cast<std::size_t>(key)];
+  switch (state.kind) {
+    case KeyMode::ALWAYS:
+      return true;
+    case KeyMode::N_TIMES:
+      if (++state.count >= state.n) state.kind = KeyMode::OFF;
+      return true;
+    case KeyMode::EVERY_N:
+      if (++state.count < state.n) return false;
+      state.count = 0;
+      return true;
+    case KeyMode::EVERY_MS: {
+      // Time that went back (a simulation was reset) counts as long ago.
+      const Duration since = frame_->now - state.last;
+      if (state.count > 0 && since >= Duration::zero() && since < std::chrono::milliseconds(state.n))
+        return false;
+      state.count = 1;
+      state.last = frame_->now;
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+void DebugContext::setMode(int key, const KeyMode& mode) {
+  if (key < 0 || static_cast<std::size_t>(key) >= states_.size() || !KeyMode::Kind_IsValid(mode.kind()))
+    return;
+  const bool never = mode.kind() == KeyMode::OFF || (mode.kind() == KeyMode::N_TIMES && mode.n() == 0);
+  State state;
+  state.kind = static_cast<std::uint8_t>(never ? KeyMode::OFF : mode.kind());
+  state.n = never || mode.kind() == KeyMode::ALWAYS ? 0 : mode.n();
+  states_[static_cast<std::size_t>(key)] = state;
+}
+
+KeyMode DebugContext::mode(int key) const {
+  KeyMode mode;
+  if (key < 0 || static_cast<std::size_t>(key) >= states_.size()) return mode;
+  const State& state = states_[static_cast<std::size_t>(key)];
+  mode.set_kind(static_cast<KeyMode::Kind>(state.kind));
+  mode.set_n(state.n);
+  return mode;
+}
+
+void DebugContext::beginFrame(Instant now, std::uint64_t number) {
+  frame_->now = now;
+  frame_->number = number;
+}
+
+void DebugContext::endFrame() {
+  auto& info = *add(streams::kFrames + process_).mutable_frame();
+  assign(*info.mutable_timestamp(), frame_->now);
+  info.set_process(process_);
+  info.set_number(frame_->number);
+  CompleteFrame complete{std::exchange(frame_->messages, {}), 0};
+  frame_->begun.clear();
+  for (const auto& message : complete.messages) complete.bytes += message->ByteSizeLong();
+  frame_->completeBytes += complete.bytes;
+  frame_->complete.push_back(std::move(complete));
+  while (frame_->completeBytes > options_.maxQueueBytes) {
+    const CompleteFrame& oldest = frame_->complete.front();
+    dropped_ += oldest.messages.size();
+    frame_->completeBytes -= oldest.bytes;
+    frame_->complete.pop_front();
+  }
+}
+
+DebugMessage& DebugContext::add(const std::string& path) {
+  DebugMessage& message = *frame_->messages.emplace_back(std::make_unique<DebugMessage>());
+  message.set_path(path);
+  assign(*message.mutable_timestamp(), frame_->now);
+  return message;
+}
+
+DebugMessage& DebugContext::messageFor(const char* stream, const DebugKey& key) {
+  for (const Frame::Begun& begun : frame_->begun) {
+    if (begun.key == key.index() && begun.stream == stream) return *begun.message;
+  }
+  DebugMessage& message = add(stream + key.name());
+  frame_->begun.push_back({stream, key.index(), &message});
+  return message;
+}
+
+bool DebugContext::hasQueue() const {
+  return !frame_->complete.empty();
+}
+
+std::shared_ptr<const robotcontrol::DebugQueue> DebugContext::takeQueue() {
+  auto queue = std::make_shared<robotcontrol::DebugQueue>();
+  queue->set_process(process_);
+  queue->set_dropped(dropped_);
+  for (CompleteFrame& frame : frame_->complete) {
+    for (auto& message : frame.messages) queue->mutable_messages()->AddAllocated(message.release());
+  }
+  frame_->complete.clear();
+  frame_->completeBytes = 0;
+  return queue;
+}
+
+ImageDrawing DebugContext::imageDrawing(const DebugKey& key) {
+  return ImageDrawing(*messageFor(streams::kImageDrawings, key).mutable_image_drawing(), frame_->now);
+}
+
+foxglove::SceneEntity& DebugContext::entityFor(const char* stream, const DebugKey& key,
+                                               const std::string& frame) {
+  foxglove::SceneUpdate& update = *messageFor(stream, key).mutable_scene_drawing();
+  if (update.entities_size() > 0) return *update.mutable_entities(0);
+  foxglove::SceneEntity& entity = *update.add_entities();
+  assign(*entity.mutable_timestamp(), frame_->now);
+  entity.set_frame_id(frame);
+  entity.set_id(key.name());
+  return entity;
+}
+
+SceneDrawing DebugContext::fieldDrawing(const DebugKey& key) {
+  return SceneDrawing(entityFor(streams::kFieldDrawings, key, "field"));
+}
+
+SceneDrawing DebugContext::robotDrawing(const DebugKey& key) {
+  return SceneDrawing(entityFor(streams::kRobotDrawings, key, robot_));
+}
+
+void DebugContext::image(const DebugKey& key, const ImageView& image) {
+  if (!image.empty()) assign(*messageFor(streams::kImages, key).mutable_image(), image, frame_->now, robot_);
+}
+
+void DebugContext::plot(const DebugKey& key, double value, const char* unit) {
+  plot(key, "", value, unit);
+}
+
+void DebugContext::plot(const DebugKey& key, const char* curve, double value, const char* unit) {
+  std::string path = streams::kPlots + key.name();
+  if (*curve != '\0') path.append("/").append(curve);
+  auto& plotted = *add(path).mutable_plot();
+  assign(*plotted.mutable_timestamp(), frame_->now);
+  plotted.set_value(value);
+  plotted.set_unit(unit);
+}
+
+void DebugContext::text(Level level, std::string_view source, std::string text) {
+  foxglove::Log& log = *add(streams::kLog).mutable_text();
+  assign(*log.mutable_timestamp(), frame_->now);
+  log.set_level(logLevel(level));
+  log.set_message(validUtf8(std::move(text)));
+  log.set_name(process_ + "/" + std::string(source));
+}
+
+void DebugContext::package(const std::string& path, const google::protobuf::Message& package) {
+  auto& copy = *add(path).mutable_package();
+  copy.set_type(package.GetDescriptor()->full_name());
+  package.SerializeToString(copy.mutable_data());
+}
+
+}  // namespace robotlink

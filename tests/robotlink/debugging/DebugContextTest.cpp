@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/DebugContext.h"
+
+#include <gtest/gtest.h>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/packages/Conversions.h"
+
+using namespace robotlink;
+using robotcontrol::KeyMode;
+using namespace std::chrono_literals;
+
+namespace {
+
+const DebugKey kShapeKey{"context-test/shape", "A key of this test"};
+const DebugKey kOtherKey{"context-test/other", "Another key of this test"};
+
+KeyMode mode(KeyMode::Kind kind, std::uint32_t n = 0) {
+  KeyMode result;
+  result.set_kind(kind);
+  result.set_n(n);
+  return result;
+}
+
+class DebugContextTest : public testing::Test {
+ protected:
+  void frame(const std::function<void()>& body = [] {}) {
+    debug_.beginFrame(clock_.now(), ++number_);
+    body();
+    debug_.endFrame();
+    clock_.advance(40ms);
+  }
+  /// How often the key was on in so many calls, as a row of 0 and 1.
+  std::string calls(int count) {
+    std::string row;
+    for (int i = 0; i < count; ++i) row += debug_.on(kShapeKey) ? '1' : '0';
+    return row;
+  }
+  static std::vector<std::string> paths(const robotcontrol::DebugQueue& queue) {
+    std::vector<std::string> result;
+    for (const auto& message : queue.messages()) result.push_back(message.path());
+    return result;
+  }
+
+  ManualClock clock_;
+  DebugContext debug_{"cognition", clock_, {}};
+  std::uint64_t number_ = 0;
+};
+
+using Paths = std::vector<std::string>;
+
+}  // namespace
+
+TEST_F(DebugContextTest, aKeyIsOffUntilItIsSwitchedOn) {
+  EXPECT_EQ(calls(3), "000");
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::ALWAYS));
+  EXPECT_EQ(calls(3), "111");
+  EXPECT_FALSE(debug_.on(kOtherKey));
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::OFF, 5));
+  EXPECT_EQ(calls(3), "000");
+  EXPECT_EQ(debug_.mode(kShapeKey.index()).n(), 0U);
+}
+
+TEST_F(DebugContextTest, nTimesIsTrueNTimesAndThenOff) {
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 3));
+  EXPECT_EQ(calls(5), "11100");
+  EXPECT_EQ(debug_.mode(kShapeKey.index()).kind(), KeyMode::OFF);
+  EXPECT_EQ(debug_.mode(kShapeKey.index()).n(), 3U)
+      << "so that it can be told from one that was switched off";
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 1));
+  EXPECT_EQ(calls(3), "100");
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 0));
+  EXPECT_EQ(calls(2), "00");
+}
+
+TEST_F(DebugContextTest, everyNIsTrueAtEachNthCall) {
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 3));
+  EXPECT_EQ(calls(7), "0010010");
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 3));
+  EXPECT_EQ(calls(3), "001") << "a new request counts anew";
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_N, 0));
+  EXPECT_EQ(calls(2), "11");
+}
+
+TEST_F(DebugContextTest, everyMsIsTrueAtFirstAndThenAtLeastThatFarApart) {
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::EVERY_MS, 100));
+  std::string row;
+  for (int i = 0; i < 7; ++i) frame([&] { row += calls(1); });  // 40 ms apart
+  EXPECT_EQ(row, "1001001");
+  clock_.set(Instant{});  // the simulation was reset
+  frame([&] { EXPECT_EQ(calls(2), "10"); });
+}
+
+TEST_F(DebugContextTest, twoContextsShareNoCounters) {
+  DebugContext other("motion", clock_, {});
+  other.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 1));
+  debug_.setMode(kShapeKey.index(), mode(KeyMode::N_TIMES, 1));
+  EXPECT_TRUE(other.on(kShapeKey));
+  EXPECT_TRUE(debug_.on(kShapeKey));
+  EXPECT_FALSE(debug_.on(kShapeKey));
+}
+
+TEST_F(DebugContextTest, modesAndKeysThatDoNotExistAreIgnored) {
+  debug_.setMode(-1, mode(KeyMode::ALWAYS));
+  debug_.setMode(1 << 20, mode(KeyMode::ALWAYS));
+  debug_.setMode(kShapeKey.index(), mode(static_cast<KeyMode::Kind>(77)));
+  EXPECT_EQ(calls(2), "00");
+  EXPECT_EQ(debug_.mode(-1).kind(), KeyMode::OFF);
+}
+
+TEST_F(DebugContextTest, aFrameIsHandedOverWholeAndEndsWithItsNumber) {
+  debug_.beginFrame(Instant(3s), 7);
+  debug_.text(Level::kWarning, "ball-percept", "no ball");
+  EXPECT_FALSE(debug_.hasQueue());
+  debug_.endFrame();
+  ASSERT_TRUE(debug_.hasQueue());
+  const auto queue = debug_.takeQueue();
+  EXPECT_FALSE(debug_.hasQueue());
+  ASSERT_EQ(paths(*queue), (Paths{"log", "frames/cognition"}));
+  EXPECT_EQ(queue->process(), "cognition");
+  const foxglove::Log& log = queue->messages(0).text();
+  EXPECT_EQ(log.message(), "no ball");
+  EXPECT_EQ(log.name(), "cognition/ball-percept");
+  EXPECT_EQ(log.level(), foxglove::Log::WARNING);
+  EXPECT_EQ(instant(log.timestamp()), Instant(3s));
+  EXPECT_EQ(instant(queue->messages(0).timestamp()), Instant(3s));
+  EXPECT_EQ(queue->messages(1).frame().number(), 7U);
+  EXPECT_EQ(queue->messages(1).frame().process(), "cognition");
+}
+
+TEST_F(DebugContextTest, eachKindGoesToItsStream) {
+  debug_.setRobot("red1");
+  const Image grey(4, 2, PixelFormat::kMono8);
+  frame([&] {
+    debug_.imageDrawing(kShapeKey).line({0, 0}, {1, 1}, colors::kRed);
+    debug_.fieldDrawing(kShapeKey).dot({1, 0}, colors::kRed);
+    debug_.robotDrawing(kShapeKey).dot({1, 0}, colors::kRed);
+    debug_.image(kShapeKey, grey.view());
+    debug_.plot(kShapeKey, 4.5, "m");
+    debug_.plot(kShapeKey, "x", 2);
+    debug_.package("models/ball", mode(KeyMode::EVERY_N, 9));
+  });
+  const auto queue = debug_.takeQueue();
+  EXPECT_EQ(paths(*queue), (Paths{"drawings/image/context-test/shape", "drawings/field/context-test/shape",
+                                  "drawings/robot/context-test/shape", "images/context-test/shape",
+                                  "plots/context-test/shape", "plots/context-test/shape/x", "models/ball",
+                                  "frames/cognition"}));
+  EXPECT_EQ(queue->messages(1).scene_drawing().entities(0).frame_id(), "field");
+  EXPECT_EQ(queue->messages(1).scene_drawing().entities(0).id(), "context-test/shape");
+  EXPECT_EQ(queue->messages(2).scene_drawing().entities(0).frame_id(), "red1");
+  EXPECT_EQ(imageView(queue->messages(3).image()).width, 4);
+  EXPECT_EQ(queue->messages(4).plot().value(), 4.5);
+  EXPECT_EQ(queue->messages(4).plot().unit(), "m");
+  EXPECT_EQ(queue->messages(6).package().type(), "robotcontrol.KeyMode");
+  KeyMode copy;
+  ASSERT_TRUE(copy.ParseFromString(queue->messages(6).package().data()));
+  EXPECT_EQ(copy.n(), 9U);
+}
+
+TEST_F(DebugContextTest, allShapesOfAKeyInAFrameAreOneDrawing) {
+  frame([&] {
+    debug_.imageDrawing(kShapeKey).circle({0, 0}, 1, colors::kRed);
+    debug_.imageDrawing(kOtherKey).circle({0, 0}, 1, colors::kRed);
+    debug_.imageDrawing(kShapeKey).circle({5, 5}, 1, colors::kRed);
+  });
+  frame([&] { debug_.imageDrawing(kShapeKey).circle({0, 0}, 1, colors::kRed); });
+  const auto queue = debug_.takeQueue();
+  ASSERT_EQ(queue->messages_size(), 5);
+  EXPECT_EQ(queue->messages(0).image_drawing().circles_size(), 2);
+  EXPECT_EQ(queue->messages(1).image_drawing().circles_size(), 1);
+  EXPECT_EQ(queue->messages(3).image_drawing().circles_size(), 1);
+}
+
+TEST_F(DebugContextTest, aDrawingThatIsBegunIsSentEvenIfItIsEmpty) {
+  frame([&] {
+    debug_.imageDrawing(kShapeKey);
+    debug_.fieldDrawing(kShapeKey);
+  });
+  const auto queue = debug_.takeQueue();
+  ASSERT_EQ(queue->messages_size(), 3);
+  EXPECT_TRUE(queue->messages(0).has_image_drawing());
+  EXPECT_EQ(queue->messages(1).scene_drawing().entities_size(), 1);
+}
+
+TEST_F(DebugContextTest, ofAnImageOnlyTheLastOfAFrameIsSent) {
+  const Image small(2, 2, PixelFormat::kMono8), large(8, 2, PixelFormat::kMono8);
+  frame([&] {
+    debug_.image(kShapeKey, small.view());
+    debug_.image(kShapeKey, large.view());
+    debug_.image(kOtherKey, ImageView{});
+  });
+  const auto queue = debug_.takeQueue();
+  ASSERT_EQ(queue->messages_size(), 2);
+  EXPECT_EQ(imageView(queue->messages(0).image()).width, 8);
+}
+
+TEST_F(DebugContextTest, whatDoesNotFitIsDroppedByWholeFramesOldestFirst) {
+  DebugContext debug("motion", clock_, {.maxQueueBytes = 1000});
+  for (std::uint64_t i = 1; i <= 5; ++i) {
+    debug.beginFrame(clock_.now(), i);
+    debug.text(Level::kInfo, "walk", std::string(300, 'x'));
+    debug.endFrame();
+  }
+  EXPECT_EQ(debug.dropped(), 6U) << "three frames of a text and an end";
+  const auto queue = debug.takeQueue();
+  ASSERT_EQ(queue->messages_size(), 4);
+  EXPECT_EQ(queue->messages(1).frame().number(), 4U);
+  EXPECT_EQ(queue->messages(3).frame().number(), 5U);
+  EXPECT_EQ(queue->dropped(), 6U);
+}
+
+TEST_F(DebugContextTest, aFrameThatIsTooLargeAloneIsDroppedAndTheNextOneIsNot) {
+  DebugContext debug("motion", clock_, {.maxQueueBytes = 1000});
+  debug.beginFrame(clock_.now(), 1);
+  debug.text(Level::kInfo, "walk", std::string(3000, 'x'));
+  debug.endFrame();
+  EXPECT_FALSE(debug.hasQueue());
+  debug.beginFrame(clock_.now(), 2);
+  debug.endFrame();
+  EXPECT_EQ(debug.takeQueue()->messages_size(), 1);
+  EXPECT_EQ(debug.dropped(), 2U);
+}
+
+TEST_F(DebugContextTest, whatIsToldOutsideAFrameBelongsToTheNext) {
+  debug_.text(Level::kError, "solutions", "refused");
+  EXPECT_FALSE(debug_.hasQueue());
+  frame();
+  EXPECT_EQ(paths(*debug_.takeQueue()), (Paths{"log", "frames/cognition"}));
+}
+
+TEST_F(DebugContextTest, aTextThatIsNotUtf8IsMadeSo) {
+  frame([&] { debug_.text(Level::kInfo, "files", "caf\xe9 \xc3\xa9 \xed\xa0\x80."); });
+  const auto queue = debug_.takeQueue();
+  EXPECT_EQ(queue->messages(0).text().message(), "caf? \xc3\xa9 ???.");
+  robotcontrol::DebugQueue copy;
+  EXPECT_TRUE(copy.ParseFromString(queue->SerializeAsString()));
+}
