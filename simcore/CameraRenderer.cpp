@@ -1,0 +1,241 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/CameraRenderer.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "robotlink/base/Random.h"
+#include "simcore/rendering/BodyTree.h"
+#include "simcore/rendering/DrawableMesh.h"
+#include "simcore/rendering/FrameMemory.h"
+#include "simcore/rendering/ShadowCaster.h"
+
+namespace simcore {
+namespace {
+
+using robotlink::PixelFormat;
+using namespace rendering;
+
+const Kernels& kernelsFor(CameraRenderer::Arithmetic arithmetic) {
+#if defined(__x86_64__)
+  if (arithmetic == CameraRenderer::Arithmetic::kFastest && __builtin_cpu_supports("avx2"))
+    return kAvx2Kernels;
+#else
+  static_cast<void>(arithmetic);
+#endif
+  return kPortableKernels;
+}
+
+/// A colour in the channels of an image, chroma without its offset; the coefficients are those of
+/// robotlink::toYCbCr.
+struct Channels {
+  float value[3];
+
+  Channels(Rgb color, PixelFormat format) : value{float(color.r), float(color.g), float(color.b)} {
+    if (format != PixelFormat::kYuyv) return;
+    const double r = color.r, g = color.g, b = color.b;
+    value[0] = static_cast<float>(0.299 * r + 0.587 * g + 0.114 * b);
+    value[1] = static_cast<float>(-0.168736 * r - 0.331264 * g + 0.5 * b);
+    value[2] = static_cast<float>(0.5 * r - 0.418688 * g - 0.081312 * b);
+  }
+};
+
+int sum(const std::vector<RenderInstance>& instances, const std::vector<DrawableMesh>& meshes) {
+  int triangles = 0;
+  for (const RenderInstance& instance : instances) {
+    triangles += meshes[static_cast<std::size_t>(instance.mesh)].streams().triangleGroups * 8;
+  }
+  return triangles;
+}
+
+template <typename Count>
+int largest(const std::vector<DrawableMesh>& meshes, Count count) {
+  int result = 0;
+  for (const DrawableMesh& mesh : meshes) result = std::max(result, count(mesh.streams()) * 8);
+  return result;
+}
+
+/// The four side planes of a camera's view.
+struct Frustum {
+  double sinX, cosX, sinY, cosY;
+
+  explicit Frustum(const CameraModel& camera)
+      : sinX(std::sin(camera.horizontalAngle / 2)),
+        cosX(std::cos(camera.horizontalAngle / 2)),
+        sinY(std::sin(camera.verticalAngle / 2)),
+        cosY(std::cos(camera.verticalAngle / 2)) {}
+  bool mayShow(const Eigen::Vector3d& center, double radius) const {
+    return center.x() * sinX - std::abs(center.y()) * cosX >= -radius &&
+           center.x() * sinY - std::abs(center.z()) * cosY >= -radius;
+  }
+};
+
+}  // namespace
+
+class CameraRenderer::Implementation {
+ public:
+  Implementation(std::shared_ptr<const RenderScene> scene, Options options)
+      : scene_(std::move(scene)),
+        kernels_(kernelsFor(options.arithmetic)),
+        meshes_(scene_->meshes.begin(), scene_->meshes.end()),
+        memory_(largest(meshes_, [](const MeshStreams& mesh) { return mesh.vertexGroups; }),
+                largest(meshes_, [](const MeshStreams& mesh) { return mesh.triangleGroups; }),
+                sum(scene_->instances, meshes_), scene_->lamps.size()),
+        bodyInWorld_(static_cast<std::size_t>(std::max(1, bodyCount(*scene_))), Pose3::Identity()),
+        meshInWorld_(scene_->instances.size()),
+        centerInWorld_(scene_->instances.size()),
+        lamps_(scene_->lamps.size()) {
+    if (options.shadows && !scene_->lamps.empty()) shadows_.emplace(*scene_, meshes_);
+  }
+
+  void setPoses(std::span<const Pose3> bodyInWorld) {
+    const std::size_t count = std::min(bodyInWorld.size(), bodyInWorld_.size());
+    if (count > 1) std::copy_n(bodyInWorld.begin() + 1, count - 1, bodyInWorld_.begin() + 1);
+    moved_ = true;
+  }
+
+  void render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
+              const ImageNoise& noise, robotlink::Image& image);
+
+ private:
+  void placeInstances();
+  void drawInstances(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
+                     VisibilityBuffer& buffer);
+  void placeLamps(const Pose3& worldInCamera);
+  void lightStrip(Strip& strip, const VisibilityBuffer& buffer);
+  void addNoise(const ImageNoise& noise, robotlink::Image& image) const;
+
+  std::shared_ptr<const RenderScene> scene_;
+  const Kernels& kernels_;
+  std::vector<DrawableMesh> meshes_;
+  FrameMemory memory_;
+  std::optional<ShadowCaster> shadows_;
+  std::vector<Pose3> bodyInWorld_;
+  std::vector<Pose3> meshInWorld_;              ///< by instance
+  std::vector<Eigen::Vector3d> centerInWorld_;  ///< of the bounding spheres, by instance
+  std::vector<ShadeLamp> lamps_;
+  bool moved_ = true;
+};
+
+void CameraRenderer::Implementation::placeInstances() {
+  for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
+    const RenderInstance& instance = scene_->instances[i];
+    meshInWorld_[i] = bodyInWorld_[static_cast<std::size_t>(instance.body)] * instance.meshInBody;
+    centerInWorld_[i] = meshInWorld_[i] * meshes_[static_cast<std::size_t>(instance.mesh)].bound().center;
+  }
+  if (shadows_) shadows_->setPoses(bodyInWorld_);
+  moved_ = false;
+}
+
+void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, const CameraModel& camera,
+                                                   PixelFormat format, VisibilityBuffer& buffer) {
+  const Pose3 worldInCamera = cameraInWorld.inverse(Eigen::Isometry);
+  const Frustum frustum(camera);
+  for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
+    const RenderInstance& instance = scene_->instances[i];
+    const DrawableMesh& mesh = meshes_[static_cast<std::size_t>(instance.mesh)];
+    const Eigen::Vector3d center = worldInCamera * centerInWorld_[i];
+    if (!frustum.mayShow(center, mesh.bound().radius)) continue;
+    const Eigen::Matrix<double, 3, 4> meshInCamera = (worldInCamera * meshInWorld_[i]).matrix().topRows<3>();
+    const Eigen::Vector3d cameraInMesh =
+        meshInWorld_[i].linear().transpose() * (cameraInWorld.translation() - meshInWorld_[i].translation());
+    DrawJob job;
+    job.mesh = &mesh.streams();
+    for (int row = 0; row < 3; ++row) {
+      for (int column = 0; column < 4; ++column) {
+        job.meshInCamera[row][column] = static_cast<float>(meshInCamera(row, column));
+      }
+      job.cameraInMesh[row] = static_cast<float>(cameraInMesh[row]);
+    }
+    std::copy_n(Channels(instance.color, format).value, 3, job.color);
+    job.self = mesh.convex() ? static_cast<std::int32_t>(i) : -1;
+    job.inFront = center.x() - mesh.bound().radius > 1e-3;
+    kernels_.draw(job, buffer);
+  }
+}
+
+void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
+  for (std::size_t i = 0; i < lamps_.size(); ++i) {
+    const Lamp& lamp = scene_->lamps[i];
+    const Eigen::Vector3f inCamera = (worldInCamera * lamp.position.cast<double>()).cast<float>();
+    std::copy_n(inCamera.data(), 3, lamps_[i].inCamera);
+    lamps_[i].intensity = lamp.intensity;
+    lamps_[i].attenuation = lamp.attenuation;
+    lamps_[i].cells = shadows_ ? shadows_->cells(i) : nullptr;
+    lamps_[i].rays = &memory_.rays()[i];
+  }
+}
+
+void CameraRenderer::Implementation::lightStrip(Strip& strip, const VisibilityBuffer& buffer) {
+  for (RayList& rays : memory_.rays()) rays.count = 0;
+  kernels_.shade(strip, buffer);
+  for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
+    const RayList& rays = memory_.rays()[lamp];
+    if (rays.count > 0) shadows_->addUnshadowed(lamp, rays, strip.light);
+  }
+}
+
+void CameraRenderer::Implementation::addNoise(const ImageNoise& noise, robotlink::Image& image) const {
+  if (noise.sigma <= 0) return;
+  const std::uint64_t bits = robotlink::hashBits(noise.seed, noise.stream, noise.frame);
+  const NoiseKey key{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
+  // Rounding to whole grey values adds a variance of 1/12 (but for the smallest sigmas); the sum of four
+  // uniform bytes has one of (256^2 - 1) / 3.
+  const double variance = std::max(noise.sigma * noise.sigma - 1.0 / 12, 0.0);
+  const double scale = std::sqrt(variance * 3 / 65535);
+  kernels_.addNoise(image.data.data(), static_cast<int>(image.data.size()), key, static_cast<float>(scale));
+}
+
+void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const CameraModel& camera,
+                                            PixelFormat format, const ImageNoise& noise,
+                                            robotlink::Image& image) {
+  image.format = format == PixelFormat::kYuyv ? PixelFormat::kYuyv : PixelFormat::kRgb8;
+  image.width = std::max(0, format == PixelFormat::kYuyv ? camera.width & ~1 : camera.width);
+  image.height = std::max(0, camera.height);
+  image.data.resize(static_cast<std::size_t>(image.step()) * static_cast<std::size_t>(image.height));
+  if (image.data.empty()) return;
+
+  if (moved_) placeInstances();
+  VisibilityBuffer& buffer = memory_.begin(camera, Channels(scene_->background, image.format).value);
+  drawInstances(cameraInWorld, camera, image.format, buffer);
+  placeLamps(cameraInWorld.inverse(Eigen::Isometry));
+
+  Strip strip = memory_.strip();
+  strip.ambient = scene_->ambient;
+  strip.gridSize = LampGrid::kSize;
+  strip.lampCount = static_cast<int>(lamps_.size());
+  strip.lamps = lamps_.data();
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) {
+      strip.cameraToWorld[row][column] = static_cast<float>(cameraInWorld.linear()(row, column));
+    }
+  }
+  const auto write = image.format == PixelFormat::kYuyv ? kernels_.writeYuyv : kernels_.writeRgb;
+  for (int y = 0; y < camera.height; y += strip.rows) {
+    strip.firstRow = y;
+    strip.rows = std::min(memory_.rowsPerStrip(), camera.height - y);
+    lightStrip(strip, buffer);
+    for (int i = 0; i < strip.rows; ++i) {
+      const int at = i * buffer.stride;
+      const float* const color[3] = {strip.color[0] + at, strip.color[1] + at, strip.color[2] + at};
+      write(strip.light + at, color, image.width, image.row(y + i));
+    }
+  }
+  addNoise(noise, image);
+}
+
+CameraRenderer::CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options)
+    : implementation_(std::make_unique<Implementation>(std::move(scene), options)) {}
+CameraRenderer::~CameraRenderer() = default;
+
+void CameraRenderer::setPoses(std::span<const Pose3> bodyInWorld) {
+  implementation_->setPoses(bodyInWorld);
+}
+
+void CameraRenderer::render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
+                            const ImageNoise& noise, robotlink::Image& image) {
+  implementation_->render(cameraInWorld, camera, format, noise, image);
+}
+
+}  // namespace simcore

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/rendering/BodyTree.h"
+
+#include <algorithm>
+#include <array>
+
+namespace simcore::rendering {
+namespace {
+
+using Matrix34 = std::array<float, 12>;
+
+/// Column by column, as Embree takes it.
+Matrix34 columns(const Pose3& pose) {
+  Matrix34 result;
+  for (int column = 0; column < 4; ++column) {
+    for (int row = 0; row < 3; ++row) {
+      result[static_cast<std::size_t>(column * 3 + row)] = static_cast<float>(pose.matrix()(row, column));
+    }
+  }
+  return result;
+}
+
+bool isWanted(const RenderInstance& instance, Contents contents, int body) {
+  return instance.body == body && (instance.castsShadow || contents == Contents::kEverything);
+}
+
+/// Attaches a copy of an instance's mesh, in the body's frame.
+void attachMesh(RTCDevice device, RTCScene scene, const Mesh& mesh, const Pose3& meshInBody) {
+  if (mesh.triangles.empty()) return;
+  const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
+  auto* vertices = static_cast<float*>(rtcSetNewGeometryBuffer(
+      geometry, RTC_BUFFER_TYPE_VERTEX, 0, RTC_FORMAT_FLOAT3, 3 * sizeof(float), mesh.vertices.size()));
+  for (const Eigen::Vector3f& vertex : mesh.vertices) {
+    const Eigen::Vector3f point = (meshInBody * vertex.cast<double>()).cast<float>();
+    for (int k = 0; k < 3; ++k) *vertices++ = point[k];
+  }
+  auto* indices = static_cast<std::uint32_t*>(
+      rtcSetNewGeometryBuffer(geometry, RTC_BUFFER_TYPE_INDEX, 0, RTC_FORMAT_UINT3, 3 * sizeof(std::uint32_t),
+                              mesh.triangles.size()));
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) *indices++ = index;
+  }
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometry(scene, geometry);
+  rtcReleaseGeometry(geometry);
+}
+
+}  // namespace
+
+RTCDevice newRayDevice() {
+  // The instruction set is fixed because others give other bits for some rays; one thread, as trees are
+  // small.
+  return rtcNewDevice("threads=1,set_affinity=0,isa=avx2");
+}
+
+RTCScene newBodyScene(RTCDevice device, const RenderScene& scene, int body, Contents contents) {
+  RTCScene inner = nullptr;
+  for (const RenderInstance& instance : scene.instances) {
+    if (!isWanted(instance, contents, body)) continue;
+    if (inner == nullptr) inner = rtcNewScene(device);
+    attachMesh(device, inner, scene.meshes[static_cast<std::size_t>(instance.mesh)], instance.meshInBody);
+  }
+  if (inner == nullptr) return nullptr;
+  rtcSetSceneBuildQuality(inner, RTC_BUILD_QUALITY_HIGH);
+  rtcCommitScene(inner);
+  return inner;
+}
+
+int bodyCount(const RenderScene& scene) {
+  int count = static_cast<int>(scene.bodies.size());
+  for (const RenderInstance& instance : scene.instances) count = std::max(count, instance.body + 1);
+  return count;
+}
+
+BodyTree::BodyTree(const RenderScene& scene) : device_(newRayDevice()), scene_(rtcNewScene(device_)) {
+  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
+  for (int body = 0; body < bodyCount(scene); ++body) addBody(scene, body);
+}
+
+BodyTree::~BodyTree() {
+  for (const Body& body : bodies_) rtcReleaseGeometry(body.geometry);
+  rtcReleaseScene(scene_);
+  rtcReleaseDevice(device_);
+}
+
+void BodyTree::addBody(const RenderScene& scene, int body) {
+  const RTCScene inner = newBodyScene(device_, scene, body, Contents::kCasters);
+  if (inner == nullptr) return;
+  const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
+  rtcSetGeometryInstancedScene(geometry, inner);
+  rtcReleaseScene(inner);
+  rtcSetGeometryTransform(geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR, columns(Pose3::Identity()).data());
+  rtcCommitGeometry(geometry);
+  rtcAttachGeometryByID(scene_, geometry, static_cast<unsigned>(body));
+  bodies_.push_back({geometry, body});
+}
+
+void BodyTree::setPoses(std::span<const Pose3> bodyInWorld) {
+  for (const Body& body : bodies_) {
+    const auto index = static_cast<std::size_t>(body.index);
+    if (index == 0 || index >= bodyInWorld.size()) continue;
+    rtcSetGeometryTransform(body.geometry, 0, RTC_FORMAT_FLOAT3X4_COLUMN_MAJOR,
+                            columns(bodyInWorld[index]).data());
+    rtcCommitGeometry(body.geometry);
+    changed_ = true;
+  }
+}
+
+RTCScene BodyTree::scene() {
+  if (changed_) rtcCommitScene(scene_);
+  changed_ = false;
+  return scene_;
+}
+
+}  // namespace simcore::rendering

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simcore/rendering/Float8.h"
+#include "simcore/rendering/KernelTypes.h"
+
+// Draws a mesh into the visibility buffer. Edge functions are homogeneous (Olano and Greer 1997: the sign of
+// the volume of the pixel's ray and an edge), so nothing is ever clipped: a triangle may pass through the
+// camera.
+namespace simcore::rendering {
+namespace {
+
+/// Eight triangles, ready to be drawn.
+struct Setup {
+  float edge[3][3][8];  ///< edge i, component k: inside where edge * d > 0
+  float plane[3][8];    ///< 1 / depth = plane * d
+  std::int32_t x0[8], x1[8], y0[8], y1[8];
+  std::int32_t triangle[8];
+};
+
+/// The cross product of two points, negated exactly when they are exchanged and precise when they are close
+/// together.
+SIMCORE_INLINE Vector8 edgeBetween(const Vector8& a, const Vector8& b) {
+  return cross(a + b, b - a);
+}
+
+SIMCORE_INLINE int collectFrontFaces(const DrawJob& job, std::int32_t* candidates) {
+  const MeshStreams& mesh = *job.mesh;
+  const Vector8 camera = splatVector(job.cameraInMesh);
+  int count = 0;
+  for (int group = 0; group < mesh.triangleGroups; ++group) {
+    const int at = group * 8;
+    const Float8 height = load<Float8>(mesh.plane[0] + at) * camera.x +
+                          load<Float8>(mesh.plane[1] + at) * camera.y +
+                          load<Float8>(mesh.plane[2] + at) * camera.z - load<Float8>(mesh.plane[3] + at);
+    for (unsigned left = bits(height > splat(0)); left != 0; left &= left - 1) {
+      candidates[count++] = at + __builtin_ctz(left);
+    }
+  }
+  for (int i = 0; i < 7 && count > 0; ++i) candidates[count + i] = candidates[count - 1];
+  return count;
+}
+
+SIMCORE_INLINE void storeTransposed(float* to, Float8 x, Float8 y, Float8 z) {
+  const Rows4 t = transposed(x, y, z, splat(0));
+  for (int i = 0; i < 4; ++i) {
+    store(to + 4 * i, lowHalf(t.rows[i]));
+    store(to + 4 * (i + 4), highHalf(t.rows[i]));
+  }
+}
+
+SIMCORE_INLINE void transformVertices(const DrawJob& job, float* positions, float* normals) {
+  const MeshStreams& mesh = *job.mesh;
+  Float8 m[3][4];
+  for (int i = 0; i < 3; ++i) {
+    for (int k = 0; k < 4; ++k) m[i][k] = splat(job.meshInCamera[i][k]);
+  }
+  for (int group = 0; group < mesh.vertexGroups; ++group) {
+    const int at = group * 8;
+    const Float8 x = load<Float8>(mesh.position[0] + at), y = load<Float8>(mesh.position[1] + at),
+                 z = load<Float8>(mesh.position[2] + at);
+    storeTransposed(positions + 4 * at, m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],
+                    m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
+                    m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]);
+    const Float8 nx = load<Float8>(mesh.normal[0] + at), ny = load<Float8>(mesh.normal[1] + at),
+                 nz = load<Float8>(mesh.normal[2] + at);
+    storeTransposed(normals + 4 * at, m[0][0] * nx + m[0][1] * ny + m[0][2] * nz,
+                    m[1][0] * nx + m[1][1] * ny + m[1][2] * nz, m[2][0] * nx + m[2][1] * ny + m[2][2] * nz);
+  }
+}
+
+SIMCORE_INLINE Vector8 loadCorner(const float* positions, const std::int32_t* index,
+                                  const std::int32_t* triangles) {
+  const float* at[8];
+  for (int i = 0; i < 8; ++i) at[i] = positions + 4 * index[triangles[i]];
+  const Rows4 t = loadTransposed(at);
+  return {t.rows[0], t.rows[1], t.rows[2]};
+}
+
+/// The pixels whose centres may be covered, as a box in each lane; returns the lanes where there are some.
+SIMCORE_INLINE Int8 boundPixels(const Vector8 (&v)[3], const VisibilityBuffer& buffer, bool inFront,
+                                Setup& setup) {
+  constexpr float kMargin = 0.001F;  // pixels; rounding errors of the projection are far smaller
+  const Float8 zero = splat(0);
+  const auto width = static_cast<float>(buffer.width), height = static_cast<float>(buffer.height);
+  Float8 px[3], py[3];
+  for (int i = 0; i < 3; ++i) {
+    px[i] = splat(width / 2) - splat(buffer.focalX) * v[i].y / v[i].x;
+    py[i] = splat(height / 2) - splat(buffer.focalY) * v[i].z / v[i].x;
+  }
+  Float8 left = minimum(px[0], px[1], px[2]), right = maximum(px[0], px[1], px[2]);
+  Float8 top = minimum(py[0], py[1], py[2]), bottom = maximum(py[0], py[1], py[2]);
+  Int8 seen = splatInt(-1);
+  if (!inFront) {
+    // A triangle that passes through the camera's plane may be anywhere.
+    const Int8 crosses = minimum(v[0].x, v[1].x, v[2].x) < splat(1e-4F);
+    seen = maximum(v[0].x, v[1].x, v[2].x) > zero;
+    left = crosses ? zero : left;
+    right = crosses ? splat(width) : right;
+    top = crosses ? zero : top;
+    bottom = crosses ? splat(height) : bottom;
+  }
+  const Float8 half = splat(0.5F - kMargin);
+  const Int8 x0 = truncated(maximum(minimum(left + half, splat(width)), zero));
+  const Int8 x1 = truncated(minimum(maximum(right - half, zero), splat(width - 1)));
+  const Int8 y0 = truncated(maximum(minimum(top + half, splat(height)), zero));
+  const Int8 y1 = truncated(minimum(maximum(bottom - half, zero), splat(height - 1)));
+  store(setup.x0, x0);
+  store(setup.x1, x1);
+  store(setup.y0, y0);
+  store(setup.y1, y1);
+  return seen & (right > half) & (bottom > half) & (x0 <= x1) & (y0 <= y1);
+}
+
+SIMCORE_INLINE void storeVector(float (&to)[3][8], const Vector8& v) {
+  store(to[0], v.x);
+  store(to[1], v.y);
+  store(to[2], v.z);
+}
+
+/// Sets eight triangles up; returns a bit for each that may cover pixels.
+SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer,
+                              const std::int32_t* triangles, Setup& setup) {
+  const MeshStreams& mesh = *job.mesh;
+  const Vector8 v[3] = {loadCorner(buffer.positions, mesh.index[0], triangles),
+                        loadCorner(buffer.positions, mesh.index[1], triangles),
+                        loadCorner(buffer.positions, mesh.index[2], triangles)};
+  const Int8 covers = boundPixels(v, buffer, job.inFront, setup);
+  if (bits(covers) == 0) return 0;
+  const Vector8 inward = cross(v[2] - v[0], v[1] - v[0]);
+  const Float8 volume = dot(inward, v[0]);
+  storeVector(setup.plane, {inward.x / volume, inward.y / volume, inward.z / volume});
+  storeVector(setup.edge[0], edgeBetween(v[2], v[1]));
+  storeVector(setup.edge[1], edgeBetween(v[0], v[2]));
+  storeVector(setup.edge[2], edgeBetween(v[1], v[0]));
+  store(setup.triangle, load<Int8>(triangles));
+  return bits(covers & (volume > splat(0)));
+}
+
+/// One triangle of a setup while its rows are drawn.
+struct Edges {
+  float x[3], y[3], z[3];
+  float threshold[3];  ///< just below 0 for the edges that own the pixels on them, else 0
+  float plane[3];
+  std::int32_t id;
+};
+
+SIMCORE_INLINE Edges selectLane(const Setup& setup, int lane, std::int32_t id) {
+  constexpr float kSmallest = 1.17549435e-38F;
+  Edges e;
+  for (int i = 0; i < 3; ++i) {
+    e.x[i] = setup.edge[i][0][lane];
+    e.y[i] = setup.edge[i][1][lane];
+    e.z[i] = setup.edge[i][2][lane];
+    // Left edges, and horizontal ones at the top; d.y and d.z decrease along the image's axes.
+    const bool owns = e.y[i] < 0 || (e.y[i] == 0 && e.z[i] < 0);
+    e.threshold[i] = owns ? -kSmallest : 0;
+    e.plane[i] = setup.plane[i][lane];
+  }
+  e.id = id;
+  return e;
+}
+
+/// Eight pixels of a row from x on; `base` are the edge functions, `depth` 1 / depth, at column 0.
+SIMCORE_INLINE unsigned drawEight(const Edges& e, const float (&base)[3], float depth,
+                                  const VisibilityBuffer& buffer, std::ptrdiff_t rowStart, int x) {
+  const Float8 column = load<Float8>(buffer.column + x);
+  float* const depths = buffer.inverseDepth + rowStart + x;
+  const Float8 old = load<Float8>(depths);
+  const Float8 now = splat(depth) + splat(e.plane[1]) * column;
+  const Int8 mask = (splat(base[0]) + splat(e.y[0]) * column > splat(e.threshold[0])) &
+                    (splat(base[1]) + splat(e.y[1]) * column > splat(e.threshold[1])) &
+                    (splat(base[2]) + splat(e.y[2]) * column > splat(e.threshold[2])) & (now > old);
+  const unsigned drawn = bits(mask);
+  if (drawn != 0) {
+    store(depths, mask ? now : old);
+    std::int32_t* const ids = buffer.triangle + rowStart + x;
+    store(ids, mask ? splatInt(e.id) : load<Int8>(ids));
+  }
+  return drawn;
+}
+
+/// Narrows [from, to] to the pixels of a row that an edge function leaves, with a pixel to spare.
+SIMCORE_INLINE void narrow(const Edges& e, const float (&base)[3], const float (&slope)[3], float center,
+                           float& from, float& to) {
+  for (int i = 0; i < 3; ++i) {
+    const float crossing = center + base[i] * slope[i];
+    if (e.y[i] < 0 && crossing - 1 > from) from = crossing - 1;
+    if (e.y[i] > 0 && crossing + 1 < to) to = crossing + 1;
+  }
+}
+
+SIMCORE_INLINE unsigned drawTriangle(const Edges& e, const Setup& setup, int lane,
+                                     const VisibilityBuffer& buffer) {
+  const int x0 = setup.x0[lane], x1 = setup.x1[lane], y1 = setup.y1[lane];
+  const float center = static_cast<float>(buffer.width) / 2 - 0.5F;
+  const float slope[3] = {buffer.focalX / e.y[0], buffer.focalX / e.y[1], buffer.focalX / e.y[2]};
+  unsigned any = 0;
+  for (int y = setup.y0[lane]; y <= y1; ++y) {
+    const float row = buffer.row[y];
+    const float base[3] = {e.x[0] + e.z[0] * row, e.x[1] + e.z[1] * row, e.x[2] + e.z[2] * row};
+    const float depth = e.plane[0] + e.plane[2] * row;
+    const std::ptrdiff_t rowStart = static_cast<std::ptrdiff_t>(y) * buffer.stride;
+    if (x1 - x0 < 8) {
+      any |= drawEight(e, base, depth, buffer, rowStart, x0);
+      continue;
+    }
+    auto from = static_cast<float>(x0), to = static_cast<float>(x1);
+    narrow(e, base, slope, center, from, to);
+    if (!(from <= to)) continue;
+    for (int x = static_cast<int>(from), last = static_cast<int>(to); x <= last; x += 8) {
+      any |= drawEight(e, base, depth, buffer, rowStart, x);
+    }
+  }
+  return any;
+}
+
+SIMCORE_INLINE void writeRecord(const DrawJob& job, const VisibilityBuffer& buffer, const Edges& e,
+                                std::int32_t triangle) {
+  TriangleRecord& record = buffer.records[e.id];
+  Float4 normal[3];
+  for (int i = 0; i < 3; ++i) normal[i] = load<Float4>(buffer.normals + 4 * job.mesh->index[i][triangle]);
+  const float* const edges[3] = {e.x, e.y, e.z};
+  const bool flat = job.mesh->flat[triangle] != 0;
+  for (int k = 0; k < 3; ++k) {
+    Float4 linear = normal[0] * edges[k][0] + normal[1] * edges[k][1] + normal[2] * edges[k][2];
+    if (flat) linear = normal[0] * (k == 0 ? 1.0F : 0.0F);
+    linear[3] = e.plane[k];
+    store(record.linear[k], linear);
+    record.color[k] = job.color[k];
+  }
+  record.self = job.self;
+}
+
+void draw(const DrawJob& job, VisibilityBuffer& buffer) {
+  const int count = collectFrontFaces(job, buffer.candidates);
+  if (count == 0) return;
+  transformVertices(job, buffer.positions, buffer.normals);
+  Setup setup;
+  for (int first = 0; first < count; first += 8) {
+    unsigned lanes = setUp(job, buffer, buffer.candidates + first, setup);
+    if (count - first < 8) lanes &= (1U << (count - first)) - 1;
+    for (; lanes != 0; lanes &= lanes - 1) {
+      const int lane = __builtin_ctz(lanes);
+      const Edges edges = selectLane(setup, lane, buffer.recordCount);
+      if (drawTriangle(edges, setup, lane, buffer) == 0) continue;
+      writeRecord(job, buffer, edges, setup.triangle[lane]);
+      ++buffer.recordCount;
+    }
+  }
+}
+
+}  // namespace
+}  // namespace simcore::rendering

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#if defined(__SSE2__)
+#include <immintrin.h>
+#endif
+
+// Eight floats at once, for the kernels only: everything here has internal linkage, because the same code is
+// compiled once for AVX2 and once for any processor. Only operations that IEEE 754 rounds correctly are used,
+// no fused and no approximate ones, so both give the same bits.
+namespace simcore::rendering {
+namespace {
+
+#define SIMCORE_INLINE inline __attribute__((always_inline, unused))
+
+using Float8 = float __attribute__((vector_size(32)));
+using Int8 = std::int32_t __attribute__((vector_size(32)));
+using Float4 = float __attribute__((vector_size(16)));
+using Int4 = std::int32_t __attribute__((vector_size(16)));
+
+struct Vector8 {
+  Float8 x, y, z;
+};
+
+SIMCORE_INLINE Float8 splat(float v) {
+  return Float8{v, v, v, v, v, v, v, v};
+}
+SIMCORE_INLINE Int8 splatInt(std::int32_t v) {
+  return Int8{v, v, v, v, v, v, v, v};
+}
+SIMCORE_INLINE Vector8 splatVector(const float* v) {
+  return {splat(v[0]), splat(v[1]), splat(v[2])};
+}
+
+/// Unaligned loads and stores.
+template <typename V, typename T>
+SIMCORE_INLINE V load(const T* from) {
+  V v;
+  __builtin_memcpy(&v, from, sizeof(V));
+  return v;
+}
+template <typename V, typename T>
+SIMCORE_INLINE void store(T* to, V v) {
+  __builtin_memcpy(to, &v, sizeof(V));
+}
+
+SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b) {
+  return a < b ? a : b;
+}
+SIMCORE_INLINE Float8 maximum(Float8 a, Float8 b) {
+  return a > b ? a : b;
+}
+SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b, Float8 c) {
+  return minimum(minimum(a, b), c);
+}
+SIMCORE_INLINE Float8 maximum(Float8 a, Float8 b, Float8 c) {
+  return maximum(maximum(a, b), c);
+}
+/// Towards zero.
+SIMCORE_INLINE Int8 truncated(Float8 v) {
+  return __builtin_convertvector(v, Int8);
+}
+SIMCORE_INLINE Float8 absolute(Float8 v) {
+  return reinterpret_cast<Float8>(reinterpret_cast<Int8>(v) & splatInt(0x7FFFFFFF));
+}
+SIMCORE_INLINE Vector8 operator+(const Vector8& a, const Vector8& b) {
+  return {a.x + b.x, a.y + b.y, a.z + b.z};
+}
+SIMCORE_INLINE Vector8 operator-(const Vector8& a, const Vector8& b) {
+  return {a.x - b.x, a.y - b.y, a.z - b.z};
+}
+SIMCORE_INLINE Float8 dot(const Vector8& a, const Vector8& b) {
+  return a.x * b.x + a.y * b.y + a.z * b.z;
+}
+SIMCORE_INLINE Vector8 cross(const Vector8& a, const Vector8& b) {
+  return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
+}
+
+SIMCORE_INLINE Float4 lowHalf(Float8 v) {
+  return __builtin_shufflevector(v, v, 0, 1, 2, 3);
+}
+SIMCORE_INLINE Float4 highHalf(Float8 v) {
+  return __builtin_shufflevector(v, v, 4, 5, 6, 7);
+}
+SIMCORE_INLINE Float8 joined(Float4 low, Float4 high) {
+  return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
+}
+
+/// A bit a lane, set where the mask is.
+SIMCORE_INLINE unsigned bits(Int8 mask) {
+#if defined(__AVX2__)
+  return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
+#elif defined(__SSE2__)
+  const auto v = reinterpret_cast<Float8>(mask);
+  return static_cast<unsigned>(_mm_movemask_ps(lowHalf(v)) | _mm_movemask_ps(highHalf(v)) << 4);
+#else
+  unsigned result = 0;
+  for (unsigned i = 0; i < 8; ++i) result |= (mask[i] < 0 ? 1U : 0U) << i;
+  return result;
+#endif
+}
+
+SIMCORE_INLINE Float8 squareRoot(Float8 v) {
+#if defined(__AVX2__)
+  return _mm256_sqrt_ps(v);
+#elif defined(__SSE2__)
+  return joined(_mm_sqrt_ps(lowHalf(v)), _mm_sqrt_ps(highHalf(v)));
+#else
+  for (int i = 0; i < 8; ++i) v[i] = __builtin_sqrtf(v[i]);
+  return v;
+#endif
+}
+
+SIMCORE_INLINE Float8 gathered(const float* from, Int8 index) {
+#if defined(__AVX2__)
+  return _mm256_i32gather_ps(from, reinterpret_cast<__m256i>(index), 4);
+#else
+  Float8 v;
+  for (int i = 0; i < 8; ++i) v[i] = from[index[i]];
+  return v;
+#endif
+}
+
+/// Turns four vectors of eight into eight of four, kept in pairs: lane i in the low half, lane i + 4 in the
+/// high half of rows[i]; and back, as it is its own inverse.
+struct Rows4 {
+  Float8 rows[4];
+};
+SIMCORE_INLINE Rows4 transposed(Float8 a, Float8 b, Float8 c, Float8 d) {
+  const Float8 ab0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Float8 ab1 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
+  const Float8 cd0 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
+  const Float8 cd1 = __builtin_shufflevector(c, d, 2, 10, 3, 11, 6, 14, 7, 15);
+  return {{__builtin_shufflevector(ab0, cd0, 0, 1, 8, 9, 4, 5, 12, 13),
+           __builtin_shufflevector(ab0, cd0, 2, 3, 10, 11, 6, 7, 14, 15),
+           __builtin_shufflevector(ab1, cd1, 0, 1, 8, 9, 4, 5, 12, 13),
+           __builtin_shufflevector(ab1, cd1, 2, 3, 10, 11, 6, 7, 14, 15)}};
+}
+
+/// The four floats at each of eight places: from[i][0..3] becomes lane i of the four vectors.
+SIMCORE_INLINE Rows4 loadTransposed(const float* const from[8]) {
+  return transposed(joined(load<Float4>(from[0]), load<Float4>(from[4])),
+                    joined(load<Float4>(from[1]), load<Float4>(from[5])),
+                    joined(load<Float4>(from[2]), load<Float4>(from[6])),
+                    joined(load<Float4>(from[3]), load<Float4>(from[7])));
+}
+
+}  // namespace
+}  // namespace simcore::rendering

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/rendering/FrameMemory.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simcore::rendering {
+namespace {
+
+constexpr int kStripPixels = 4096;
+
+}  // namespace
+
+FrameMemory::FrameMemory(int vertices, int meshTriangles, int allTriangles, std::size_t lamps)
+    : records_(static_cast<std::size_t>(allTriangles) + 1),
+      positions_(static_cast<std::size_t>(vertices) * 4),
+      normals_(positions_.size()),
+      candidates_(static_cast<std::size_t>(meshTriangles) + 8),
+      rayLists_(lamps) {
+  buffer_.records = records_.data();
+  buffer_.positions = positions_.data();
+  buffer_.normals = normals_.data();
+  buffer_.candidates = candidates_.data();
+}
+
+VisibilityBuffer& FrameMemory::begin(const CameraModel& camera, const float (&background)[3]) {
+  if (camera.width != buffer_.width || camera.height != buffer_.height) resize(camera);
+  std::fill(inverseDepths_.begin(), inverseDepths_.end(), 0.0F);
+  std::fill(triangles_.begin(), triangles_.end(), 0);
+  buffer_.focalX = static_cast<float>(camera.width / 2.0 / std::tan(camera.horizontalAngle / 2));
+  buffer_.focalY = static_cast<float>(camera.height / 2.0 / std::tan(camera.verticalAngle / 2));
+  for (std::size_t x = 0; x < columns_.size(); ++x) {
+    columns_[x] = (static_cast<float>(camera.width) / 2 - 0.5F - static_cast<float>(x)) / buffer_.focalX;
+  }
+  for (std::size_t y = 0; y < rows_.size(); ++y) {
+    rows_[y] = (static_cast<float>(camera.height) / 2 - 0.5F - static_cast<float>(y)) / buffer_.focalY;
+  }
+  buffer_.recordCount = 1;
+  records_[0] = {};
+  std::copy(std::begin(background), std::end(background), records_[0].color);
+  return buffer_;
+}
+
+void FrameMemory::resize(const CameraModel& camera) {
+  buffer_.width = camera.width;
+  buffer_.height = camera.height;
+  buffer_.stride = (camera.width + 7) / 8 * 8 + 8;
+  const auto stride = static_cast<std::size_t>(buffer_.stride),
+             height = static_cast<std::size_t>(camera.height);
+  inverseDepths_.resize(stride * height);
+  triangles_.resize(stride * height);
+  columns_.resize(stride);
+  rows_.resize(height);
+  buffer_.inverseDepth = inverseDepths_.data();
+  buffer_.triangle = triangles_.data();
+  buffer_.column = columns_.data();
+  buffer_.row = rows_.data();
+  rowsPerStrip_ = std::clamp(kStripPixels / buffer_.stride, 1, std::max(1, camera.height));
+  const std::size_t pixels = static_cast<std::size_t>(rowsPerStrip_) * stride;
+  light_.resize(pixels);
+  for (auto& channel : color_) channel.resize(pixels);
+  rayPixels_.resize(pixels * rayLists_.size());
+  rayFloats_.resize(4 * pixels * rayLists_.size());
+  for (std::size_t i = 0; i < rayLists_.size(); ++i) {
+    RayList& rays = rayLists_[i];
+    rays.pixel = rayPixels_.data() + i * pixels;
+    rays.light = rayFloats_.data() + 4 * i * pixels;
+    for (std::size_t k = 0; k < 3; ++k) rays.direction[k] = rays.light + (k + 1) * pixels;
+  }
+}
+
+Strip FrameMemory::strip() {
+  Strip strip;
+  strip.light = light_.data();
+  for (std::size_t k = 0; k < 3; ++k) strip.color[k] = color_[k].data();
+  return strip;
+}
+
+}  // namespace simcore::rendering

@@ -1,0 +1,10 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/rendering/DrawKernel.h"
+#include "simcore/rendering/OutputKernel.h"
+#include "simcore/rendering/ShadeKernel.h"
+
+namespace simcore::rendering {
+
+const Kernels kPortableKernels = {draw, shade, writeYuyv, writeRgb, addNoise};
+
+}  // namespace simcore::rendering

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simcore/rendering/Float8.h"
+#include "simcore/rendering/KernelTypes.h"
+
+// Lights the pixels of a visibility buffer, eight at a time.
+namespace simcore::rendering {
+namespace {
+
+/// What eight pixels see.
+struct Surface {
+  Vector8 normal;  ///< camera space, any length
+  Vector8 plane;   ///< 1 / depth = plane * d
+  Float8 inverseDepth;
+  Vector8 color;
+  Int8 self;
+};
+
+SIMCORE_INLINE Surface loadOne(const TriangleRecord& record, Float8 column, float row) {
+  const auto& a = record.linear[0];
+  const auto& b = record.linear[1];
+  const auto& c = record.linear[2];
+  const auto at = [&](int i) { return splat(a[i] + c[i] * row) + splat(b[i]) * column; };
+  return {{at(0), at(1), at(2)},
+          {splat(a[3]), splat(b[3]), splat(c[3])},
+          at(3),
+          splatVector(record.color),
+          splatInt(record.self)};
+}
+
+SIMCORE_INLINE Surface loadEight(const TriangleRecord* records, const std::int32_t* ids, Float8 column,
+                                 float row) {
+  const float* at[4][8];
+  for (int i = 0; i < 8; ++i) {
+    const TriangleRecord& record = records[ids[i]];
+    for (int k = 0; k < 3; ++k) at[k][i] = record.linear[k];
+    at[3][i] = record.color;
+  }
+  const Rows4 a = loadTransposed(at[0]), b = loadTransposed(at[1]), c = loadTransposed(at[2]);
+  const auto value = [&](int i) { return (a.rows[i] + c.rows[i] * row) + b.rows[i] * column; };
+  Int8 self;
+  for (int i = 0; i < 8; ++i) self[i] = records[ids[i]].self;
+  const Rows4 color = loadTransposed(at[3]);
+  return {{value(0), value(1), value(2)},
+          {a.rows[3], b.rows[3], c.rows[3]},
+          value(3),
+          {color.rows[0], color.rows[1], color.rows[2]},
+          self};
+}
+
+SIMCORE_INLINE Vector8 rotated(const float (&m)[3][3], const Vector8& v) {
+  return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
+          m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
+}
+
+/// The cell of a lamp's grid that a direction from the lamp passes; LampGrid.h says how the faces lie.
+SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
+  const Float8 ax = absolute(direction.x), ay = absolute(direction.y), az = absolute(direction.z);
+  const Int8 isX = (ax >= ay) & (ax >= az);
+  const Int8 isY = ~isX & (ay >= az);
+  const Float8 major = isX ? direction.x : isY ? direction.y : direction.z;
+  const Float8 inverse = splat(1) / maximum(absolute(major), splat(1e-30F));
+  const Float8 u = (isX ? direction.y : direction.x) * inverse;
+  const Float8 v = ((isX | isY) ? direction.z : direction.y) * inverse;
+  const Float8 half = splat(static_cast<float>(gridSize) * 0.5F),
+               last = splat(static_cast<float>(gridSize - 1));
+  const Int8 face = (isX   ? splatInt(0)
+                     : isY ? splatInt(2)
+                           : splatInt(4)) +
+                    ((major < splat(0)) & splatInt(1));
+  const Int8 cu = truncated(maximum(minimum((u + 1.0F) * half, last), splat(0)));
+  const Int8 cv = truncated(maximum(minimum((v + 1.0F) * half, last), splat(0)));
+  return (face * gridSize + cv) * gridSize + cu;
+}
+
+/// A lower bound of the squared distance from the lamp to whatever could shade the points.
+SIMCORE_INLINE Float8 nearestCaster(const LampCell* cells, Int8 cell, Int8 self) {
+  const auto* base = reinterpret_cast<const float*>(cells);
+  const Int8 at = cell * 4;
+  const auto instance = reinterpret_cast<Int8>(gathered(base, at + 2));
+  return (instance == self) & (self >= splatInt(0)) ? gathered(base, at + 1) : gathered(base, at);
+}
+
+SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixel, Float8 light,
+                           const Vector8& direction) {
+  float values[4][8];
+  store(values[0], light);
+  store(values[1], direction.x);
+  store(values[2], direction.y);
+  store(values[3], direction.z);
+  for (; lanes != 0; lanes &= lanes - 1) {
+    const int lane = __builtin_ctz(lanes);
+    const int at = rays.count++;
+    rays.pixel[at] = firstPixel + lane;
+    rays.light[at] = values[0][lane];
+    for (int k = 0; k < 3; ++k) rays.direction[k][at] = values[k + 1][lane];
+  }
+}
+
+/// The light of one lamp on eight points, apart from that which depends on rays.
+SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const Surface& surface,
+                                const Vector8& point, Float8 squaredNormal, Int8 drawn,
+                                std::int32_t firstPixel) {
+  constexpr float kTiny = 1e-30F;
+  const Vector8 position = splatVector(lamp.inCamera);
+  const Vector8 toLamp = position - point;
+  const Float8 squaredDistance = dot(toLamp, toLamp);
+  const Float8 cosine =
+      dot(surface.normal, toLamp) / squareRoot(maximum(squaredNormal * squaredDistance, splat(kTiny)));
+  Float8 light = lamp.intensity * maximum(cosine, splat(0)) / (1.0F + squaredDistance * lamp.attenuation);
+  if (lamp.cells == nullptr) return light;
+  // A surface whose triangle faces away from the lamp is shaded by its own body.
+  light = dot(surface.plane, position) < splat(1) ? light : splat(0);
+  const Int8 lit = drawn & (light > splat(0));
+  if (bits(lit) == 0) return light;
+  const Vector8 direction = rotated(strip.cameraToWorld, {-toLamp.x, -toLamp.y, -toLamp.z});
+  const Float8 bound = nearestCaster(lamp.cells, cellOf(direction, strip.gridSize), surface.self);
+  const Int8 unsure = lit & (bound < squaredDistance);
+  const unsigned lanes = bits(unsure);
+  if (lanes == 0) return light;
+  append(*lamp.rays, lanes, firstPixel, light, direction);
+  return unsure ? splat(0) : light;
+}
+
+SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffer, int x, int y,
+                               std::int32_t firstPixel) {
+  const std::int32_t* ids = buffer.triangle + static_cast<std::ptrdiff_t>(y) * buffer.stride + x;
+  const Float8 column = load<Float8>(buffer.column + x);
+  const float row = buffer.row[y];
+  const bool same = bits(load<Int8>(ids) == splatInt(ids[0])) == 0xFF;
+  const Surface surface =
+      same ? loadOne(buffer.records[ids[0]], column, row) : loadEight(buffer.records, ids, column, row);
+  store(strip.color[0] + firstPixel, surface.color.x);
+  store(strip.color[1] + firstPixel, surface.color.y);
+  store(strip.color[2] + firstPixel, surface.color.z);
+  const Int8 drawn = load<Int8>(ids) != splatInt(0);
+  Float8 light = splat(1);
+  if (bits(drawn) != 0) {
+    const Float8 depth = splat(1) / (drawn ? surface.inverseDepth : splat(1));
+    const Vector8 point = {depth, column * depth, row * depth};
+    const Float8 squaredNormal = dot(surface.normal, surface.normal);
+    Float8 sum = splat(strip.ambient);
+    for (int i = 0; i < strip.lampCount; ++i) {
+      sum = sum + lampLight(strip, strip.lamps[i], surface, point, squaredNormal, drawn, firstPixel);
+    }
+    light = drawn ? sum : light;
+  }
+  store(strip.light + firstPixel, light);
+}
+
+void shade(const Strip& strip, const VisibilityBuffer& buffer) {
+  for (int i = 0; i < strip.rows; ++i) {
+    for (int x = 0; x < buffer.width; x += 8) {
+      shadeEight(strip, buffer, x, strip.firstRow + i, i * buffer.stride + x);
+    }
+  }
+}
+
+}  // namespace
+}  // namespace simcore::rendering

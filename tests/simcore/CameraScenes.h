@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <vector>
+
+#include "simcore/CameraRenderer.h"
+
+namespace simcore::testing {
+
+/// A scene of tests with its bodies' poses and some cameras.
+struct CameraScene {
+  std::shared_ptr<const RenderScene> scene;
+  std::vector<Pose3> poses;
+  std::vector<Pose3> cameras;
+};
+
+/// A camera at a place that looks at another, upright.
+Pose3 lookAt(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
+
+/// The field of 2002 with lines, walls, goals, beacons, a ball and eight four-legged robots of 40 round
+/// parts, about 14,400 triangles; the cameras are those in the robots' heads.
+CameraScene fieldScene();
+
+/// Some boxes and round bodies on a floor under two lamps, with cameras around, above, and very near.
+CameraScene tableScene();
+
+}  // namespace simcore::testing
