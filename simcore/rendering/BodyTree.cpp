@@ -58,6 +58,8 @@ RTCScene newBodyScene(RTCDevice device, const RenderScene& scene, int body, Cont
   for (const RenderInstance& instance : scene.instances) {
     if (!isWanted(instance, contents, body)) continue;
     if (inner == nullptr) inner = rtcNewScene(device);
+    // A measuring ray must not slip through an edge; among the thousands that make a shadow, one may.
+    if (contents == Contents::kEverything) rtcSetSceneFlags(inner, RTC_SCENE_FLAG_ROBUST);
     attachMesh(device, inner, scene.meshes[static_cast<std::size_t>(instance.mesh)], instance.meshInBody);
   }
   if (inner == nullptr) return nullptr;

@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/RayCaster.h"
+
+#include <algorithm>
+#include <cmath>
+#include <vector>
+
+#include "simcore/rendering/BodyTree.h"
+#include "simcore/rendering/DrawableMesh.h"
+
+namespace simcore {
+namespace {
+
+/// A body that has something to hit.
+struct Target {
+  int body = 0;
+  RTCScene tree = nullptr;
+  rendering::Sphere bound;  ///< in the body's frame
+  Pose3 pose = Pose3::Identity();
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of the bound, in the world
+};
+
+rendering::Sphere boundOf(RTCScene tree) {
+  RTCBounds box;
+  rtcGetSceneBounds(tree, &box);
+  const Eigen::Vector3d low(box.lower_x, box.lower_y, box.lower_z),
+      high(box.upper_x, box.upper_y, box.upper_z);
+  return {(low + high) / 2, (high - low).norm() / 2 * (1 + 1e-6)};
+}
+
+/// Whether a ray of unit direction meets a sphere before `farthest`.
+bool meets(const Eigen::Vector3d& toCenter, const Eigen::Vector3d& direction, double radius,
+           double farthest) {
+  const double along = toCenter.dot(direction);
+  const double across = toCenter.squaredNorm() - along * along;
+  if (across > radius * radius) return false;
+  const double half = std::sqrt(radius * radius - across);
+  return along + half >= 0 && along - half <= farthest;
+}
+
+void trace(const Target& target, const Eigen::Vector3d& origin, const Eigen::Vector3d& direction,
+           RayCaster::Hit& nearest) {
+  const Eigen::Vector3d from = target.pose.inverse(Eigen::Isometry) * origin;
+  const Eigen::Vector3d along = target.pose.linear().transpose() * direction;
+  RTCRayHit hit{};
+  hit.ray.org_x = static_cast<float>(from.x());
+  hit.ray.org_y = static_cast<float>(from.y());
+  hit.ray.org_z = static_cast<float>(from.z());
+  hit.ray.dir_x = static_cast<float>(along.x());
+  hit.ray.dir_y = static_cast<float>(along.y());
+  hit.ray.dir_z = static_cast<float>(along.z());
+  hit.ray.tfar = static_cast<float>(nearest.distance);
+  hit.ray.mask = ~0U;
+  hit.hit.geomID = RTC_INVALID_GEOMETRY_ID;
+  RTCIntersectContext context;
+  rtcInitIntersectContext(&context);
+  rtcIntersect1(target.tree, &context, &hit);
+  if (hit.hit.geomID == RTC_INVALID_GEOMETRY_ID) return;
+  nearest = {static_cast<double>(hit.ray.tfar), target.body};
+}
+
+}  // namespace
+
+class RayCaster::Implementation {
+ public:
+  explicit Implementation(const RenderScene& scene) : device_(rendering::newRayDevice()) {
+    for (int body = 0; body < rendering::bodyCount(scene); ++body) {
+      const RTCScene tree = rendering::newBodyScene(device_, scene, body, rendering::Contents::kEverything);
+      if (tree == nullptr) continue;
+      const rendering::Sphere bound = boundOf(tree);
+      targets_.push_back({body, tree, bound, Pose3::Identity(), bound.center});
+    }
+  }
+  ~Implementation() {
+    for (const Target& target : targets_) rtcReleaseScene(target.tree);
+    rtcReleaseDevice(device_);
+  }
+  Implementation(const Implementation&) = delete;
+  Implementation& operator=(const Implementation&) = delete;
+
+  void setPoses(std::span<const Pose3> bodyInWorld) {
+    for (Target& target : targets_) {
+      const auto body = static_cast<std::size_t>(target.body);
+      if (body == 0 || body >= bodyInWorld.size()) continue;
+      target.pose = bodyInWorld[body];
+      target.center = target.pose * target.bound.center;
+    }
+  }
+
+  std::optional<Hit> firstHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double maximum,
+                              std::span<const int> excluded) const {
+    Hit nearest{maximum, -1};
+    for (const Target& target : targets_) {
+      if (!meets(target.center - origin, direction, target.bound.radius, nearest.distance)) continue;
+      if (std::find(excluded.begin(), excluded.end(), target.body) != excluded.end()) continue;
+      trace(target, origin, direction, nearest);
+    }
+    return nearest.body < 0 ? std::nullopt : std::optional(nearest);
+  }
+
+ private:
+  RTCDevice device_;
+  std::vector<Target> targets_;
+};
+
+RayCaster::RayCaster(std::shared_ptr<const RenderScene> scene)
+    : implementation_(std::make_unique<Implementation>(*scene)) {}
+RayCaster::~RayCaster() = default;
+
+void RayCaster::setPoses(std::span<const Pose3> bodyInWorld) {
+  implementation_->setPoses(bodyInWorld);
+}
+
+std::optional<RayCaster::Hit> RayCaster::firstHit(const Eigen::Vector3d& origin,
+                                                  const Eigen::Vector3d& direction, double maximum,
+                                                  std::span<const int> excluded) const {
+  return implementation_->firstHit(origin, direction.normalized(), maximum, excluded);
+}
+
+}  // namespace simcore
