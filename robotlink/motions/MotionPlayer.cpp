@@ -30,12 +30,14 @@ MotionPlayer::MotionPlayer(std::shared_ptr<const MotionNet> net)
       hardnessFrom_(net_->joints.size(), 1.0),
       hardnessNow_(net_->joints.size(), 1.0),
       shares_(net_->joints.size(), 1.0),
-      released_(net_->joints.size()) {}
+      released_(net_->joints.size()),
+      moved_(net_->joints.size()) {}
 
 void MotionPlayer::start(std::span<const double> angles) {
   std::copy_n(angles.begin(), std::min(angles.size(), angles_.size()), angles_.begin());
   from_ = angles_;
   std::fill(released_.begin(), released_.end(), false);
+  std::fill(moved_.begin(), moved_.end(), false);
   std::fill(hardnessNow_.begin(), hardnessNow_.end(), 1.0);
   hardness_ = nullptr;
   setShares();
@@ -116,6 +118,7 @@ void MotionPlayer::enter(const KeyFrame& frame) {
   for (std::size_t i = 0; i < angles_.size(); ++i) {
     if (frame.joints[i].kind != JointValue::Kind::kKeep) {
       released_[i] = frame.joints[i].kind == JointValue::Kind::kRelease;
+      moved_[i] = true;
     }
   }
   setShares();

@@ -32,6 +32,9 @@ class MotionPlayer {
   std::span<const double> angles() const { return angles_; }
   /// Share of the torque of each joint, 0 to 1; 0 for those that are let loose.
   std::span<const double> shares() const { return shares_; }
+  /// Whether a key frame has said something about a joint since start(); the others are free for somebody
+  /// else.
+  bool moves(std::size_t joint) const { return moved_[joint]; }
   /// The motion that is being played, "" if none; and the line of its file.
   std::string motion() const;
   int line() const;
@@ -56,7 +59,7 @@ class MotionPlayer {
   const MotionHardness* hardness_ = nullptr;  ///< of net_
   Duration hardnessElapsed_{};
   std::vector<double> hardnessFrom_, hardnessNow_, shares_;
-  std::vector<bool> released_;
+  std::vector<bool> released_, moved_;
 };
 
 }  // namespace robotlink

@@ -52,6 +52,8 @@ TEST(MotionPlayerTest, anglesGoLinearlyToAKeyFrame) {
     EXPECT_NEAR(player.degreesOf(0), 8 * i, 1e-9);
     EXPECT_EQ(player.degreesOf(1), 0);
   }
+  EXPECT_TRUE(player->moves(0));
+  EXPECT_FALSE(player->moves(1));
 }
 
 TEST(MotionPlayerTest, withoutInterpolationAnglesJumpAndAreHeld) {

@@ -1,0 +1,171 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/motion/MotionEngine.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+
+using robotlink::Duration;
+
+MotionEngine::MotionEngine(JointLayout joints, std::shared_ptr<const robotlink::MotionNet> motions,
+                           const GaitParameters& gait, Options options)
+    : joints_(std::move(joints)),
+      motions_(std::move(motions)),
+      gait_(gait),
+      player_(motions_),
+      options_(options),
+      positions_(joints_.stance()),
+      blendFrom_(positions_),
+      blended_(0) {}
+
+void MotionEngine::start(std::span<const double> positions) {
+  for (std::size_t i = 0; i < std::min(positions.size(), positions_.size()); ++i) {
+    if (std::isfinite(positions[i])) positions_[i] = positions[i];
+  }
+  blendFrom_ = positions_;
+  blended_ = 0;
+  mode_ = Mode::kGait;
+  gait_.reset();
+  falls_.reset();
+  odometry_ = {};
+}
+
+void MotionEngine::setParameters(const GaitParameters& gait, Options options) {
+  gait_.setParameters(gait);
+  options_ = options;
+}
+
+void MotionEngine::advance(const Frame& frame) {
+  const double dt = robotlink::seconds(frame.time);
+  if (frame.acceleration) falls_.update(*frame.acceleration, frame.time);
+  const MotionWish wish = resolved(frame.wish);
+
+  // Key frames begin and end where the gait stands.
+  const bool wantsKeyFrames =
+      wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp;
+  if (mode_ == Mode::kGait && wantsKeyFrames && (gait_.standing() || falls_.fallen())) {
+    mode_ = Mode::kKeyFrames;
+    gait_.reset();
+    player_.start(positions_);
+  }
+  if (mode_ == Mode::kKeyFrames) {
+    runKeyFrames(wish, frame.time);
+  }
+  if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionWish{} : wish, frame.time);
+  setFreeJoints(dt);
+  moveHead(frame.head, dt);
+}
+
+/// The wish as it can be fulfilled: falls come first, and what is unknown is a stand.
+MotionWish MotionEngine::resolved(const MotionWish& wish) {
+  refusal_.clear();
+  const bool mustGetUp = falls_.fallen() && options_.getUpByItself;
+  if (mustGetUp || (wish.kind == MotionWish::Kind::kGetUp && falls_.side() != FallDetector::Side::kNone)) {
+    MotionWish result{MotionWish::Kind::kGetUp, {}, getUpMotion()};
+    if (motions_->find(result.motion) >= 0) return result;
+    refusal_ = "there is no motion '" + result.motion + "'";
+  } else if (wish.kind == MotionWish::Kind::kKeyFrames && motions_->find(wish.motion) < 0) {
+    refusal_ = "there is no motion '" + wish.motion + "'";
+  } else if (wish.kind != MotionWish::Kind::kGetUp) {
+    return wish;
+  }
+  return {};
+}
+
+std::string MotionEngine::getUpMotion() const {
+  switch (falls_.side()) {
+    case FallDetector::Side::kBack:
+      return "get-up-back";
+    case FallDetector::Side::kLeft:
+      return "get-up-left";
+    case FallDetector::Side::kRight:
+      return "get-up-right";
+    default:
+      return "get-up-front";
+  }
+}
+
+void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
+  const bool getsUp = executed_.kind == MotionWish::Kind::kGetUp && !player_.finished();
+  if (wish.kind == MotionWish::Kind::kKeyFrames || (wish.kind == MotionWish::Kind::kGetUp && !getsUp)) {
+    player_.request(wish.motion);
+  } else {
+    player_.clear();
+  }
+  player_.advance(time);
+  const auto angles = player_.angles();
+  double most = 0;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (!player_.moves(i)) continue;
+    positions_[i] = std::clamp(angles[i], joints_.joint(i).minimum, joints_.joint(i).maximum);
+    most = std::max(most, player_.shares()[i]);
+  }
+  stiffness_ = most > 0 ? most : 1;
+  if (!player_.finished()) {
+    if (wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp) executed_ = wish;
+    if (!player_.motion().empty()) executed_.motion = player_.motion();
+    return;
+  }
+  // Over: blend to the stand, from where the gait goes on.
+  mode_ = Mode::kGait;
+  stiffness_ = 1;
+  blendFrom_ = positions_;
+  blended_ = 0;
+  executed_ = {};
+}
+
+void MotionEngine::runGait(const MotionWish& wish, Duration time) {
+  const double dt = robotlink::seconds(time);
+  blended_ += dt;
+  const bool blending = blended_ < options_.blendTime;
+  gait_.request(wish.kind == MotionWish::Kind::kWalk && !blending ? wish.walk : WalkSpeed{});
+  gait_.advance(time, WheelModelGait::Idle::kStand);
+  const double part = blending ? 0.5 - 0.5 * std::cos(robotlink::kPi * blended_ / options_.blendTime) : 1;
+  std::vector<double> wanted = blendFrom_;
+  for (const Leg leg : kLegs) joints_.setLeg(wanted, leg, gait_.angles(leg));
+  for (const Leg leg : kLegs) {
+    for (std::size_t i = 0; i < 3; ++i) {
+      const std::size_t joint = joints_.legJoint(leg, i);
+      positions_[joint] = blendFrom_[joint] + (wanted[joint] - blendFrom_[joint]) * part;
+    }
+  }
+  const WalkSpeed now = speed();
+  odometry_ = odometry_ * robotlink::Pose2{now.x * dt, now.y * dt, now.rotation * dt};
+  executed_.kind = gait_.standing() ? MotionWish::Kind::kStand : MotionWish::Kind::kWalk;
+  executed_.walk = gait_.standing() ? WalkSpeed{} : gait_.requested();
+  executed_.motion.clear();
+}
+
+/// Mouth, tail and ears go to their stance when nobody moves them.
+void MotionEngine::setFreeJoints(double seconds) {
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    const auto& head = joints_.headJoints();
+    bool others = std::find(head.begin(), head.end(), i) != head.end();
+    for (const Leg leg : kLegs) {
+      for (std::size_t j = 0; j < 3; ++j) others = others || joints_.legJoint(leg, j) == i;
+    }
+    if (others || (mode_ == Mode::kKeyFrames && player_.moves(i))) continue;
+    positions_[i] = joints_.approached(i, positions_[i], joints_.joint(i).stance, seconds);
+  }
+}
+
+void MotionEngine::moveHead(const HeadAngles& wanted, double seconds) {
+  const std::array<double, 4> angles{wanted.tilt, wanted.pan, wanted.roll, wanted.mouth};
+  for (std::size_t i = 0; i < angles.size(); ++i) {
+    const std::size_t joint = joints_.headJoints()[i];
+    if (mode_ == Mode::kKeyFrames && player_.moves(joint)) continue;
+    positions_[joint] =
+        joints_.approached(joint, positions_[joint], angles[i], seconds * options_.headSpeedShare);
+  }
+}
+
+bool MotionEngine::stable() const {
+  return mode_ == Mode::kGait && blended_ >= options_.blendTime && !falls_.fallen();
+}
+
+WalkSpeed MotionEngine::speed() const {
+  return mode_ == Mode::kGait && !gait_.standing() && !falls_.fallen() ? gait_.speed() : WalkSpeed{};
+}
+
+}  // namespace modules

@@ -1,0 +1,146 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/motion/MotionEngine.h"
+
+#include <gtest/gtest.h>
+
+#include "robotlink/motions/MotionReader.h"
+
+namespace modules {
+namespace {
+
+using robotlink::Vector3;
+
+std::vector<robotlink::RobotDescription::Joint> joints() {
+  std::vector<robotlink::RobotDescription::Joint> result;
+  for (const char* name : {"neckTilt", "headPan", "headRoll", "mouth"})
+    result.push_back({name, -1.4, 1.5, 2.0, 0});
+  for (const char* leg : {"legFR", "legFL", "legHR", "legHL"}) {
+    for (const char* number : {"1", "2", "3"})
+      result.push_back({std::string(leg) + number, -2, 2.5, 2.8, 0.4});
+  }
+  result.push_back({"tailPan", -0.4, 0.4, 4, 0.2});
+  return result;
+}
+
+std::shared_ptr<const robotlink::MotionNet> motions() {
+  std::vector<robotlink::MotionFile> files;
+  std::string table = "motion_id = extern\nlabel start\n";
+  for (const char* name : {"kick", "get-up-left"}) {
+    const std::string text = std::string("motion_id = ") + name +
+                             "\njoints = legFL1 legFR1\nlabel start\n57.2958 0 1 160\n0 0 1 160\n"
+                             "transition allMotions extern start\n";
+    files.push_back(robotlink::readMotion(text, name).value());
+    table += std::string("transition ") + name + " " + name + " start\n";
+  }
+  files.push_back(robotlink::readMotion(table + "transition extern extern start\n", "extern").value());
+  std::vector<std::string> names;
+  for (const auto& joint : joints()) names.push_back(joint.name);
+  return robotlink::compileMotions(files, names).value();
+}
+
+class MotionEngineTest : public testing::Test {
+ protected:
+  void run(const MotionWish& wish, int frames, const Vector3& acceleration = {0, 0, 9.8}) {
+    for (int i = 0; i < frames; ++i) {
+      const std::vector<double> before(engine_.positions().begin(), engine_.positions().end());
+      engine_.advance({wish, head_, &acceleration, std::chrono::milliseconds(8)});
+      for (std::size_t j = 0; j < before.size(); ++j) {
+        largestStep_ = std::max(largestStep_, std::abs(before[j] - engine_.positions()[j]));
+      }
+    }
+  }
+  double angle(const char* joint) const {
+    const auto all = joints();
+    for (std::size_t i = 0; i < all.size(); ++i) {
+      if (all[i].name == joint) return engine_.positions()[i];
+    }
+    return NAN;
+  }
+  static MotionWish walk(double x) { return {MotionWish::Kind::kWalk, {x, 0, 0}, {}}; }
+  static MotionWish keyFrames(const char* motion) { return {MotionWish::Kind::kKeyFrames, {}, motion}; }
+
+  MotionEngine engine_{*JointLayout::of(joints()), motions(), GaitParameters{}, MotionEngine::Options{}};
+  HeadAngles head_;
+  double largestStep_ = 0;
+};
+
+TEST_F(MotionEngineTest, itGoesSoftlyFromAnyPostureToTheStand) {
+  engine_.start(std::vector<double>(joints().size(), 0.0));
+  run({}, 100);
+  EXPECT_LT(largestStep_, 0.12);
+  EXPECT_TRUE(engine_.stable());
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kStand);
+  EXPECT_NEAR(angle("legFL1"), engine_.gait().angles(Leg::kFrontLeft).swing, 1e-12);
+  EXPECT_NEAR(angle("tailPan"), 0.2, 1e-12);
+}
+
+TEST_F(MotionEngineTest, odometryAddsUpTheWalk) {
+  run({}, 100);
+  run(walk(0.1), 250);
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_NEAR(engine_.odometry().x, 2.0 * 0.1 - 0.0125, 0.003);
+  EXPECT_EQ(engine_.speed().x, 0.1);
+}
+
+TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {
+  run({}, 100);
+  run(walk(0.1), 100);
+  run(keyFrames("kick"), 1);
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  run(keyFrames("kick"), 90);
+  EXPECT_EQ(engine_.executed(), keyFrames("kick"));
+  EXPECT_FALSE(engine_.stable());
+  run(walk(0.1), 2);
+  EXPECT_EQ(engine_.executed(), keyFrames("kick")) << "a motion is left at its end only";
+  run(walk(0.1), 200);
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_LT(largestStep_, 0.12);
+}
+
+TEST_F(MotionEngineTest, unknownMotionsAreRefusedWithTheirName) {
+  run(keyFrames("dance"), 10);
+  EXPECT_EQ(engine_.refusal(), "there is no motion 'dance'");
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kStand);
+  run(walk(0), 1);
+  EXPECT_EQ(engine_.refusal(), "");
+}
+
+TEST_F(MotionEngineTest, aFallenRobotGetsUpBeforeItObeys) {
+  run({}, 100);
+  run(walk(0.1), 150, {0, -9.8, 0});
+  EXPECT_TRUE(engine_.falls().fallen());
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kGetUp);
+  EXPECT_EQ(engine_.executed().motion, "get-up-left");
+  run(walk(0.1), 200);
+  EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+}
+
+TEST_F(MotionEngineTest, aFallToASideWithoutAMotionIsToldAndNothingIsDone) {
+  run(walk(0.1), 150, {0, 9.8, 0});
+  EXPECT_TRUE(engine_.falls().fallen());
+  EXPECT_EQ(engine_.refusal(), "there is no motion 'get-up-right'");
+}
+
+TEST_F(MotionEngineTest, theHeadGoesAsFastAsItsJointsAndNoFurther) {
+  head_ = {0.3, 9, 0, 0};
+  run({}, 1);
+  EXPECT_NEAR(angle("headPan"), 2.0 * 0.9 * 0.008, 1e-12);
+  run({}, 200);
+  EXPECT_NEAR(angle("neckTilt"), 0.3, 1e-12);
+  EXPECT_NEAR(angle("headPan"), 1.5, 1e-12);
+  head_.pan = NAN;
+  run({}, 10);
+  EXPECT_NEAR(angle("headPan"), 1.5, 1e-12);
+}
+
+TEST_F(MotionEngineTest, aDescriptionWithoutLegsIsRefused) {
+  auto some = joints();
+  some.pop_back();
+  some.pop_back();
+  const auto layout = JointLayout::of(some);
+  ASSERT_FALSE(layout);
+  EXPECT_EQ(layout.error().arguments[0], "legHL3");
+}
+
+}  // namespace
+}  // namespace modules
