@@ -27,9 +27,10 @@ constexpr std::size_t index(Leg leg) {
 /// dimensions, stance drawing); the paws' centres follow from the stance drawing and agree with the kinematic
 /// tables of Tekkotsu.
 struct RobotDimensions {
-  double hipX = 0.0595;        ///< J1 axes before and behind the origin
-  double hipY = 0.0592;        ///< shoulders beside the origin
-  double pawOffset = 0.0005;   ///< how much further out the paws are than the shoulders
+  double hipX = 0.0595;  ///< J1 axes before and behind the origin
+  double hipY = 0.0592;  ///< shoulders beside the origin
+  double pawOffset = 0;  ///< how much further out the paws are than the shoulders (0.5 mm in the drawing; the
+                         ///< model has none)
   double kneeDown = 0.0640;    ///< from J1 to J3 with all angles 0
   double kneeAway = 0.0128;    ///< the same, away from the body's middle
   double foreShank = 0.05699;  ///< from J3 to the centre of the paw's sphere
