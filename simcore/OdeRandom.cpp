@@ -1,7 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ODE shuffles its constraints by random numbers from one seed for the whole program, so simulations on several threads
-// would disturb each other. The functions here stand in for those of its shared library (the dynamic linker takes the
-// program's own definitions first), with one seed per thread, which Physics sets before each step.
+// ODE shuffles its constraints by random numbers from one seed for the whole program, so simulations on
+// several threads would disturb each other. The functions here stand in for those of its shared library (the
+// dynamic linker takes the program's own definitions first), with one seed per thread, which Physics sets
+// before each step.
 #include "simcore/OdeRandom.h"
 
 #include <ode/ode.h>
@@ -14,25 +15,34 @@ thread_local std::uint32_t threadSeed = 0;
 
 namespace simcore {
 
-void seedOdeRandom(std::uint64_t bits) { threadSeed = static_cast<std::uint32_t>(bits ^ (bits >> 32)); }
+void seedOdeRandom(std::uint64_t bits) {
+  threadSeed = static_cast<std::uint32_t>(bits ^ (bits >> 32));
+}
 
 }  // namespace simcore
 
 extern "C" {
 
-// The generator is that of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table 1, line 15).
+// The generator is that of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table
+// 1, line 15).
 unsigned long dRand(void) {
   threadSeed = 1664525U * threadSeed + 1013904223U;
   return threadSeed;
 }
 
-unsigned long dRandGetSeed(void) { return threadSeed; }
+unsigned long dRandGetSeed(void) {
+  return threadSeed;
+}
 
-void dRandSetSeed(unsigned long seed) { threadSeed = static_cast<std::uint32_t>(seed); }
+void dRandSetSeed(unsigned long seed) {
+  threadSeed = static_cast<std::uint32_t>(seed);
+}
 
 int dRandInt(int n) {
   // The high bits of such a generator are the better ones.
-  return n <= 0 ? 0 : static_cast<int>((static_cast<std::uint64_t>(dRand()) * static_cast<std::uint64_t>(n)) >> 32);
+  return n <= 0
+             ? 0
+             : static_cast<int>((static_cast<std::uint64_t>(dRand()) * static_cast<std::uint64_t>(n)) >> 32);
 }
 
 }  // extern "C"

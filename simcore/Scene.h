@@ -18,9 +18,10 @@ class Scene {
     std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
   };
 
-  /// Reads a world file. `model://NAME` is looked for below the folder of the file and below resources/scenes/models.
-  /// Every error carries file and line.
-  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(const std::filesystem::path& file);
+  /// Reads a world file. `model://NAME` is looked for below the folder of the file and below
+  /// resources/scenes/models. Every error carries file and line.
+  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
+      const std::filesystem::path& file);
 
   ~Scene();
   const std::filesystem::path& file() const;

@@ -18,11 +18,11 @@ class Scene;
 
 /// What a port carries, so that one generic view can show any of them.
 struct PortInfo {
-  std::string path;  ///< "red1/legFL1/position"
-  std::string robot;  ///< "red1"
-  std::string type;  ///< "angle", "distance", "acceleration", "contact", "image", ...
+  std::string path;        ///< "red1/legFL1/position"
+  std::string robot;       ///< "red1"
+  std::string type;        ///< "angle", "distance", "acceleration", "contact", "image", ...
   std::vector<int> shape;  ///< {} a scalar, {3} a vector, {height, width, channels} an image
-  std::string unit;  ///< "rad", "m", "m/s^2", "" ...
+  std::string unit;        ///< "rad", "m", "m/s^2", "" ...
 };
 
 /// A sensor that yields numbers. Its reading is that of the last step, noise included.
@@ -37,14 +37,16 @@ struct CameraSensor {
   int body = 0;  ///< index in RenderScene::bodies
   Pose3 cameraInBody = Pose3::Identity();
   robotlink::Duration period{};  ///< between images
+  double noise =
+      0;  ///< standard deviation of each channel, grey values; to be applied only if options ask for noise
 };
 
 /// A joint's servo: it turns towards a requested angle with limited speed and torque.
 struct Servo {
-  PortInfo info;  ///< "red1/legFL1/request"
+  PortInfo info;                    ///< "red1/legFL1/request"
   double minimum = 0, maximum = 0;  ///< rad
-  double maximumSpeed = 0;  ///< rad/s
-  double maximumTorque = 0;  ///< N m
+  double maximumSpeed = 0;          ///< rad/s
+  double maximumTorque = 0;         ///< N m
 };
 
 struct SimulationOptions {
@@ -54,8 +56,8 @@ struct SimulationOptions {
 
 /// A world in motion: bodies, joints, contacts, sensors and servos, in steps of Simulation::kStep.
 ///
-/// Deterministic: scene, seed and the servos' requests give the same bytes on one machine. One thread at a time may use
-/// a simulation; several simulations may run on several threads. Knows no robot program.
+/// Deterministic: scene, seed and the servos' requests give the same bytes on one machine. One thread at a
+/// time may use a simulation; several simulations may run on several threads. Knows no robot program.
 class Simulation {
  public:
   static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
@@ -85,9 +87,11 @@ class Simulation {
   /// Share of the maximum torque that a servo may use, 0 to 1.
   void setTorqueLimit(std::size_t servo, double share);
 
-  /// True pose of a model ("red1", "ball") in the world. A robot's frame lies at its body's centre, x to the front.
+  /// True pose of a model ("red1", "ball") in the world. A robot's frame lies at its body's centre, x to the
+  /// front.
   std::optional<Pose3> modelPose(const std::string& model) const;
-  /// Puts a model somewhere, at rest, keeping its height and its joints; refuses a place where it would not fit.
+  /// Puts a model somewhere, at rest, keeping its height and its joints; refuses a place where it would not
+  /// fit.
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose);
 
   /// How often a robot and the ball began to touch.

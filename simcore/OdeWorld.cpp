@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/OdeWorld.h"
+
+namespace simcore {
+namespace {
+
+// Measured for robots of this size: fewer iterations or longer steps let them fall, more cost time for
+// nothing.
+constexpr int kIterations = 20;
+constexpr double kErrorReduction = 0.3;
+constexpr double kConstraintForceMixing = 1e-7;
+constexpr double kMaxCorrectingVelocity = 1;  // m/s; keeps bodies that overlap from being catapulted
+
+/// Fills an OdeWorld from its description.
+class Builder {
+ public:
+  explicit Builder(OdeWorld& ode) : ode_(ode) {}
+
+  void build() {
+    for (const ModelInstance& model : ode_.description.models) {
+      const int index = static_cast<int>(ode_.models.size());
+      OdeModel& added = ode_.models.emplace_back();
+      added.firstBody = ode_.bodies.size();
+      if (model.type->isStatic)
+        addStatic(model, index);
+      else
+        addMoving(model, index, added);
+      added.bodyCount = ode_.bodies.size() - added.firstBody;
+    }
+  }
+
+ private:
+  void addStatic(const ModelInstance& model, int index) {
+    for (const LinkDescription& link : model.type->links) {
+      for (const CollisionDescription& collision : link.collisions) {
+        const Pose3 pose = model.poseInWorld * link.poseInModel * collision.poseInLink;
+        const dGeomID geom = addGeom(ode_.statics, collision, index, pose);
+        if (collision.shape.kind == Shape::Kind::kPlane) continue;
+        setPose(pose, [&](const dReal* p, const dMatrix3 r) {
+          dGeomSetPosition(geom, p[0], p[1], p[2]);
+          dGeomSetRotation(geom, r);
+        });
+      }
+    }
+  }
+
+  void addMoving(const ModelInstance& model, int index, OdeModel& added) {
+    added.space = dSimpleSpaceCreate(ode_.top);
+    dSpaceSetCleanup(added.space, 0);
+    // A higher level than the static space's: the model as a whole is compared with static geoms first.
+    dSpaceSetSublevel(added.space, 1);
+    for (const LinkDescription& link : model.type->links) addBody(model, link, index, added.space);
+    for (const JointDescription& joint : model.type->joints) addJoint(model, joint, added.firstBody);
+    pose(model, added.firstBody);
+  }
+
+  void addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
+    OdeBody body;
+    body.id = dBodyCreate(ode_.world);
+    body.centerInLink = link.centerOfMass;
+    body.firstGeom = ode_.geoms.size();
+    dMass mass;
+    const Eigen::Matrix3d& i = link.inertia;
+    dMassSetParameters(&mass, link.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+    dBodySetMass(body.id, &mass);
+    dBodySetAutoDisableFlag(body.id, 0);
+    if (link.linearDamping > 0) dBodySetLinearDamping(body.id, link.linearDamping * 0.004);
+    if (link.angularDamping > 0) dBodySetAngularDamping(body.id, link.angularDamping * 0.004);
+    ode_.bodies.push_back(body);
+    place(body, model.poseInWorld * link.poseInModel);
+    for (const CollisionDescription& collision : link.collisions) addBodyGeom(body, collision, index, space);
+  }
+
+  void addBodyGeom(const OdeBody& body, const CollisionDescription& collision, int index, dSpaceID space) {
+    const dGeomID geom = addGeom(space, collision, index, Pose3::Identity());
+    if (collision.shape.kind == Shape::Kind::kPlane) return;
+    dGeomSetBody(geom, body.id);
+    const Vector3 offset = collision.poseInLink.translation() - body.centerInLink;
+    setPose(collision.poseInLink, [&](const dReal*, const dMatrix3 r) {
+      dGeomSetOffsetPosition(geom, offset.x(), offset.y(), offset.z());
+      dGeomSetOffsetRotation(geom, r);
+    });
+  }
+
+  dGeomID addGeom(dSpaceID space, const CollisionDescription& collision, int index, const Pose3& pose) {
+    OdeGeom& geom = ode_.geoms.emplace_back();
+    geom.id = createGeom(space, collision.shape, pose);
+    geom.model = index;
+    geom.friction = collision.friction;
+    geom.restitution = collision.restitution;
+    dGeomSetData(geom.id, &geom);
+    return geom.id;
+  }
+
+  static dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
+    switch (shape.kind) {
+      case Shape::Kind::kBox:
+        return dCreateBox(space, shape.size.x(), shape.size.y(), shape.size.z());
+      case Shape::Kind::kSphere:
+        return dCreateSphere(space, shape.radius);
+      case Shape::Kind::kCylinder:
+        return dCreateCylinder(space, shape.radius, shape.length);
+      case Shape::Kind::kCapsule:
+        return dCreateCapsule(space, shape.radius, shape.length);
+      case Shape::Kind::kPlane:
+        break;
+    }
+    const Vector3 normal = pose.linear().col(2);
+    return dCreatePlane(space, normal.x(), normal.y(), normal.z(), normal.dot(pose.translation()));
+  }
+
+  void addJoint(const ModelInstance& model, const JointDescription& joint, std::size_t firstBody) {
+    const dBodyID child = ode_.bodies[firstBody + static_cast<std::size_t>(joint.child)].id;
+    const dBodyID parent =
+        joint.parent < 0 ? nullptr : ode_.bodies[firstBody + static_cast<std::size_t>(joint.parent)].id;
+    if (joint.fixed) {
+      const dJointID id = dJointCreateFixed(ode_.world, nullptr);
+      dJointAttach(id, child, parent);
+      dJointSetFixed(id);
+      return;
+    }
+    const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
+    const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
+    const dJointID id = dJointCreateHinge(ode_.world, nullptr);
+    dJointAttach(id, child, parent);
+    dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
+    dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
+    // Set twice: ODE takes a lower stop only if it lies below the upper one.
+    dJointSetHingeParam(id, dParamLoStop, joint.lower);
+    dJointSetHingeParam(id, dParamHiStop, joint.upper);
+    dJointSetHingeParam(id, dParamLoStop, joint.lower);
+    ode_.hinges.push_back(id);
+  }
+
+  /// Turns the joints, which were made at angle 0, to their initial angles.
+  void pose(const ModelInstance& model, std::size_t firstBody) {
+    const ModelDescription& type = *model.type;
+    std::vector<Pose3> moved(type.links.size(), Pose3::Identity());  // by the joints above, in the model
+    for (const JointDescription& joint : type.joints) {
+      const Pose3 above =
+          joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
+      const Eigen::Translation3d anchor(joint.anchorInModel);
+      moved[static_cast<std::size_t>(joint.child)] =
+          above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+    }
+    for (std::size_t i = 0; i < type.links.size(); ++i) {
+      place(ode_.bodies[firstBody + i], model.poseInWorld * moved[i] * type.links[i].poseInModel);
+    }
+  }
+
+  static void place(const OdeBody& body, const Pose3& link) {
+    const Vector3 center = link * body.centerInLink;
+    setPose(link, [&](const dReal*, const dMatrix3 r) {
+      dBodySetPosition(body.id, center.x(), center.y(), center.z());
+      dBodySetRotation(body.id, r);
+    });
+  }
+
+  template <typename Set>
+  static void setPose(const Pose3& pose, Set set) {
+    const Vector3& p = pose.translation();
+    const auto& m = pose.linear();
+    const dReal position[3] = {p.x(), p.y(), p.z()};
+    const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
+                               m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
+    set(position, rotation);
+  }
+
+  OdeWorld& ode_;
+};
+
+}  // namespace
+
+void prepareOdeForThread() {
+  static const bool kInitialized = dInitODE2(0) != 0;
+  thread_local const bool kAllocated = kInitialized && dAllocateODEDataForThread(dAllocateMaskAll) != 0;
+  (void)kAllocated;
+}
+
+OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(worldDescription) {
+  prepareOdeForThread();
+  world = dWorldCreate();
+  const Vector3& gravity = description.gravity;
+  dWorldSetGravity(world, gravity.x(), gravity.y(), gravity.z());
+  dWorldSetERP(world, kErrorReduction);
+  dWorldSetCFM(world, kConstraintForceMixing);
+  dWorldSetQuickStepNumIterations(world, kIterations);
+  dWorldSetContactMaxCorrectingVel(world, kMaxCorrectingVelocity);
+  dWorldSetContactSurfaceLayer(world, 0.0005);
+  // The threading that worlds share by default is not safe when two of them step at once.
+  threading = dThreadingAllocateSelfThreadedImplementation();
+  dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
+  top = dSimpleSpaceCreate(nullptr);
+  dSpaceSetCleanup(top, 0);
+  statics = dSimpleSpaceCreate(top);
+  dSpaceSetCleanup(statics, 0);
+  contacts = dJointGroupCreate(0);
+  ray = dCreateRay(nullptr, 1);
+  Builder(*this).build();
+}
+
+OdeWorld::~OdeWorld() {
+  prepareOdeForThread();
+  dJointGroupDestroy(contacts);
+  for (const OdeGeom& geom : geoms) dGeomDestroy(geom.id);
+  dGeomDestroy(ray);
+  for (const OdeModel& model : models) {
+    if (model.space != nullptr) dSpaceDestroy(model.space);
+  }
+  dSpaceDestroy(statics);
+  dSpaceDestroy(top);
+  dWorldDestroy(world);
+  dThreadingFreeImplementation(threading);
+}
+
+Pose3 poseOf(const dReal* position, const dReal* rotation) {
+  Pose3 pose = Pose3::Identity();
+  pose.translation() = Vector3(position[0], position[1], position[2]);
+  for (int row = 0; row < 3; ++row) {
+    for (int column = 0; column < 3; ++column) pose.linear()(row, column) = rotation[4 * row + column];
+  }
+  return pose;
+}
+
+Pose3 linkPose(const OdeBody& body) {
+  return poseOf(dBodyGetPosition(body.id), dBodyGetRotation(body.id)) *
+         Eigen::Translation3d(-body.centerInLink);
+}
+
+}  // namespace simcore

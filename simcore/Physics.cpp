@@ -1,0 +1,213 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/Physics.h"
+
+#include <algorithm>
+#include <bit>
+
+#include "robotlink/base/Random.h"
+#include "simcore/OdeRandom.h"
+#include "simcore/OdeWorld.h"
+
+namespace simcore {
+namespace {
+
+constexpr int kMaxContacts = 4;
+constexpr double kContactErrorReduction = 0.3;
+constexpr double kContactSoftness = 1e-5;
+constexpr double kMinBounceVelocity = 0.05;  // m/s
+
+OdeGeom& infoOf(dGeomID geom) {
+  return *static_cast<OdeGeom*>(dGeomGetData(geom));
+}
+
+/// Goes down into spaces, but never inside one: calls `found` for each pair of geoms of different models.
+template <typename Data>
+bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
+  if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
+  dSpaceCollide2(a, b, data, callback);
+  return true;
+}
+
+void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b) {
+  a.touched = b.touched = true;
+  const auto [low, high] = std::minmax(a.model, b.model);
+  const bool bothMove = ode.models[static_cast<std::size_t>(low)].space != nullptr &&
+                        ode.models[static_cast<std::size_t>(high)].space != nullptr;
+  if (bothMove) ode.touches.emplace_back(low, high);
+}
+
+void addContacts(void* data, dGeomID a, dGeomID b) {
+  auto& ode = *static_cast<OdeWorld*>(data);
+  if (descend(&ode, a, b, &addContacts)) return;
+  dContact contacts[kMaxContacts];
+  const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+  if (count == 0) return;
+  OdeGeom& first = infoOf(a);
+  OdeGeom& second = infoOf(b);
+  noteTouch(ode, first, second);
+  for (int i = 0; i < count; ++i) {
+    dSurfaceParameters& surface = contacts[i].surface;
+    surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
+    surface.mu = std::min(first.friction, second.friction);
+    surface.soft_erp = kContactErrorReduction;
+    surface.soft_cfm = kContactSoftness;
+    surface.bounce = std::max(first.restitution, second.restitution);
+    surface.bounce_vel = kMinBounceVelocity;
+    if (surface.bounce > 0) surface.mode |= dContactBounce;
+    const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contacts[i]);
+    dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
+  }
+}
+
+struct RayQuery {
+  int ownModel = 0;
+  double distance = 0;
+};
+
+void hitByRay(void* data, dGeomID a, dGeomID b) {
+  auto& query = *static_cast<RayQuery*>(data);
+  if (descend(&query, a, b, &hitByRay)) return;
+  const dGeomID other = dGeomGetClass(a) == dRayClass ? b : a;
+  if (infoOf(other).model == query.ownModel) return;
+  dContactGeom contact;
+  if (dCollide(a, b, 1, &contact, sizeof contact) == 1)
+    query.distance = std::min(query.distance, contact.depth);
+}
+
+struct OverlapQuery {
+  int model = 0;
+  double tolerance = 0;
+  int overlapped = -1;
+};
+
+void deepContact(void* data, dGeomID a, dGeomID b) {
+  auto& query = *static_cast<OverlapQuery*>(data);
+  if (descend(&query, a, b, &deepContact)) return;
+  dContactGeom contacts[kMaxContacts];
+  const int count = dCollide(a, b, kMaxContacts, contacts, sizeof(dContactGeom));
+  for (int i = 0; i < count; ++i) {
+    if (contacts[i].depth <= query.tolerance) continue;
+    const int first = infoOf(a).model;
+    query.overlapped = first == query.model ? infoOf(b).model : first;
+  }
+}
+
+}  // namespace
+
+Physics::Physics(const WorldDescription& world) : ode_(std::make_unique<OdeWorld>(world)) {}
+Physics::~Physics() = default;
+
+void Physics::step(std::uint64_t seed) {
+  prepareOdeForThread();
+  seedOdeRandom(seed);
+  for (OdeGeom& geom : ode_->geoms) geom.touched = false;
+  ode_->touches.clear();
+  dSpaceCollide(ode_->top, ode_.get(), &addContacts);
+  dWorldQuickStep(ode_->world, kStepSeconds);
+  dJointGroupEmpty(ode_->contacts);
+}
+
+std::size_t Physics::bodyCount() const {
+  return ode_->bodies.size();
+}
+
+Pose3 Physics::linkInWorld(std::size_t body) const {
+  return linkPose(ode_->bodies[body]);
+}
+
+Vector3 Physics::velocityAt(std::size_t body, const Vector3& point) const {
+  dVector3 velocity;
+  dBodyGetPointVel(ode_->bodies[body].id, point.x(), point.y(), point.z(), velocity);
+  return {velocity[0], velocity[1], velocity[2]};
+}
+
+double Physics::angle(std::size_t hinge) const {
+  return dJointGetHingeAngle(ode_->hinges[hinge]);
+}
+
+double Physics::angularVelocity(std::size_t hinge) const {
+  return dJointGetHingeAngleRate(ode_->hinges[hinge]);
+}
+
+double Physics::anchorGap(std::size_t hinge) const {
+  dVector3 a, b;
+  dJointGetHingeAnchor(ode_->hinges[hinge], a);
+  dJointGetHingeAnchor2(ode_->hinges[hinge], b);
+  return Vector3(a[0] - b[0], a[1] - b[1], a[2] - b[2]).norm();
+}
+
+void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque) {
+  dJointSetHingeParam(ode_->hinges[hinge], dParamVel, velocity);
+  dJointSetHingeParam(ode_->hinges[hinge], dParamFMax, maximumTorque);
+}
+
+bool Physics::touched(std::size_t body, int collision) const {
+  return ode_->geoms[ode_->bodies[body].firstGeom + static_cast<std::size_t>(collision)].touched;
+}
+
+bool Physics::touched(int modelA, int modelB) const {
+  const std::pair<int, int> pair = std::minmax(modelA, modelB);
+  return std::ranges::find(ode_->touches, pair) != ode_->touches.end();
+}
+
+double Physics::castRay(const Vector3& origin, const Vector3& direction, double length, int ownModel) const {
+  prepareOdeForThread();
+  dGeomRaySetLength(ode_->ray, length);
+  dGeomRaySet(ode_->ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
+  RayQuery query{ownModel, length};
+  dSpaceCollide2(ode_->ray, reinterpret_cast<dGeomID>(ode_->top), &query, &hitByRay);
+  return query.distance;
+}
+
+Pose3 Physics::modelInWorld(int model) const {
+  const ModelInstance& instance = ode_->description.models[static_cast<std::size_t>(model)];
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  if (entry.bodyCount == 0) return instance.poseInWorld;
+  return linkInWorld(entry.firstBody) * instance.type->links.front().poseInModel.inverse();
+}
+
+void Physics::moveModel(int model, const Pose3& transform) {
+  const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
+  for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    const dBodyID body = ode_->bodies[i].id;
+    const Pose3 pose = transform * poseOf(dBodyGetPosition(body), dBodyGetRotation(body));
+    const Eigen::Quaterniond q(pose.linear());
+    const dQuaternion rotation = {q.w(), q.x(), q.y(), q.z()};
+    dBodySetPosition(body, pose.translation().x(), pose.translation().y(), pose.translation().z());
+    dBodySetQuaternion(body, rotation);
+    dBodySetLinearVel(body, 0, 0, 0);
+    dBodySetAngularVel(body, 0, 0, 0);
+  }
+}
+
+int Physics::overlappedModel(int model, double tolerance) const {
+  prepareOdeForThread();
+  const dSpaceID own = ode_->models[static_cast<std::size_t>(model)].space;
+  OverlapQuery query{model, tolerance, -1};
+  for (std::size_t i = 0; own != nullptr && i < ode_->models.size(); ++i) {
+    const dSpaceID other = ode_->models[i].space;
+    if (other == nullptr || other == own) continue;
+    dSpaceCollide2(reinterpret_cast<dGeomID>(own), reinterpret_cast<dGeomID>(other), &query, &deepContact);
+  }
+  if (own != nullptr) {
+    dSpaceCollide2(reinterpret_cast<dGeomID>(own), reinterpret_cast<dGeomID>(ode_->statics), &query,
+                   &deepContact);
+  }
+  return query.overlapped;
+}
+
+std::uint64_t Physics::digest() const {
+  std::uint64_t hash = 0;
+  const auto add = [&](const dReal* values, int count) {
+    for (int i = 0; i < count; ++i) hash = robotlink::mixBits(hash ^ std::bit_cast<std::uint64_t>(values[i]));
+  };
+  for (const OdeBody& body : ode_->bodies) {
+    add(dBodyGetPosition(body.id), 3);
+    add(dBodyGetQuaternion(body.id), 4);
+    add(dBodyGetLinearVel(body.id), 3);
+    add(dBodyGetAngularVel(body.id), 3);
+  }
+  return hash;
+}
+
+}  // namespace simcore

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/SceneFiles.h"
+
+#include <tinyxml2.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Resources.h"
+#include "simcore/SdfCheck.h"
+
+namespace simcore {
+namespace fs = std::filesystem;
+using robotlink::Errors;
+using tinyxml2::XMLElement;
+
+namespace {
+
+constexpr std::size_t kMaxFileBytes = 16U << 20U;
+
+void fail(Errors& errors, const fs::path& file, int line, std::string id, std::string text) {
+  errors.push_back({std::move(id), std::move(text), {}, {file.string(), line, 0}});
+}
+
+/// A whole file, parsed; false if it cannot be read or is no XML.
+bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& document, Errors& errors) {
+  auto contents = robotlink::readFile(file, kMaxFileBytes);
+  if (!contents) {
+    errors.push_back(contents.error());
+    return false;
+  }
+  text = std::move(*contents);
+  if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
+    fail(errors, file, document.ErrorLineNum(), "scene.xml",
+         std::string("not readable as XML (") + document.ErrorName() + ")");
+    return false;
+  }
+  return true;
+}
+
+/// <robotcontrol:palette> of a world or a model: <robotcontrol:color name="green">0 130
+/// 50</robotcontrol:color> ...
+void readPalette(const XMLElement& parent, const fs::path& file, Palette& palette, Errors& errors) {
+  const XMLElement* element = parent.FirstChildElement("robotcontrol:palette");
+  if (element == nullptr) return;
+  for (auto* color = element->FirstChildElement(); color != nullptr; color = color->NextSiblingElement()) {
+    const char* name = color->Attribute("name");
+    std::istringstream stream(color->GetText() != nullptr ? color->GetText() : "");
+    int channels[3] = {-1, -1, -1};
+    stream >> channels[0] >> channels[1] >> channels[2];
+    if (name == nullptr || !std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; })) {
+      fail(errors, file, color->GetLineNum(), "scene.palette",
+           "a colour needs a name and three numbers from 0 to 255");
+      continue;
+    }
+    const auto byte = [&](int i) { return static_cast<std::uint8_t>(channels[i]); };
+    palette[name] = {byte(0), byte(1), byte(2)};
+  }
+}
+
+std::string childText(const XMLElement& element, const char* name) {
+  const XMLElement* child = element.FirstChildElement(name);
+  return child != nullptr && child->GetText() != nullptr ? child->GetText() : "";
+}
+
+/// Where a URI's model file is: model://NAME below the world's folder, its models folder, or the shipped
+/// models.
+std::optional<fs::path> resolve(const std::string& uri, const fs::path& world) {
+  const fs::path folder = world.parent_path();
+  std::vector<fs::path> candidates;
+  constexpr std::string_view kScheme = "model://";
+  if (uri.starts_with(kScheme)) {
+    const fs::path name = uri.substr(kScheme.size());
+    candidates = {folder / name, folder / "models" / name, robotlink::resource("scenes/models") / name};
+  } else if (uri.find("://") == std::string::npos && !uri.empty()) {
+    candidates = {folder / uri};
+  }
+  std::error_code error;
+  for (const fs::path& candidate : candidates) {
+    const fs::path file = fs::is_directory(candidate, error) ? candidate / "model.sdf" : candidate;
+    if (fs::is_regular_file(file, error)) return fs::weakly_canonical(file, error);
+  }
+  return std::nullopt;
+}
+
+bool readPose(const std::string& text, SceneInclude& include) {
+  std::istringstream stream(text);
+  for (double& number : include.pose) stream >> number;
+  std::string rest;
+  return !stream.fail() && !(stream >> rest);
+}
+
+std::optional<SceneInclude> readInclude(const XMLElement& element, const fs::path& world, Errors& errors) {
+  SceneInclude include;
+  include.line = element.GetLineNum();
+  const std::string uri = childText(element, "uri");
+  const auto file = resolve(uri, world);
+  if (!file) {
+    fail(errors, world, include.line, "scene.unknown-model", "there is no model '" + uri + "'");
+    return std::nullopt;
+  }
+  include.file = *file;
+  include.name = childText(element, "name");
+  include.team = childText(element, "robotcontrol:team");
+  const std::string isStatic = childText(element, "static");
+  include.isStatic = isStatic == "true" || isStatic == "1";
+  const XMLElement* pose = element.FirstChildElement("pose");
+  if (pose != nullptr && !readPose(childText(element, "pose"), include)) {
+    fail(errors, world, pose->GetLineNum(), "scene.pose", "a pose is six numbers: x y z roll pitch yaw");
+  }
+  if (pose != nullptr && pose->FirstAttribute() != nullptr) {
+    fail(errors, world, pose->GetLineNum(), "scene.pose", "the pose of an <include> takes no attributes");
+  }
+  return include;
+}
+
+/// Overwrites what lies between `begin` and `end` by spaces, keeping the lines.
+void blank(std::string& text, std::size_t begin, std::size_t end) {
+  for (std::size_t i = begin; i < end && i < text.size(); ++i) {
+    if (text[i] != '\n') text[i] = ' ';
+  }
+}
+
+/// Blanks every <include> element of well-formed XML, minding comments and CDATA.
+void blankIncludes(std::string& text) {
+  constexpr std::string_view kOpen = "<include", kClose = "</include>";
+  std::size_t at = 0;
+  while ((at = text.find('<', at)) != std::string::npos) {
+    const std::string_view rest = std::string_view(text).substr(at);
+    if (rest.starts_with("<!--")) {
+      at = text.find("-->", at);
+    } else if (rest.starts_with("<![CDATA[")) {
+      at = text.find("]]>", at);
+    } else if (rest.starts_with(kOpen) &&
+               (rest[kOpen.size()] == '>' || std::isspace(rest[kOpen.size()]) != 0)) {
+      const std::size_t end = text.find(kClose, at);
+      blank(text, at, end + kClose.size());
+      at = end;
+    } else {
+      ++at;
+    }
+    if (at == std::string::npos) return;
+  }
+}
+
+/// Reads and checks each included file once; collects its colours.
+void readModels(SceneFiles& files, const fs::path& world, Errors& errors) {
+  for (const SceneInclude& include : files.includes) {
+    if (files.models.contains(include.file)) continue;
+    std::string& text = files.models[include.file];
+    tinyxml2::XMLDocument document;
+    if (!readXml(include.file, text, document, errors)) continue;
+    checkSdfTree(document, include.file.string(), errors);
+    const XMLElement* root = document.RootElement();
+    const XMLElement* model = root != nullptr ? root->FirstChildElement("model") : nullptr;
+    if (model == nullptr) {
+      fail(errors, world, include.line, "scene.unknown-model",
+           "'" + include.file.string() + "' describes no model");
+    } else {
+      readPalette(*model, include.file, files.palette, errors);
+    }
+  }
+}
+
+}  // namespace
+
+SceneFiles SceneFiles::read(const fs::path& file, Errors& errors) {
+  SceneFiles files;
+  tinyxml2::XMLDocument document;
+  if (!readXml(file, files.worldText, document, errors)) return files;
+  checkSdfTree(document, file.string(), errors);
+  const XMLElement* root = document.RootElement();
+  const XMLElement* world = root != nullptr ? root->FirstChildElement("world") : nullptr;
+  if (world == nullptr) {
+    fail(errors, file, 1, "scene.no-world",
+         "the file must describe a world: <sdf version=\"1.9\"><world name=\"...\">");
+    return files;
+  }
+  for (auto* element = world->FirstChildElement("include"); element != nullptr;
+       element = element->NextSiblingElement("include")) {
+    if (auto include = readInclude(*element, file, errors)) files.includes.push_back(std::move(*include));
+  }
+  readPalette(*world, file, files.palette, errors);
+  readModels(files, file, errors);
+  blankIncludes(files.worldText);
+  return files;
+}
+
+}  // namespace simcore

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simcore/RenderScene.h"
+#include "simcore/Scene.h"
+#include "simcore/WorldDescription.h"
+
+namespace simcore {
+
+/// What a Scene holds; for this folder's sources and tests only.
+struct Scene::Implementation {
+  std::filesystem::path file;
+  std::vector<Robot> robots;
+  WorldDescription world;
+  std::shared_ptr<const RenderScene> renderScene;
+};
+
+}  // namespace simcore

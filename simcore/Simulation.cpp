@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/Simulation.h"
+
+#include <algorithm>
+#include <cmath>
+#include <map>
+
+#include "robotlink/base/Random.h"
+#include "simcore/Physics.h"
+#include "simcore/Ports.h"
+#include "simcore/SceneImplementation.h"
+
+namespace simcore {
+namespace {
+
+// Of the angle that is missing, the share that a servo tries to make up for in one step; 1 would overshoot.
+constexpr double kServoGain = 0.4;
+// Solids sink into each other a little where they rest on each other; more than this is a wrong place.
+constexpr double kMaxOverlap = 0.003;
+
+constexpr std::uint64_t kSolverStream =
+    0x736F6C766572;  // keeps the solver's random numbers apart from the sensors'
+
+}  // namespace
+
+struct Simulation::Implementation {
+  std::shared_ptr<const Scene> scene;
+  SimulationOptions options;
+  const WorldDescription& world;
+  Ports ports;
+  std::unique_ptr<Physics> physics;
+  std::uint64_t steps = 0;
+  std::vector<Pose3> poses;                 // by body of the render scene
+  std::vector<Vector3> velocities;          // of accelerometers, one step ago; by sensor
+  std::vector<Vector3> accelerations;       // specific force in the world; by sensor
+  std::vector<int> balls, robots;           // models
+  std::vector<std::uint64_t> ballContacts;  // by robot
+  std::vector<bool> touchedBall;            // in the last step, by robot
+  bool readingsValid = false, posesValid = false;
+
+  Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
+      : scene(std::move(ofScene)),
+        options(with),
+        world(scene->implementation().world),
+        ports(Ports::of(world)) {
+    for (std::size_t i = 0; i < world.models.size(); ++i) {
+      if (world.models[i].type->isBall) balls.push_back(static_cast<int>(i));
+      if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
+    }
+    start();
+  }
+
+  void start() {
+    physics = std::make_unique<Physics>(world);
+    const Ports fresh = Ports::of(world);
+    ports.servoStates = fresh.servoStates;
+    steps = 0;
+    velocities.assign(ports.sources.size(), Vector3::Zero());
+    accelerations.assign(ports.sources.size(), -world.gravity);
+    poses.assign(physics->bodyCount() + 1, Pose3::Identity());
+    ballContacts.assign(robots.size(), 0);
+    touchedBall.assign(robots.size(), false);
+    invalidate();
+  }
+
+  void invalidate() { readingsValid = posesValid = false; }
+
+  void driveServos() {
+    for (std::size_t i = 0; i < ports.servos.size(); ++i) {
+      const ServoState& state = ports.servoStates[i];
+      const Servo& servo = ports.servos[i];
+      const double missing = state.target - physics->angle(state.hinge);
+      const double speed =
+          std::clamp(kServoGain * missing / Physics::kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
+      physics->setMotor(state.hinge, speed, servo.maximumTorque * state.torqueShare);
+    }
+  }
+
+  void measureAccelerations() {
+    for (std::size_t i = 0; i < ports.sources.size(); ++i) {
+      const SensorSource& source = ports.sources[i];
+      if (source.kind != SensorSource::Kind::kAccelerometer) continue;
+      const Vector3 point = physics->linkInWorld(source.body) * source.poseInLink.translation();
+      const Vector3 velocity = physics->velocityAt(source.body, point);
+      accelerations[i] = (velocity - velocities[i]) / Physics::kStepSeconds - world.gravity;
+      velocities[i] = velocity;
+    }
+  }
+
+  void countBallContacts() {
+    for (std::size_t i = 0; i < robots.size(); ++i) {
+      const bool touches =
+          std::ranges::any_of(balls, [&](int ball) { return physics->touched(robots[i], ball); });
+      if (touches && !touchedBall[i]) ++ballContacts[i];
+      touchedBall[i] = touches;
+    }
+  }
+
+  /// The reading without noise.
+  void read(std::size_t index, std::vector<double>& values) const {
+    const SensorSource& source = ports.sources[index];
+    switch (source.kind) {
+      case SensorSource::Kind::kAngle:
+        values[0] = physics->angle(source.hinge);
+        break;
+      case SensorSource::Kind::kContact:
+        values[0] = physics->touched(source.body, source.collision) ? 1 : 0;
+        break;
+      case SensorSource::Kind::kDistance: {
+        const Pose3 pose = physics->linkInWorld(source.body) * source.poseInLink;
+        values[0] = physics->castRay(pose.translation(), pose.linear().col(0), source.maximum, source.model);
+        break;
+      }
+      case SensorSource::Kind::kAccelerometer: {
+        const Pose3 pose = physics->linkInWorld(source.body) * source.poseInLink;
+        Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * accelerations[index];
+        break;
+      }
+    }
+  }
+
+  void updateReadings() {
+    for (std::size_t i = 0; i < ports.sensors.size(); ++i) {
+      const SensorSource& source = ports.sources[i];
+      std::vector<double>& values = ports.sensors[i].values;
+      read(i, values);
+      robotlink::Random random(options.seed, robotlink::hashBits(0, i, steps));
+      for (double& value : values) {
+        if (options.noise && source.noise > 0) value += source.noise * random.normal();
+        if (source.maximum > source.minimum) value = std::clamp(value, source.minimum, source.maximum);
+      }
+    }
+    readingsValid = true;
+  }
+
+  void updatePoses() {
+    for (std::size_t i = 0; i < physics->bodyCount(); ++i) poses[i + 1] = physics->linkInWorld(i);
+    posesValid = true;
+  }
+
+  int modelIndex(const std::string& name) const {
+    const auto found = std::ranges::find(world.models, name, &ModelInstance::name);
+    return found == world.models.end() ? -1 : static_cast<int>(found - world.models.begin());
+  }
+};
+
+Simulation::Simulation() = default;
+Simulation::~Simulation() = default;
+
+robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Scene> scene,
+                                                                  SimulationOptions options) {
+  std::unique_ptr<Simulation> simulation(new Simulation);
+  simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
+  const Implementation& made = *simulation->implementation_;
+  for (std::size_t i = 0; i < made.world.models.size(); ++i) {
+    const int other = made.physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
+    if (other < 0) continue;
+    const std::string& name = made.world.models[i].name;
+    const std::string& otherName = made.world.models[static_cast<std::size_t>(other)].name;
+    return robotlink::failure("scene.overlap",
+                              "'" + name + "' starts inside '" + otherName + "': move one of them",
+                              {made.scene->file().string(), 0, 0}, {name, otherName});
+  }
+  return simulation;
+}
+
+void Simulation::step() {
+  Implementation& i = *implementation_;
+  i.driveServos();
+  i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
+  ++i.steps;
+  i.measureAccelerations();
+  i.countBallContacts();
+  i.invalidate();
+}
+
+std::uint64_t Simulation::steps() const {
+  return implementation_->steps;
+}
+
+robotlink::Duration Simulation::time() const {
+  return kStep * static_cast<std::int64_t>(implementation_->steps);
+}
+
+void Simulation::reset(std::uint64_t seed) {
+  implementation_->options.seed = seed;
+  implementation_->start();
+}
+
+const Scene& Simulation::scene() const {
+  return *implementation_->scene;
+}
+
+std::shared_ptr<const RenderScene> Simulation::renderScene() const {
+  return implementation_->scene->implementation().renderScene;
+}
+
+std::span<const Pose3> Simulation::bodyPoses() const {
+  if (!implementation_->posesValid) implementation_->updatePoses();
+  return implementation_->poses;
+}
+
+std::span<const Sensor> Simulation::sensors() const {
+  if (!implementation_->readingsValid) implementation_->updateReadings();
+  return implementation_->ports.sensors;
+}
+
+std::span<const CameraSensor> Simulation::cameras() const {
+  return implementation_->ports.cameras;
+}
+
+std::span<const Servo> Simulation::servos() const {
+  return implementation_->ports.servos;
+}
+
+void Simulation::requestAngle(std::size_t servo, double angle) {
+  const Servo& limits = implementation_->ports.servos[servo];
+  if (std::isnan(angle)) return;
+  implementation_->ports.servoStates[servo].target = std::clamp(angle, limits.minimum, limits.maximum);
+}
+
+void Simulation::setTorqueLimit(std::size_t servo, double share) {
+  if (std::isnan(share)) return;
+  implementation_->ports.servoStates[servo].torqueShare = std::clamp(share, 0.0, 1.0);
+}
+
+std::optional<Pose3> Simulation::modelPose(const std::string& model) const {
+  const int index = implementation_->modelIndex(model);
+  if (index < 0) return std::nullopt;
+  return implementation_->physics->modelInWorld(index);
+}
+
+robotlink::Result<void> Simulation::placeModel(const std::string& model, const robotlink::Pose2& pose) {
+  Implementation& i = *implementation_;
+  const int index = i.modelIndex(model);
+  if (index < 0)
+    return robotlink::failure("simulation.unknown-model", "there is no '" + model + "' here", {}, {model});
+  if (i.world.models[static_cast<std::size_t>(index)].type->isStatic) {
+    return robotlink::failure("simulation.static-model", "'" + model + "' is fixed", {}, {model});
+  }
+  if (!(std::abs(pose.x) < 1e4 && std::abs(pose.y) < 1e4 && std::isfinite(pose.heading))) {
+    return robotlink::failure("simulation.place", "that place is too far away", {}, {model});
+  }
+  const auto lift = [](const robotlink::Pose2& p) {
+    return Pose3(Eigen::Translation3d(p.x, p.y, 0) * Eigen::AngleAxisd(p.heading, Vector3::UnitZ()));
+  };
+  const Pose3 move = lift(pose) * lift(robotlink::groundPose(i.physics->modelInWorld(index))).inverse();
+  i.physics->moveModel(index, move);
+  const int other = i.physics->overlappedModel(index, kMaxOverlap);
+  if (other >= 0) i.physics->moveModel(index, move.inverse());
+  std::ranges::fill(i.velocities, Vector3::Zero());
+  i.invalidate();
+  if (other < 0) return {};
+  const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;
+  return robotlink::failure("simulation.place",
+                            "'" + model + "' does not fit there: '" + otherName + "' is in the way", {},
+                            {model, otherName});
+}
+
+std::uint64_t Simulation::ballContacts() const {
+  std::uint64_t sum = 0;
+  for (const std::uint64_t count : implementation_->ballContacts) sum += count;
+  return sum;
+}
+
+std::uint64_t Simulation::ballContacts(const std::string& robot) const {
+  const Implementation& i = *implementation_;
+  for (std::size_t r = 0; r < i.robots.size(); ++r) {
+    if (i.world.models[static_cast<std::size_t>(i.robots[r])].name == robot) return i.ballContacts[r];
+  }
+  return 0;
+}
+
+std::uint64_t Simulation::digest() const {
+  return robotlink::mixBits(implementation_->physics->digest() ^ implementation_->steps);
+}
+
+}  // namespace simcore

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/FieldModel.h"
+
+#include <gmock/gmock.h>
+
+#include <cstdlib>
+
+#include "robotlink/base/AtomicFile.h"
+
+namespace app {
+namespace {
+
+using testing::HasSubstr;
+using testing::Not;
+
+const char* const kField = ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml";
+const char* const kModel = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models/field2002/model.sdf";
+
+robotlink::FieldDescription field() { return robotlink::FieldDescription::load(kField).value(); }
+
+TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
+  const std::string generated = fieldModelSdf(field());
+  if (std::getenv("ROBOTCONTROL_REGENERATE") != nullptr) {
+    ASSERT_TRUE(robotlink::writeFileAtomically(kModel, generated));
+  }
+  const auto shipped = robotlink::readFile(kModel);
+  ASSERT_TRUE(shipped) << shipped.error().describe();
+  EXPECT_EQ(*shipped, generated) << "run this test with ROBOTCONTROL_REGENERATE=1 to write the model anew";
+}
+
+TEST(FieldModel, aChangedFieldChangesTheModel) {
+  robotlink::FieldDescription changed = field();
+  changed.beacons[0].topColor = "orange";
+  changed.wallHeight = 0.123;
+  const std::string text = fieldModelSdf(changed);
+  EXPECT_THAT(text, HasSubstr(" 0.123</size>"));
+  EXPECT_NE(text, fieldModelSdf(field()));
+}
+
+TEST(FieldModel, linesCannotBeTouched) {
+  EXPECT_THAT(fieldModelSdf(field()), HasSubstr("visual name=\"line_halfway\""));
+  EXPECT_THAT(fieldModelSdf(field()), Not(HasSubstr("collision name=\"line_")));
+}
+
+}  // namespace
+}  // namespace app
