@@ -50,12 +50,13 @@ class ModelWriter {
   void shape(const char* element, const std::string& name, const Pose& pose, const std::string& geometry,
              const std::string& rest) {
     text_ += fmt::format(
-        "      <{0} name=\"{1}\"><pose>{2:.6g} {3:.6g} {4:.6g} 0 0 {5:.6g}</pose><geometry>{6}</geometry>{7}</{0}>\n",
+        "      <{0} name=\"{1}\"><pose>{2:.6g} {3:.6g} {4:.6g} 0 0 "
+        "{5:.6g}</pose><geometry>{6}</geometry>{7}</{0}>\n",
         element, name, tidy(pose.x), tidy(pose.y), tidy(pose.z), tidy(pose.yaw), geometry, rest);
   }
 
-  void picture(const std::string& name, const Pose& pose, const std::string& geometry, const std::string& color,
-               bool shadow = true) {
+  void picture(const std::string& name, const Pose& pose, const std::string& geometry,
+               const std::string& color, bool shadow = true) {
     const std::string casts = shadow ? "" : "<cast_shadows>false</cast_shadows>";
     shape("visual", name, pose, geometry, casts + "<robotcontrol:color>" + color + "</robotcontrol:color>");
   }
@@ -67,7 +68,8 @@ class ModelWriter {
     return fmt::format("<cylinder><radius>{:.6g}</radius><length>{:.6g}</length></cylinder>", radius, length);
   }
 
-  void solid(const std::string& name, const Pose& pose, const std::string& geometry, const std::string& color) {
+  void solid(const std::string& name, const Pose& pose, const std::string& geometry,
+             const std::string& color) {
     shape("collision", name, pose, geometry, "");
     picture(name, pose, geometry, color);
   }
@@ -75,8 +77,8 @@ class ModelWriter {
   void palette() {
     text_ += "    <robotcontrol:palette>\n";
     for (const auto& [name, rgb] : field_.palette) {
-      text_ += fmt::format("      <robotcontrol:color name=\"{}\">{} {} {}</robotcontrol:color>\n", name, rgb.r, rgb.g,
-                           rgb.b);
+      text_ += fmt::format("      <robotcontrol:color name=\"{}\">{} {} {}</robotcontrol:color>\n", name,
+                           rgb.r, rgb.g, rgb.b);
     }
     text_ += "    </robotcontrol:palette>\n";
   }
@@ -84,10 +86,12 @@ class ModelWriter {
   void ground() {
     const std::string friction = fmt::format(
         "<surface><friction><ode><mu>{:.6g}</mu></ode></friction></surface>", field_.surfaceFriction);
-    const double length = field_.length + 2 * field_.wallThickness, width = field_.width + 2 * field_.wallThickness;
+    const double length = field_.length + 2 * field_.wallThickness,
+                 width = field_.width + 2 * field_.wallThickness;
     const double margin = 2 * field_.surroundingsMargin;
     shape("collision", "ground", {}, "<plane><normal>0 0 1</normal><size>20 20</size></plane>", friction);
-    picture("surface", {0, 0, -kFloorDepth / 2, 0}, box(length, width, kFloorDepth), field_.surfaceColor, false);
+    picture("surface", {0, 0, -kFloorDepth / 2, 0}, box(length, width, kFloorDepth), field_.surfaceColor,
+            false);
     if (margin <= 0) return;
     picture("surroundings", {0, 0, -kFloorDepth, 0}, box(length + margin, width + margin, kFloorDepth),
             field_.surroundingsColor, false);
@@ -126,7 +130,8 @@ class ModelWriter {
   }
 
   void wall(const std::string& name, double x, double y, double length, double width) {
-    solid("wall_" + name, {x, y, field_.wallHeight / 2, 0}, box(length, width, field_.wallHeight), field_.wallColor);
+    solid("wall_" + name, {x, y, field_.wallHeight / 2, 0}, box(length, width, field_.wallHeight),
+          field_.wallColor);
   }
 
   void walls() {
@@ -137,8 +142,8 @@ class ModelWriter {
       // The end walls leave a gap for the goal.
       const double gap = field_.goalWidth + 2 * kGoalPanel, piece = (field_.width - gap) / 2;
       for (const double end : {-1.0, 1.0}) {
-        wall((end < 0 ? "own_" : "opponent_") + name, end * (field_.length + t) / 2,
-             side * (gap + piece) / 2, t, piece);
+        wall((end < 0 ? "own_" : "opponent_") + name, end * (field_.length + t) / 2, side * (gap + piece) / 2,
+             t, piece);
       }
     }
   }
@@ -152,10 +157,12 @@ class ModelWriter {
         for (int i = 0; i < 2; ++i) {
           const double from = depths[i], depth = depths[i + 1] - from;
           const double out = (field_.cornerTriangleSide / 2 + (from + depth / 2) / std::sqrt(2));
-          const std::string name = fmt::format("corner_{}_{}{}", x < 0 ? "own" : "opponent", y < 0 ? "right" : "left", i);
+          const std::string name =
+              fmt::format("corner_{}_{}{}", x < 0 ? "own" : "opponent", y < 0 ? "right" : "left", i);
           solid(name,
                 {x * (field_.length / 2 - field_.cornerTriangleSide + out),
-                 y * (field_.width / 2 - field_.cornerTriangleSide + out), field_.wallHeight / 2, x * y * kPi / 4},
+                 y * (field_.width / 2 - field_.cornerTriangleSide + out), field_.wallHeight / 2,
+                 x * y * kPi / 4},
                 box(depth, 2 * (height - from), field_.wallHeight), field_.wallColor);
         }
       }
@@ -166,14 +173,17 @@ class ModelWriter {
     const double out = goal.x < 0 ? -1 : 1, h = field_.goalHeight;
     const std::string name = "goal_" + goal.name;
     const double backX = goal.x + out * (field_.goalDepth + kGoalPanel / 2);
-    solid(name + "_back", {backX, 0, h / 2, 0}, box(kGoalPanel, field_.goalWidth + 2 * kGoalPanel, h), goal.color);
+    solid(name + "_back", {backX, 0, h / 2, 0}, box(kGoalPanel, field_.goalWidth + 2 * kGoalPanel, h),
+          goal.color);
     for (const double side : {-1.0, 1.0}) {
       solid(name + (side < 0 ? "_right" : "_left"),
             {goal.x + out * field_.goalDepth / 2, side * (field_.goalWidth + kGoalPanel) / 2, h / 2, 0},
             box(field_.goalDepth, kGoalPanel, h), goal.color);
     }
-    picture(name + "_floor", {goal.x + out * (field_.wallThickness + field_.goalDepth) / 2, 0, -kFloorDepth / 2, 0},
-            box(field_.goalDepth - field_.wallThickness, field_.goalWidth, kFloorDepth), field_.surfaceColor, false);
+    picture(name + "_floor",
+            {goal.x + out * (field_.wallThickness + field_.goalDepth) / 2, 0, -kFloorDepth / 2, 0},
+            box(field_.goalDepth - field_.wallThickness, field_.goalWidth, kFloorDepth), field_.surfaceColor,
+            false);
   }
 
   void beaconBands(const FieldDescription::Beacon& beacon) {
@@ -183,7 +193,8 @@ class ModelWriter {
     const double height = base + 2 * band;
     shape("collision", name, {x, y, height / 2, 0}, cylinder(radius, height), "");
     picture(name + "_base", {x, y, base / 2, 0}, cylinder(radius, base), field_.beaconBaseColor);
-    picture(name + "_bottom", {x, y, field_.beaconBottomBandHeight(), 0}, cylinder(radius, band), beacon.bottomColor);
+    picture(name + "_bottom", {x, y, field_.beaconBottomBandHeight(), 0}, cylinder(radius, band),
+            beacon.bottomColor);
     picture(name + "_top", {x, y, field_.beaconTopBandHeight(), 0}, cylinder(radius, band), beacon.topColor);
   }
 
@@ -193,6 +204,8 @@ class ModelWriter {
 
 }  // namespace
 
-std::string fieldModelSdf(const FieldDescription& field) { return ModelWriter(field).write(); }
+std::string fieldModelSdf(const FieldDescription& field) {
+  return ModelWriter(field).write();
+}
 
 }  // namespace app

@@ -16,7 +16,9 @@ using testing::Not;
 const char* const kField = ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml";
 const char* const kModel = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models/field2002/model.sdf";
 
-robotlink::FieldDescription field() { return robotlink::FieldDescription::load(kField).value(); }
+robotlink::FieldDescription field() {
+  return robotlink::FieldDescription::load(kField).value();
+}
 
 TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
   const std::string generated = fieldModelSdf(field());
