@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <functional>
 #include <map>
 #include <string>
@@ -11,8 +12,8 @@
 
 namespace robotlink {
 
-/// One table of all that can be done, behind menus, toolbars, shortcuts, scripts and tests: what a button can do, a script can.
-/// The GUI's thread only.
+/// One table of all that can be done, behind menus, toolbars, shortcuts, scripts and tests: what a button can
+/// do, a script can. The GUI's thread only. Errors say what the command takes.
 class CommandTable {
  public:
   using Value = std::variant<bool, double, std::string>;
@@ -29,17 +30,21 @@ class CommandTable {
     std::function<Result<void>(const std::vector<Value>&)> run;
   };
 
-  /// The name must be new.
+  /// The name must be new: one that is not ends the program with a text that says so.
   void add(Command command);
   const Command* find(const std::string& name) const;
   const std::map<std::string, Command>& all() const { return commands_; }
 
   /// Fails if there is no such command or the arguments' number or types are not its own.
   Result<void> run(const std::string& name, const std::vector<Value>& arguments = {}) const;
-  /// Runs one line: `simulation.speed 2`, `solution.select ball-percept "scan-lines"`. Texts may be quoted.
+  /// Runs one line: `simulation.speed 2`, `solution.select ball-percept "scan-lines"`. Texts may be quoted
+  /// (see CommandLine.h); bools are on/off, true/false, yes/no or 1/0; an empty line or a # comment does
+  /// nothing.
   Result<void> runLine(const std::string& line) const;
 
  private:
+  Result<const Command*> require(const std::string& name) const;
+
   std::map<std::string, Command> commands_;
 };
 

@@ -3,7 +3,6 @@
 
 #include <functional>
 #include <memory>
-#include <mutex>
 #include <string>
 #include <vector>
 
@@ -19,45 +18,65 @@ class RequestResult;
 
 namespace robotlink {
 
-/// What one window is about: robots on platforms with one clock, the history of what they told, and the way to ask them for
-/// something. Views know only this; whether a robot is simulated, real or logged cannot be told from it.
+/// What one window is about: robots on platforms with one clock, the history of what they told, and the way
+/// to ask them for something. Views know only this; whether a robot is simulated, real or logged cannot be
+/// told from it.
 ///
-/// Streams: what is said under a robot is "<robot>/<path>" (DebugMessage.path); what belongs to the whole world is
-/// "scene" (SceneUpdate), "transforms" (FrameTransforms), "simulation" (SimulationStatus). See robotlink/session/STREAMS.md.
+/// Streams: what is said under a robot is "<robot>/<path>" (DebugMessage.path); what belongs to the whole
+/// world is "scene" (SceneUpdate), "transforms" (FrameTransforms), "simulation" (SimulationStatus). See
+/// robotlink/session/STREAMS.md.
 ///
-/// push...() may be called from any thread and never blocks on the GUI; all else from the thread that calls tick().
+/// push...() may be called from any thread and never blocks on the GUI; all else from the thread that calls
+/// tick().
+///
+/// What is pushed waits in an inbox that is bounded. When nobody ticks, what was pushed first is dropped
+/// first, whole queues at a time, so that a frame's messages stay together; of tables, which are sent only
+/// when they change, the newest stay.
 class Session {
  public:
-  /// Takes requests to whoever can fulfil them. Called in the thread of the one who asks; must not block. Results come back as messages.
+  struct InboxLimits {
+    std::size_t messages = 50'000;
+    std::size_t bytes = 128U << 20U;
+  };
+  /// Takes requests to whoever can fulfil them. Called in the thread of the one who asks; must not block.
+  /// Results come back as messages.
   using RequestSink = std::function<void(const robotcontrol::Request&)>;
   using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
 
   explicit Session(StreamStore::Limits limits = {});
+  Session(StreamStore::Limits limits, InboxLimits inboxLimits);
   ~Session();
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
   // Producers, any thread.
   void push(StreamMessage message);
+  /// Its messages become messages of streams without being copied; copies of packages are read into the types
+  /// they have. What makes no sense (no path, no contents) is dropped and counted; what has no valid time has
+  /// that of its neighbours.
   void pushQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
   void pushResult(const robotcontrol::RequestResult& result);
 
   // The GUI's thread.
-  /// Takes what was pushed into the history and moves the timeline; then calls the result handlers. Called at 30 Hz.
+  /// Takes what was pushed into the history and moves the timeline; then calls the result handlers. Called at
+  /// 30 Hz.
   void tick();
   StreamStore& store() { return store_; }
   Timeline& timeline() { return timeline_; }
-  /// Messages that were dropped because nobody ticked, plus those that the robots' own queues dropped.
+  /// Messages that were dropped because nobody ticked or that made no sense, plus those that the robots' own
+  /// queues dropped.
   std::uint64_t dropped() const;
 
   void setRobots(std::vector<std::string> robots);
   const std::vector<std::string>& robots() const { return robots_; }
   /// The robot that toolbars and views without one of their own talk about; empty if there is none.
   const std::string& selectedRobot() const { return selectedRobot_; }
+  /// Ignores robots that are not there.
   void selectRobot(const std::string& robot);
 
   void setRequestSink(RequestSink sink);
-  /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer comes.
+  /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer
+  /// comes; the oldest of very many unanswered ones are given up. Without a sink the answer is a refusal.
   std::uint64_t request(robotcontrol::Request request, ResultHandler onResult = {});
 
   /// Forgets the history (another scene was loaded).
@@ -65,9 +84,11 @@ class Session {
 
  private:
   struct Inbox;
+  struct Pending;
   StreamStore store_;
   Timeline timeline_;
   std::unique_ptr<Inbox> inbox_;
+  std::unique_ptr<Pending> pending_;
   RequestSink sink_;
   std::vector<std::string> robots_;
   std::string selectedRobot_;

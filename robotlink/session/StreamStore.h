@@ -4,40 +4,40 @@
 #include <cstdint>
 #include <deque>
 #include <map>
-#include <memory>
 #include <string>
 #include <vector>
 
-#include "robotlink/base/Clock.h"
-#include "robotlink/process/Link.h"
+#include "robotlink/session/StreamMessage.h"
 
 namespace robotlink {
 
-/// One message of a stream.
-struct StreamMessage {
-  std::string path;  ///< "red1/camera/image"
-  Instant time;      ///< of the robot's platform
-  PackagePtr value;
-};
-
-/// The bounded history of all streams of a session. A message that is kept is never copied: views share it. The newest message
-/// of a stream is always kept, so that what changes rarely (tables, transforms) is never lost.
+/// The bounded history of all streams of a session. A message that is kept is never copied: views share it.
+/// The newest message of a stream is always kept, so that what changes rarely (tables, transforms) is never
+/// lost.
 ///
-/// Used by one thread, the GUI's: producers hand messages to Session. Messages of one stream come in order of time; one that
-/// goes back in time (the simulation was reset) forgets what is later in all streams of that session.
+/// Used by one thread, the GUI's: producers hand messages to Session. What one process tells in one stream
+/// comes in order of time (several may tell in one, as in the log: their messages are put in order here); a
+/// message that goes back in time (the simulation was reset) forgets what is later in all streams of that
+/// session. Only what holds until it is told anew - tables, the scene - stays, as if told then.
+///
+/// Streams that nobody expects (a robot that makes up paths) are refused past a limit, and counted. Pointers
+/// to messages and streams are valid until the next add() or clear().
 class StreamStore {
  public:
   struct Limits {
     Duration age = std::chrono::seconds(60);
     std::size_t bytes = 512U << 20U;
+    std::size_t streams = 10'000;
   };
   struct Stream {
     std::string path;
-    std::string type;  ///< full name of the message type
+    std::string type;                    ///< full name of the message type
     std::deque<StreamMessage> messages;  ///< oldest first
-    std::uint64_t count = 0;  ///< ever received
-    std::uint64_t bytes = 0;  ///< kept
-    double rate = 0;  ///< Hz, over the last second of the platform's time
+    std::uint64_t count = 0;             ///< ever received
+    std::uint64_t bytes = 0;             ///< kept
+    double rate = 0;  ///< Hz, over the last second of the platform's time; renewed ten times in each
+    Instant since;    ///< the first message after the start or a reset
+    std::map<std::string, Instant> newestOf = {};  ///< by process
   };
 
   explicit StreamStore(Limits limits);
@@ -59,18 +59,29 @@ class StreamStore {
   /// Grows with every change of the list of streams, so that a view need not compare lists.
   std::uint64_t listVersion() const { return listVersion_; }
   std::size_t bytes() const { return bytes_; }
+  /// The latest time of all messages; the start of time if there are none.
   Instant newest() const { return newest_; }
+  /// How far back the history reaches: what is kept only because it is the newest of its stream does not
+  /// count.
   Instant oldest() const;
+  /// Messages that were not taken because there are too many streams.
+  std::uint64_t refused() const { return refused_; }
 
  private:
+  Stream* streamFor(const StreamMessage& message);
+  void insert(Stream& stream, StreamMessage message);
+  void popFront(Stream& stream);
   void forgetAfter(Instant time);
   void forgetOld();
+  void sweep();
 
   Limits limits_;
   std::map<std::string, Stream> streams_;
   std::size_t bytes_ = 0;
   std::uint64_t listVersion_ = 0;
+  std::uint64_t refused_ = 0;
   Instant newest_;
+  Instant swept_;
 };
 
 }  // namespace robotlink

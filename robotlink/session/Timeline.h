@@ -5,8 +5,8 @@
 
 namespace robotlink {
 
-/// Which instant a session shows; all of its views follow it. Live: the newest; else a chosen one, while the robot goes on.
-/// The GUI's thread only.
+/// Which instant a session shows; all of its views follow it. Live: the newest; else a chosen one, while the
+/// robot goes on. The GUI's thread only.
 class Timeline {
  public:
   bool live() const { return live_; }

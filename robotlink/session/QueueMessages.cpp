@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/QueueMessages.h"
+
+#include <google/protobuf/message.h>
+
+#include <limits>
+#include <optional>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace robotlink {
+namespace {
+
+using google::protobuf::Message;
+using robotcontrol::DebugMessage;
+using robotcontrol::DebugQueue;
+using QueuePtr = std::shared_ptr<const DebugQueue>;
+
+constexpr std::size_t kMaxPath = 512;
+
+// Null unless the seconds fit into an instant, with room for sums of two.
+std::optional<Instant> timeOf(const DebugMessage& message) {
+  constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 4 / 1'000'000'000;
+  if (!message.has_timestamp()) return std::nullopt;
+  const auto& stamp = message.timestamp();
+  if (stamp.seconds() > kMaxSeconds || stamp.seconds() < -kMaxSeconds) return std::nullopt;
+  if (stamp.nanos() < 0 || stamp.nanos() >= 1'000'000'000) return std::nullopt;
+  return instant(stamp);
+}
+
+// A package as the type it was; as it came if that is not known here or its bytes do not make one.
+PackagePtr unpacked(const QueuePtr& queue, const robotcontrol::PackageCopy& copy) {
+  const auto* descriptor =
+      google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(copy.type());
+  const Message* prototype =
+      descriptor ? google::protobuf::MessageFactory::generated_factory()->GetPrototype(descriptor) : nullptr;
+  if (prototype) {
+    const std::shared_ptr<Message> package(prototype->New());
+    if (package->ParseFromString(copy.data())) return package;
+  }
+  return PackagePtr(queue, &copy);
+}
+
+// Shares the queue's memory: nothing is copied.
+PackagePtr contents(const QueuePtr& queue, const DebugMessage& message) {
+  const auto part = [&](const Message& value) { return PackagePtr(queue, &value); };
+  switch (message.content_case()) {
+    case DebugMessage::kText:
+      return part(message.text());
+    case DebugMessage::kImageDrawing:
+      return part(message.image_drawing());
+    case DebugMessage::kSceneDrawing:
+      return part(message.scene_drawing());
+    case DebugMessage::kImage:
+      return part(message.image());
+    case DebugMessage::kPlot:
+      return part(message.plot());
+    case DebugMessage::kStopwatches:
+      return part(message.stopwatches());
+    case DebugMessage::kPackage:
+      return unpacked(queue, message.package());
+    case DebugMessage::kFrame:
+      return part(message.frame());
+    case DebugMessage::kKeys:
+      return part(message.keys());
+    case DebugMessage::kSolutions:
+      return part(message.solutions());
+    case DebugMessage::kParameters:
+      return part(message.parameters());
+    case DebugMessage::kProcesses:
+      return part(message.processes());
+    case DebugMessage::kResult:
+    case DebugMessage::CONTENT_NOT_SET:
+      break;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instant lastTime) {
+  QueueMessages result;
+  result.messages.reserve(static_cast<std::size_t>(queue->messages_size()));
+  std::size_t frameBegin = 0;
+  for (const DebugMessage& message : queue->messages()) {
+    lastTime = timeOf(message).value_or(lastTime);
+    if (message.has_result()) {
+      result.results.emplace_back(queue, &message.result());
+      continue;
+    }
+    PackagePtr value =
+        message.path().empty() || message.path().size() > kMaxPath ? nullptr : contents(queue, message);
+    if (!value) {
+      ++result.senseless;
+      continue;
+    }
+    StreamMessage& added = result.messages.emplace_back(
+        StreamMessage{robot + "/" + message.path(), lastTime, std::move(value), queue->process()});
+    added.bytes = sizeOf(added);
+    if (!message.has_frame()) continue;
+    // It ends its frame: all since the last one belong to it.
+    for (; frameBegin < result.messages.size(); ++frameBegin) {
+      result.messages[frameBegin].frame = message.frame().number();
+    }
+  }
+  return result;
+}
+
+}  // namespace robotlink

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "robotlink/session/StreamMessage.h"
+
+namespace robotcontrol {
+class DebugQueue;
+class RequestResult;
+}  // namespace robotcontrol
+
+namespace robotlink {
+
+/// What a debug queue says, taken apart: messages of streams that share its memory, and answers to requests.
+///
+/// A queue may come over a link from anywhere: messages without a path or contents are counted and left out,
+/// paths are bounded, times that cannot be are replaced by those of their neighbours.
+struct QueueMessages {
+  std::vector<StreamMessage> messages;
+  std::vector<std::shared_ptr<const robotcontrol::RequestResult>> results;
+  std::uint64_t senseless = 0;
+};
+
+/// `lastTime`: what messages before the first valid time in the queue have.
+QueueMessages messagesOf(const std::string& robot,
+                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime);
+
+}  // namespace robotlink

@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/Session.h"
+
+#include <algorithm>
+#include <deque>
+#include <map>
+#include <mutex>
+#include <set>
+#include <utility>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/session/QueueMessages.h"
+
+namespace robotlink {
+namespace {
+
+using robotcontrol::RequestResult;
+using ResultPtr = std::shared_ptr<const RequestResult>;
+
+// What came at once and is dropped at once.
+struct Batch {
+  std::vector<StreamMessage> messages;
+  std::size_t bytes = 0;
+};
+
+std::size_t bytesOf(const std::vector<StreamMessage>& messages) {
+  std::size_t bytes = 0;
+  for (const StreamMessage& message : messages) bytes += message.bytes;
+  return bytes;
+}
+
+// A copy of a table that does not keep the queue alive which it came in; null for all else.
+PackagePtr tableCopy(const google::protobuf::Message& message) {
+  const auto* descriptor = message.GetDescriptor();
+  if (descriptor != robotcontrol::KeyTable::descriptor() &&
+      descriptor != robotcontrol::SolutionTable::descriptor() &&
+      descriptor != robotcontrol::ProcessTable::descriptor() &&
+      descriptor != robotcontrol::ParameterValues::descriptor()) {
+    return nullptr;
+  }
+  const std::shared_ptr<google::protobuf::Message> copy(message.New());
+  copy->CopyFrom(message);
+  return copy;
+}
+
+constexpr std::size_t kMaxTables = 1000;
+constexpr std::size_t kMaxPending = 10'000;
+
+}  // namespace
+
+struct Session::Inbox {
+  explicit Inbox(InboxLimits inboxLimits) : limits(inboxLimits) {}
+
+  // With the mutex held.
+  void add(Batch batch) {
+    messageCount += batch.messages.size();
+    bytes += batch.bytes;
+    if (!batch.messages.empty()) lastTime = batch.messages.back().time;
+    batches.push_back(std::move(batch));
+    while (!batches.empty() && (messageCount > limits.messages || bytes > limits.bytes)) dropOldest();
+  }
+  void dropOldest() {
+    Batch& oldest = batches.front();
+    messageCount -= oldest.messages.size();
+    bytes -= oldest.bytes;
+    for (StreamMessage& message : oldest.messages) {
+      PackagePtr copy = tableCopy(*message.value);
+      if (!copy || (tables.size() >= kMaxTables && !tables.contains(message.path))) {
+        ++dropped;
+        continue;
+      }
+      message.value = std::move(copy);
+      const std::string path = message.path;
+      tables[path] = std::move(message);
+    }
+    batches.pop_front();
+  }
+
+  void countDropped(const std::string& process, std::uint64_t count) {
+    if (robotDropped.size() >= kMaxTables && !robotDropped.contains(process)) return;
+    auto& [before, since] = robotDropped[process];
+    if (count < since) before += since;  // the process was started anew
+    since = count;
+  }
+
+  const InboxLimits limits;
+  mutable std::mutex mutex;  // protects all that follows
+  std::deque<Batch> batches;
+  std::map<std::string, StreamMessage> tables;  // of dropped batches, the newest of each path
+  std::size_t messageCount = 0;
+  std::size_t bytes = 0;
+  std::uint64_t dropped = 0;
+  Instant lastTime;
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>>
+      robotDropped;                 // by process: before restarts, since
+  std::set<std::uint64_t> awaited;  // ids of requests
+  std::vector<ResultPtr> results;
+};
+
+struct Session::Pending {
+  std::uint64_t nextId = 1;
+  std::map<std::uint64_t, ResultHandler> handlers;
+};
+
+Session::Session(StreamStore::Limits limits) : Session(limits, InboxLimits{}) {}
+
+Session::Session(StreamStore::Limits limits, InboxLimits inboxLimits)
+    : store_(limits), inbox_(std::make_unique<Inbox>(inboxLimits)), pending_(std::make_unique<Pending>()) {}
+
+Session::~Session() = default;
+
+void Session::push(StreamMessage message) {
+  if (!message.value || message.path.empty()) return;
+  if (message.bytes == 0) message.bytes = sizeOf(message);
+  Batch batch;
+  batch.bytes = message.bytes;
+  batch.messages.push_back(std::move(message));
+  const std::lock_guard lock(inbox_->mutex);
+  inbox_->add(std::move(batch));
+}
+
+void Session::pushQueue(const std::string& robot,
+                        const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+  if (!queue) return;
+  Instant lastTime;
+  {
+    const std::lock_guard lock(inbox_->mutex);
+    lastTime = inbox_->lastTime;
+  }
+  // Not under the lock: other producers need not wait while packages are read.
+  QueueMessages parts = messagesOf(robot, queue, lastTime);
+  for (const ResultPtr& result : parts.results) pushResult(*result);
+  Batch batch;
+  batch.bytes = bytesOf(parts.messages);
+  batch.messages = std::move(parts.messages);
+  const std::lock_guard lock(inbox_->mutex);
+  inbox_->dropped += parts.senseless;
+  inbox_->countDropped(robot + "/" + queue->process(), queue->dropped());
+  if (!batch.messages.empty()) inbox_->add(std::move(batch));
+}
+
+void Session::pushResult(const RequestResult& result) {
+  const std::lock_guard lock(inbox_->mutex);
+  // Only the first answer to what was asked, so that what waits here is bounded by what was asked.
+  if (inbox_->awaited.erase(result.id()) > 0)
+    inbox_->results.push_back(std::make_shared<RequestResult>(result));
+}
+
+void Session::tick() {
+  std::deque<Batch> batches;
+  std::map<std::string, StreamMessage> tables;
+  std::vector<ResultPtr> results;
+  {
+    const std::lock_guard lock(inbox_->mutex);
+    batches.swap(inbox_->batches);
+    tables.swap(inbox_->tables);
+    results.swap(inbox_->results);
+    inbox_->messageCount = 0;
+    inbox_->bytes = 0;
+  }
+  for (auto& [path, message] : tables) store_.add(std::move(message));
+  for (Batch& batch : batches) {
+    for (StreamMessage& message : batch.messages) store_.add(std::move(message));
+  }
+  timeline_.setNewest(store_.newest());
+  for (const ResultPtr& result : results) {
+    auto handler = pending_->handlers.extract(result->id());
+    if (!handler.empty() && handler.mapped()) handler.mapped()(*result);
+  }
+}
+
+std::uint64_t Session::dropped() const {
+  const std::lock_guard lock(inbox_->mutex);
+  std::uint64_t sum = inbox_->dropped + store_.refused();
+  for (const auto& [process, counts] : inbox_->robotDropped) sum += counts.first + counts.second;
+  return sum;
+}
+
+void Session::setRobots(std::vector<std::string> robots) {
+  robots_ = std::move(robots);
+  if (std::find(robots_.begin(), robots_.end(), selectedRobot_) != robots_.end()) return;
+  selectedRobot_ = robots_.empty() ? std::string() : robots_.front();
+}
+
+void Session::selectRobot(const std::string& robot) {
+  if (std::find(robots_.begin(), robots_.end(), robot) != robots_.end()) selectedRobot_ = robot;
+}
+
+void Session::setRequestSink(RequestSink sink) {
+  sink_ = std::move(sink);
+}
+
+std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onResult) {
+  const std::uint64_t id = pending_->nextId++;
+  request.set_id(id);
+  if (onResult) {
+    pending_->handlers[id] = std::move(onResult);
+    const std::lock_guard lock(inbox_->mutex);
+    inbox_->awaited.insert(id);
+    if (pending_->handlers.size() > kMaxPending) {
+      inbox_->awaited.erase(pending_->handlers.begin()->first);
+      pending_->handlers.erase(pending_->handlers.begin());
+    }
+  }
+  if (sink_) {
+    sink_(request);
+    return id;
+  }
+  RequestResult refusal;
+  refusal.set_id(id);
+  refusal.set_reason("nothing is connected that could do this; load a scene or connect to a robot first");
+  pushResult(refusal);
+  return id;
+}
+
+void Session::clear() {
+  {
+    const std::lock_guard lock(inbox_->mutex);
+    inbox_->batches.clear();
+    inbox_->tables.clear();
+    inbox_->messageCount = 0;
+    inbox_->bytes = 0;
+    inbox_->lastTime = Instant{};
+  }
+  store_.clear();
+  timeline_.setNewest(store_.newest());
+  timeline_.goLive();
+}
+
+}  // namespace robotlink

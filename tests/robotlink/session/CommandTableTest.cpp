@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/CommandTable.h"
+
+#include <gmock/gmock.h>
+
+#include "robotlink/session/CommandLine.h"
+
+using namespace robotlink;
+using testing::ElementsAre;
+using testing::HasSubstr;
+using Value = CommandTable::Value;
+using Type = CommandTable::Type;
+
+namespace {
+
+class CommandTableTest : public testing::Test {
+ protected:
+  CommandTableTest() {
+    const auto remember = [this](const std::vector<Value>& arguments) -> Result<void> {
+      ran_.push_back(arguments);
+      return {};
+    };
+    table_.add(
+        {"simulation.speed", "Sets the speed.", {{"factor", Type::kNumber, "times real time"}}, remember});
+    table_.add({"simulation.start", "Starts it.", {}, remember});
+    table_.add({"solution.select",
+                "Chooses.",
+                {{"task", Type::kText, ""}, {"solution", Type::kText, ""}},
+                remember});
+    table_.add({"robot.stop", "Stops it.", {{"engaged", Type::kBool, ""}}, remember});
+    table_.add({"log.open", "Fails.", {}, [](const auto&) -> Result<void> {
+                  return failure("log.none", "no log");
+                }});
+  }
+  std::string error(const std::string& line) {
+    const auto result = table_.runLine(line);
+    return result ? "" : result.error().text;
+  }
+
+  CommandTable table_;
+  std::vector<std::vector<Value>> ran_;
+};
+
+}  // namespace
+
+TEST_F(CommandTableTest, aCommandRunsWithItsArguments) {
+  ASSERT_TRUE(table_.run("simulation.speed", {2.5}).has_value());
+  ASSERT_EQ(ran_.size(), 1U);
+  EXPECT_THAT(ran_[0], ElementsAre(Value(2.5)));
+}
+
+TEST_F(CommandTableTest, aLineIsReadByTheTypesOfTheCommand) {
+  EXPECT_EQ(error("simulation.speed 2"), "");
+  EXPECT_EQ(error("  solution.select ball-percept \"scan lines\"  # the fast one"), "");
+  EXPECT_EQ(error("robot.stop off"), "");
+  EXPECT_EQ(error("simulation.start"), "");
+  EXPECT_EQ(error("solution.select 1 ''"), "");
+  EXPECT_THAT(ran_,
+              ElementsAre(ElementsAre(Value(2.0)),
+                          ElementsAre(Value(std::string("ball-percept")), Value(std::string("scan lines"))),
+                          ElementsAre(Value(false)), ElementsAre(),
+                          ElementsAre(Value(std::string("1")), Value(std::string("")))));
+}
+
+TEST_F(CommandTableTest, emptyLinesAndCommentsDoNothing) {
+  EXPECT_EQ(error(""), "");
+  EXPECT_EQ(error("   \t"), "");
+  EXPECT_EQ(error("# simulation.start"), "");
+  EXPECT_TRUE(ran_.empty());
+}
+
+TEST_F(CommandTableTest, errorsSayWhatTheCommandTakes) {
+  EXPECT_EQ(
+      error("simulation.speed"),
+      "simulation.speed takes 1 argument, 0 were given: simulation.speed <factor: number, times real time>");
+  EXPECT_EQ(error("simulation.start now"),
+            "simulation.start takes no arguments, 1 was given: simulation.start");
+  EXPECT_EQ(error("simulation.speed fast"),
+            "the argument factor must be a number, not \"fast\": simulation.speed <factor: number, times "
+            "real time>");
+  EXPECT_THAT(error("robot.stop maybe"), HasSubstr("must be on or off, not \"maybe\""));
+  EXPECT_THAT(error("simulation.speed 2x"), HasSubstr("must be a number"));
+  EXPECT_THAT(error("simulation.speed nan"), HasSubstr("must be a number"));
+  EXPECT_EQ(error("solution.select \"ball"), "the quote at column 17 is not closed");
+  EXPECT_TRUE(ran_.empty());
+}
+
+TEST_F(CommandTableTest, anUnknownCommandIsRefusedNamingThoseOfItsGroup) {
+  EXPECT_EQ(error("simulation.go"),
+            "there is no command simulation.go; there are simulation.speed, simulation.start");
+  EXPECT_EQ(error("nothing"), "there is no command nothing");
+  EXPECT_EQ(table_.run("simulation.go").error().id, "command.unknown");
+}
+
+TEST_F(CommandTableTest, argumentsOfAnotherTypeAreRefused) {
+  EXPECT_EQ(table_.run("simulation.speed", {std::string("2")}).error().id, "command.argument-type");
+  EXPECT_EQ(table_.run("simulation.speed", {true}).error().id, "command.argument-type");
+  EXPECT_EQ(table_.run("simulation.speed", {1.0, 2.0}).error().id, "command.argument-count");
+  EXPECT_TRUE(ran_.empty());
+}
+
+TEST_F(CommandTableTest, whatACommandFailsWithIsHandedOn) {
+  EXPECT_EQ(table_.runLine("log.open").error().id, "log.none");
+}
+
+TEST_F(CommandTableTest, aNameThatIsAddedTwiceEndsTheProgramWithAReason) {
+  GTEST_FLAG_SET(death_test_style, "threadsafe");
+  EXPECT_DEATH(table_.add({"robot.stop", "", {}, {}}), "command \"robot.stop\": added twice");
+}
+
+TEST(CommandLine, quotesAndBackslashesDoWhatTheHeaderSays) {
+  EXPECT_THAT(splitCommandLine("a'b c'd \"e \\\"f\\\\\" 'g\\' h#i C:\\x").value(),
+              ElementsAre("ab cd", "e \"f\\", "g\\", "h#i", "C:\\x"));
+}
+
+TEST(CommandLine, aQuotedWordIsReadBackAsItWas) {
+  for (const std::string word :
+       {"", "plain", "two words", "a\"b", "it's", "back\\slash", "#x", "line\nfeed", "\t"}) {
+    EXPECT_THAT(splitCommandLine("x " + quotedWord(word) + " y").value(), ElementsAre("x", word, "y"));
+  }
+}
