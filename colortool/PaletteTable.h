@@ -15,6 +15,7 @@ struct LightingRange {
   double tolerance =
       26;  ///< how far a colour may be off, in values of Cb and Cr, by noise and by mixing at edges
   double brightnessWeight = 0.35;  ///< of a difference in Y against one in Cb or Cr
+  bool operator==(const LightingRange&) const = default;
 };
 
 /// The colour table of a scene whose colours are known: the start-up table of simulated robots, and what a

@@ -30,6 +30,7 @@ class RegionFinder {
     int maximumPerClass = 64;  ///< the largest ones are kept
   };
   explicit RegionFinder(Options options) : options_(options) {}
+  void setOptions(Options options) { options_ = options; }
 
   /// Every pixel is looked at. Largest first within a class, classes ascending; ties by position, so that the
   /// result is always the same. Valid until the next call.

@@ -167,6 +167,9 @@ class SolutionRegistry {
 class SolutionRegistration {
  public:
   SolutionRegistration(SolutionDescription description);  // NOLINT: reads like a declaration
+  template <typename S>
+  SolutionRegistration(const SolutionBuilder<S>& builder)  // NOLINT
+      : SolutionRegistration(SolutionDescription(builder)) {}
 };
 
 }  // namespace robotlink

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "ball-percept": the ball in the image and on the ground.
+#include "PerceptionParameters.pb.h"
+#include "foxglove/Image.pb.h"
+#include "modules/perception/CircleBallFinder.h"
+#include "modules/perception/PerceptPackages.h"
+#include "modules/perception/RegionBallFinder.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+
+const DebugKey kDiscKey{"ball-percept/disc", "The disc in the image that was taken for the ball"};
+const DebugKey kPlaceKey{"ball-percept/place", "Where the ball is on the ground"};
+const DebugKey kDistanceKey{"ball-percept/distance", "Distance of the ball, and confidence in it"};
+const DebugKey kEdgeKey{"ball-percept/edge",
+                        "The points of the ball's edge; those that the circle follows are orange"};
+
+/// What both solutions share: inputs, the package and what is told of it.
+class BallPerceptor : public robotlink::Solution {
+ public:
+  explicit BallPerceptor(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        field_(context.robot().field),
+        regions_(context.input(robotlink::kColorRegions)),
+        pose_(context.input(robotlink::kCameraPose)),
+        percept_(context.output(robotlink::kBallPercept)) {}
+
+  void execute() override {
+    if (!regions_ || !regions_.isNew() || !pose_) return;
+    readRegions(*regions_, field_->ballColor, orange_);
+    const BallObservation ball = find(orange_, cameraView(*pose_));
+    auto package = std::make_shared<robotcontrol::BallPercept>();
+    *package->mutable_timestamp() = regions_->timestamp();
+    package->set_seen(ball.seen);
+    if (ball.seen) {
+      robotlink::assign(*package->mutable_center_in_image(), ball.centerInImage);
+      package->set_radius_in_image(ball.radiusInImage);
+      robotlink::assign(*package->mutable_position_in_robot(), ball.positionInRobot);
+      package->set_confidence(ball.confidence);
+      draw(ball);
+    }
+    percept_.send(std::move(package));
+  }
+
+ protected:
+  virtual BallObservation find(const std::vector<colortool::Region>& orange, const CameraView& view) = 0;
+
+  robotlink::DebugContext& debug_;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+
+ private:
+  void draw(const BallObservation& ball) {
+    using robotlink::colors::kOrange;
+    if (debug_.on(kDiscKey)) {
+      auto drawing = debug_.imageDrawing(kDiscKey);
+      drawing.circle(ball.centerInImage, ball.radiusInImage, kOrange, 1);
+      drawing.dot(ball.centerInImage, robotlink::colors::kBlack);
+    }
+    if (debug_.on(kPlaceKey))
+      debug_.robotDrawing(kPlaceKey).circle(ball.positionInRobot, field_->ballRadius, kOrange);
+    if (debug_.on(kDistanceKey)) {
+      debug_.plot(kDistanceKey, "distance", ball.positionInRobot.norm(), "m");
+      debug_.plot(kDistanceKey, "confidence", ball.confidence);
+    }
+  }
+
+  robotlink::Input<robotcontrol::ColorRegions> regions_;
+  robotlink::Input<robotcontrol::CameraPose> pose_;
+  robotlink::Output<robotcontrol::BallPercept> percept_;
+  std::vector<colortool::Region> orange_;
+};
+
+class RegionBallPerceptor final : public BallPerceptor {
+ public:
+  explicit RegionBallPerceptor(robotlink::SolutionContext& context)
+      : BallPerceptor(context), parameters_(context.parameters<robotcontrol::RegionBallParameters>()) {}
+
+ private:
+  BallObservation find(const std::vector<colortool::Region>& orange, const CameraView& view) override {
+    const RegionBallFinder finder({parameters_.minimum_area(), parameters_.minimum_fill(),
+                                   parameters_.maximum_stretch(),
+                                   ballGeometry(parameters_.geometry(), field_->ballRadius)});
+    return finder.find(orange, view);
+  }
+
+  const robotcontrol::RegionBallParameters& parameters_;
+};
+
+const robotlink::SolutionRegistration kRegion =
+    robotlink::SolutionBuilder<RegionBallPerceptor>(
+        "ball-percept", "region",
+        "Takes the orange region whose shape, size and place suit a ball on the ground best.")
+        .needs(robotlink::kColorRegions)
+        .needs(robotlink::kCameraPose)
+        .yields(robotlink::kBallPercept)
+        .keys({&kDiscKey, &kPlaceKey, &kDistanceKey})
+        .parameters<robotcontrol::RegionBallParameters>();
+
+class CircleFitBallPerceptor final : public BallPerceptor {
+ public:
+  explicit CircleFitBallPerceptor(robotlink::SolutionContext& context)
+      : BallPerceptor(context),
+        parameters_(context.parameters<robotcontrol::CircleFitBallParameters>()),
+        image_(context.input(robotlink::kCameraImage)) {}
+
+ private:
+  BallObservation find(const std::vector<colortool::Region>& orange, const CameraView& view) override {
+    if (!image_) return {};
+    finder_.setOptions({parameters_.minimum_area(), parameters_.candidates(), parameters_.rays(),
+                        parameters_.color_difference(), parameters_.tolerance(),
+                        parameters_.minimum_inliers(),
+                        ballGeometry(parameters_.geometry(), field_->ballRadius)});
+    const BallObservation ball = finder_.find(robotlink::imageView(*image_), orange, view);
+    if (debug_.on(kEdgeKey)) drawEdge();
+    return ball;
+  }
+
+  void drawEdge() {
+    auto drawing = debug_.imageDrawing(kEdgeKey);
+    for (const CircleBallFinder::EdgePoint& point : finder_.edge())
+      drawing.dot(point.at, point.onCircle ? robotlink::colors::kOrange : robotlink::colors::kWhite, 2);
+  }
+
+  const robotcontrol::CircleFitBallParameters& parameters_;
+  robotlink::Input<foxglove::RawImage> image_;
+  CircleBallFinder finder_{{}};
+};
+
+const robotlink::SolutionRegistration kCircleFit =
+    robotlink::SolutionBuilder<CircleFitBallPerceptor>("ball-percept", "circle-fit",
+                                                       "Follows rays from the middle of orange regions to "
+                                                       "the ball's edge and fits a circle to it, robustly.")
+        .needs(robotlink::kColorRegions)
+        .needs(robotlink::kCameraPose)
+        .needs(robotlink::kCameraImage)
+        .yields(robotlink::kBallPercept)
+        .keys({&kDiscKey, &kPlaceKey, &kDistanceKey, &kEdgeKey})
+        .parameters<robotcontrol::CircleFitBallParameters>();
+
+}  // namespace
+}  // namespace modules

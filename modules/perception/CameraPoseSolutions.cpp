@@ -1,0 +1,177 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "camera-pose": where the camera was when it took the image.
+#include <optional>
+#include <stdexcept>
+
+#include "PerceptionParameters.pb.h"
+#include "foxglove/Image.pb.h"
+#include "foxglove/Robot.pb.h"
+#include "modules/motion/JointLayout.h"
+#include "modules/perception/BodyPosture.h"
+#include "modules/perception/PerceptPackages.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+
+const DebugKey kHorizonKey{"camera-pose/horizon",
+                           "The horizon, where the camera's pose puts it in the image"};
+const DebugKey kViewKey{"camera-pose/view", "The camera, and the part of the ground that it sees"};
+const DebugKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
+
+/// What both solutions share: the neck's joints, the package and what is told of it.
+class CameraPoseEstimator : public robotlink::Solution {
+ public:
+  explicit CameraPoseEstimator(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        joints_(context.input(robotlink::kJointStates)),
+        image_(context.input(robotlink::kCameraImage)),
+        pose_(context.output(robotlink::kCameraPose)),
+        layout_(layoutOf(context.robot().description)) {}
+
+  void execute() override {
+    if (!image_ || !image_.isNew() || !joints_) return;
+    positions_.assign(layout_.size(), 0);
+    for (int i = 0; i < joints_->joints_size() && i < static_cast<int>(layout_.size()); ++i)
+      positions_[static_cast<std::size_t>(i)] = joints_->joints(i).position();
+
+    const HeadAngles head = layout_.head(positions_);
+    const BodyTilt tilt = estimateTilt();
+    const robotlink::Pose3 camera =
+        tilt.bodyInRobot() * cameraInBody(RobotDimensions{}, {head.tilt, head.pan, head.roll});
+    const CameraView view =
+        CameraView::fromAngles(camera, horizontalAngle(), verticalAngle(), static_cast<int>(image_->width()),
+                               static_cast<int>(image_->height()));
+    auto package = std::make_shared<robotcontrol::CameraPose>();
+    *package->mutable_timestamp() = image_->timestamp();
+    assign(*package, view);
+    pose_.send(std::move(package));
+    draw(view, tilt);
+  }
+
+ protected:
+  virtual BodyTilt estimateTilt() = 0;
+  virtual double horizontalAngle() const = 0;
+  virtual double verticalAngle() const = 0;
+  LegAngles leg(Leg leg) const { return layout_.leg(positions_, leg); }
+
+ private:
+  static JointLayout layoutOf(const robotlink::RobotDescription& description) {
+    auto layout = JointLayout::of(description.joints);
+    if (!layout) throw std::runtime_error(layout.error().describe());
+    return *std::move(layout);
+  }
+
+  void draw(const CameraView& view, const BodyTilt& tilt) {
+    if (debug_.on(kTiltKey)) {
+      debug_.plot(kTiltKey, "height", tilt.height, "m");
+      debug_.plot(kTiltKey, "pitch", tilt.pitch, "rad");
+      debug_.plot(kTiltKey, "roll", tilt.roll, "rad");
+    }
+    if (debug_.on(kHorizonKey)) {
+      const auto left = view.horizonRow(0), right = view.horizonRow(view.width);
+      if (left && right)
+        debug_.imageDrawing(kHorizonKey).line({0, *left}, {view.width, *right}, robotlink::colors::kSkyBlue);
+    }
+    if (debug_.on(kViewKey)) drawView(view);
+  }
+
+  void drawView(const CameraView& view) {
+    auto drawing = debug_.robotDrawing(kViewKey);
+    drawing.axes(view.cameraInRobot, 0.05);
+    const double w = view.width, h = view.height;
+    for (const robotlink::Vector2& corner : {robotlink::Vector2{0, 0}, {w, 0}, {w, h}, {0, h}}) {
+      const robotlink::Vector3 from = view.cameraInRobot.translation();
+      const auto ground = view.onPlane(corner, 0);
+      const bool near = ground && ground->norm() < 3;
+      const robotlink::Vector3 to =
+          near ? robotlink::Vector3(ground->x(), ground->y(), 0) : from + view.ray(corner) * 0.5;
+      drawing.line(from, to, robotlink::colors::kSkyBlue);
+    }
+  }
+
+  robotlink::DebugContext& debug_;
+  robotlink::Input<foxglove::JointStates> joints_;
+  robotlink::Input<foxglove::RawImage> image_;
+  robotlink::Output<robotcontrol::CameraPose> pose_;
+  JointLayout layout_;
+  std::vector<double> positions_;
+};
+
+class KinematicCameraPose final : public CameraPoseEstimator {
+ public:
+  explicit KinematicCameraPose(robotlink::SolutionContext& context)
+      : CameraPoseEstimator(context),
+        parameters_(context.parameters<robotcontrol::KinematicCameraPoseParameters>()),
+        body_(context.input(robotlink::kBodySensors)) {}
+
+ private:
+  double horizontalAngle() const override { return parameters_.horizontal_angle(); }
+  double verticalAngle() const override { return parameters_.vertical_angle(); }
+
+  BodyTilt estimateTilt() override {
+    std::array<LegAngles, 4> angles;
+    std::array<bool, 4> contacts{true, true, true, true};
+    for (const Leg each : kLegs) {
+      angles[index(each)] = leg(each);
+      const int number = static_cast<int>(index(each));
+      if (body_ && number < body_->paw_contacts_size()) contacts[index(each)] = body_->paw_contacts(number);
+    }
+    const BodyPosture posture(LegKinematics(), {parameters_.ground_weight(), parameters_.level_weight(),
+                                                parameters_.usual_pitch()});
+    const BodyTilt now = posture.estimate(angles, contacts);
+    const double keep = last_ ? parameters_.smoothing() : 0;
+    const BodyTilt before = last_.value_or(now);
+    last_ =
+        BodyTilt{keep * before.height + (1 - keep) * now.height, keep * before.pitch + (1 - keep) * now.pitch,
+                 keep * before.roll + (1 - keep) * now.roll};
+    return *last_;
+  }
+
+  const robotcontrol::KinematicCameraPoseParameters& parameters_;
+  robotlink::Input<robotcontrol::BodySensors> body_;
+  std::optional<BodyTilt> last_;
+};
+
+const robotlink::SolutionRegistration kKinematic =
+    robotlink::SolutionBuilder<KinematicCameraPose>("camera-pose", "kinematic",
+                                                    "Follows the neck's joints from a body whose height and "
+                                                    "slope come from its legs' joints and paw contacts.")
+        .needs(robotlink::kCameraImage)
+        .needs(robotlink::kJointStates)
+        .uses(robotlink::kBodySensors)
+        .yields(robotlink::kCameraPose)
+        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .parameters<robotcontrol::KinematicCameraPoseParameters>();
+
+class FixedStanceCameraPose final : public CameraPoseEstimator {
+ public:
+  explicit FixedStanceCameraPose(robotlink::SolutionContext& context)
+      : CameraPoseEstimator(context),
+        parameters_(context.parameters<robotcontrol::FixedStanceCameraPoseParameters>()) {}
+
+ private:
+  double horizontalAngle() const override { return parameters_.horizontal_angle(); }
+  double verticalAngle() const override { return parameters_.vertical_angle(); }
+  BodyTilt estimateTilt() override { return {parameters_.body_height(), parameters_.body_pitch(), 0}; }
+
+  const robotcontrol::FixedStanceCameraPoseParameters& parameters_;
+};
+
+const robotlink::SolutionRegistration kFixedStance =
+    robotlink::SolutionBuilder<FixedStanceCameraPose>(
+        "camera-pose", "fixed-stance",
+        "Follows the neck's joints from a body that always has the height and slope of the stance.")
+        .needs(robotlink::kCameraImage)
+        .needs(robotlink::kJointStates)
+        .yields(robotlink::kCameraPose)
+        .keys({&kHorizonKey, &kViewKey, &kTiltKey})
+        .parameters<robotcontrol::FixedStanceCameraPoseParameters>();
+
+}  // namespace
+}  // namespace modules

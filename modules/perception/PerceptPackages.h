@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string_view>
+#include <vector>
+
+#include "colortool/PaletteTable.h"
+#include "colortool/Regions.h"
+#include "modules/perception/BallGeometry.h"
+#include "modules/perception/LandmarkGeometry.h"
+
+namespace robotcontrol {
+class BallGeometryParameters;
+class CameraPose;
+class ColorRegions;
+class LandmarkGeometryParameters;
+class Lighting;
+}  // namespace robotcontrol
+
+namespace modules {
+
+// Between the packages of perception and the values that its algorithms calculate with.
+
+CameraView cameraView(const robotcontrol::CameraPose& from);
+/// Sets the place; angles and size as given.
+void assign(robotcontrol::CameraPose& to, const CameraView& from);
+
+void assign(robotcontrol::ColorRegions& to, const std::vector<colortool::Region>& from,
+            const colortool::ColorClasses& classes);
+/// All regions, with the class numbers of `classes` instead of those that the package has.
+void readRegions(const robotcontrol::ColorRegions& from, const colortool::ColorClasses& classes,
+                 std::vector<colortool::Region>& to);
+/// Those of one class only.
+void readRegions(const robotcontrol::ColorRegions& from, std::string_view className,
+                 std::vector<colortool::Region>& to);
+
+colortool::LightingRange lightingRange(const robotcontrol::Lighting& from);
+BallGeometry::Options ballGeometry(const robotcontrol::BallGeometryParameters& from, double ballRadius);
+LandmarkGeometry::Options landmarkGeometry(const robotcontrol::LandmarkGeometryParameters& from);
+
+}  // namespace modules

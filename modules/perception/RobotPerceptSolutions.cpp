@@ -1,0 +1,116 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "robot-percepts": other robots, by the patches in their team's colour.
+#include "PerceptionParameters.pb.h"
+#include "modules/perception/FieldLandmarks.h"
+#include "modules/perception/PatchFinder.h"
+#include "modules/perception/PerceptPackages.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+
+const DebugKey kPlacesKey{"robot-percepts/places", "Where other robots are, seen from this one"};
+const DebugKey kCountKey{"robot-percepts/count", "How many other robots were seen"};
+
+/// What both solutions share: the teams' colours, the package and what is told of it.
+class RobotPerceptor : public robotlink::Solution {
+ public:
+  explicit RobotPerceptor(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        parameters_(context.parameters<robotcontrol::PatchParameters>()),
+        classes_(fieldClasses(*context.robot().field)),
+        regions_(context.input(robotlink::kColorRegions)),
+        pose_(context.input(robotlink::kCameraPose)),
+        percepts_(context.output(robotlink::kRobotPercepts)) {}
+
+  void execute() override {
+    if (!regions_ || !regions_.isNew() || !pose_) return;
+    readRegions(*regions_, classes_, known_);
+    const PatchFinder finder({parameters_.minimum_area(), parameters_.patch_height(),
+                              parameters_.minimum_distance(), parameters_.maximum_distance(),
+                              parameters_.robot_length()});
+    const std::array<int, 2> teams{classes_.index("red"), classes_.index("blue")};
+    const std::vector<RobotObservation> seen = find(finder, teams, cameraView(*pose_));
+    draw(seen);
+    auto package = std::make_shared<robotcontrol::RobotPercepts>();
+    *package->mutable_timestamp() = regions_->timestamp();
+    for (const RobotObservation& robot : seen) {
+      robotcontrol::RobotPercept& added = *package->add_robots();
+      added.set_team(classes_.name(robot.teamClass));
+      robotlink::assign(*added.mutable_position_in_robot(), robot.positionInRobot);
+      added.set_confidence(robot.confidence);
+    }
+    percepts_.send(std::move(package));
+  }
+
+ protected:
+  virtual std::vector<RobotObservation> find(const PatchFinder& finder, std::span<const int> teams,
+                                             const CameraView& view) const = 0;
+  const std::vector<colortool::Region>& regions() const { return known_; }
+
+ private:
+  void draw(const std::vector<RobotObservation>& seen) {
+    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(seen.size()));
+    if (!debug_.on(kPlacesKey)) return;
+    auto drawing = debug_.robotDrawing(kPlacesKey);
+    for (const RobotObservation& robot : seen)
+      drawing.circle(robot.positionInRobot, 0.1, {classes_.shownColor(robot.teamClass)}, 2);
+  }
+
+  robotlink::DebugContext& debug_;
+  const robotcontrol::PatchParameters& parameters_;
+  colortool::ColorClasses classes_;
+  robotlink::Input<robotcontrol::ColorRegions> regions_;
+  robotlink::Input<robotcontrol::CameraPose> pose_;
+  robotlink::Output<robotcontrol::RobotPercepts> percepts_;
+  std::vector<colortool::Region> known_;
+};
+
+class PatchRobotPerceptor final : public RobotPerceptor {
+ public:
+  using RobotPerceptor::RobotPerceptor;
+
+ private:
+  std::vector<RobotObservation> find(const PatchFinder& finder, std::span<const int> teams,
+                                     const CameraView& view) const override {
+    return finder.findPatches(regions(), teams, view);
+  }
+};
+
+const robotlink::SolutionRegistration kPatches =
+    robotlink::SolutionBuilder<PatchRobotPerceptor>("robot-percepts", "patches",
+                                                    "Takes every patch of a team's colour for a robot.")
+        .needs(robotlink::kColorRegions)
+        .needs(robotlink::kCameraPose)
+        .yields(robotlink::kRobotPercepts)
+        .keys({&kPlacesKey, &kCountKey})
+        .parameters<robotcontrol::PatchParameters>();
+
+class ClusterRobotPerceptor final : public RobotPerceptor {
+ public:
+  using RobotPerceptor::RobotPerceptor;
+
+ private:
+  std::vector<RobotObservation> find(const PatchFinder& finder, std::span<const int> teams,
+                                     const CameraView& view) const override {
+    return finder.findClusters(regions(), teams, view);
+  }
+};
+
+const robotlink::SolutionRegistration kClusters =
+    robotlink::SolutionBuilder<ClusterRobotPerceptor>(
+        "robot-percepts", "patch-clusters",
+        "Takes patches of a team's colour that are less than a robot's length apart for one robot.")
+        .needs(robotlink::kColorRegions)
+        .needs(robotlink::kCameraPose)
+        .yields(robotlink::kRobotPercepts)
+        .keys({&kPlacesKey, &kCountKey})
+        .parameters<robotcontrol::PatchParameters>();
+
+}  // namespace
+}  // namespace modules

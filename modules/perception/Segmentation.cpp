@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "segmentation": regions of the field's colours from the camera's image.
+#include <optional>
+
+#include "PerceptionParameters.pb.h"
+#include "foxglove/Image.pb.h"
+#include "modules/perception/FieldLandmarks.h"
+#include "modules/perception/PerceptPackages.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using colortool::RegionFinder;
+using robotlink::DebugKey;
+
+const DebugKey kClassesKey{"segmentation/classes",
+                           "The image in the colours of the classes its pixels were sorted into"};
+const DebugKey kRegionsKey{"segmentation/regions",
+                           "The boxes of all regions, in the colours of their classes"};
+const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
+
+/// What both solutions share: the colour table, made anew when the lighting's parameters change, and what
+/// they tell.
+class Segmentation : public robotlink::Solution {
+ public:
+  explicit Segmentation(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        field_(context.robot().field),
+        classes_(fieldClasses(*field_)),
+        image_(context.input(robotlink::kCameraImage)),
+        regions_(context.output(robotlink::kColorRegions)) {}
+
+  void execute() override {
+    if (!image_ || !image_.isNew()) return;
+    updateTable();
+    table_.classify(robotlink::imageView(*image_), classImage_);
+    const std::vector<colortool::Region>& found = find(classImage_.view());
+    draw(found);
+
+    auto package = std::make_shared<robotcontrol::ColorRegions>();
+    *package->mutable_timestamp() = image_->timestamp();
+    package->set_width(image_->width());
+    package->set_height(image_->height());
+    assign(*package, found, classes_);
+    regions_.send(std::move(package));
+  }
+
+ protected:
+  virtual const robotcontrol::Lighting& lighting() const = 0;
+  virtual const std::vector<colortool::Region>& find(const robotlink::ImageView& classes) = 0;
+
+ private:
+  void updateTable() {
+    const colortool::LightingRange wanted = lightingRange(lighting());
+    if (tableLighting_ == wanted) return;
+    table_ = fieldColorTable(*field_, classes_, wanted);
+    tableLighting_ = wanted;
+  }
+
+  void draw(const std::vector<colortool::Region>& found) {
+    if (debug_.on(kClassesKey)) debug_.image(kClassesKey, shownImage(classImage_.view(), classes_).view());
+    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(found.size()));
+    if (!debug_.on(kRegionsKey)) return;
+    auto drawing = debug_.imageDrawing(kRegionsKey);
+    for (const colortool::Region& region : found)
+      drawing.rectangle({region.left, region.top}, {region.right, region.bottom},
+                        {classes_.shownColor(region.colorClass)});
+  }
+
+  robotlink::DebugContext& debug_;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+  colortool::ColorClasses classes_;
+  colortool::ColorTable table_;
+  std::optional<colortool::LightingRange> tableLighting_;
+  robotlink::Image classImage_;
+  robotlink::Input<foxglove::RawImage> image_;
+  robotlink::Output<robotcontrol::ColorRegions> regions_;
+};
+
+class WholeImageSegmentation final : public Segmentation {
+ public:
+  explicit WholeImageSegmentation(robotlink::SolutionContext& context)
+      : Segmentation(context),
+        parameters_(context.parameters<robotcontrol::WholeImageSegmentationParameters>()) {}
+
+ private:
+  const robotcontrol::Lighting& lighting() const override { return parameters_.lighting(); }
+  const std::vector<colortool::Region>& find(const robotlink::ImageView& classes) override {
+    finder_.setOptions({parameters_.minimum_area(), parameters_.maximum_per_class()});
+    return finder_.findInRows(classes);
+  }
+
+  const robotcontrol::WholeImageSegmentationParameters& parameters_;
+  RegionFinder finder_{{}};
+};
+
+const robotlink::SolutionRegistration kWholeImage =
+    robotlink::SolutionBuilder<WholeImageSegmentation>(
+        "segmentation", "whole-image",
+        "Sorts every pixel into a colour class by the colour table and joins touching runs of equal class to "
+        "regions.")
+        .needs(robotlink::kCameraImage)
+        .yields(robotlink::kColorRegions)
+        .keys({&kClassesKey, &kRegionsKey, &kCountKey})
+        .parameters<robotcontrol::WholeImageSegmentationParameters>();
+
+class ScanLineSegmentation final : public Segmentation {
+ public:
+  explicit ScanLineSegmentation(robotlink::SolutionContext& context)
+      : Segmentation(context),
+        parameters_(context.parameters<robotcontrol::ScanLineSegmentationParameters>()) {}
+
+ private:
+  const robotcontrol::Lighting& lighting() const override { return parameters_.lighting(); }
+  const std::vector<colortool::Region>& find(const robotlink::ImageView& classes) override {
+    finder_.setOptions({parameters_.minimum_area(), parameters_.maximum_per_class()});
+    return finder_.findInColumns(classes, parameters_.spacing());
+  }
+
+  const robotcontrol::ScanLineSegmentationParameters& parameters_;
+  RegionFinder finder_{{}};
+};
+
+const robotlink::SolutionRegistration kScanLines =
+    robotlink::SolutionBuilder<ScanLineSegmentation>(
+        "segmentation", "scan-lines",
+        "Reads vertical scan lines by the colour table and groups runs of equal class on neighbouring lines "
+        "to regions.")
+        .needs(robotlink::kCameraImage)
+        .yields(robotlink::kColorRegions)
+        .keys({&kClassesKey, &kRegionsKey, &kCountKey})
+        .parameters<robotcontrol::ScanLineSegmentationParameters>();
+
+}  // namespace
+}  // namespace modules
