@@ -11,7 +11,7 @@ namespace robotlink {
 class Process;
 
 /// A link between two processes of one program. Hands the pointer over; never copies the package.
-/// Both processes must outlive it.
+/// Until close() has returned both processes must live; after that it is only a place where nothing arrives.
 class InProcessLink final : public Link {
  public:
   InProcessLink(Process& sender, Process& receiver) : sender_(sender), receiver_(receiver) {}
@@ -20,16 +20,18 @@ class InProcessLink final : public Link {
   bool delivered() const override { return !kept_.load(std::memory_order_acquire); }
   PackagePtr take() override;
   void close() override;
+  bool closed() const override { return closed_.load(std::memory_order_acquire); }
   std::uint64_t missed() const override { return missed_.load(std::memory_order_relaxed); }
 
  private:
   Process& sender_;
   Process& receiver_;
-  std::mutex mutex_;      // protects inbox_, pending_ and closed_
-  PackagePtr inbox_;      // delivered, not yet taken
-  PackagePtr pending_;    // told to send, not yet asked for
-  bool closed_ = false;
-  std::atomic<bool> kept_{false};   // pending_ is not null
+  // Protects inbox_, pending_ and closed_, and is held while a process is woken: close() waits for that.
+  std::mutex mutex_;
+  PackagePtr inbox_;    // delivered, not yet taken
+  PackagePtr pending_;  // told to send, not yet asked for
+  std::atomic<bool> closed_{false};
+  std::atomic<bool> kept_{false};    // pending_ is not null
   std::atomic<bool> filled_{false};  // inbox_ is not null
   std::atomic<std::uint64_t> missed_{0};
 };

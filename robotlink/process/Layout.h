@@ -11,8 +11,9 @@
 
 namespace robotlink {
 
-/// A process layout as its file says: which process does which tasks, by which solution at the start. A plain value; every
-/// part knows its place in the file, for errors. The format is described in robotlink/process/LAYOUTS.md.
+/// A process layout as its file says: which process does which tasks, by which solution at the start. A plain
+/// value; every part knows its place in the file, for errors. The format is described in
+/// robotlink/process/LAYOUTS.md.
 struct Layout {
   struct Task {
     std::string task;
@@ -25,10 +26,10 @@ struct Layout {
   };
   struct Process {
     std::string name;
-    int priority = 0;        ///< nice value, -20 to 19
-    Duration period{0};      ///< 0: event-driven
-    bool debug = false;      ///< collects all debug queues and hands requests out; has no tasks
-    std::vector<Task> tasks;  ///< in the order of their execution
+    int priority = 0;             ///< nice value, -20 to 19
+    Duration period{0};           ///< 0: event-driven
+    bool debug = false;           ///< collects all debug queues and hands requests out; has no tasks
+    std::vector<Task> tasks;      ///< in the order of their execution
     std::vector<Input> blocking;  ///< packages from other processes that it waits for
     FilePosition where;
   };
@@ -38,8 +39,9 @@ struct Layout {
   std::vector<Process> processes;  ///< in the order of their execution in lockstep
 };
 
-/// What the layout is put on: the packages that the platform offers and takes (resources/robots/<robot>.yaml), and
-/// those that the debug process offers (a person's wishes: remote/motion).
+/// What the layout is put on: the packages that the platform offers and takes
+/// (resources/robots/<robot>.yaml), and those that the debug process offers (a person's wishes:
+/// remote/motion).
 struct PlatformPackages {
   std::vector<std::string> offers;
   std::vector<std::string> takes;
@@ -60,20 +62,22 @@ struct LayoutLink {
   bool operator==(const LayoutLink&) const = default;
 };
 
-/// Everything that makes a layout unusable, each with its place and what to do about it: unknown or repeated task, solution or
-/// name; a default solution that is unavailable; an input that nobody produces; an output produced twice; a cycle inside a
-/// process; a cycle of blocking inputs between processes; a process with neither a blocking input nor a period; a blocking input
-/// that no task of the process uses. Empty: it can be run.
+/// Everything that makes a layout unusable, each with its place and what to do about it: unknown or repeated
+/// task, solution or name; a default solution that is unavailable; an input that nobody produces; an output
+/// produced twice; a cycle inside a process; a cycle of blocking inputs between processes; a process with
+/// neither a blocking input nor a period; a blocking input that no task of the process uses. Empty: it can be
+/// run.
 Errors checkLayout(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
-/// Why a solution cannot run in a layout that checkLayout() accepted; empty if it can. "unavailable because nobody offers
-/// oracle/world".
+/// Why a solution cannot run in a layout that checkLayout() accepted; empty if it can. "unavailable because
+/// nobody offers oracle/world".
 std::string unavailability(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform,
                            const std::string& task, const std::string& solution);
 
-/// The links between processes, for all solutions of the layout's tasks (so that a solution can be switched without
-/// relinking), in the order of the layout. Packages that stay inside a process are not in it.
-std::vector<LayoutLink> layoutLinks(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
+/// The links between processes, for all solutions of the layout's tasks (so that a solution can be switched
+/// without relinking), in the order of the layout. Packages that stay inside a process are not in it.
+std::vector<LayoutLink> layoutLinks(const Layout& layout, const TaskCatalog& catalog,
+                                    const PlatformPackages& platform);
 
 /// The graph of processes (with their tasks) and packages as Graphviz text.
 std::string layoutGraph(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);

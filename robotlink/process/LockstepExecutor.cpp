@@ -8,52 +8,55 @@ LockstepExecutor::LockstepExecutor(Options options) : options_(std::move(options
 void LockstepExecutor::clear() {
   processes_.clear();
   platforms_.clear();
-  started_ = false;
 }
 
 void LockstepExecutor::step() {
   if (platforms_.empty()) return;
-  const Instant now = platforms_.front()->clock().now();
-  if (!started_) firstStep_ = now;
-  started_ = true;
+  const Instant now = platforms_.front().process->clock().now();
   runUntilNoneCan(now);
-  for (Entry& entry : processes_) report(entry, now);
-  for (Platform* platform : platforms_) {
-    platform->tryBeginFrame();  // Takes what is there; platforms step when no other can, satisfied or not.
-    if (!platform->stopped()) platform->actuate();
+  for (Entry& entry : processes_) {
+    reportFailure(entry);
+    reportStarvation(entry, now);
   }
-  if (options_.advance) options_.advance();
-  for (Platform* platform : platforms_) {
-    if (!platform->stopped()) platform->runFrame();
-  }
+  stepPlatforms();
 }
 
 void LockstepExecutor::runUntilNoneCan(Instant now) {
   for (bool ran = true; ran;) {
     ran = false;
     for (Entry& entry : processes_) {
-      if (entry.everRan && entry.lastRun == now) continue;
-      if (!entry.process->tryBeginFrame()) continue;
+      if (entry.lastRun == now || !entry.process->tryBeginFrame()) continue;
       entry.process->runFrame();
       entry.lastRun = now;
-      entry.everRan = true;
-      entry.reported = false;
+      entry.waitsSince = now;
+      entry.starvationReported = false;
       ran = true;
     }
   }
 }
 
-void LockstepExecutor::report(Entry& entry, Instant now) {
-  if (entry.process->stopped()) {
-    if (!entry.failureReported && !entry.process->failure().empty() && options_.onFailed) {
-      options_.onFailed(*entry.process);
-    }
-    entry.failureReported = true;
-    return;
+void LockstepExecutor::stepPlatforms() {
+  for (Entry& entry : platforms_) entry.platform->advance();
+  for (Entry& entry : platforms_) {
+    entry.process
+        ->tryBeginFrame();  // Takes what is there; platforms step when no other can, satisfied or not.
+    if (!entry.process->stopped()) entry.process->runFrame();
+    reportFailure(entry);
   }
-  const Instant since = entry.everRan ? entry.lastRun : firstStep_;
-  if (entry.reported || now - since <= options_.starvation + entry.process->period()) return;
-  entry.reported = true;
+}
+
+void LockstepExecutor::reportFailure(Entry& entry) {
+  if (entry.failureReported || !entry.process->stopped()) return;
+  entry.failureReported = true;
+  if (!entry.process->failure().empty() && options_.onFailed) options_.onFailed(*entry.process);
+}
+
+void LockstepExecutor::reportStarvation(Entry& entry, Instant now) {
+  if (entry.process->stopped()) return;
+  if (!entry.waitsSince || now < *entry.waitsSince) entry.waitsSince = now;
+  const bool starved = now - *entry.waitsSince > options_.starvation + entry.process->period();
+  if (!starved || entry.starvationReported) return;
+  entry.starvationReported = true;
   if (options_.onStarved) options_.onStarved(*entry.process, entry.process->waitsFor());
 }
 

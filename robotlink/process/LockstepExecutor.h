@@ -2,7 +2,7 @@
 #pragma once
 
 #include <functional>
-#include <map>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -10,12 +10,14 @@
 
 namespace robotlink {
 
-/// Runs processes and their platforms in turn, in the caller's thread: time is the platforms', and the same inputs give the
-/// same bytes at any speed.
+/// Runs processes and their platforms in turn, in the caller's thread: time is the platforms', and the same
+/// inputs give the same bytes at any speed.
 ///
-/// A step: in order, every process that may enter phase 2 runs, at most once an instant, until none can; then the
-/// platforms step: all actuate, the world that they share moves its clock on, all send their sensors. A process that has not run for `starvation` of the platform's time is reported with what it waits for,
-/// once until it runs again. Processes and platforms must outlive the executor; one thread at a time.
+/// A step: in order, every process that may enter phase 2 runs, at most once an instant, until none can; then
+/// the platforms step: all actuate, the world that they share moves its clock on, all send their sensors. A
+/// process that has not run for `starvation` of the platform's time beyond its period is reported with what it
+/// waits for, once until it runs again. The first platform's clock counts. Processes and platforms must outlive
+/// the executor or be cleared; one thread at a time.
 class LockstepExecutor {
  public:
   struct Options {
@@ -24,13 +26,13 @@ class LockstepExecutor {
     std::function<void()> advance;
     /// "X waits for Y"; called by step().
     std::function<void(const Process&, const std::string&)> onStarved;
-    /// A process threw and was stopped; called by step().
+    /// A process or a platform threw and was stopped; called by step().
     std::function<void(const Process&)> onFailed;
   };
 
   explicit LockstepExecutor(Options options);
-  void add(Process& process) { processes_.push_back({&process, {}, false, false, false}); }
-  void add(Platform& platform) { platforms_.push_back(&platform); }
+  void add(Process& process) { processes_.push_back({.process = &process}); }
+  void add(Platform& platform) { platforms_.push_back({.process = &platform, .platform = &platform}); }
   void clear();
 
   void step();
@@ -38,19 +40,20 @@ class LockstepExecutor {
  private:
   struct Entry {
     Process* process;
-    Instant lastRun;
-    bool everRan;
-    bool reported;
-    bool failureReported;
+    Platform* platform = nullptr;
+    std::optional<Instant> lastRun = std::nullopt;
+    std::optional<Instant> waitsSince = std::nullopt;  // it can run, but did not since then
+    bool starvationReported = false;
+    bool failureReported = false;
   };
   void runUntilNoneCan(Instant now);
-  void report(Entry& entry, Instant now);
+  void stepPlatforms();
+  void reportStarvation(Entry& entry, Instant now);
+  void reportFailure(Entry& entry);
 
   Options options_;
   std::vector<Entry> processes_;
-  std::vector<Platform*> platforms_;
-  Instant firstStep_;
-  bool started_ = false;
+  std::vector<Entry> platforms_;
 };
 
 }  // namespace robotlink

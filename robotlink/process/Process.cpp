@@ -15,25 +15,36 @@ bool Process::satisfied() const {
          std::all_of(senders_.begin(), senders_.end(), [](const auto* s) { return s->satisfied(); });
 }
 
-std::optional<Instant> Process::due() const { return period_ > Duration::zero() ? due_ : std::nullopt; }
+std::optional<Instant> Process::due() const {
+  return period_ > Duration::zero() ? due_ : std::nullopt;
+}
+
+Duration Process::untilDue() const {
+  const auto dueAt = due();
+  const Instant now = clock_.now();
+  // A clock that was set back (a simulation was reset) starts the periods anew.
+  return !dueAt || now < frameTime_ ? Duration::zero() : *dueAt - now;
+}
 
 bool Process::tryBeginFrame() {
   if (stopped()) return false;
   for (AnyReceiver* receiver : receivers_) receiver->take();
-  const auto dueAt = due();
-  return (!dueAt || clock_.now() >= *dueAt) && satisfied();
+  return untilDue() <= Duration::zero() && satisfied();
 }
 
 void Process::startPeriod(Instant now) {
   if (period_ <= Duration::zero()) return;
-  // From due to due, not from now: lateness of one frame does not delay all later ones. Unless a whole period was lost.
+  if (now < frameTime_) due_.reset();
+  // From due to due, not from now: lateness of one frame does not delay all later ones. Unless a whole period
+  // was lost.
   due_ = due_.value_or(now) + period_;
   if (*due_ <= now) due_ = now + period_;
 }
 
 void Process::runFrame() {
-  frameTime_ = clock_.now();
-  startPeriod(frameTime_);
+  const Instant now = clock_.now();
+  startPeriod(now);
+  frameTime_ = now;
   for (AnyReceiver* receiver : receivers_) receiver->beginFrame();
   try {
     execute();
@@ -52,8 +63,11 @@ void Process::runFrame() {
 bool Process::waitForFrame(std::chrono::milliseconds limit) {
   while (!stopped()) {
     if (tryBeginFrame()) return true;
+    const Duration remaining = untilDue();
+    const Duration wait =
+        remaining > Duration::zero() ? std::min<Duration>(remaining, limit) : Duration(limit);
     std::unique_lock lock(mutex_);
-    wakeUp_.wait_for(lock, limit, [this] { return woken_; });
+    wakeUp_.wait_for(lock, wait, [this] { return woken_; });
     woken_ = false;
   }
   return false;
@@ -81,9 +95,7 @@ std::string Process::failure() const {
 
 std::string Process::waitsFor() const {
   for (const AnyReceiver* receiver : receivers_) {
-    if (receiver->satisfied()) continue;
-    return "package " + receiver->package() +
-           (receiver->connected() ? " of " + receiver->peer() : ", which nobody sends");
+    if (!receiver->satisfied()) return receiver->waitsFor();
   }
   for (const AnySender* sender : senders_) {
     if (!sender->satisfied()) return "its package " + sender->package() + " to be taken";

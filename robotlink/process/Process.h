@@ -13,13 +13,14 @@
 
 namespace robotlink {
 
-/// A loop of three phases (the paper of the GermanTeam, 2002): (1) all receivers take what is available, until all blocking
-/// ends are satisfied and the period, if there is one, is over; (2) execute(), which may send; (3) what was sent and
-/// not yet delivered is delivered to the receivers that are ready. Nothing is queued: a slow process misses packages,
-/// and what enters phase 2 is the newest.
+/// A loop of three phases (the paper of the GermanTeam, 2002): (1) all receivers take what is available,
+/// until all blocking ends are satisfied and the period, if there is one, is over; (2) execute(), which may
+/// send; (3) what was sent and not yet delivered is delivered to the receivers that are ready. Nothing is
+/// queued: a slow process misses packages, and what enters phase 2 is the newest.
 ///
-/// An executor drives it: tryBeginFrame() and runFrame() are called by one thread at a time; wake(), stop() and the
-/// statistics by any. The clock must outlive it. A process that throws is stopped, with the exception's text as failure().
+/// An executor drives it: tryBeginFrame() and runFrame() are called by one thread at a time; wake(), stop()
+/// and the statistics by any. The clock must outlive it. A process that throws is stopped, with the
+/// exception's text as failure().
 class Process {
  public:
   Process(std::string name, const Clock& clock);
@@ -29,7 +30,8 @@ class Process {
 
   const std::string& name() const { return name_; }
   const Clock& clock() const { return clock_; }
-  /// At least this long from one frame's start to the next, drift corrected; 0 is event-driven. Before it runs.
+  /// At least this long from one frame's start to the next, drift corrected; 0 is event-driven. Before it
+  /// runs.
   void setPeriod(Duration period) { period_ = period; }
   Duration period() const { return period_; }
   /// A nice value, for executors that have a thread for each process.
@@ -40,11 +42,13 @@ class Process {
   bool tryBeginFrame();
   /// Phases 2 and 3; only after tryBeginFrame() returned true.
   void runFrame();
-  /// Phase 1, waiting; false if the process was stopped. Only for executors that give it a thread. `limit` is the
-  /// real time after which it looks at its clock anew.
+  /// Phase 1, waiting; false if the process was stopped. Only for executors that give it a thread. It sleeps
+  /// until its period is over by its clock, taken as real time, until it is woken, but at most for `limit` at
+  /// a time.
   bool waitForFrame(std::chrono::milliseconds limit);
 
-  /// What it waits for, in words: "package camera/image of simulation", "joints/request to be taken", "its period".
+  /// What it waits for, in words: "package camera/image of simulation", "its package joints/request to be
+  /// taken", "its period". For the thread that runs it.
   std::string waitsFor() const;
   /// The start of the current or last frame, by the clock.
   Instant frameTime() const { return frameTime_; }
@@ -71,6 +75,7 @@ class Process {
   void add(AnySender& sender) { senders_.push_back(&sender); }
   bool satisfied() const;
   void startPeriod(Instant now);
+  Duration untilDue() const;
 
   const std::string name_;
   const Clock& clock_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/process/Receiver.h"
 
+#include <google/protobuf/message.h>
+
 #include "robotlink/process/Process.h"
 
 namespace robotlink {
@@ -10,18 +12,47 @@ AnyReceiver::AnyReceiver(Process& process, std::string package, Blocking blockin
   process.add(*this);
 }
 
+AnyReceiver::~AnyReceiver() {
+  close();
+}
+
+bool AnyReceiver::connected() const {
+  const std::lock_guard lock(mutex_);
+  return link_ && !link_->closed();
+}
+
+std::string AnyReceiver::peer() const {
+  const std::lock_guard lock(mutex_);
+  return peer_;
+}
+
+std::string AnyReceiver::typeName() const {
+  const auto* type = type_.load(std::memory_order_acquire);
+  return type != nullptr ? type->full_name() : std::string();
+}
+
 void AnyReceiver::connect(std::shared_ptr<Link> link, std::string peer) {
-  link_ = std::move(link);
-  peer_ = std::move(peer);
+  {
+    const std::lock_guard lock(mutex_);
+    link_.swap(link);
+    if (link) missedBefore_ += link->missed();
+    peer_ = std::move(peer);
+  }
+  if (link) link->close();
+  process_.wake();  // The new link may already hold a package.
 }
 
 void AnyReceiver::take() {
+  const std::lock_guard lock(mutex_);
   if (!link_) return;
   while (PackagePtr package = link_->take()) {
     value_ = std::move(package);
     taken_.fetch_add(1, std::memory_order_relaxed);
     if (arrived_) unused_.fetch_add(1, std::memory_order_relaxed);
     arrived_ = true;
+  }
+  if (value_ && type_.load(std::memory_order_relaxed) == nullptr) {
+    type_.store(value_->GetDescriptor(), std::memory_order_release);
   }
 }
 
@@ -31,11 +62,20 @@ void AnyReceiver::beginFrame() {
 }
 
 void AnyReceiver::close() {
+  const std::lock_guard lock(mutex_);
   if (link_) link_->close();
 }
 
 std::uint64_t AnyReceiver::missed() const {
-  return unused_.load(std::memory_order_relaxed) + (link_ ? link_->missed() : 0);
+  const std::lock_guard lock(mutex_);
+  return unused_.load(std::memory_order_relaxed) + missedBefore_ + (link_ ? link_->missed() : 0);
+}
+
+std::string AnyReceiver::waitsFor() const {
+  const std::lock_guard lock(mutex_);
+  const std::string what = "package " + package_;
+  if (!link_) return what + ", which nobody sends";
+  return what + " of " + peer_ + (link_->closed() ? ", which has stopped" : "");
 }
 
 }  // namespace robotlink

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <functional>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -12,29 +13,37 @@
 
 namespace robotlink {
 
-/// The sending end of links, whatever the package's type. It owns one package at a time: told to send, it delivers to
-/// each receiver as soon as that has asked for one; a newer package replaces one that was not delivered.
+/// The sending end of links, whatever the package's type. It owns one package at a time: told to send, it
+/// delivers to each receiver as soon as that has asked for one; a newer package replaces one that was not
+/// delivered.
 ///
-/// A blocking sender is unsatisfied only while a package that it was told to send is undelivered to any connected
-/// receiver. Taps see every package, at once, in the sender's thread, and never hold anything back. Lives as long
-/// as its process; used by its process's thread, connected and tapped before that runs.
+/// A blocking sender is unsatisfied only while a package that it was told to send is undelivered to any
+/// connected receiver. Taps see every package, at once, in the sender's thread, and never hold anything back;
+/// they must not connect or tap. Lives as long as its process and is used by its process's thread; may be
+/// connected and tapped by any thread at any time.
 class AnySender {
  public:
   using Tap = std::function<void(const PackagePtr&)>;
 
   AnySender(Process& process, std::string package, Blocking blocking);
+  ~AnySender();
   AnySender(const AnySender&) = delete;
   AnySender& operator=(const AnySender&) = delete;
 
   const std::string& package() const { return package_; }
   Process& process() const { return process_; }
   bool blocking() const { return blocking_ == Blocking::kYes; }
-  bool connected() const { return !links_.empty(); }
+  /// Somebody receives it.
+  bool connected() const;
+  /// The type of the packages that were sent, "robotcontrol.BallModel"; empty before the first.
+  std::string typeName() const;
 
-  void connect(std::shared_ptr<Link> link) { links_.push_back(std::move(link)); }
-  void addTap(Tap tap) { taps_.push_back(std::move(tap)); }
+  /// Forgets links that were closed.
+  void connect(std::shared_ptr<Link> link);
+  void addTap(Tap tap);
 
-  /// May be called more than once a frame, at any time in phase 2; what is not delivered is, later, when receivers ask.
+  /// May be called more than once a frame, at any time in phase 2; what is not delivered is, later, when
+  /// receivers ask.
   void send(const PackagePtr& package);
   /// Nothing that was told to send is undelivered: each receiver has got the last package.
   bool delivered() const;
@@ -49,8 +58,10 @@ class AnySender {
   Process& process_;
   std::string package_;
   Blocking blocking_;
+  mutable std::mutex mutex_;  // protects links_ and taps_
   std::vector<std::shared_ptr<Link>> links_;
   std::vector<Tap> taps_;
+  std::atomic<const google::protobuf::Descriptor*> type_{nullptr};
   std::atomic<std::uint64_t> sent_{0};
 };
 

@@ -7,8 +7,8 @@
 
 namespace robotlink {
 
-/// What a layout may name: the tasks, their solutions, and what each solution needs and yields. Plain data, filled from the
-/// registry of solutions (robotlink/debugging) or by a test.
+/// What a layout may name: the tasks, their solutions, and what each solution needs and yields. Plain data,
+/// filled from the registry of solutions (robotlink/debugging) or by a test.
 struct TaskCatalog {
   struct Solution {
     std::string name;

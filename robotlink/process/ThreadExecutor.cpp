@@ -23,7 +23,9 @@ std::string setNiceOfThisThread(int nice) {
 
 ThreadExecutor::ThreadExecutor(Options options) : options_(std::move(options)) {}
 
-ThreadExecutor::~ThreadExecutor() { stop(); }
+ThreadExecutor::~ThreadExecutor() {
+  stop();
+}
 
 void ThreadExecutor::start() {
   for (Process* process : processes_) {
@@ -34,12 +36,8 @@ void ThreadExecutor::start() {
 void ThreadExecutor::run(Process& process) {
   const std::string refused = setNiceOfThisThread(process.priority());
   if (!refused.empty() && options_.onPriorityRefused) options_.onPriorityRefused(process, refused);
-  // A clock that is not real time wakes its processes itself; the limit makes real ones keep their periods.
-  constexpr std::chrono::milliseconds kLookAtClock{1};
-  constexpr std::chrono::milliseconds kForEvents{1000};
-  while (process.waitForFrame(process.period() > Duration::zero() ? kLookAtClock : kForEvents)) {
-    process.runFrame();
-  }
+  constexpr std::chrono::milliseconds kLimit{1000};
+  while (process.waitForFrame(kLimit)) process.runFrame();
   if (!process.failure().empty() && options_.onFailed) options_.onFailed(process);
 }
 

@@ -9,8 +9,9 @@
 
 namespace robotlink {
 
-/// Runs each process in a thread of its own, as real robots do. Processes must outlive it. Platforms are not added here: whoever
-/// owns one paces it and calls clockAdvanced() after it has moved a clock that is not real time.
+/// Runs each process in a thread of its own, as real robots do. Processes must outlive it. Platforms are not
+/// added here: whoever owns one paces it and calls clockAdvanced() after it has moved a clock that is not
+/// real time.
 class ThreadExecutor {
  public:
   struct Options {

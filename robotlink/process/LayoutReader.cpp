@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "robotlink/config/YamlReader.h"
+#include "robotlink/process/Layout.h"
+
+namespace robotlink {
+namespace {
+
+constexpr int kVersion = 1;
+constexpr double kMaxPeriodMs = 60'000;
+
+bool isPlainName(const std::string& name) {
+  return !name.empty() && std::all_of(name.begin(), name.end(), [](char c) {
+    return (c >= 'a' && c <= 'z') || (c >= '0' && c <= '9') || c == '-';
+  });
+}
+
+void checkName(const YamlNode& node, const std::string& name) {
+  if (node.empty() || isPlainName(name)) return;
+  node.fail("layout.name", "'" + name + "' is no name: use lower-case letters, digits and '-'", {name});
+}
+
+Layout::Task readTask(const YamlNode& node) {
+  Layout::Task task;
+  task.where = node.where();
+  const auto entries = node.entries();
+  if (entries.size() == 1) {
+    task.task = entries.front().first;
+    task.solution = entries.front().second.as<std::string>();
+  } else if (node.isMap()) {
+    node.fail("layout.task-form", "each task is one line: '- task: solution'");
+  }
+  return task;
+}
+
+void readSchedule(const YamlNode& node, Layout::Process& process) {
+  process.priority = node.optional("priority", 0);
+  if (process.priority < -20 || process.priority > 19) {
+    node.optionalChild("priority")
+        .fail("layout.priority", "a priority is a nice value, -20 (most urgent) to 19");
+  }
+  const double periodMs = node.optional("period_ms", 0.0);
+  if (periodMs < 0 || periodMs > kMaxPeriodMs) {
+    node.optionalChild("period_ms").fail("layout.period", "a period lies between 0 (none) and 60000 ms");
+    return;
+  }
+  process.period = std::chrono::microseconds(std::llround(periodMs * 1000));
+}
+
+Layout::Process readProcess(const YamlNode& node) {
+  Layout::Process process;
+  process.where = node.where();
+  process.name = node.required<std::string>("name");
+  checkName(node.optionalChild("name"), process.name);
+  readSchedule(node, process);
+  process.debug = node.optional("debug", false);
+  const YamlNode blocking = node.optionalChild("blocking");
+  for (const YamlNode& item : blocking.items()) {
+    process.blocking.push_back({item.as<std::string>(), item.where()});
+  }
+  const YamlNode tasks = process.debug ? node.optionalChild("tasks") : node.child("tasks");
+  for (const YamlNode& item : tasks.items()) process.tasks.push_back(readTask(item));
+  return process;
+}
+
+tl::expected<Layout, Errors> read(Result<YamlReader> reader, const std::string& file) {
+  if (!reader) return tl::unexpected(Errors{reader.error()});
+  const YamlNode root = reader->root();
+  Layout layout;
+  layout.file = file;
+  const YamlNode version = root.child("version");
+  if (const int number = version.as<int>(); number != kVersion) {
+    version.fail("layout.version", "this program reads layouts of version 1, not " + std::to_string(number));
+  }
+  layout.name = root.required<std::string>("name");
+  checkName(root.optionalChild("name"), layout.name);
+  layout.help = root.optional<std::string>("help", "");
+  for (const YamlNode& node : root.child("processes").items()) layout.processes.push_back(readProcess(node));
+  if (auto finished = reader->finish(); !finished) return tl::unexpected(finished.error());
+  return layout;
+}
+
+}  // namespace
+
+tl::expected<Layout, Errors> readLayout(const std::filesystem::path& file) {
+  return read(YamlReader::load(file), file.string());
+}
+
+tl::expected<Layout, Errors> parseLayout(const std::string& text, const std::string& file) {
+  return read(YamlReader::parse(text, file), file);
+}
+
+}  // namespace robotlink
