@@ -36,10 +36,12 @@ void LockstepExecutor::runUntilNoneCan(Instant now) {
 }
 
 void LockstepExecutor::stepPlatforms() {
-  for (Entry& entry : platforms_) entry.platform->advance();
   for (Entry& entry : platforms_) {
-    entry.process
-        ->tryBeginFrame();  // Takes what is there; platforms step when no other can, satisfied or not.
+    entry.process->tryBeginFrame();  // Takes what is there; platforms step satisfied or not.
+    if (!entry.process->stopped()) entry.process->guard([&entry] { entry.platform->actuate(); });
+  }
+  if (options_.advance) options_.advance();
+  for (Entry& entry : platforms_) {
     if (!entry.process->stopped()) entry.process->runFrame();
     reportFailure(entry);
   }

@@ -15,9 +15,9 @@ namespace robotlink {
 ///
 /// A step: in order, every process that may enter phase 2 runs, at most once an instant, until none can; then
 /// the platforms step: all actuate, the world that they share moves its clock on, all send their sensors. A
-/// process that has not run for `starvation` of the platform's time beyond its period is reported with what it
-/// waits for, once until it runs again. The first platform's clock counts. Processes and platforms must outlive
-/// the executor or be cleared; one thread at a time.
+/// process that has not run for `starvation` of the platform's time beyond its period is reported with what
+/// it waits for, once until it runs again. The first platform's clock counts. Processes and platforms must
+/// outlive the executor or be cleared; one thread at a time.
 class LockstepExecutor {
  public:
   struct Options {

@@ -8,13 +8,15 @@
 
 namespace robotlink {
 
-/// Where a robot program's sensor readings come from and its actuator commands go to. For the program it is an ordinary
-/// process; beyond that it owns the clock that all of the program's processes go by, and STOP acts on it.
+/// Where a robot program's sensor readings come from and its actuator commands go to. For the program it is
+/// an ordinary process; beyond that it owns the clock that all of the program's processes go by, and STOP
+/// acts on it.
 class Platform : public Process {
  public:
   using Process::Process;
 
-  /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after, sends the sensors.
+  /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after,
+  /// sends the sensors.
   virtual void actuate() = 0;
   /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
   virtual void engageStop(bool engaged) = 0;

@@ -46,18 +46,26 @@ void Process::runFrame() {
   startPeriod(now);
   frameTime_ = now;
   for (AnyReceiver* receiver : receivers_) receiver->beginFrame();
+  // Phase 3 needs no code: links deliver what they keep when the receivers ask.
+  if (guard([this] { execute(); })) frames_.fetch_add(1, std::memory_order_relaxed);
+}
+
+bool Process::guard(const std::function<void()>& call) {
+  std::string thrown;
   try {
-    execute();
-    frames_.fetch_add(1, std::memory_order_relaxed);
-    return;  // Phase 3: links deliver what they keep when the receivers ask.
+    call();
+    return true;
   } catch (const std::exception& exception) {
-    const std::lock_guard lock(mutex_);
-    failure_ = exception.what();
+    thrown = exception.what();
   } catch (...) {
+    thrown = "an exception of unknown type";
+  }
+  {
     const std::lock_guard lock(mutex_);
-    failure_ = "an exception of unknown type";
+    failure_ = thrown.empty() ? "an exception without a text" : thrown;
   }
   stop();
+  return false;
 }
 
 bool Process::waitForFrame(std::chrono::milliseconds limit) {

@@ -3,6 +3,7 @@
 
 #include <atomic>
 #include <condition_variable>
+#include <functional>
 #include <mutex>
 #include <optional>
 #include <string>
@@ -42,6 +43,8 @@ class Process {
   bool tryBeginFrame();
   /// Phases 2 and 3; only after tryBeginFrame() returned true.
   void runFrame();
+  /// Calls something that belongs to the process; what it throws stops the process. False if it did.
+  bool guard(const std::function<void()>& call);
   /// Phase 1, waiting; false if the process was stopped. Only for executors that give it a thread. It sleeps
   /// until its period is over by its clock, taken as real time, until it is woken, but at most for `limit` at
   /// a time.
