@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/DebugProcess.h"
+
+#include <algorithm>
+#include <set>
+
+#include "robotlink/base/BoundedQueue.h"
+#include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/DebugContext.h"
+#include "robotlink/debugging/JoinedTables.h"
+#include "robotlink/debugging/ProcessChannel.h"
+#include "robotlink/debugging/ProcessTable.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+
+namespace robotlink {
+
+using robotcontrol::Request;
+
+namespace {
+
+constexpr std::size_t kMaxWaitingRequests = 1000;
+constexpr Duration kProcessTablePeriod = std::chrono::milliseconds(500);
+
+/// Empty if it can be set.
+std::string wrongWith(const robotcontrol::KeyMode& mode) {
+  using robotcontrol::KeyMode;
+  if (!KeyMode::Kind_IsValid(mode.kind())) return "there is no such mode of a debug key";
+  const bool needsNumber = mode.kind() == KeyMode::EVERY_N || mode.kind() == KeyMode::EVERY_MS;
+  return needsNumber && mode.n() == 0 ? "this mode of a debug key needs a number above 0" : "";
+}
+
+}  // namespace
+
+struct DebugProcess::Implementation {
+  Implementation(DebugProcess& owner, const Clock& clock, const DebugRoutes& given)
+      : process(owner),
+        routes(given),
+        debug(owner.name(), clock, {}),
+        remoteMotion(owner, kRemoteMotion.name, Blocking::kNo) {
+    for (const auto& list : routes.processes) {
+      names.push_back(list.process);
+      channels.push_back(std::make_unique<ProcessChannel>(owner, list.process));
+    }
+  }
+
+  void takeQueues();
+  void takeRequests();
+  void route(const Request& request);
+  void setKey(const Request& request);
+  void sendMotion(const Request& request);
+  void sendTo(const std::string& name, const std::string& what, const Request& request);
+  void sendToAll(const Request& request);
+  void answer(const Request& request, const std::string& refusal);
+  void noticeStopped();
+  void sendTables();
+  void fillProcesses(robotcontrol::ProcessTable& to) const;
+  const Process* watchedProcess(const std::string& name) const;
+  std::string stoppedText(const Process& stopped) const;
+
+  DebugProcess& process;
+  DebugRoutes routes;
+  DebugContext debug;
+  Sender<robotcontrol::RemoteMotion> remoteMotion;
+  std::vector<std::string> names;
+  std::vector<std::unique_ptr<ProcessChannel>> channels;
+  std::vector<const Process*> watched;
+  std::set<std::string> known;  // processes whose end was noticed
+  std::map<std::string, std::uint64_t> dropped;
+  JoinedTables tables;
+  std::optional<Instant> processTableDue;
+  Listener listener;
+  BoundedQueue<Request> inbox{kMaxWaitingRequests};
+};
+
+DebugProcess::DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes)
+    : Process(std::move(name), clock), implementation_(std::make_unique<Implementation>(*this, clock, routes)) {}
+
+DebugProcess::~DebugProcess() { stop(); }
+
+void DebugProcess::setListener(Listener listener) { implementation_->listener = std::move(listener); }
+
+void DebugProcess::watch(const Process& process) { implementation_->watched.push_back(&process); }
+
+bool DebugProcess::request(const Request& request) { return implementation_->inbox.push(request); }
+
+void DebugProcess::execute() {
+  Implementation& self = *implementation_;
+  self.debug.beginFrame(frameTime(), frames());
+  self.takeQueues();
+  self.noticeStopped();
+  self.takeRequests();
+  for (const auto& channel : self.channels) channel->send();
+  self.sendTables();
+  self.debug.endFrame();
+  auto queue = self.debug.takeQueue();
+  if (self.listener) self.listener(std::move(queue));
+}
+
+void DebugProcess::Implementation::takeQueues() {
+  for (const auto& channel : channels) {
+    auto queue = channel->takeQueue();
+    if (!queue) continue;
+    dropped[channel->process()] = queue->dropped();
+    tables.notice(*queue);
+    if (listener) listener(std::move(queue));
+  }
+}
+
+// ---- Requests
+
+void DebugProcess::Implementation::takeRequests() {
+  for (const Request& request : inbox.drain()) route(request);
+}
+
+void DebugProcess::Implementation::route(const Request& request) {
+  switch (request.what_case()) {
+    case Request::kSetKey:
+      return setKey(request);
+    case Request::kSelectSolution:
+      return sendTo(routes.processOf(request.select_solution().task()), request.select_solution().task(), request);
+    case Request::kGetParameters:
+      return sendTo(routes.processOf(request.get_parameters().task()), request.get_parameters().task(), request);
+    case Request::kSetParameters:
+      return sendTo(routes.processOf(request.set_parameters().task()), request.set_parameters().task(), request);
+    case Request::kSendTables:
+      sendToAll(request);
+      processTableDue.reset();
+      return answer(request, "");
+    case Request::kMotion:
+      return sendMotion(request);
+    default:
+      return answer(request, "a robot's program cannot do this; ask its platform or the simulation");
+  }
+}
+
+void DebugProcess::Implementation::setKey(const Request& request) {
+  const std::string& name = request.set_key().name();
+  if (const std::string wrong = wrongWith(request.set_key().mode()); !wrong.empty()) return answer(request, wrong);
+  if (const std::string package = packageOfKey(name); !package.empty()) {
+    const auto owner = routes.packages.find(package);
+    return sendTo(owner != routes.packages.end() ? owner->second : "", name, request);
+  }
+  if (DebugKey::find(name) >= 0) {
+    sendToAll(request);
+    return answer(request, "");
+  }
+  std::vector<std::string> all;
+  for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
+  const std::string near = nearest(name, all);
+  answer(request, "there is no debug key '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+}
+
+void DebugProcess::Implementation::sendMotion(const Request& request) {
+  if (!remoteMotion.connected()) return answer(request, "no task of this layout obeys remote motions");
+  auto motion = std::make_shared<robotcontrol::RemoteMotion>(request.motion());
+  assign(*motion->mutable_timestamp(), process.frameTime());
+  remoteMotion.send(std::move(motion));
+  answer(request, "");
+}
+
+/// `what`: the task or key that the request is about.
+void DebugProcess::Implementation::sendTo(const std::string& name, const std::string& what, const Request& request) {
+  const auto channel =
+      std::find_if(channels.begin(), channels.end(), [&](const auto& entry) { return entry->process() == name; });
+  if (channel == channels.end()) return answer(request, "no process of this layout has '" + what + "'");
+  const Process* target = watchedProcess(name);
+  if (target != nullptr && target->stopped()) return answer(request, stoppedText(*target));
+  (*channel)->add(request);
+}
+
+void DebugProcess::Implementation::sendToAll(const Request& request) {
+  for (const auto& channel : channels) {
+    const Process* target = watchedProcess(channel->process());
+    if (target == nullptr || !target->stopped()) channel->add(request);
+  }
+}
+
+void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal) {
+  auto& told = *debug.add(streams::kResults).mutable_result();
+  told.set_id(request.id());
+  told.set_accepted(refusal.empty());
+  told.set_reason(refusal);
+}
+
+// ---- Processes
+
+const Process* DebugProcess::Implementation::watchedProcess(const std::string& name) const {
+  const auto found = std::find_if(watched.begin(), watched.end(), [&](const Process* p) { return p->name() == name; });
+  return found == watched.end() ? nullptr : *found;
+}
+
+std::string DebugProcess::Implementation::stoppedText(const Process& stopped) const {
+  const std::string failure = stopped.failure();
+  return "process " + stopped.name() + (failure.empty() ? " has stopped" : " has failed: " + failure);
+}
+
+/// Tells a process's end once, and answers for what it will never do.
+void DebugProcess::Implementation::noticeStopped() {
+  for (const Process* watchedOne : watched) {
+    if (!watchedOne->stopped() || !known.insert(watchedOne->name()).second) continue;
+    if (!watchedOne->failure().empty()) debug.text(Level::kError, watchedOne->name(), stoppedText(*watchedOne));
+    processTableDue.reset();
+  }
+  for (const auto& channel : channels) {
+    if (known.count(channel->process()) == 0) continue;
+    for (const Request& request : channel->takePending()) {
+      const bool answered = request.has_send_tables() || (request.has_set_key() && packageOfKey(request.set_key().name()).empty());
+      if (!answered) answer(request, stoppedText(*watchedProcess(channel->process())));
+    }
+  }
+}
+
+void DebugProcess::Implementation::sendTables() {
+  if (tables.takeKeysChanged()) tables.fillKeys(*debug.add(streams::kKeys).mutable_keys());
+  if (tables.takeSolutionsChanged()) tables.fillSolutions(names, *debug.add(streams::kSolutions).mutable_solutions());
+  const Instant now = process.frameTime();
+  const bool due = !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
+  if (!due) return;
+  processTableDue = now + kProcessTablePeriod;
+  fillProcesses(*debug.add(streams::kProcesses).mutable_processes());
+}
+
+void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {
+  for (const Process* watchedOne : watched) {
+    auto& row = *to.add_processes();
+    describe(*watchedOne, row);
+    if (const auto count = dropped.find(row.name()); count != dropped.end()) row.set_dropped(count->second);
+    for (const auto& list : routes.processes) {
+      if (list.process != row.name()) continue;
+      for (const std::string& task : list.tasks) row.add_tasks(task);
+    }
+  }
+}
+
+}  // namespace robotlink

@@ -1,0 +1,54 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/Clock.h"
+
+namespace robotlink {
+
+/// When something that is asked for by a key's mode is due, with the meaning that DebugContext gives to the modes: for what is no
+/// DebugKey, such as packages on request. A plain value; only for this folder.
+class ModeCounter {
+ public:
+  void set(const robotcontrol::KeyMode& mode) {
+    mode_ = mode;
+    const bool never = mode.kind() == robotcontrol::KeyMode::N_TIMES && mode.n() == 0;
+    if (never) mode_.set_kind(robotcontrol::KeyMode::OFF);
+    if (mode_.kind() == robotcontrol::KeyMode::OFF || mode_.kind() == robotcontrol::KeyMode::ALWAYS) mode_.set_n(0);
+    count_ = 0;
+  }
+  const robotcontrol::KeyMode& mode() const { return mode_; }
+  bool due(Instant now);
+
+ private:
+  robotcontrol::KeyMode mode_;
+  std::uint32_t count_ = 0;
+  Instant last_;
+};
+
+inline bool ModeCounter::due(Instant now) {
+  using robotcontrol::KeyMode;
+  switch (mode_.kind()) {
+    case KeyMode::ALWAYS:
+      return true;
+    case KeyMode::N_TIMES:
+      if (++count_ >= mode_.n()) mode_.set_kind(KeyMode::OFF);
+      return true;
+    case KeyMode::EVERY_N:
+      if (++count_ < mode_.n()) return false;
+      count_ = 0;
+      return true;
+    case KeyMode::EVERY_MS: {
+      const Duration since = now - last_;
+      const bool backInTime = since < Duration::zero();  // the simulation was reset
+      if (count_ > 0 && !backInTime && since < std::chrono::milliseconds(mode_.n())) return false;
+      count_ = 1;
+      last_ = now;
+      return true;
+    }
+    default:
+      return false;
+  }
+}
+
+}  // namespace robotlink

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/PackageBoard.h"
+
+#include <utility>
+
+#include "robotlink/debugging/DebugContext.h"
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+PackageBoard::Entry& PackageBoard::entry(const std::string& package) {
+  Entry& entry = entries_[package];
+  entry.name = package;
+  return entry;
+}
+
+void PackageBoard::addReceiver(const std::string& package, Blocking blocking) {
+  entry(package).receiver = std::make_unique<AnyReceiver>(process_, package, blocking);
+}
+
+void PackageBoard::addSender(const std::string& package) {
+  Entry& yielded = entry(package);
+  if (!yielded.sender) yielded.sender = std::make_unique<AnySender>(process_, package, Blocking::kNo);
+}
+
+void PackageBoard::beginFrame() {
+  for (auto& [name, entry] : entries_) {
+    if (entry.receiver && entry.receiver->isNew()) put(entry, entry.receiver->value());
+  }
+}
+
+void PackageBoard::send(Entry& entry, PackagePtr package) {
+  put(entry, package);
+  if (entry.sender) entry.sender->send(package);
+}
+
+void PackageBoard::put(Entry& entry, PackagePtr package) {
+  entry.value = std::move(package);
+  ++entry.arrivals;
+  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF || !entry.mode.due(process_.frameTime())) return;
+  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF) modeChanged_ = true;
+  if (const auto* image = dynamic_cast<const foxglove::RawImage*>(entry.value.get())) {
+    *debug_.add(entry.name).mutable_image() = *image;
+  } else {
+    debug_.package(entry.name, *entry.value);
+  }
+}
+
+bool PackageBoard::show(const std::string& package, const robotcontrol::KeyMode& mode) {
+  const auto found = entries_.find(package);
+  if (found == entries_.end() || !found->second.shown) return false;
+  found->second.mode.set(mode);
+  return true;
+}
+
+std::vector<const PackageBoard::Entry*> PackageBoard::shown() const {
+  std::vector<const Entry*> result;
+  for (const auto& [name, entry] : entries_) {
+    if (entry.shown) result.push_back(&entry);
+  }
+  return result;
+}
+
+bool PackageBoard::takeModeChange() { return std::exchange(modeChanged_, false); }
+
+}  // namespace robotlink

@@ -1,0 +1,37 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/ProcessChannel.h"
+
+#include <algorithm>
+#include <utility>
+
+namespace robotlink {
+
+std::shared_ptr<const robotcontrol::DebugQueue> ProcessChannel::takeQueue() {
+  if (!queue_.isNew()) return nullptr;
+  auto queue = std::static_pointer_cast<const robotcontrol::DebugQueue>(queue_.value());
+  taken_ = queue->number();
+  for (; done_ < queue->requests_done() && !pending_.empty(); ++done_) pending_.pop_front();
+  return queue;
+}
+
+std::vector<robotcontrol::Request> ProcessChannel::takePending() {
+  done_ += pending_.size();
+  sent_ = std::max(sent_, done_);
+  std::vector<robotcontrol::Request> result(pending_.begin(), pending_.end());
+  pending_.clear();
+  return result;
+}
+
+void ProcessChannel::send() {
+  const std::uint64_t newest = done_ + pending_.size();
+  if (newest == sent_ && taken_ == acknowledged_) return;
+  auto package = std::make_shared<robotcontrol::RequestQueue>();
+  package->set_first_number(done_ + 1);
+  package->set_queues_taken(taken_);
+  for (const robotcontrol::Request& request : pending_) *package->add_requests() = request;
+  requests_.send(std::move(package));
+  sent_ = newest;
+  acknowledged_ = taken_;
+}
+
+}  // namespace robotlink

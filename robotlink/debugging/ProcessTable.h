@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotcontrol/Debugging.pb.h"
+
+namespace robotlink {
+
+class Process;
+
+/// Writes what a process does and how its ends fare, but not its tasks, which it does not know. Any thread.
+void describe(const Process& process, robotcontrol::ProcessTable::Process& to);
+
+}  // namespace robotlink

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RobotProgram.h"
+
+#include <algorithm>
+
+#include "robotlink/debugging/DebugRoutes.h"
+
+namespace robotlink {
+namespace {
+
+AnySender* senderOf(const Process& process, const std::string& package) {
+  const auto& all = process.senders();
+  const auto found = std::find_if(all.begin(), all.end(), [&](const AnySender* s) { return s->package() == package; });
+  return found == all.end() ? nullptr : *found;
+}
+
+AnyReceiver* receiverOf(const Process& process, const std::string& package) {
+  const auto& all = process.receivers();
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const AnyReceiver* r) { return r->package() == package; });
+  return found == all.end() ? nullptr : *found;
+}
+
+PlatformPackages packagesOf(const Platform& platform) {
+  PlatformPackages packages;
+  for (const AnySender* sender : platform.senders()) packages.offers.push_back(sender->package());
+  for (const AnyReceiver* receiver : platform.receivers()) packages.takes.push_back(receiver->package());
+  packages.debugOffers.emplace_back(kRemoteMotion.name);
+  return packages;
+}
+
+}  // namespace
+
+struct RobotProgram::Implementation {
+  Implementation(RobotSetup givenRobot, Layout givenLayout) : robot(std::move(givenRobot)), layout(std::move(givenLayout)) {}
+
+  Errors build(const PlatformPackages& packages, const Clock& clock, const std::filesystem::path& parameterFolder);
+  void connectPackages(Platform& platform, const PlatformPackages& packages);
+  void connectDebugging();
+  Process* find(const std::string& name) const;
+
+  const RobotSetup robot;
+  const Layout layout;
+  TaskCatalog catalog = registeredTasks();
+  std::vector<std::unique_ptr<Process>> owned;
+  std::vector<Process*> processes;
+  DebugProcess* debugProcess = nullptr;
+};
+
+RobotProgram::RobotProgram() = default;
+
+RobotProgram::~RobotProgram() { stop(); }
+
+tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSetup robot, Layout layout,
+                                                                         Platform& platform,
+                                                                         const std::filesystem::path& parameterFolder) {
+  std::unique_ptr<RobotProgram> program(new RobotProgram);
+  program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout));
+  Implementation& made = *program->implementation_;
+  const PlatformPackages packages = packagesOf(platform);
+  Errors errors = checkLayout(made.layout, made.catalog, packages);
+  if (errors.empty()) errors = made.build(packages, platform.clock(), parameterFolder);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  // Nothing has touched the platform so far, so that another program on it goes on if this one is refused.
+  made.connectPackages(platform, packages);
+  made.connectDebugging();
+  for (const Process* process : made.processes) made.debugProcess->watch(*process);
+  made.debugProcess->watch(platform);
+  return program;
+}
+
+Errors RobotProgram::Implementation::build(const PlatformPackages& packages, const Clock& clock,
+                                           const std::filesystem::path& parameterFolder) {
+  Errors errors;
+  for (const Layout::Process& description : layout.processes) {
+    if (description.debug) {
+      auto made = std::make_unique<DebugProcess>(description.name, clock, debugRoutes(layout, catalog, packages));
+      made->setPeriod(description.period);
+      made->setPriority(description.priority);
+      debugProcess = made.get();
+      owned.push_back(std::move(made));
+    } else if (auto made = TaskProcess::create({robot, layout, description, packages, parameterFolder}, clock)) {
+      owned.push_back(std::move(*made));
+    } else {
+      errors.insert(errors.end(), made.error().begin(), made.error().end());
+    }
+  }
+  for (const auto& process : owned) processes.push_back(process.get());
+  return errors;
+}
+
+Process* RobotProgram::Implementation::find(const std::string& name) const {
+  const auto found = std::find_if(processes.begin(), processes.end(), [&](const Process* p) { return p->name() == name; });
+  return found == processes.end() ? nullptr : *found;
+}
+
+void RobotProgram::Implementation::connectPackages(Platform& platform, const PlatformPackages& packages) {
+  for (const LayoutLink& link : layoutLinks(layout, catalog, packages)) {
+    const Process& from = link.from.empty() ? platform : *find(link.from);
+    const Process& to = link.to.empty() ? platform : *find(link.to);
+    AnySender* sender = senderOf(from, link.package);
+    AnyReceiver* receiver = receiverOf(to, link.package);
+    if (sender != nullptr && receiver != nullptr) connectUnchecked(*sender, *receiver);
+  }
+}
+
+void RobotProgram::Implementation::connectDebugging() {
+  for (const Process* process : processes) {
+    if (process == debugProcess) continue;
+    const std::string queue = "debug/queue/" + process->name();
+    const std::string requests = "debug/requests/" + process->name();
+    connectUnchecked(*senderOf(*process, queue), *receiverOf(*debugProcess, queue));
+    connectUnchecked(*senderOf(*debugProcess, requests), *receiverOf(*process, requests));
+  }
+}
+
+const RobotSetup& RobotProgram::robot() const { return implementation_->robot; }
+const Layout& RobotProgram::layout() const { return implementation_->layout; }
+const std::vector<Process*>& RobotProgram::processes() const { return implementation_->processes; }
+DebugProcess& RobotProgram::debugProcess() { return *implementation_->debugProcess; }
+
+void RobotProgram::stop() {
+  if (!implementation_) return;
+  for (Process* process : implementation_->processes) process->stop();
+}
+
+}  // namespace robotlink

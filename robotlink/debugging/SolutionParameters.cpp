@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/SolutionParameters.h"
+
+#include <google/protobuf/descriptor.pb.h>
+#include <google/protobuf/io/tokenizer.h>
+#include <google/protobuf/text_format.h>
+
+#include <cmath>
+#include <set>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/debugging/Solution.h"
+
+namespace robotlink {
+namespace {
+
+namespace pb = google::protobuf;
+
+class Collector final : public pb::io::ErrorCollector {
+ public:
+  explicit Collector(std::string file) : file_(std::move(file)) {}
+  void AddError(int line, pb::io::ColumnNumber column, const std::string& message) override {
+    errors_.push_back({"parameters.text", message, {message}, {file_, line + 1, column + 1}});
+  }
+  void AddWarning(int line, pb::io::ColumnNumber column, const std::string& message) override {
+    AddError(line, column, message);
+  }
+  const Errors& errors() const { return errors_; }
+
+ private:
+  std::string file_;
+  Errors errors_;
+};
+
+bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field);
+
+/// The name of the first number that is infinite or none at all; empty if there is none.
+std::string firstNotFinite(const pb::Message& message) {
+  std::vector<const pb::FieldDescriptor*> fields;
+  message.GetReflection()->ListFields(message, &fields);
+  for (const pb::FieldDescriptor* field : fields) {
+    if (!isFiniteField(message, *field)) return field->name();
+  }
+  return {};
+}
+
+bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field) {
+  const pb::Reflection& reflection = *message.GetReflection();
+  const int count = field.is_repeated() ? reflection.FieldSize(message, &field) : 1;
+  for (int i = 0; i < count; ++i) {
+    switch (field.cpp_type()) {
+      case pb::FieldDescriptor::CPPTYPE_DOUBLE:
+        if (!std::isfinite(field.is_repeated() ? reflection.GetRepeatedDouble(message, &field, i)
+                                               : reflection.GetDouble(message, &field)))
+          return false;
+        break;
+      case pb::FieldDescriptor::CPPTYPE_FLOAT:
+        if (!std::isfinite(field.is_repeated() ? reflection.GetRepeatedFloat(message, &field, i)
+                                               : reflection.GetFloat(message, &field)))
+          return false;
+        break;
+      case pb::FieldDescriptor::CPPTYPE_MESSAGE:
+        if (!firstNotFinite(field.is_repeated() ? reflection.GetRepeatedMessage(message, &field, i)
+                                                : reflection.GetMessage(message, &field))
+                 .empty())
+          return false;
+        break;
+      default:
+        break;
+    }
+  }
+  return true;
+}
+
+void addWithImports(const pb::FileDescriptor& file, pb::FileDescriptorSet& to, std::set<std::string>& seen) {
+  if (!seen.insert(file.name()).second) return;
+  for (int i = 0; i < file.dependency_count(); ++i) addWithImports(*file.dependency(i), to, seen);
+  file.CopyTo(to.add_file());
+}
+
+}  // namespace
+
+SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> message) : message_(std::move(message)) {}
+SolutionParameters::SolutionParameters(SolutionParameters&&) noexcept = default;
+SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept = default;
+SolutionParameters::~SolutionParameters() = default;
+
+tl::expected<SolutionParameters, Errors> SolutionParameters::load(const SolutionDescription& solution,
+                                                                  const std::filesystem::path& folder) {
+  if (solution.parameters == nullptr) return SolutionParameters(nullptr);
+  std::unique_ptr<pb::Message> message(solution.parameters->New());
+  const auto file = folder / (solution.task + "." + solution.name + ".textproto");
+  std::error_code error;
+  if (folder.empty() || !std::filesystem::exists(file, error)) return SolutionParameters(std::move(message));
+  const auto text = readFile(file);
+  if (!text) return tl::unexpected(Errors{text.error()});
+  Collector collector(file.string());
+  pb::TextFormat::Parser parser;
+  parser.RecordErrorsTo(&collector);
+  const bool parsed = parser.ParseFromString(*text, message.get());
+  if (!collector.errors().empty()) return tl::unexpected(collector.errors());
+  const std::string notFinite = firstNotFinite(*message);
+  if (!parsed || !notFinite.empty()) {
+    const std::string what = parsed ? "'" + notFinite + "' is not a finite number" : "not readable as text of protobuf";
+    return tl::unexpected(Errors{{"parameters.value", what, {notFinite}, {file.string(), 0, 0}}});
+  }
+  return SolutionParameters(std::move(message));
+}
+
+Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
+  if (!message_) return failure("parameters.none", "the solution has no parameters");
+  const std::string& type = message_->GetDescriptor()->full_name();
+  if (value.type() != type) {
+    return failure("parameters.type", "its parameters are a " + type + ", not a '" + value.type() + "'", {},
+                   {type, value.type()});
+  }
+  const std::unique_ptr<pb::Message> parsed(message_->New());
+  if (!parsed->ParseFromString(value.data())) {
+    return failure("parameters.damaged", "the bytes are no " + type, {}, {type});
+  }
+  if (const std::string field = firstNotFinite(*parsed); !field.empty()) {
+    return failure("parameters.value", "'" + field + "' is not a finite number", {}, {field});
+  }
+  message_->CopyFrom(*parsed);
+  return {};
+}
+
+void SolutionParameters::describe(robotcontrol::ParameterValues& to) const {
+  if (!message_) return;
+  to.mutable_value()->set_type(message_->GetDescriptor()->full_name());
+  message_->SerializeToString(to.mutable_value()->mutable_data());
+  pb::FileDescriptorSet files;
+  std::set<std::string> seen;
+  addWithImports(*message_->GetDescriptor()->file(), files, seen);
+  files.SerializeToString(to.mutable_descriptors());
+}
+
+}  // namespace robotlink

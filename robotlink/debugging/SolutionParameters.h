@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <string>
+
+#include "robotlink/base/Error.h"
+
+namespace google::protobuf {
+class Message;
+}
+namespace robotcontrol {
+class PackageCopy;
+class ParameterValues;
+}  // namespace robotcontrol
+
+namespace robotlink {
+
+struct SolutionDescription;
+
+/// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in protobuf's text format if
+/// there is one. They are kept while the solution is switched off. The message's address never changes.
+class SolutionParameters {
+ public:
+  /// `folder` may lack the file <task>.<solution>.textproto, or be missing itself. Fails with every error of the
+  /// file, each with its line and column.
+  static tl::expected<SolutionParameters, Errors> load(const SolutionDescription& solution,
+                                                       const std::filesystem::path& folder);
+  SolutionParameters(SolutionParameters&&) noexcept;
+  SolutionParameters& operator=(SolutionParameters&&) noexcept;
+  ~SolutionParameters();
+
+  /// Null if the solution has none.
+  const google::protobuf::Message* message() const { return message_.get(); }
+  /// Fails, and changes nothing, if it has none, or if the value is of another type, damaged, or not finite.
+  Result<void> set(const robotcontrol::PackageCopy& value);
+  /// The value with its type's description.
+  void describe(robotcontrol::ParameterValues& to) const;
+
+ private:
+  explicit SolutionParameters(std::unique_ptr<google::protobuf::Message> message);
+  std::unique_ptr<google::protobuf::Message> message_;
+};
+
+}  // namespace robotlink

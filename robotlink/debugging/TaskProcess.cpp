@@ -1,0 +1,299 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/TaskProcess.h"
+
+#include <algorithm>
+#include <chrono>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/DebugRoutes.h"
+#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/TaskTables.h"
+
+namespace robotlink {
+
+using robotcontrol::DebugQueue;
+using robotcontrol::Request;
+using robotcontrol::RequestQueue;
+
+namespace {
+
+// The only real time in a process: how long its tasks take.
+using Stopwatch = std::chrono::steady_clock;
+
+void addTime(robotcontrol::StopwatchTimes& times, const std::string& task, const std::string& solution,
+             Stopwatch::time_point since) {
+  auto& entry = *times.add_entries();
+  entry.set_task(task);
+  entry.set_solution(solution);
+  entry.set_seconds(std::chrono::duration<double>(Stopwatch::now() - since).count());
+}
+
+}  // namespace
+
+struct TaskProcess::Implementation {
+  Implementation(TaskProcess& owner, const Setup& given, const Clock& clock)
+      : process(owner),
+        setup(given),
+        catalog(registeredTasks()),
+        debug(given.process.name, clock, {}),
+        board(owner, debug),
+        requests(owner, "debug/requests/" + given.process.name, Blocking::kNo),
+        queue(owner, "debug/queue/" + given.process.name, Blocking::kNo) {
+    debug.setRobot(given.robot.name);
+  }
+
+  Errors build(const Clock& clock);
+  void connectPackages();
+  void runTasks();
+  void takeRequests();
+  void handle(const Request& request);
+  void setKey(const Request& request);
+  Result<void> select(const std::string& task, const std::string& solution);
+  Result<void> getParameters(const std::string& task, const std::string& solution);
+  Result<void> setParameters(const robotcontrol::SetParameters& wish);
+  void answer(const Request& request, const Result<void>& result);
+  Result<std::pair<TaskRunner*, SolutionParameters*>> parametersOf(const std::string& task, const std::string& solution);
+  TaskRunner* runner(const std::string& task) const;
+  void noticeExpiredKeys();
+  void sendTables();
+  void sendQueue();
+
+  TaskProcess& process;
+  Setup setup;
+  TaskCatalog catalog;
+  DebugContext debug;
+  PackageBoard board;
+  AnyReceiver requests;
+  AnySender queue;
+  TaskRunners tasks;
+  std::uint64_t requestsDone = 0;  // the number of the last
+  std::uint64_t queuesSent = 0;
+  std::uint64_t queuesTaken = 0;
+  bool keysChanged = true;
+  bool solutionsChanged = true;
+  std::vector<int> limitedKeys;  // keys that are on for n times
+};
+
+// ---- Making it
+
+TaskProcess::TaskProcess(const Setup& setup, const Clock& clock)
+    : Process(setup.process.name, clock), implementation_(std::make_unique<Implementation>(*this, setup, clock)) {
+  setPeriod(setup.process.period);
+  setPriority(setup.process.priority);
+}
+
+TaskProcess::~TaskProcess() { stop(); }
+
+tl::expected<std::unique_ptr<TaskProcess>, Errors> TaskProcess::create(const Setup& setup, const Clock& clock) {
+  std::unique_ptr<TaskProcess> process(new TaskProcess(setup, clock));
+  Errors errors = process->implementation_->build(clock);
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return process;
+}
+
+Errors TaskProcess::Implementation::build(const Clock& clock) {
+  connectPackages();
+  Errors errors;
+  for (const Layout::Task& task : setup.process.tasks) {
+    auto& runner = *tasks.emplace_back(
+        std::make_unique<TaskRunner>(task.task, TaskRunner::Environment{setup.robot, clock, debug, board}));
+    const Errors wrong = runner.loadParameters(setup.parameterFolder);
+    errors.insert(errors.end(), wrong.begin(), wrong.end());
+    if (!wrong.empty()) continue;
+    if (auto selected = runner.select(task.solution); !selected) {
+      selected.error().where = task.where;
+      errors.push_back(selected.error());
+    }
+  }
+  return errors;
+}
+
+void TaskProcess::Implementation::connectPackages() {
+  for (const LayoutLink& link : layoutLinks(setup.layout, catalog, setup.platform)) {
+    if (link.to == setup.process.name) {
+      board.addReceiver(link.package, link.blocking ? Blocking::kYes : Blocking::kNo);
+    }
+  }
+  for (const Layout::Task& task : setup.process.tasks) {
+    for (const TaskCatalog::Solution& solution : catalog.tasks[task.task].solutions) {
+      for (const std::string& package : solution.outputs) board.addSender(package);
+    }
+  }
+  for (const auto& [package, owner] : debugRoutes(setup.layout, catalog, setup.platform).packages) {
+    if (owner == setup.process.name) board.entry(package).shown = true;
+  }
+}
+
+DebugContext& TaskProcess::debug() { return implementation_->debug; }
+
+std::string TaskProcess::activeSolution(const std::string& task) const {
+  const TaskRunner* found = implementation_->runner(task);
+  return found != nullptr ? found->active() : std::string();
+}
+
+TaskRunner* TaskProcess::Implementation::runner(const std::string& task) const {
+  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const auto& entry) { return entry->task() == task; });
+  return found == tasks.end() ? nullptr : found->get();
+}
+
+// ---- A frame
+
+void TaskProcess::execute() {
+  Implementation& self = *implementation_;
+  self.debug.beginFrame(frameTime(), frames());
+  self.takeRequests();
+  self.board.beginFrame();
+  try {
+    self.runTasks();
+  } catch (...) {
+    self.debug.endFrame();  // What the frame told before it failed helps to find out why.
+    self.sendQueue();
+    throw;
+  }
+  self.noticeExpiredKeys();
+  self.sendTables();
+  self.debug.endFrame();
+  self.sendQueue();
+}
+
+void TaskProcess::Implementation::runTasks() {
+  if (!debug.on(kTimingKey)) {
+    for (const auto& task : tasks) task->execute();
+    return;
+  }
+  robotcontrol::StopwatchTimes times;
+  const auto start = Stopwatch::now();
+  for (const auto& task : tasks) {
+    const auto taskStart = Stopwatch::now();
+    task->execute();
+    addTime(times, task->task(), task->active(), taskStart);
+  }
+  addTime(times, "", "", start);
+  auto& message = debug.add(streams::kStopwatches + process.name());
+  *times.mutable_timestamp() = message.timestamp();
+  *message.mutable_stopwatches() = std::move(times);
+}
+
+void TaskProcess::Implementation::noticeExpiredKeys() {
+  const std::size_t limited = limitedKeys.size();
+  std::erase_if(limitedKeys, [this](int key) { return debug.mode(key).kind() != robotcontrol::KeyMode::N_TIMES; });
+  if (limitedKeys.size() != limited || board.takeModeChange()) keysChanged = true;
+}
+
+void TaskProcess::Implementation::sendTables() {
+  if (std::exchange(keysChanged, false)) {
+    fillKeyTable(tasks, board, debug, *debug.add(streams::kKeys + ("/" + process.name())).mutable_keys());
+  }
+  if (std::exchange(solutionsChanged, false)) {
+    fillSolutionTable(process.name(), tasks, setup.layout, catalog, setup.platform,
+                      *debug.add(streams::kSolutions + ("/" + process.name())).mutable_solutions());
+  }
+}
+
+/// Only after the last one arrived: a newer package would replace it.
+void TaskProcess::Implementation::sendQueue() {
+  if (queuesSent != queuesTaken || !debug.hasQueue() || !queue.connected()) return;
+  auto taken = std::const_pointer_cast<DebugQueue>(debug.takeQueue());
+  taken->set_number(++queuesSent);
+  taken->set_requests_done(requestsDone);
+  queue.send(taken);
+}
+
+// ---- Requests
+
+void TaskProcess::Implementation::takeRequests() {
+  if (!requests.isNew()) return;
+  const auto& package = static_cast<const RequestQueue&>(*requests.value());
+  queuesTaken = package.queues_taken();
+  for (int i = 0; i < package.requests_size(); ++i) {
+    const std::uint64_t number = package.first_number() + static_cast<std::uint64_t>(i);
+    if (number <= requestsDone) continue;  // It was in an earlier queue, too.
+    handle(package.requests(i));
+    requestsDone = number;
+  }
+}
+
+void TaskProcess::Implementation::handle(const Request& request) {
+  switch (request.what_case()) {
+    case Request::kSetKey:
+      return setKey(request);
+    case Request::kSelectSolution:
+      return answer(request, select(request.select_solution().task(), request.select_solution().solution()));
+    case Request::kGetParameters:
+      return answer(request, getParameters(request.get_parameters().task(), request.get_parameters().solution()));
+    case Request::kSetParameters:
+      return answer(request, setParameters(request.set_parameters()));
+    case Request::kSendTables:
+      keysChanged = solutionsChanged = true;
+      return;
+    default:
+      return;  // The debug process sends no others.
+  }
+}
+
+/// Keys of the code belong to all processes, so the debug process answers for them; a package's belongs to this one.
+void TaskProcess::Implementation::setKey(const Request& request) {
+  const robotcontrol::SetKey& wish = request.set_key();
+  keysChanged = true;
+  if (const std::string package = packageOfKey(wish.name()); !package.empty()) {
+    if (board.show(package, wish.mode())) return answer(request, {});
+    return answer(request, failure("key.unknown", "process " + process.name() + " does not show " + package));
+  }
+  const int key = DebugKey::find(wish.name());
+  debug.setMode(key, wish.mode());
+  std::erase(limitedKeys, key);
+  if (debug.mode(key).kind() == robotcontrol::KeyMode::N_TIMES) limitedKeys.push_back(key);
+}
+
+Result<void> TaskProcess::Implementation::select(const std::string& task, const std::string& solution) {
+  TaskRunner* found = runner(task);
+  if (found == nullptr) return failure("solution.task", "process " + process.name() + " does not do task " + task);
+  if (SolutionRegistry::find(task, solution) != nullptr) {
+    const std::string reason = unavailability(setup.layout, catalog, setup.platform, task, solution);
+    if (!reason.empty()) return failure("solution.unavailable", "solution " + solution + " of " + task + " is " + reason);
+  }
+  const auto selected = found->select(solution);
+  if (selected) keysChanged = solutionsChanged = true;
+  return selected;
+}
+
+Result<std::pair<TaskRunner*, SolutionParameters*>> TaskProcess::Implementation::parametersOf(
+    const std::string& task, const std::string& solution) {
+  TaskRunner* found = runner(task);
+  if (found == nullptr) return failure("solution.task", "process " + process.name() + " does not do task " + task);
+  SolutionParameters* parameters = found->parameters(solution.empty() ? found->active() : solution);
+  if (parameters == nullptr) return failure("solution.unknown", "task " + task + " has no solution '" + solution + "'");
+  return std::pair(found, parameters);
+}
+
+Result<void> TaskProcess::Implementation::getParameters(const std::string& task, const std::string& solution) {
+  const auto found = parametersOf(task, solution);
+  if (!found) return tl::unexpected(found.error());
+  if (found->second->message() == nullptr) {
+    return failure("parameters.none", "solution " + solution + " of " + task + " has no parameters");
+  }
+  const std::string name = solution.empty() ? found->first->active() : solution;
+  auto& values = *debug.add(streams::kParameters + (task + "/" + name)).mutable_parameters();
+  values.set_task(task);
+  values.set_solution(name);
+  found->second->describe(values);
+  return {};
+}
+
+Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetParameters& wish) {
+  const auto found = parametersOf(wish.task(), wish.solution());
+  if (!found) return tl::unexpected(found.error());
+  if (auto set = found->second->set(wish.value()); !set) return set;
+  return getParameters(wish.task(), wish.solution());  // Whoever shows them sees the new values.
+}
+
+void TaskProcess::Implementation::answer(const Request& request, const Result<void>& result) {
+  auto& told = *debug.add(streams::kResults).mutable_result();
+  told.set_id(request.id());
+  told.set_accepted(result.has_value());
+  if (!result) told.set_reason(result.error().text);
+}
+
+}  // namespace robotlink

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/TaskRunner.h"
+
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+#include <stdexcept>
+
+namespace robotlink {
+namespace {
+
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+[[noreturn]] void undeclared(const SolutionDescription& solution, const std::string& what) {
+  throw std::logic_error(solution.task + " (" + solution.name + ") uses " + what + ", which its registration does not name");
+}
+
+}  // namespace
+
+/// What one solution's constructor is given.
+class TaskRunner::Context final : public SolutionContext {
+ public:
+  Context(TaskRunner& runner, const SolutionDescription& solution) : runner_(runner), solution_(solution) {}
+
+  const RobotSetup& robot() const override { return runner_.environment_.robot; }
+  const Clock& clock() const override { return runner_.environment_.clock; }
+  DebugContext& debug() override { return runner_.environment_.debug; }
+
+ protected:
+  const PackageSlot& inputSlot(const char* package) override {
+    if (!contains(solution_.required, package) && !contains(solution_.optional, package)) {
+      undeclared(solution_, std::string("the input ") + package);
+    }
+    return runner_.inputs_.at(package).slot;
+  }
+  std::function<void(PackagePtr)> outputSend(const char* package) override {
+    if (!contains(solution_.outputs, package)) undeclared(solution_, std::string("the output ") + package);
+    PackageBoard& board = runner_.environment_.board;
+    PackageBoard::Entry& entry = board.entry(package);
+    return [&board, &entry](PackagePtr value) { board.send(entry, std::move(value)); };
+  }
+  const google::protobuf::Message& parameterMessage() override {
+    const auto* message = runner_.parameters_.at(solution_.name).message();
+    if (message == nullptr) undeclared(solution_, "parameters");
+    return *message;
+  }
+
+ private:
+  TaskRunner& runner_;
+  const SolutionDescription& solution_;
+};
+
+TaskRunner::TaskRunner(std::string task, const Environment& environment)
+    : task_(std::move(task)), environment_(environment) {
+  for (const SolutionDescription& solution : SolutionRegistry::all()) {
+    if (solution.task != task_) continue;
+    solutions_.push_back(&solution);
+    for (const auto* packages : {&solution.required, &solution.optional}) {
+      for (const std::string& package : *packages) inputs_[package].entry = &environment_.board.entry(package);
+    }
+  }
+}
+
+TaskRunner::~TaskRunner() = default;
+
+SolutionParameters* TaskRunner::parameters(const std::string& solution) {
+  const auto found = parameters_.find(solution);
+  return found == parameters_.end() ? nullptr : &found->second;
+}
+
+Errors TaskRunner::loadParameters(const std::filesystem::path& folder) {
+  Errors errors;
+  for (const SolutionDescription* solution : solutions_) {
+    auto loaded = SolutionParameters::load(*solution, folder);
+    if (loaded) {
+      parameters_.emplace(solution->name, std::move(*loaded));
+    } else {
+      errors.insert(errors.end(), loaded.error().begin(), loaded.error().end());
+    }
+  }
+  return errors;
+}
+
+Result<void> TaskRunner::select(const std::string& solution) {
+  const SolutionDescription* description = SolutionRegistry::find(task_, solution);
+  if (description == nullptr) {
+    return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {}, {task_, solution});
+  }
+  const auto broken = [&](const std::string& why) {
+    return failure("solution.broken", "solution " + solution + " of task " + task_ + " could not be made: " + why, {},
+                   {task_, solution, why});
+  };
+  try {
+    auto context = std::make_unique<Context>(*this, *description);
+    std::unique_ptr<Solution> made = description->create(*context);
+    if (!made) return broken("nothing was made");
+    solution_ = std::move(made);
+    context_ = std::move(context);
+  } catch (const std::exception& exception) {
+    return broken(exception.what());
+  } catch (...) {
+    return broken("an exception of unknown type");
+  }
+  active_ = solution;
+  return {};
+}
+
+void TaskRunner::refreshInputs() {
+  for (auto& [package, input] : inputs_) {
+    input.slot.isNew = input.entry->arrivals != input.seen;
+    if (input.slot.isNew) input.slot.value = input.entry->value;
+    input.seen = input.entry->arrivals;
+  }
+}
+
+void TaskRunner::execute() {
+  refreshInputs();
+  try {
+    solution_->execute();
+  } catch (const std::exception& exception) {
+    throw std::runtime_error(task_ + " (" + active_ + "): " + exception.what());
+  }
+}
+
+}  // namespace robotlink

@@ -1,0 +1,57 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/TaskTables.h"
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/DebugRoutes.h"
+
+namespace robotlink {
+
+const DebugKey kTimingKey{"timing/tasks", "How long each task took, in real time"};
+
+void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
+                  robotcontrol::KeyTable& to) {
+  std::map<int, robotcontrol::KeyTable::Key> keys;  // by index
+  keys[kTimingKey.index()].set_in_use(true);
+  for (const auto& task : tasks) {
+    for (const SolutionDescription* solution : task->solutions()) {
+      for (const int index : solution->keys) {
+        keys[index].add_solutions(task->task() + "/" + solution->name);
+        if (solution->name == task->active()) keys[index].set_in_use(true);
+      }
+    }
+  }
+  for (auto& [index, key] : keys) {
+    const DebugKey::Entry& entry = DebugKey::all()[static_cast<std::size_t>(index)];
+    key.set_name(entry.name);
+    key.set_help(entry.help);
+    *key.mutable_mode() = debug.mode(index);
+    *to.add_keys() = std::move(key);
+  }
+  for (const PackageBoard::Entry* entry : board.shown()) {
+    auto& key = *to.add_keys();
+    key.set_name(packageKey(entry->name));
+    key.set_help("The package " + entry->name + " as it is");
+    *key.mutable_mode() = entry->mode.mode();
+    key.set_in_use(true);
+  }
+}
+
+void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
+                       const TaskCatalog& catalog, const PlatformPackages& platform, robotcontrol::SolutionTable& to) {
+  for (const auto& task : tasks) {
+    auto& row = *to.add_tasks();
+    row.set_name(task->task());
+    row.set_process(process);
+    row.set_active(task->active());
+    if (const TaskCatalog::Task* known = catalog.find(task->task())) row.set_help(known->help);
+    for (const SolutionDescription* solution : task->solutions()) {
+      auto& cell = *row.add_solutions();
+      cell.set_name(solution->name);
+      cell.set_help(solution->help);
+      cell.set_unavailable(unavailability(layout, catalog, platform, task->task(), solution->name));
+      cell.set_has_parameters(solution->parameters != nullptr);
+    }
+  }
+}
+
+}  // namespace robotlink
