@@ -153,7 +153,7 @@ bool DebugContext::hasQueue() const {
   return !frame_->complete.empty();
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> DebugContext::takeQueue() {
+std::shared_ptr<robotcontrol::DebugQueue> DebugContext::takeQueue() {
   auto queue = std::make_shared<robotcontrol::DebugQueue>();
   queue->set_process(process_);
   queue->set_dropped(dropped_);

@@ -88,7 +88,7 @@ class DebugContext {
   robotcontrol::DebugMessage& add(const std::string& path);
   bool hasQueue() const;
   /// All complete frames' messages since the last call.
-  std::shared_ptr<const robotcontrol::DebugQueue> takeQueue();
+  std::shared_ptr<robotcontrol::DebugQueue> takeQueue();
   std::uint64_t dropped() const { return dropped_; }
 
  private:

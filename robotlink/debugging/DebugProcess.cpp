@@ -75,15 +75,24 @@ struct DebugProcess::Implementation {
 };
 
 DebugProcess::DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes)
-    : Process(std::move(name), clock), implementation_(std::make_unique<Implementation>(*this, clock, routes)) {}
+    : Process(std::move(name), clock),
+      implementation_(std::make_unique<Implementation>(*this, clock, routes)) {}
 
-DebugProcess::~DebugProcess() { stop(); }
+DebugProcess::~DebugProcess() {
+  stop();
+}
 
-void DebugProcess::setListener(Listener listener) { implementation_->listener = std::move(listener); }
+void DebugProcess::setListener(Listener listener) {
+  implementation_->listener = std::move(listener);
+}
 
-void DebugProcess::watch(const Process& process) { implementation_->watched.push_back(&process); }
+void DebugProcess::watch(const Process& process) {
+  implementation_->watched.push_back(&process);
+}
 
-bool DebugProcess::request(const Request& request) { return implementation_->inbox.push(request); }
+bool DebugProcess::request(const Request& request) {
+  return implementation_->inbox.push(request);
+}
 
 void DebugProcess::execute() {
   Implementation& self = *implementation_;
@@ -119,11 +128,14 @@ void DebugProcess::Implementation::route(const Request& request) {
     case Request::kSetKey:
       return setKey(request);
     case Request::kSelectSolution:
-      return sendTo(routes.processOf(request.select_solution().task()), request.select_solution().task(), request);
+      return sendTo(routes.processOf(request.select_solution().task()), request.select_solution().task(),
+                    request);
     case Request::kGetParameters:
-      return sendTo(routes.processOf(request.get_parameters().task()), request.get_parameters().task(), request);
+      return sendTo(routes.processOf(request.get_parameters().task()), request.get_parameters().task(),
+                    request);
     case Request::kSetParameters:
-      return sendTo(routes.processOf(request.set_parameters().task()), request.set_parameters().task(), request);
+      return sendTo(routes.processOf(request.set_parameters().task()), request.set_parameters().task(),
+                    request);
     case Request::kSendTables:
       sendToAll(request);
       processTableDue.reset();
@@ -137,7 +149,8 @@ void DebugProcess::Implementation::route(const Request& request) {
 
 void DebugProcess::Implementation::setKey(const Request& request) {
   const std::string& name = request.set_key().name();
-  if (const std::string wrong = wrongWith(request.set_key().mode()); !wrong.empty()) return answer(request, wrong);
+  if (const std::string wrong = wrongWith(request.set_key().mode()); !wrong.empty())
+    return answer(request, wrong);
   if (const std::string package = packageOfKey(name); !package.empty()) {
     const auto owner = routes.packages.find(package);
     return sendTo(owner != routes.packages.end() ? owner->second : "", name, request);
@@ -149,7 +162,8 @@ void DebugProcess::Implementation::setKey(const Request& request) {
   std::vector<std::string> all;
   for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
   const std::string near = nearest(name, all);
-  answer(request, "there is no debug key '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+  answer(request,
+         "there is no debug key '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
 }
 
 void DebugProcess::Implementation::sendMotion(const Request& request) {
@@ -161,9 +175,10 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
 }
 
 /// `what`: the task or key that the request is about.
-void DebugProcess::Implementation::sendTo(const std::string& name, const std::string& what, const Request& request) {
-  const auto channel =
-      std::find_if(channels.begin(), channels.end(), [&](const auto& entry) { return entry->process() == name; });
+void DebugProcess::Implementation::sendTo(const std::string& name, const std::string& what,
+                                          const Request& request) {
+  const auto channel = std::find_if(channels.begin(), channels.end(),
+                                    [&](const auto& entry) { return entry->process() == name; });
   if (channel == channels.end()) return answer(request, "no process of this layout has '" + what + "'");
   const Process* target = watchedProcess(name);
   if (target != nullptr && target->stopped()) return answer(request, stoppedText(*target));
@@ -187,7 +202,8 @@ void DebugProcess::Implementation::answer(const Request& request, const std::str
 // ---- Processes
 
 const Process* DebugProcess::Implementation::watchedProcess(const std::string& name) const {
-  const auto found = std::find_if(watched.begin(), watched.end(), [&](const Process* p) { return p->name() == name; });
+  const auto found =
+      std::find_if(watched.begin(), watched.end(), [&](const Process* p) { return p->name() == name; });
   return found == watched.end() ? nullptr : *found;
 }
 
@@ -200,13 +216,15 @@ std::string DebugProcess::Implementation::stoppedText(const Process& stopped) co
 void DebugProcess::Implementation::noticeStopped() {
   for (const Process* watchedOne : watched) {
     if (!watchedOne->stopped() || !known.insert(watchedOne->name()).second) continue;
-    if (!watchedOne->failure().empty()) debug.text(Level::kError, watchedOne->name(), stoppedText(*watchedOne));
+    if (!watchedOne->failure().empty())
+      debug.text(Level::kError, watchedOne->name(), stoppedText(*watchedOne));
     processTableDue.reset();
   }
   for (const auto& channel : channels) {
     if (known.count(channel->process()) == 0) continue;
     for (const Request& request : channel->takePending()) {
-      const bool answered = request.has_send_tables() || (request.has_set_key() && packageOfKey(request.set_key().name()).empty());
+      const bool answered = request.has_send_tables() ||
+                            (request.has_set_key() && packageOfKey(request.set_key().name()).empty());
       if (!answered) answer(request, stoppedText(*watchedProcess(channel->process())));
     }
   }
@@ -214,9 +232,11 @@ void DebugProcess::Implementation::noticeStopped() {
 
 void DebugProcess::Implementation::sendTables() {
   if (tables.takeKeysChanged()) tables.fillKeys(*debug.add(streams::kKeys).mutable_keys());
-  if (tables.takeSolutionsChanged()) tables.fillSolutions(names, *debug.add(streams::kSolutions).mutable_solutions());
+  if (tables.takeSolutionsChanged())
+    tables.fillSolutions(names, *debug.add(streams::kSolutions).mutable_solutions());
   const Instant now = process.frameTime();
-  const bool due = !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
+  const bool due =
+      !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
   if (!due) return;
   processTableDue = now + kProcessTablePeriod;
   fillProcesses(*debug.add(streams::kProcesses).mutable_processes());

@@ -17,13 +17,14 @@ class Request;
 
 namespace robotlink {
 
-/// The process of a layout that is linked to all others: collects their debug queues and hands requests out to them. Offers the
-/// package "remote/motion". What it collects goes to its listener as whole queues, unchanged, in the process's thread; the
-/// listener (a session, a network link) must not block.
+/// The process of a layout that is linked to all others: collects their debug queues and hands requests out
+/// to them. Offers the package "remote/motion". What it collects goes to its listener as whole queues,
+/// unchanged, in the process's thread; the listener (a session, a network link) must not block.
 ///
-/// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package, or, for debug keys, motions,
-/// tables, and whatever cannot be delivered, by this process itself. It joins the processes' tables of keys and solutions
-/// into one each, and tells twice a second what all processes do. A process that failed is told as an error, once.
+/// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,
+/// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
+/// the processes' tables of keys and solutions into one each, and tells twice a second what all processes do.
+/// A process that failed is told as an error, once.
 class DebugProcess final : public Process {
  public:
   using Listener = std::function<void(std::shared_ptr<const robotcontrol::DebugQueue>)>;
@@ -33,7 +34,8 @@ class DebugProcess final : public Process {
 
   /// Before it runs.
   void setListener(Listener listener);
-  /// A process for the table, in this program: itself, a task process, the platform. It must outlive this one. Before it runs.
+  /// A process for the table, in this program: itself, a task process, the platform. It must outlive this
+  /// one. Before it runs.
   void watch(const Process& process);
   /// Hands a request in; any thread. False: too many wait, this one was dropped.
   bool request(const robotcontrol::Request& request);

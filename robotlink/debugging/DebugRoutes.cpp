@@ -11,7 +11,9 @@ constexpr std::string_view kPackagePrefix = "package/";
 
 }  // namespace
 
-std::string packageKey(const std::string& package) { return std::string(kPackagePrefix) + package; }
+std::string packageKey(const std::string& package) {
+  return std::string(kPackagePrefix) + package;
+}
 
 std::string packageOfKey(const std::string& key) {
   return key.starts_with(kPackagePrefix) ? key.substr(kPackagePrefix.size()) : std::string();

@@ -15,15 +15,15 @@ struct DebugRoutes {
     std::string process;
     std::vector<std::string> tasks;
   };
-  std::vector<TaskList> processes;  ///< without the debug process, in the layout's order
+  std::vector<TaskList> processes;              ///< without the debug process, in the layout's order
   std::map<std::string, std::string> packages;  ///< package: the process that shows it on request
 
   /// The process that does a task; empty if none does.
   std::string processOf(const std::string& task) const;
 };
 
-/// A package is shown on request by the process that yields it; one of the platform or of the debug process by the first
-/// process that receives it.
+/// A package is shown on request by the process that yields it; one of the platform or of the debug process
+/// by the first process that receives it.
 DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
 /// The key by which a package is asked for: "package/camera/image".

@@ -37,7 +37,8 @@ void JoinedTables::fillKeys(KeyTable& to) const {
   for (auto& [name, key] : joined) *to.add_keys() = std::move(key);
 }
 
-void JoinedTables::fillSolutions(const std::vector<std::string>& processes, robotcontrol::SolutionTable& to) const {
+void JoinedTables::fillSolutions(const std::vector<std::string>& processes,
+                                 robotcontrol::SolutionTable& to) const {
   for (const std::string& process : processes) {
     const auto found = solutions_.find(process);
     if (found != solutions_.end()) to.mutable_tasks()->MergeFrom(found->second.tasks());

@@ -9,8 +9,9 @@
 
 namespace robotlink {
 
-/// The tables of all processes, joined: one of keys, one of solutions. A key of several processes is in use if one of them uses it, and
-/// has the mode that is still on in one of them. Used by the debug process; only for this folder.
+/// The tables of all processes, joined: one of keys, one of solutions. A key of several processes is in use
+/// if one of them uses it, and has the mode that is still on in one of them. Used by the debug process; only
+/// for this folder.
 class JoinedTables {
  public:
   /// Looks for the tables of a process in its queue.

@@ -6,15 +6,16 @@
 
 namespace robotlink {
 
-/// When something that is asked for by a key's mode is due, with the meaning that DebugContext gives to the modes: for what is no
-/// DebugKey, such as packages on request. A plain value; only for this folder.
+/// When something that is asked for by a key's mode is due, with the meaning that DebugContext gives to the
+/// modes: for what is no DebugKey, such as packages on request. A plain value; only for this folder.
 class ModeCounter {
  public:
   void set(const robotcontrol::KeyMode& mode) {
     mode_ = mode;
     const bool never = mode.kind() == robotcontrol::KeyMode::N_TIMES && mode.n() == 0;
     if (never) mode_.set_kind(robotcontrol::KeyMode::OFF);
-    if (mode_.kind() == robotcontrol::KeyMode::OFF || mode_.kind() == robotcontrol::KeyMode::ALWAYS) mode_.set_n(0);
+    if (mode_.kind() == robotcontrol::KeyMode::OFF || mode_.kind() == robotcontrol::KeyMode::ALWAYS)
+      mode_.set_n(0);
     count_ = 0;
   }
   const robotcontrol::KeyMode& mode() const { return mode_; }

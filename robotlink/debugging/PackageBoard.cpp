@@ -61,6 +61,8 @@ std::vector<const PackageBoard::Entry*> PackageBoard::shown() const {
   return result;
 }
 
-bool PackageBoard::takeModeChange() { return std::exchange(modeChanged_, false); }
+bool PackageBoard::takeModeChange() {
+  return std::exchange(modeChanged_, false);
+}
 
 }  // namespace robotlink

@@ -13,8 +13,8 @@ namespace robotlink {
 
 class DebugContext;
 
-/// The packages that the tasks of one process read and yield: what came from other processes, what the tasks sent, and which
-/// of them somebody wants to see. Used by the process's thread; only for this folder.
+/// The packages that the tasks of one process read and yield: what came from other processes, what the tasks
+/// sent, and which of them somebody wants to see. Used by the process's thread; only for this folder.
 class PackageBoard {
  public:
   struct Entry {

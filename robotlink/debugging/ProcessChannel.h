@@ -12,9 +12,9 @@
 
 namespace robotlink {
 
-/// The debug process's two links to one process: its debug queues in, requests out. Packages may replace each other on their
-/// way, so queues are acknowledged, and requests are repeated until they are done. Used by the debug process's thread; only
-/// for this folder.
+/// The debug process's two links to one process: its debug queues in, requests out. Packages may replace each
+/// other on their way, so queues are acknowledged, and requests are repeated until they are done. Used by the
+/// debug process's thread; only for this folder.
 class ProcessChannel {
  public:
   ProcessChannel(Process& debugProcess, const std::string& process)

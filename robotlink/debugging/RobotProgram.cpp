@@ -10,7 +10,8 @@ namespace {
 
 AnySender* senderOf(const Process& process, const std::string& package) {
   const auto& all = process.senders();
-  const auto found = std::find_if(all.begin(), all.end(), [&](const AnySender* s) { return s->package() == package; });
+  const auto found =
+      std::find_if(all.begin(), all.end(), [&](const AnySender* s) { return s->package() == package; });
   return found == all.end() ? nullptr : *found;
 }
 
@@ -32,9 +33,11 @@ PlatformPackages packagesOf(const Platform& platform) {
 }  // namespace
 
 struct RobotProgram::Implementation {
-  Implementation(RobotSetup givenRobot, Layout givenLayout) : robot(std::move(givenRobot)), layout(std::move(givenLayout)) {}
+  Implementation(RobotSetup givenRobot, Layout givenLayout)
+      : robot(std::move(givenRobot)), layout(std::move(givenLayout)) {}
 
-  Errors build(const PlatformPackages& packages, const Clock& clock, const std::filesystem::path& parameterFolder);
+  Errors build(const PlatformPackages& packages, const Clock& clock,
+               const std::filesystem::path& parameterFolder);
   void connectPackages(Platform& platform, const PlatformPackages& packages);
   void connectDebugging();
   Process* find(const std::string& name) const;
@@ -49,11 +52,12 @@ struct RobotProgram::Implementation {
 
 RobotProgram::RobotProgram() = default;
 
-RobotProgram::~RobotProgram() { stop(); }
+RobotProgram::~RobotProgram() {
+  stop();
+}
 
-tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSetup robot, Layout layout,
-                                                                         Platform& platform,
-                                                                         const std::filesystem::path& parameterFolder) {
+tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
+    RobotSetup robot, Layout layout, Platform& platform, const std::filesystem::path& parameterFolder) {
   std::unique_ptr<RobotProgram> program(new RobotProgram);
   program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout));
   Implementation& made = *program->implementation_;
@@ -74,12 +78,14 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
   Errors errors;
   for (const Layout::Process& description : layout.processes) {
     if (description.debug) {
-      auto made = std::make_unique<DebugProcess>(description.name, clock, debugRoutes(layout, catalog, packages));
+      auto made =
+          std::make_unique<DebugProcess>(description.name, clock, debugRoutes(layout, catalog, packages));
       made->setPeriod(description.period);
       made->setPriority(description.priority);
       debugProcess = made.get();
       owned.push_back(std::move(made));
-    } else if (auto made = TaskProcess::create({robot, layout, description, packages, parameterFolder}, clock)) {
+    } else if (auto made =
+                   TaskProcess::create({robot, layout, description, packages, parameterFolder}, clock)) {
       owned.push_back(std::move(*made));
     } else {
       errors.insert(errors.end(), made.error().begin(), made.error().end());
@@ -90,7 +96,8 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
 }
 
 Process* RobotProgram::Implementation::find(const std::string& name) const {
-  const auto found = std::find_if(processes.begin(), processes.end(), [&](const Process* p) { return p->name() == name; });
+  const auto found =
+      std::find_if(processes.begin(), processes.end(), [&](const Process* p) { return p->name() == name; });
   return found == processes.end() ? nullptr : *found;
 }
 
@@ -114,10 +121,18 @@ void RobotProgram::Implementation::connectDebugging() {
   }
 }
 
-const RobotSetup& RobotProgram::robot() const { return implementation_->robot; }
-const Layout& RobotProgram::layout() const { return implementation_->layout; }
-const std::vector<Process*>& RobotProgram::processes() const { return implementation_->processes; }
-DebugProcess& RobotProgram::debugProcess() { return *implementation_->debugProcess; }
+const RobotSetup& RobotProgram::robot() const {
+  return implementation_->robot;
+}
+const Layout& RobotProgram::layout() const {
+  return implementation_->layout;
+}
+const std::vector<Process*>& RobotProgram::processes() const {
+  return implementation_->processes;
+}
+DebugProcess& RobotProgram::debugProcess() {
+  return *implementation_->debugProcess;
+}
 
 void RobotProgram::stop() {
   if (!implementation_) return;

@@ -10,14 +10,16 @@
 
 namespace robotlink {
 
-/// A process layout put on a platform: all of its processes, linked with each other and with the platform. An executor runs them.
+/// A process layout put on a platform: all of its processes, linked with each other and with the platform. An
+/// executor runs them.
 ///
-/// Built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys, solutions, processes) are sent to the
-/// debug listener after a SendTables request and whenever they change; STOP never passes through here.
+/// Built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys, solutions,
+/// processes) are sent to the debug listener after a SendTables request and whenever they change; STOP never
+/// passes through here.
 class RobotProgram {
  public:
-  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout, Platform& platform,
-                                                                    const std::filesystem::path& parameterFolder);
+  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(
+      RobotSetup robot, Layout layout, Platform& platform, const std::filesystem::path& parameterFolder);
   ~RobotProgram();
 
   const RobotSetup& robot() const;

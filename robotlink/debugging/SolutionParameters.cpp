@@ -102,7 +102,8 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
   if (!collector.errors().empty()) return tl::unexpected(collector.errors());
   const std::string notFinite = firstNotFinite(*message);
   if (!parsed || !notFinite.empty()) {
-    const std::string what = parsed ? "'" + notFinite + "' is not a finite number" : "not readable as text of protobuf";
+    const std::string what =
+        parsed ? "'" + notFinite + "' is not a finite number" : "not readable as text of protobuf";
     return tl::unexpected(Errors{{"parameters.value", what, {notFinite}, {file.string(), 0, 0}}});
   }
   return SolutionParameters(std::move(message));

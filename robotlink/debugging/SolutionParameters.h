@@ -19,12 +19,13 @@ namespace robotlink {
 
 struct SolutionDescription;
 
-/// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in protobuf's text format if
-/// there is one. They are kept while the solution is switched off. The message's address never changes.
+/// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in
+/// protobuf's text format if there is one. They are kept while the solution is switched off. The message's
+/// address never changes.
 class SolutionParameters {
  public:
-  /// `folder` may lack the file <task>.<solution>.textproto, or be missing itself. Fails with every error of the
-  /// file, each with its line and column.
+  /// `folder` may lack the file <task>.<solution>.textproto, or be missing itself. Fails with every error of
+  /// the file, each with its line and column.
   static tl::expected<SolutionParameters, Errors> load(const SolutionDescription& solution,
                                                        const std::filesystem::path& folder);
   SolutionParameters(SolutionParameters&&) noexcept;

@@ -30,6 +30,10 @@ void addTime(robotcontrol::StopwatchTimes& times, const std::string& task, const
   entry.set_seconds(std::chrono::duration<double>(Stopwatch::now() - since).count());
 }
 
+tl::unexpected<Error> refused(std::string id, std::string text) {
+  return failure(std::move(id), std::move(text));
+}
+
 }  // namespace
 
 struct TaskProcess::Implementation {
@@ -54,7 +58,8 @@ struct TaskProcess::Implementation {
   Result<void> getParameters(const std::string& task, const std::string& solution);
   Result<void> setParameters(const robotcontrol::SetParameters& wish);
   void answer(const Request& request, const Result<void>& result);
-  Result<std::pair<TaskRunner*, SolutionParameters*>> parametersOf(const std::string& task, const std::string& solution);
+  Result<std::pair<TaskRunner*, SolutionParameters*>> parametersOf(const std::string& task,
+                                                                   const std::string& solution);
   TaskRunner* runner(const std::string& task) const;
   void noticeExpiredKeys();
   void sendTables();
@@ -79,14 +84,18 @@ struct TaskProcess::Implementation {
 // ---- Making it
 
 TaskProcess::TaskProcess(const Setup& setup, const Clock& clock)
-    : Process(setup.process.name, clock), implementation_(std::make_unique<Implementation>(*this, setup, clock)) {
+    : Process(setup.process.name, clock),
+      implementation_(std::make_unique<Implementation>(*this, setup, clock)) {
   setPeriod(setup.process.period);
   setPriority(setup.process.priority);
 }
 
-TaskProcess::~TaskProcess() { stop(); }
+TaskProcess::~TaskProcess() {
+  stop();
+}
 
-tl::expected<std::unique_ptr<TaskProcess>, Errors> TaskProcess::create(const Setup& setup, const Clock& clock) {
+tl::expected<std::unique_ptr<TaskProcess>, Errors> TaskProcess::create(const Setup& setup,
+                                                                       const Clock& clock) {
   std::unique_ptr<TaskProcess> process(new TaskProcess(setup, clock));
   Errors errors = process->implementation_->build(clock);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
@@ -126,7 +135,9 @@ void TaskProcess::Implementation::connectPackages() {
   }
 }
 
-DebugContext& TaskProcess::debug() { return implementation_->debug; }
+DebugContext& TaskProcess::debug() {
+  return implementation_->debug;
+}
 
 std::string TaskProcess::activeSolution(const std::string& task) const {
   const TaskRunner* found = implementation_->runner(task);
@@ -134,7 +145,8 @@ std::string TaskProcess::activeSolution(const std::string& task) const {
 }
 
 TaskRunner* TaskProcess::Implementation::runner(const std::string& task) const {
-  const auto found = std::find_if(tasks.begin(), tasks.end(), [&](const auto& entry) { return entry->task() == task; });
+  const auto found =
+      std::find_if(tasks.begin(), tasks.end(), [&](const auto& entry) { return entry->task() == task; });
   return found == tasks.end() ? nullptr : found->get();
 }
 
@@ -178,7 +190,8 @@ void TaskProcess::Implementation::runTasks() {
 
 void TaskProcess::Implementation::noticeExpiredKeys() {
   const std::size_t limited = limitedKeys.size();
-  std::erase_if(limitedKeys, [this](int key) { return debug.mode(key).kind() != robotcontrol::KeyMode::N_TIMES; });
+  std::erase_if(limitedKeys,
+                [this](int key) { return debug.mode(key).kind() != robotcontrol::KeyMode::N_TIMES; });
   if (limitedKeys.size() != limited || board.takeModeChange()) keysChanged = true;
 }
 
@@ -195,7 +208,7 @@ void TaskProcess::Implementation::sendTables() {
 /// Only after the last one arrived: a newer package would replace it.
 void TaskProcess::Implementation::sendQueue() {
   if (queuesSent != queuesTaken || !debug.hasQueue() || !queue.connected()) return;
-  auto taken = std::const_pointer_cast<DebugQueue>(debug.takeQueue());
+  const std::shared_ptr<DebugQueue> taken = debug.takeQueue();
   taken->set_number(++queuesSent);
   taken->set_requests_done(requestsDone);
   queue.send(taken);
@@ -222,7 +235,8 @@ void TaskProcess::Implementation::handle(const Request& request) {
     case Request::kSelectSolution:
       return answer(request, select(request.select_solution().task(), request.select_solution().solution()));
     case Request::kGetParameters:
-      return answer(request, getParameters(request.get_parameters().task(), request.get_parameters().solution()));
+      return answer(request,
+                    getParameters(request.get_parameters().task(), request.get_parameters().solution()));
     case Request::kSetParameters:
       return answer(request, setParameters(request.set_parameters()));
     case Request::kSendTables:
@@ -233,13 +247,14 @@ void TaskProcess::Implementation::handle(const Request& request) {
   }
 }
 
-/// Keys of the code belong to all processes, so the debug process answers for them; a package's belongs to this one.
+/// Keys of the code belong to all processes, so the debug process answers for them; a package's belongs to
+/// this one.
 void TaskProcess::Implementation::setKey(const Request& request) {
   const robotcontrol::SetKey& wish = request.set_key();
   keysChanged = true;
   if (const std::string package = packageOfKey(wish.name()); !package.empty()) {
     if (board.show(package, wish.mode())) return answer(request, {});
-    return answer(request, failure("key.unknown", "process " + process.name() + " does not show " + package));
+    return answer(request, refused("key.unknown", "process " + process.name() + " does not show " + package));
   }
   const int key = DebugKey::find(wish.name());
   debug.setMode(key, wish.mode());
@@ -249,10 +264,12 @@ void TaskProcess::Implementation::setKey(const Request& request) {
 
 Result<void> TaskProcess::Implementation::select(const std::string& task, const std::string& solution) {
   TaskRunner* found = runner(task);
-  if (found == nullptr) return failure("solution.task", "process " + process.name() + " does not do task " + task);
+  if (found == nullptr)
+    return refused("solution.task", "process " + process.name() + " does not do task " + task);
   if (SolutionRegistry::find(task, solution) != nullptr) {
     const std::string reason = unavailability(setup.layout, catalog, setup.platform, task, solution);
-    if (!reason.empty()) return failure("solution.unavailable", "solution " + solution + " of " + task + " is " + reason);
+    if (!reason.empty())
+      return refused("solution.unavailable", "solution " + solution + " of " + task + " is " + reason);
   }
   const auto selected = found->select(solution);
   if (selected) keysChanged = solutionsChanged = true;
@@ -262,17 +279,20 @@ Result<void> TaskProcess::Implementation::select(const std::string& task, const 
 Result<std::pair<TaskRunner*, SolutionParameters*>> TaskProcess::Implementation::parametersOf(
     const std::string& task, const std::string& solution) {
   TaskRunner* found = runner(task);
-  if (found == nullptr) return failure("solution.task", "process " + process.name() + " does not do task " + task);
+  if (found == nullptr)
+    return refused("solution.task", "process " + process.name() + " does not do task " + task);
   SolutionParameters* parameters = found->parameters(solution.empty() ? found->active() : solution);
-  if (parameters == nullptr) return failure("solution.unknown", "task " + task + " has no solution '" + solution + "'");
+  if (parameters == nullptr)
+    return refused("solution.unknown", "task " + task + " has no solution '" + solution + "'");
   return std::pair(found, parameters);
 }
 
-Result<void> TaskProcess::Implementation::getParameters(const std::string& task, const std::string& solution) {
+Result<void> TaskProcess::Implementation::getParameters(const std::string& task,
+                                                        const std::string& solution) {
   const auto found = parametersOf(task, solution);
   if (!found) return tl::unexpected(found.error());
   if (found->second->message() == nullptr) {
-    return failure("parameters.none", "solution " + solution + " of " + task + " has no parameters");
+    return refused("parameters.none", "solution " + solution + " of " + task + " has no parameters");
   }
   const std::string name = solution.empty() ? found->first->active() : solution;
   auto& values = *debug.add(streams::kParameters + (task + "/" + name)).mutable_parameters();

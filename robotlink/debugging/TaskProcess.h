@@ -14,9 +14,9 @@ namespace robotlink {
 
 /// A process of a layout: runs its tasks in order, each by the solution that is chosen for it.
 ///
-/// Requests (debug keys, solutions, parameters) arrive with the package "debug/requests/<process>" and take effect at the start
-/// of a frame, all at once; refusals name their reason. What the process tells leaves it as "debug/queue/<process>" whenever
-/// the last queue was taken. The setup must outlive it.
+/// Requests (debug keys, solutions, parameters) arrive with the package "debug/requests/<process>" and take
+/// effect at the start of a frame, all at once; refusals name their reason. What the process tells leaves it
+/// as "debug/queue/<process>" whenever the last queue was taken. The setup must outlive it.
 class TaskProcess final : public Process {
  public:
   struct Setup {
@@ -27,7 +27,8 @@ class TaskProcess final : public Process {
     std::filesystem::path parameterFolder;  ///< resources/parameters/<robot>: <task>.<solution>.textproto
   };
 
-  /// Creates the default solutions of its tasks; fails if one cannot be created or its parameters cannot be read.
+  /// Creates the default solutions of its tasks; fails if one cannot be created or its parameters cannot be
+  /// read.
   static tl::expected<std::unique_ptr<TaskProcess>, Errors> create(const Setup& setup, const Clock& clock);
   ~TaskProcess() override;
 

@@ -14,7 +14,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 }
 
 [[noreturn]] void undeclared(const SolutionDescription& solution, const std::string& what) {
-  throw std::logic_error(solution.task + " (" + solution.name + ") uses " + what + ", which its registration does not name");
+  throw std::logic_error(solution.task + " (" + solution.name + ") uses " + what +
+                         ", which its registration does not name");
 }
 
 }  // namespace
@@ -58,7 +59,8 @@ TaskRunner::TaskRunner(std::string task, const Environment& environment)
     if (solution.task != task_) continue;
     solutions_.push_back(&solution);
     for (const auto* packages : {&solution.required, &solution.optional}) {
-      for (const std::string& package : *packages) inputs_[package].entry = &environment_.board.entry(package);
+      for (const std::string& package : *packages)
+        inputs_[package].entry = &environment_.board.entry(package);
     }
   }
 }
@@ -86,10 +88,12 @@ Errors TaskRunner::loadParameters(const std::filesystem::path& folder) {
 Result<void> TaskRunner::select(const std::string& solution) {
   const SolutionDescription* description = SolutionRegistry::find(task_, solution);
   if (description == nullptr) {
-    return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {}, {task_, solution});
+    return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {},
+                   {task_, solution});
   }
   const auto broken = [&](const std::string& why) {
-    return failure("solution.broken", "solution " + solution + " of task " + task_ + " could not be made: " + why, {},
+    return failure("solution.broken",
+                   "solution " + solution + " of task " + task_ + " could not be made: " + why, {},
                    {task_, solution, why});
   };
   try {

@@ -12,8 +12,8 @@
 
 namespace robotlink {
 
-/// One task of a process: its solutions with their parameters, and the one that runs. A task sees a package as new if it came
-/// since the task ran last. Used by the process's thread; only for this folder.
+/// One task of a process: its solutions with their parameters, and the one that runs. A task sees a package
+/// as new if it came since the task ran last. Used by the process's thread; only for this folder.
 class TaskRunner {
  public:
   struct Environment {
@@ -35,7 +35,8 @@ class TaskRunner {
   SolutionParameters* parameters(const std::string& solution);
 
   Errors loadParameters(const std::filesystem::path& folder);
-  /// Makes a new object of the solution and only then destroys the one before; if its constructor throws, nothing changes.
+  /// Makes a new object of the solution and only then destroys the one before; if its constructor throws,
+  /// nothing changes.
   Result<void> select(const std::string& solution);
   void execute();
 

@@ -37,7 +37,8 @@ void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const Deb
 }
 
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
-                       const TaskCatalog& catalog, const PlatformPackages& platform, robotcontrol::SolutionTable& to) {
+                       const TaskCatalog& catalog, const PlatformPackages& platform,
+                       robotcontrol::SolutionTable& to) {
   for (const auto& task : tasks) {
     auto& row = *to.add_tasks();
     row.set_name(task->task());

@@ -21,11 +21,13 @@ extern const DebugKey kTimingKey;
 
 using TaskRunners = std::vector<std::unique_ptr<TaskRunner>>;
 
-/// The keys of all solutions of a process's tasks, those of packages that it shows on request, and the stopwatches'.
+/// The keys of all solutions of a process's tasks, those of packages that it shows on request, and the
+/// stopwatches'.
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to);
 /// The process's tasks with their solutions.
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
-                       const TaskCatalog& catalog, const PlatformPackages& platform, robotcontrol::SolutionTable& to);
+                       const TaskCatalog& catalog, const PlatformPackages& platform,
+                       robotcontrol::SolutionTable& to);
 
 }  // namespace robotlink

@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RobotProgram.h"
+
+#include <gtest/gtest.h>
+
+#include "robotlink/process/ThreadExecutor.h"
+#include "tests/robotlink/debugging/ToyRobot.h"
+
+using namespace robotlink;
+using namespace robotlink::testing;
+using namespace std::chrono_literals;
+using robotcontrol::KeyMode;
+
+namespace {
+
+robotcontrol::JointRequest lastRequest(const ToyPlatform& platform) {
+  robotcontrol::JointRequest request;
+  if (!platform.requests().empty()) request.ParseFromString(platform.requests().back());
+  return request;
+}
+
+TEST(RobotProgramTest, sensorsReachTheActuatorsThroughAllTasks) {
+  ToyRobot robot;
+  robot.run(40);
+  const auto request = lastRequest(robot.platform);
+  ASSERT_EQ(2, request.positions_size());
+  EXPECT_EQ(39, request.positions(0));  // the joint state of the last step but one
+  EXPECT_EQ(35, request.positions(1));  // the image of step 35
+  EXPECT_TRUE(robot.failed.empty());
+}
+
+TEST(RobotProgramTest, theSameInputsGiveTheSameBytes) {
+  ToyRobot a;
+  ToyRobot b;
+  a.run(1000);
+  b.run(1000);
+  EXPECT_EQ(a.platform.requests(), b.platform.requests());
+  ASSERT_EQ(a.heard.size(), b.heard.size());
+  for (std::size_t i = 0; i < a.heard.size(); ++i) {
+    ASSERT_EQ(a.heard[i].SerializeAsString(), b.heard[i].SerializeAsString()) << a.heard[i].path();
+  }
+}
+
+TEST(RobotProgramTest, noFrameIsLostOnItsWayThroughTheDebugQueues) {
+  ToyRobot robot;
+  robot.run(500);
+  const auto frames = robot.on("frames/motion");
+  ASSERT_GT(frames.size(), 490U);
+  for (std::size_t i = 0; i < frames.size(); ++i) ASSERT_EQ(i, frames[i]->frame().number());
+}
+
+TEST(RobotProgramTest, aRefusedLayoutLeavesTheOldOneRunning) {
+  ToyRobot robot;
+  robot.run(20);
+  const Errors errors =
+      robot.load("version: 1\nname: x\nprocesses:\n  - {name: a, period_ms: 8, tasks: [{motion: crawl}]}\n");
+  ASSERT_EQ(2U, errors.size()) << describe(errors);
+  EXPECT_EQ("toy.yaml:4:37: task motion has no solution 'crawl'; there is walk", errors[1].describe());
+  const std::size_t before = robot.platform.requests().size();
+  robot.run(20);
+  EXPECT_EQ(before + 20, robot.platform.requests().size());
+  EXPECT_EQ(39, lastRequest(robot.platform).positions(0));
+}
+
+TEST(RobotProgramTest, anotherLayoutTakesThePlatformOver) {
+  ToyRobot robot;
+  robot.run(20);
+  ASSERT_TRUE(robot.load(kToyLayout).empty());
+  robot.run(20);
+  EXPECT_EQ(39, lastRequest(robot.platform).positions(0));
+  EXPECT_EQ(35, lastRequest(robot.platform).positions(1));
+}
+
+TEST(RobotProgramTest, allObjectsAreDestroyedWithTheProgram) {
+  {
+    ToyRobot robot;
+    robot.run(10);
+    EXPECT_EQ(4, livingSolutions());
+  }
+  EXPECT_EQ(0, livingSolutions());
+}
+
+TEST(RobotProgramTest, aProcessThatThrowsStopsAloneAndSaysWhy) {
+  ToyRobot robot;
+  robot.run(10);
+  ASSERT_TRUE(robot.select("ball-model", "throwing").accepted());
+  robot.run(40);
+  ASSERT_EQ(1U, robot.failed.size());
+  EXPECT_EQ("cognition: ball-model (throwing): the ball has no covariance", robot.failed[0]);
+  const auto log = robot.on("log");
+  ASSERT_EQ(1U, log.size());
+  EXPECT_EQ("process cognition has failed: ball-model (throwing): the ball has no covariance",
+            log[0]->text().message());
+  const auto before = robot.platform.requests().size();
+  robot.run(10);
+  EXPECT_EQ(before + 10, robot.platform.requests().size());  // motion goes on
+  EXPECT_EQ("process cognition has failed: ball-model (throwing): the ball has no covariance",
+            robot.select("ball-model", "last").reason());
+}
+
+TEST(RobotProgramTest, runsInThreadsAndCanBeStoppedAtAnyTime) {
+  SteadyClock clock;
+  ManualClock steps;
+  ToyPlatform platform("toy", steps);
+  auto layout = parseLayout(kToyLayout, "toy.yaml");
+  ASSERT_TRUE(layout);
+  RobotSetup setup;
+  setup.name = "red1";
+  for (int round = 0; round < 5; ++round) {
+    auto program = RobotProgram::create(setup, *layout, platform, {});
+    ASSERT_TRUE(program);
+    std::atomic<int> queues{0};
+    (*program)->debugProcess().setListener([&](const auto&) { ++queues; });
+    ThreadExecutor executor({});
+    for (Process* process : (*program)->processes()) executor.add(*process);
+    executor.start();
+    for (int i = 0; i < 50; ++i) {
+      platform.tryBeginFrame();
+      platform.actuate();
+      steps.advance(8ms);
+      executor.clockAdvanced();
+      platform.runFrame();
+      std::this_thread::sleep_for(200us);
+    }
+    if (round % 2 == 0) (*program)->stop();
+    executor.stop();
+    EXPECT_GT(queues, 0);
+  }
+  EXPECT_EQ(0, livingSolutions());
+  EXPECT_FALSE(platform.requests().empty());
+}
+
+}  // namespace
