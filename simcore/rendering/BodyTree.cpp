@@ -75,7 +75,6 @@ int bodyCount(const RenderScene& scene) {
 }
 
 BodyTree::BodyTree(const RenderScene& scene) : device_(newRayDevice()), scene_(rtcNewScene(device_)) {
-  rtcSetSceneFlags(scene_, RTC_SCENE_FLAG_DYNAMIC);
   for (int body = 0; body < bodyCount(scene); ++body) addBody(scene, body);
 }
 

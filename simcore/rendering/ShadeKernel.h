@@ -150,8 +150,9 @@ SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffe
 }
 
 void shade(const Strip& strip, const VisibilityBuffer& buffer) {
-  for (int i = 0; i < strip.rows; ++i) {
-    for (int x = 0; x < buffer.width; x += 8) {
+  // Column by column, so that rays that follow each other go about the same way.
+  for (int x = 0; x < buffer.width; x += 8) {
+    for (int i = 0; i < strip.rows; ++i) {
       shadeEight(strip, buffer, x, strip.firstRow + i, i * buffer.stride + x);
     }
   }

@@ -64,7 +64,6 @@ void ShadowCaster::addUnshadowed(std::size_t lamp, const RayList& rays, float* l
   const RTCScene tree = tree_.scene();
   RTCIntersectContext context;
   rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   Packet packet;
   for (int first = 0; first < rays.count; first += kPacket) {
     fill(packet, rays, first, scene_.lamps[lamp].position);
