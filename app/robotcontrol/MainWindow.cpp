@@ -1,0 +1,181 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/MainWindow.h"
+
+#include <QApplication>
+#include <QCloseEvent>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QStatusBar>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <qtadvanceddocking/DockManager.h>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/SimulationToolBar.h"
+#include "app/robotcontrol/StatusLine.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "robotlink/base/Resources.h"
+#include "robotlink/config/FieldDescription.h"
+#include "widgets/Icon.h"
+
+namespace app {
+namespace {
+
+constexpr int kTickMs = 33;
+constexpr qint64 kKeepEveryMs = 5000;
+constexpr int kMaxErrorsShown = 8;
+
+std::shared_ptr<const robotlink::FieldDescription> defaultField() {
+  auto field = robotlink::FieldDescription::load(robotlink::resource("fields/2002.yaml"));
+  return field ? std::make_shared<const robotlink::FieldDescription>(std::move(*field)) : nullptr;
+}
+
+QString toText(const QByteArray& bytes) { return QString::fromLatin1(bytes.toBase64()); }
+QByteArray fromText(const QJsonValue& value) { return QByteArray::fromBase64(value.toString().toLatin1()); }
+
+}  // namespace
+
+MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFolder)
+    : workbench_(workbench),
+      context_{workbench.session(), workbench.commands(), defaultField(), {}},
+      perspectives_(userFolder / "window.json") {
+  setObjectName(QStringLiteral("mainWindow"));
+  setWindowTitle(QStringLiteral("RobotControl"));
+  setWindowIcon(widgets::icon("app"));
+  createDocks();
+  createActions();
+  createErrorBar();
+  createMenus();
+  connectSignals();
+  restoreWindow();
+  if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
+}
+
+MainWindow::~MainWindow() {
+  tick_.stop();
+  docks_->closeAll();  // Views use the context, which goes before the widgets that are children of the window.
+}
+
+void MainWindow::createDocks() {
+  ads::CDockManager::setConfigFlags(ads::CDockManager::DefaultOpaqueConfig);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::XmlCompressionEnabled, false);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::AllTabsHaveCloseButton, true);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::MiddleMouseButtonClosesTab, true);
+  auto* center = new QWidget(this);
+  auto* layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  dockManager_ = new ads::CDockManager(center);
+  dockManager_->setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colours.
+  layout->addWidget(dockManager_, 1);
+  setCentralWidget(center);
+  docks_ = new ViewDocks(*dockManager_, context_, this);
+}
+
+void MainWindow::createActions() {
+  actions_ = new CommandActions(workbench_.commands(), this);
+  toolBar_ = new SimulationToolBar(workbench_, *actions_, this);
+  addToolBar(toolBar_);
+  addAction(toolBar_->stopAction());
+  for (QAction* action : toolBar_->simulationActions()) addAction(action);
+  status_ = new StatusLine(workbench_, *statusBar());
+}
+
+void MainWindow::createErrorBar() {
+  errorBar_ = new QWidget(centralWidget());
+  errorBar_->setObjectName(QStringLiteral("errorBar"));
+  errorBar_->setStyleSheet(QStringLiteral("#errorBar { background: #b3261e; } #errorBar QLabel { color: white; }"));
+  errorText_ = new QLabel(errorBar_);
+  errorText_->setObjectName(QStringLiteral("errorText"));
+  errorText_->setAccessibleName(tr("Errors"));
+  errorText_->setWordWrap(true);
+  errorText_->setTextInteractionFlags(Qt::TextSelectableByMouse | Qt::TextSelectableByKeyboard);
+  auto* dismiss = new QToolButton(errorBar_);
+  dismiss->setObjectName(QStringLiteral("dismissErrors"));
+  dismiss->setText(tr("Dismiss"));
+  connect(dismiss, &QToolButton::clicked, errorBar_, &QWidget::hide);
+  auto* layout = new QHBoxLayout(errorBar_);
+  layout->addWidget(errorText_, 1);
+  layout->addWidget(dismiss, 0, Qt::AlignTop);
+  errorBar_->hide();
+  static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, errorBar_);
+}
+
+void MainWindow::connectSignals() {
+  connect(actions_, &CommandActions::refused, this, [this](const QString& reason) {
+    showErrors({{"command.refused", reason.toStdString(), {}, {}}});
+  });
+  workbench_.onLoaded([this](const SimulationThread::Loaded&) { onLoaded(); });
+  workbench_.onErrors([this](const robotlink::Errors& errors) {
+    showErrors(errors);
+    toolBar_->showLoaded();
+  });
+  connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
+  tick_.start(kTickMs);
+  sinceKept_.start();
+}
+
+void MainWindow::onLoaded() {
+  const auto* loaded = workbench_.loaded();
+  context_.field = loaded->field;
+  context_.robots = loaded->robots;
+  errorBar_->hide();
+  toolBar_->showLoaded();
+  setWindowTitle(tr("%1 – RobotControl").arg(QString::fromStdString(loaded->options.scene.stem().string())));
+}
+
+void MainWindow::showErrors(const robotlink::Errors& errors) {
+  if (errors.empty()) return;
+  robotlink::Errors shown(errors.begin(), errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
+  QString text = QString::fromStdString(robotlink::describe(shown));
+  if (shown.size() < errors.size()) text += tr("\n… and %n more", nullptr, static_cast<int>(errors.size() - shown.size()));
+  errorText_->setText(text);
+  errorBar_->show();
+}
+
+void MainWindow::tick() {
+  workbench_.tick();
+  toolBar_->refresh();
+  status_->refresh();
+  docks_->tick();
+  if (sinceKept_.elapsed() < kKeepEveryMs) return;
+  sinceKept_.restart();
+  keepWindow();
+}
+
+void MainWindow::showPerspective(const QString& name) {
+  perspectives_.keep(perspectives_.current(), *docks_);
+  perspectives_.show(name, *docks_);
+  fillPerspectiveMenu();
+}
+
+void MainWindow::restoreWindow() {
+  const QJsonObject window = perspectives_.window();
+  resize(1600, 1000);
+  perspectives_.show(perspectives_.current(), *docks_);
+  restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
+  restoreState(fromText(window.value(QStringLiteral("toolbars"))));
+  setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
+  fillPerspectiveMenu();
+}
+
+void MainWindow::keepWindow() {
+  perspectives_.keep(perspectives_.current(), *docks_);
+  perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
+                           {QStringLiteral("toolbars"), toText(saveState())},
+                           {QStringLiteral("appearance"), nameOf(appearance_)}});
+  if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  keepWindow();
+  QMainWindow::closeEvent(event);
+}
+
+bool MainWindow::event(QEvent* event) {
+  if (event->type() == QEvent::ApplicationPaletteChange) update();
+  return QMainWindow::event(event);
+}
+
+}  // namespace app

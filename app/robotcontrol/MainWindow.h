@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QElapsedTimer>
+#include <QMainWindow>
+#include <QTimer>
+#include <filesystem>
+#include <memory>
+
+#include "app/robotcontrol/Appearance.h"
+#include "app/robotcontrol/Perspectives.h"
+#include "robotlink/base/Error.h"
+#include "widgets/View.h"
+
+class QLabel;
+namespace ads {
+class CDockManager;
+}
+
+namespace app {
+
+class CommandActions;
+class SimulationToolBar;
+class StatusLine;
+class ViewDocks;
+class Workbench;
+
+/// The workbench's window: docks with views, toolbars, menus, status line; and the 30 Hz tick that all of them live by.
+///
+/// What the user arranged is kept in a file of his, every few seconds and at the end, and comes back at the next start. GUI
+/// thread; the workbench must outlive it.
+class MainWindow : public QMainWindow {
+  Q_OBJECT
+ public:
+  MainWindow(Workbench& workbench, const std::filesystem::path& userFolder);
+  ~MainWindow() override;
+
+  void showPerspective(const QString& name);
+  /// Takes in what is new, now; the timer calls it.
+  void tick();
+  /// Errors of a file that could not be used, above the views until they are dismissed.
+  void showErrors(const robotlink::Errors& errors);
+  ViewDocks& docks() { return *docks_; }
+
+ protected:
+  void closeEvent(QCloseEvent* event) override;
+  bool event(QEvent* event) override;
+
+ private:
+  void createDocks();
+  void createActions();
+  void createErrorBar();
+  void createMenus();
+  void createFileMenu();
+  void createViewMenu();
+  void createRobotMenus();
+  void createWindowMenu();
+  void createHelpMenu();
+  void fillPerspectiveMenu();
+  void connectSignals();
+  void restoreWindow();
+  void keepWindow();
+  void openScene();
+  void openLayout();
+  void savePicture();
+  void savePerspectiveAs();
+  void setAppearance(Appearance appearance);
+  void showShortcuts();
+  void showAbout();
+  void onLoaded();
+
+  Workbench& workbench_;
+  widgets::ViewContext context_;
+  Perspectives perspectives_;
+  Appearance appearance_ = Appearance::kSystem;
+  CommandActions* actions_ = nullptr;
+  ads::CDockManager* dockManager_ = nullptr;
+  ViewDocks* docks_ = nullptr;
+  SimulationToolBar* toolBar_ = nullptr;
+  StatusLine* status_ = nullptr;
+  QWidget* errorBar_ = nullptr;
+  QLabel* errorText_ = nullptr;
+  QMenu* perspectiveMenu_ = nullptr;
+  QTimer tick_;
+  QElapsedTimer sinceKept_;
+};
+
+}  // namespace app

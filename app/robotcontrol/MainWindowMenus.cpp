@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The menus of the main window, and what their entries do.
+#include <QActionGroup>
+#include <QApplication>
+#include <QFileDialog>
+#include <QInputDialog>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMessageBox>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/SimulationToolBar.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "widgets/Icon.h"
+
+namespace app {
+
+void MainWindow::createMenus() {
+  createFileMenu();
+  createViewMenu();
+  createRobotMenus();
+  createWindowMenu();
+  createHelpMenu();
+}
+
+void MainWindow::createFileMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&File"));
+  menu->setObjectName(QStringLiteral("fileMenu"));
+  menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open);
+  menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout);
+  menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture);
+  menu->addSeparator();
+  menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+}
+
+void MainWindow::createViewMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&View"));
+  menu->setObjectName(QStringLiteral("viewMenu"));
+  for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
+    const QString id = QLatin1String(type.id);
+    QAction* action = menu->addAction(widgets::icon(type.icon), tr(type.title), this, [this, id] { docks_->open(id); });
+    action->setObjectName(QStringLiteral("view.") + id);
+    action->setToolTip(tr(type.help));
+  }
+  menu->setToolTipsVisible(true);
+}
+
+void MainWindow::createRobotMenus() {
+  QMenu* robot = menuBar()->addMenu(tr("&Robot"));
+  robot->addAction(toolBar_->stopAction());
+  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
+  simulation->setObjectName(QStringLiteral("simulationMenu"));
+  simulation->addActions(toolBar_->simulationActions());
+  QMenu* speed = simulation->addMenu(tr("S&peed"));
+  for (const double value : SimulationToolBar::speeds()) {
+    speed->addAction(SimulationToolBar::speedText(value), this, [this, value] {
+      actions_->run(QStringLiteral("simulation.speed"), {value});
+    });
+  }
+}
+
+void MainWindow::createWindowMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Window"));
+  perspectiveMenu_ = menu->addMenu(tr("&Perspective"));
+  perspectiveMenu_->setObjectName(QStringLiteral("perspectiveMenu"));
+  menu->addAction(tr("&Save perspective as…"), this, &MainWindow::savePerspectiveAs)
+      ->setObjectName(QStringLiteral("savePerspective"));
+  menu->addAction(tr("&Reset perspective"), this, [this] { perspectives_.showShipped(perspectives_.current(), *docks_); })
+      ->setObjectName(QStringLiteral("resetPerspective"));
+  menu->addSeparator();
+  QMenu* appearance = menu->addMenu(tr("&Appearance"));
+  auto* group = new QActionGroup(appearance);
+  const std::pair<QString, Appearance> choices[] = {
+      {tr("Like the &system"), Appearance::kSystem}, {tr("&Light"), Appearance::kLight}, {tr("&Dark"), Appearance::kDark}};
+  for (const auto& [text, choice] : choices) {
+    QAction* action = appearance->addAction(text, this, [this, value = choice] { setAppearance(value); });
+    action->setObjectName(QStringLiteral("appearance.") + nameOf(choice));
+    action->setCheckable(true);
+    group->addAction(action);
+  }
+}
+
+void MainWindow::createHelpMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Help"));
+  menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents);
+  menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout);
+}
+
+void MainWindow::fillPerspectiveMenu() {
+  perspectiveMenu_->clear();
+  int number = 1;
+  for (const QString& name : perspectives_.names()) {
+    QAction* action = perspectiveMenu_->addAction(name, this, [this, name] { showPerspective(name); });
+    action->setObjectName(QStringLiteral("perspective.") + name);
+    action->setCheckable(true);
+    action->setChecked(name == perspectives_.current());
+    if (number <= 9) action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number++)));
+  }
+  perspectiveMenu_->addSeparator();
+  QAction* remove = perspectiveMenu_->addAction(tr("&Delete this perspective"), this, [this] {
+    const QString gone = perspectives_.current();
+    perspectives_.remove(gone);
+    perspectives_.show(QStringLiteral("Play"), *docks_);
+    fillPerspectiveMenu();
+  });
+  remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
+}
+
+void MainWindow::openScene() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open scene"), {}, tr("SDFormat worlds (*.sdf *.world);;All files (*)"));
+  if (!file.isEmpty()) actions_->run(QStringLiteral("simulation.open"), {file.toStdString()});
+}
+
+void MainWindow::openLayout() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open process layout"), {}, tr("Process layouts (*.yaml);;All files (*)"));
+  if (!file.isEmpty()) actions_->run(QStringLiteral("layout.open"), {file.toStdString()});
+}
+
+void MainWindow::savePicture() {
+  const QPixmap picture = grab();
+  const QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("robotcontrol.png"), tr("Pictures (*.png)"));
+  if (file.isEmpty() || picture.save(file)) return;
+  showErrors({{"picture.save", "the picture could not be written; choose another place", {}, {file.toStdString(), 0, 0}}});
+}
+
+void MainWindow::savePerspectiveAs() {
+  bool accepted = false;
+  const QString name = QInputDialog::getText(this, tr("Save perspective"), tr("Name of the perspective:"), QLineEdit::Normal,
+                                             perspectives_.current(), &accepted).trimmed();
+  if (!accepted || name.isEmpty()) return;
+  perspectives_.keep(name, *docks_);
+  keepWindow();
+  fillPerspectiveMenu();
+}
+
+void MainWindow::setAppearance(Appearance appearance) {
+  appearance_ = appearance;
+  app::apply(appearance, *qApp);
+  if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance))) action->setChecked(true);
+}
+
+void MainWindow::showShortcuts() {
+  QString rows;
+  for (const QAction* action : findChildren<QAction*>()) {
+    if (action->shortcuts().isEmpty()) continue;
+    rows += QStringLiteral("<tr><td>%1</td><td>&nbsp;&nbsp;%2</td></tr>")
+                .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
+                     action->text().remove(QLatin1Char('&')).toHtmlEscaped());
+  }
+  QMessageBox::information(this, tr("Keyboard shortcuts"), QStringLiteral("<table>%1</table>").arg(rows));
+}
+
+void MainWindow::showAbout() {
+  QMessageBox::about(this, tr("About RobotControl"),
+                     tr("<b>RobotControl %1</b><p>A workbench for developing and debugging the control programs of "
+                        "robots.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
+                         .arg(QApplication::applicationVersion()));
+}
+
+}  // namespace app

@@ -1,0 +1,150 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/Perspectives.h"
+
+#include <QJsonDocument>
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
+
+#include "app/robotcontrol/ViewDocks.h"
+#include "robotlink/base/AtomicFile.h"
+
+namespace app {
+namespace {
+
+using Place = ViewDocks::Place;
+constexpr int kVersion = 1;
+
+/// Puts `sizes` into the splitter that holds a dock.
+void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
+  if (dock == nullptr || dock->dockAreaWidget() == nullptr) return;
+  dock->dockManager()->setSplitterSizes(dock->dockAreaWidget(), sizes);
+}
+
+void buildPlay(ViewDocks& docks) {
+  ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
+  ads::CDockWidget* keys = docks.add(QStringLiteral("keys"), Place::kLeft);
+  ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kRight);
+  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, keys);
+  ads::CDockWidget* field = docks.add(QStringLiteral("field"), Place::kBottom, image);
+  ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, scene);
+  for (const char* id : {"plots", "timing", "processes"}) docks.add(QLatin1String(id), Place::kTab, messages);
+  docks.add(QStringLiteral("motion"), Place::kTab, field);
+  for (ads::CDockWidget* front : {messages, field}) {
+    if (front != nullptr) front->setAsCurrentTab();
+  }
+  setSizes(scene, {680, 280});
+  setSizes(keys, {520, 440});
+  setSizes(image, {430, 530});
+  (void)solutions;
+}
+
+void buildMotion(ViewDocks& docks) {
+  ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
+  ads::CDockWidget* motion = docks.add(QStringLiteral("motion"), Place::kRight);
+  docks.add(QStringLiteral("plots"), Place::kBottom, scene);
+  docks.add(QStringLiteral("field"), Place::kBottom, motion);
+  setSizes(motion, {640, 360});
+}
+
+void buildProcesses(ViewDocks& docks) {
+  ads::CDockWidget* processes = docks.add(QStringLiteral("processes"), Place::kLeft);
+  docks.add(QStringLiteral("timing"), Place::kBottom, processes);
+  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kRight);
+  docks.add(QStringLiteral("messages"), Place::kBottom, solutions);
+}
+
+struct Shipped {
+  const char* name;
+  void (*build)(ViewDocks&);
+};
+constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
+
+const Shipped* shipped(const QString& name) {
+  for (const Shipped& candidate : kShipped) {
+    if (name == QLatin1String(candidate.name)) return &candidate;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+Perspectives::Perspectives(std::filesystem::path file) : file_(std::move(file)), current_(QStringLiteral("Play")) {
+  load();
+}
+
+void Perspectives::load() {
+  std::error_code error;
+  if (!std::filesystem::exists(file_, error)) return;
+  const auto text = robotlink::readFile(file_, 16U << 20U);
+  QJsonParseError problem{};
+  const QJsonObject root =
+      text ? QJsonDocument::fromJson(QByteArray::fromStdString(*text), &problem).object() : QJsonObject{};
+  const int version = root.value(QStringLiteral("version")).toInt();
+  if (version != kVersion) {
+    std::filesystem::path aside = file_;
+    aside += ".broken";
+    std::filesystem::rename(file_, aside, error);
+    problems_.push_back({"window.file",
+                         "the saved window layout cannot be used (" +
+                             (text ? version > kVersion ? "it is of a newer version" : problem.errorString().toStdString()
+                                   : text.error().text) +
+                             "); it was kept as " + aside.filename().string() + ", and the shipped one is shown",
+                         {},
+                         {file_.string(), 0, 0}});
+    return;
+  }
+  kept_ = root.value(QStringLiteral("perspectives")).toObject();
+  window_ = root.value(QStringLiteral("window")).toObject();
+  const QString current = root.value(QStringLiteral("current")).toString();
+  if (names().contains(current)) current_ = current;
+}
+
+QStringList Perspectives::names() const {
+  QStringList names;
+  for (const Shipped& perspective : kShipped) names.append(QLatin1String(perspective.name));
+  for (const QString& name : kept_.keys()) {
+    if (!names.contains(name)) names.append(name);
+  }
+  return names;
+}
+
+bool Perspectives::isShipped(const QString& name) const { return shipped(name) != nullptr; }
+
+void Perspectives::show(const QString& name, ViewDocks& docks) {
+  if (kept_.contains(name) && docks.restore(kept_.value(name).toObject())) {
+    current_ = name;
+    return;
+  }
+  showShipped(name, docks);
+}
+
+void Perspectives::showShipped(const QString& name, ViewDocks& docks) {
+  const Shipped* perspective = shipped(name);
+  if (perspective == nullptr) perspective = &kShipped[0];
+  docks.closeAll();
+  perspective->build(docks);
+  current_ = QLatin1String(perspective->name);
+  kept_.remove(current_);
+}
+
+void Perspectives::keep(const QString& name, const ViewDocks& docks) {
+  kept_.insert(name, docks.save());
+  current_ = name;
+}
+
+void Perspectives::remove(const QString& name) { kept_.remove(name); }
+
+robotlink::Result<void> Perspectives::save() {
+  const QJsonObject root{{QStringLiteral("version"), kVersion},
+                         {QStringLiteral("current"), current_},
+                         {QStringLiteral("perspectives"), kept_},
+                         {QStringLiteral("window"), window_}};
+  const QByteArray text = QJsonDocument(root).toJson();
+  if (text == saved_) return {};
+  auto written = robotlink::writeFileAtomically(file_, std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+  if (written) saved_ = text;
+  return written;
+}
+
+}  // namespace app

@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QToolBar>
+#include <vector>
+
+class QComboBox;
+
+namespace app {
+
+class CommandActions;
+class Workbench;
+
+/// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not what was clicked.
+/// GUI thread.
+class SimulationToolBar : public QToolBar {
+  Q_OBJECT
+ public:
+  SimulationToolBar(Workbench& workbench, CommandActions& actions, QWidget* parent);
+
+  /// Shows the simulation's state; called after each tick.
+  void refresh();
+  /// A scene or layout was loaded or refused: shows what runs now.
+  void showLoaded();
+
+  const QList<QAction*>& simulationActions() const { return simulationActions_; }
+  QAction* stopAction() const { return stop_; }
+  /// The speeds to choose from, times real time; 0 is as fast as possible.
+  static std::vector<double> speeds() { return {0.1, 0.25, 0.5, 1, 2, 5, 10, 0}; }
+  static QString speedText(double speed);
+
+ private:
+  void createActions();
+  void createBoxes();
+  void connectSignals();
+  void refreshSpeed(double requested);
+
+  Workbench& workbench_;
+  CommandActions& actions_;
+  QComboBox* scene_ = nullptr;
+  QComboBox* layout_ = nullptr;
+  QComboBox* robot_ = nullptr;
+  QComboBox* speed_ = nullptr;
+  QAction* start_ = nullptr;
+  QAction* pause_ = nullptr;
+  QAction* step_ = nullptr;
+  QAction* reset_ = nullptr;
+  QAction* stop_ = nullptr;
+  QList<QAction*> simulationActions_;
+};
+
+}  // namespace app

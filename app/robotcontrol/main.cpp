@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <QApplication>
+#include <QTimer>
+#include <cstdlib>
+#include <iostream>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "robotlink/base/Resources.h"
+
+namespace {
+
+enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
+
+struct Arguments {
+  std::string scene;
+  std::string layout;
+  std::uint64_t seed = 1;
+  bool paused = false;
+  std::string perspective;
+  std::string screenshot;
+  double after = 5;
+  std::vector<std::string> commands;
+};
+
+void define(CLI::App& app, Arguments& arguments) {
+  app.set_version_flag("--version", ROBOTCONTROL_VERSION);
+  app.add_option("scene", arguments.scene, "An SDFormat world to open; the field of 2002 if none is given");
+  app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
+  app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
+  app.add_flag("--paused", arguments.paused, "Do not start the simulation");
+  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Motion, Processes, or one of your own");
+  app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
+      ->expected(1)
+      ->take_all();
+  app.add_option("--screenshot", arguments.screenshot, "Save a picture of the window to this PNG file and quit; works without a display");
+  app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
+      ->check(CLI::Range(0.0, 3600.0))
+      ->capture_default_str();
+}
+
+bool hasDisplay() {
+  const auto set = [](const char* name) {
+    const char* value = std::getenv(name);
+    return value != nullptr && *value != '\0';
+  };
+  return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
+}
+
+app::RunOptions optionsOf(const Arguments& arguments) {
+  app::RunOptions options = app::Workbench::defaultOptions();
+  if (!arguments.scene.empty()) options.scene = arguments.scene;
+  for (const auto& layout : app::Workbench::layouts()) {
+    if (layout.stem() == arguments.layout) options.layout = layout;
+  }
+  if (!arguments.layout.empty() && options.layout.stem() != arguments.layout) options.layout = arguments.layout;
+  options.world.seed = arguments.seed;
+  return options;
+}
+
+/// What was asked for on the command line, once there is a simulation that can do it.
+void runCommands(app::Workbench& workbench, const Arguments& arguments) {
+  std::vector<std::string> lines = arguments.commands;
+  if (!arguments.paused) lines.insert(lines.begin(), "simulation.start");
+  for (const std::string& line : lines) {
+    if (const auto done = workbench.commands().runLine(line); !done) {
+      std::cerr << "robotcontrol: " << line << ": " << done.error().describe() << "\n";
+    }
+  }
+}
+
+int takePicture(app::MainWindow& window, const std::string& file) {
+  if (window.grab().save(QString::fromStdString(file))) return kDone;
+  std::cerr << file << ": the picture could not be written\n";
+  return kFailed;
+}
+
+int run(QApplication& application, const Arguments& arguments) {
+  app::Workbench workbench;
+  app::MainWindow window(workbench, robotlink::userDirectory());
+  if (!arguments.perspective.empty()) window.showPerspective(QString::fromStdString(arguments.perspective));
+  window.show();
+  workbench.load(optionsOf(arguments));
+  runCommands(workbench, arguments);
+  if (!arguments.screenshot.empty()) {
+    QTimer::singleShot(static_cast<int>(arguments.after * 1000), &window, [&] {
+      QApplication::exit(takePicture(window, arguments.screenshot));
+    });
+  }
+  return application.exec();
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  Arguments arguments;
+  CLI::App parser("RobotControl, a workbench for debugging the control programs of robots", "robotcontrol");
+  define(parser, arguments);
+  try {
+    parser.parse(argc, argv);
+  } catch (const CLI::Success& success) {
+    return parser.exit(success);
+  } catch (const CLI::ParseError& error) {
+    parser.exit(error);
+    return kUsage;
+  }
+  if (!hasDisplay()) {
+    if (arguments.screenshot.empty()) {
+      std::cerr << "There is no display to open a window on: DISPLAY and WAYLAND_DISPLAY are not set.\n";
+      return kUsage;
+    }
+    ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
+  }
+  QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
+  QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
+  int qtArguments = 1;
+  QApplication application(qtArguments, argv);
+  QApplication::setApplicationName(QStringLiteral("RobotControl"));
+  QApplication::setApplicationVersion(QStringLiteral(ROBOTCONTROL_VERSION));
+  return run(application, arguments);
+}
