@@ -1,0 +1,243 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/SimulatedRun.h"
+
+#include <algorithm>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/RobotProgram.h"
+#include "simcore/Scene.h"
+
+namespace app {
+
+using robotlink::Errors;
+
+SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners)
+    : options_(std::move(options)), listeners_(std::move(listeners)) {}
+
+SimulatedRun::~SimulatedRun() { stopPrograms(); }
+
+tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOptions options, Listeners listeners) {
+  auto run = std::unique_ptr<SimulatedRun>(new SimulatedRun(std::move(options), std::move(listeners)));
+  if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
+  return run;
+}
+
+Errors SimulatedRun::load() {
+  auto field = robotlink::FieldDescription::load(robotlink::resource("fields/2002.yaml"));
+  if (!field) return field.error();
+  field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
+  auto scene = simcore::Scene::load(options_.scene);
+  if (!scene) return scene.error();
+  auto world = SimulatedWorld::create(std::move(*scene), options_.world);
+  if (!world) return {world.error()};
+  world_ = std::move(*world);
+  if (Errors errors = describeRobots(); !errors.empty()) return errors;
+  auto programs = makePrograms(options_.layout);
+  if (!programs) return programs.error();
+  startPrograms(std::move(*programs));
+  return {};
+}
+
+Errors SimulatedRun::describeRobots() {
+  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> known;
+  for (const auto& robot : world_->simulation().scene().robots()) {
+    auto& description = known[robot.description];
+    if (!description) {
+      auto read = robotlink::readRobotDescription(robotlink::resource("robots/" + robot.description + ".yaml"));
+      if (!read) return read.error();
+      description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
+    }
+    robots_.push_back({robot.name, description, nullptr, nullptr, {}, {}});
+  }
+  return {};
+}
+
+tl::expected<std::vector<SimulatedRun::Robot>, Errors> SimulatedRun::makePrograms(
+    const std::filesystem::path& file) {
+  auto layout = robotlink::readLayout(file);
+  if (!layout) return tl::unexpected(layout.error());
+  for (auto& process : layout->processes) {
+    for (auto& task : process.tasks) {
+      const auto chosen = options_.solutions.find(task.task);
+      if (chosen != options_.solutions.end()) task.solution = chosen->second;
+    }
+  }
+  std::vector<Robot> robots;
+  for (const Robot& robot : robots_) {
+    auto made = makeProgram(robot, *layout);
+    if (!made) return tl::unexpected(made.error());
+    robots.push_back(std::move(*made));
+  }
+  return robots;
+}
+
+tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot& robot,
+                                                                    const robotlink::Layout& layout) {
+  auto platform = SimulatedPlatform::create(*world_, robot.name, *robot.description);
+  if (!platform) return tl::unexpected(Errors{platform.error()});
+  if (robot.platform) (*platform)->engageStop(robot.platform->stopEngaged());
+  const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_};
+  auto program = robotlink::RobotProgram::create(setup, layout, **platform,
+                                                 robotlink::resource("parameters/" + robot.description->name));
+  if (!program) return tl::unexpected(program.error());
+  (*program)->debugProcess().setListener([this, name = robot.name](auto queue) {
+    if (listeners_.queue) listeners_.queue(name, std::move(queue));
+  });
+  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.keys, robot.solutions};
+}
+
+void SimulatedRun::startPrograms(std::vector<Robot> robots) {
+  stopPrograms();
+  robots_ = std::move(robots);
+  const auto failed = [this](const robotlink::Process& process) {
+    tellTrouble(process, "was stopped because it threw: " + process.failure());
+  };
+  if (options_.executor == ExecutorKind::kLockstep) {
+    lockstep_ = std::make_unique<robotlink::LockstepExecutor>(robotlink::LockstepExecutor::Options{
+        .starvation = std::chrono::seconds(2),
+        .advance = [this] { world_->advance(); },
+        .onStarved = [this](const auto& process, const auto& what) { tellTrouble(process, "waits for " + what); },
+        .onFailed = failed});
+  } else {
+    threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
+        .onFailed = failed, .onPriorityRefused = [this](const auto& process, const auto& why) {
+          tellTrouble(process, "runs with normal priority: " + why);
+        }});
+  }
+  for (Robot& robot : robots_) {
+    askAgain(robot);
+    if (lockstep_) lockstep_->add(*robot.platform);
+    for (robotlink::Process* process : robot.program->processes()) {
+      if (lockstep_) lockstep_->add(*process);
+      if (threads_) threads_->add(*process);
+    }
+  }
+  if (threads_) threads_->start();
+}
+
+void SimulatedRun::stopPrograms() {
+  threads_.reset();
+  lockstep_.reset();
+  for (Robot& robot : robots_) {
+    if (robot.program) robot.program->stop();
+    robot.program.reset();
+  }
+}
+
+void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::string& text) {
+  if (!listeners_.trouble) return;
+  for (const Robot& robot : robots_) {
+    const auto& processes = robot.program->processes();
+    if (std::find(processes.begin(), processes.end(), &process) == processes.end()) continue;
+    listeners_.trouble(robot.name, process, "Process " + process.name() + " " + text);
+  }
+}
+
+void SimulatedRun::step() {
+  if (lockstep_) {
+    lockstep_->step();
+  } else if (threads_) {
+    stepThreads();
+  }
+}
+
+void SimulatedRun::stepThreads() {
+  for (Robot& robot : robots_) {
+    robot.platform->tryBeginFrame();
+    robot.platform->actuate();
+  }
+  world_->advance();
+  for (Robot& robot : robots_) robot.platform->runFrame();
+  threads_->clockAdvanced();
+}
+
+Errors SimulatedRun::reset(std::uint64_t seed) {
+  stopPrograms();  // Their processes must not read a clock that jumps.
+  world_->reset(seed);
+  options_.world.seed = seed;
+  auto programs = makePrograms(options_.layout);
+  if (!programs) return programs.error();
+  startPrograms(std::move(*programs));
+  return {};
+}
+
+Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
+  auto programs = makePrograms(file);
+  if (!programs) return programs.error();
+  options_.layout = file;
+  for (Robot& robot : *programs) robot.solutions.clear();
+  startPrograms(std::move(*programs));
+  return {};
+}
+
+std::vector<std::string> SimulatedRun::robots() const {
+  std::vector<std::string> names;
+  for (const Robot& robot : robots_) names.push_back(robot.name);
+  return names;
+}
+
+std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(const std::string& name) const {
+  for (const Robot& robot : robots_) {
+    if (robot.name == name) return robot.description;
+  }
+  return nullptr;
+}
+
+robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& request) {
+  for (Robot& robot : robots_) {
+    if (robot.name != request.robot()) continue;
+    if (request.has_stop()) {
+      robot.platform->engageStop(request.stop().engaged());
+      return {};
+    }
+    remember(robot, request);
+    if (robot.program && robot.program->debugProcess().request(request)) return {};
+    return robotlink::failure("request.queue-full",
+                              "robot " + robot.name + " does not take requests now: too many wait already", {},
+                              {robot.name});
+  }
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {}, {request.robot()});
+}
+
+void SimulatedRun::remember(Robot& robot, const robotcontrol::Request& request) {
+  if (request.has_set_key()) {
+    const auto& key = request.set_key();
+    // What was to happen n times has happened.
+    if (key.mode().kind() == robotcontrol::KeyMode::OFF || key.mode().kind() == robotcontrol::KeyMode::N_TIMES) {
+      robot.keys.erase(key.name());
+    } else {
+      robot.keys[key.name()] = key.mode();
+    }
+  }
+  if (request.has_select_solution()) robot.solutions[request.select_solution().task()] = request.select_solution().solution();
+}
+
+void SimulatedRun::askAgain(Robot& robot) {
+  robotlink::DebugProcess& program = robot.program->debugProcess();
+  robotcontrol::Request request;
+  request.set_robot(robot.name);
+  for (const auto& [name, mode] : robot.keys) {
+    request.mutable_set_key()->set_name(name);
+    *request.mutable_set_key()->mutable_mode() = mode;
+    program.request(request);
+  }
+  for (const auto& [task, solution] : robot.solutions) {
+    request.mutable_select_solution()->set_task(task);
+    request.mutable_select_solution()->set_solution(solution);
+    program.request(request);
+  }
+  request.mutable_send_tables();
+  program.request(request);
+}
+
+std::vector<std::string> SimulatedRun::stoppedRobots() const {
+  std::vector<std::string> names;
+  for (const Robot& robot : robots_) {
+    if (robot.platform && robot.platform->stopEngaged()) names.push_back(robot.name);
+  }
+  return names;
+}
+
+}  // namespace app

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/SimulatedPlatform.h"
+#include "app/core/SimulatedWorld.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/process/LockstepExecutor.h"
+#include "robotlink/process/ThreadExecutor.h"
+
+namespace robotcontrol {
+class Request;
+}
+namespace robotlink {
+class RobotProgram;
+struct FieldDescription;
+struct Layout;
+}  // namespace robotlink
+
+namespace app {
+
+enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
+
+/// What a run is made of. Paths are files; defaults are those of the resources.
+struct RunOptions {
+  std::filesystem::path scene;
+  std::filesystem::path layout;
+  SimulatedWorld::Options world;
+  ExecutorKind executor = ExecutorKind::kLockstep;
+  std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
+};
+
+/// A simulated world with the programs of all its robots, stepped by its caller.
+///
+/// Built as a whole or refused with all reasons. One thread at a time; listeners are called in that thread by the lockstep
+/// executor, and in the processes' threads by the other one.
+class SimulatedRun {
+ public:
+  struct Listeners {
+    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    /// A process was stopped, starves, or could not get its priority.
+    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
+  };
+
+  static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(RunOptions options,
+                                                                               Listeners listeners);
+  ~SimulatedRun();
+
+  /// One step of the platforms, and of all processes that it lets run.
+  void step();
+  /// World and programs as they were at the start, with another seed; debug keys and solutions stay as they were chosen.
+  robotlink::Errors reset(std::uint64_t seed);
+  /// Starts the programs anew in another layout, with its solutions, while the world stays as it is. If that is not possible, all
+  /// goes on as before.
+  robotlink::Errors setLayout(const std::filesystem::path& file);
+
+  SimulatedWorld& world() { return *world_; }
+  const SimulatedWorld& world() const { return *world_; }
+  const RunOptions& options() const { return options_; }
+  std::vector<std::string> robots() const;
+  std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
+  std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
+
+  /// Hands a request to a robot's program, or STOP to its platform. Fails if there is no such robot or its queue is full.
+  robotlink::Result<void> request(const robotcontrol::Request& request);
+  std::vector<std::string> stoppedRobots() const;
+
+ private:
+  struct Robot {
+    std::string name;
+    std::shared_ptr<const robotlink::RobotDescription> description;
+    std::unique_ptr<SimulatedPlatform> platform;
+    std::unique_ptr<robotlink::RobotProgram> program;
+    /// What a person chose and what a program that starts anew shall have again: key modes by name, solutions by task.
+    std::map<std::string, robotcontrol::KeyMode> keys;
+    std::map<std::string, std::string> solutions;
+  };
+  SimulatedRun(RunOptions options, Listeners listeners);
+  robotlink::Errors load();
+  robotlink::Errors describeRobots();
+  tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const std::filesystem::path& layout);
+  tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
+  void startPrograms(std::vector<Robot> robots);
+  static void remember(Robot& robot, const robotcontrol::Request& request);
+  static void askAgain(Robot& robot);
+  void stopPrograms();
+  void tellTrouble(const robotlink::Process& process, const std::string& text);
+  void stepThreads();
+
+  RunOptions options_;
+  Listeners listeners_;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+  std::unique_ptr<SimulatedWorld> world_;
+  std::vector<Robot> robots_;
+  std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
+  std::unique_ptr<robotlink::ThreadExecutor> threads_;
+};
+
+}  // namespace app

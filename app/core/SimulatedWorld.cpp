@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/SimulatedWorld.h"
+
+#include <cstring>
+
+#include "robotlink/base/Random.h"
+
+namespace app {
+namespace {
+
+using robotlink::Duration;
+
+/// Adds the real time from its making to its end.
+class CostMeter {
+ public:
+  explicit CostMeter(Duration& sum) : sum_(sum) {}
+  ~CostMeter() { sum_ += std::chrono::steady_clock::now() - start_; }
+  CostMeter(const CostMeter&) = delete;
+  CostMeter& operator=(const CostMeter&) = delete;
+
+ private:
+  Duration& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::uint64_t hashOf(const std::vector<std::uint8_t>& bytes) {
+  std::uint64_t hash = bytes.size();
+  for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, 8);
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
+
+/// Black in YCbCr 4:2:2.
+void blacken(robotlink::Image& image) {
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
+}
+
+}  // namespace
+
+robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
+    std::shared_ptr<const simcore::Scene> scene, Options options) {
+  auto simulation = simcore::Simulation::create(std::move(scene), {options.seed, options.noise});
+  if (!simulation) return tl::unexpected(simulation.error());
+  return std::unique_ptr<SimulatedWorld>(new SimulatedWorld(std::move(*simulation), options));
+}
+
+SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
+    : options_(options),
+      simulation_(std::move(simulation)),
+      renderer_(std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
+                                                          simcore::CameraRenderer::Options{options.shadows})) {}
+
+void SimulatedWorld::mixIntoDigest(std::uint64_t value) { digest_ = robotlink::mixBits(digest_ ^ value); }
+
+void SimulatedWorld::advance() {
+  const CostMeter meter(costs_.physics);
+  for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
+    simulation_->step();
+    ++costs_.steps;
+  }
+  mixIntoDigest(simulation_->digest());
+  clock_.set(robotlink::Instant(simulation_->time()));
+}
+
+void SimulatedWorld::reset(std::uint64_t seed) {
+  options_.seed = seed;
+  simulation_->reset(seed);
+  posesRendered_ = ~std::uint64_t{0};
+  digest_ = 0;
+  costs_ = {};
+  clock_.set(robotlink::Instant{});
+}
+
+bool SimulatedWorld::imageDue(std::size_t camera) const {
+  return simulation_->time() % simulation_->cameras()[camera].period < kStep;
+}
+
+const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
+  const CostMeter meter(costs_.rendering);
+  ++costs_.images;
+  const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
+  const auto poses = simulation_->bodyPoses();
+  if (posesRendered_ != simulation_->steps()) {
+    renderer_->setPoses(poses);
+    posesRendered_ = simulation_->steps();
+  }
+  simcore::ImageNoise noise;
+  noise.sigma = options_.noise ? sensor.noise : 0;
+  noise.seed = options_.seed;
+  noise.stream = camera;
+  noise.frame = simulation_->steps();
+  renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, sensor.model,
+                    robotlink::PixelFormat::kYuyv, noise, image_);
+  if (options_.blackout) blacken(image_);
+  mixIntoDigest(hashOf(image_.data));
+  return image_;
+}
+
+}  // namespace app

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/Workbench.h"
+
+#include <algorithm>
+
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
+
+namespace app {
+
+using robotlink::CommandTable;
+using Values = std::vector<CommandTable::Value>;
+using Control = robotcontrol::ControlSimulation;
+
+namespace {
+
+std::vector<std::filesystem::path> filesIn(const char* folder, const char* extension) {
+  std::vector<std::filesystem::path> files;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(robotlink::resource(folder), error)) {
+    if (entry.path().extension() == extension) files.push_back(entry.path());
+  }
+  std::sort(files.begin(), files.end());
+  return files;
+}
+
+/// A shipped file by its name without extension ("compact"), or any file by its path.
+std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shipped, const std::string& name) {
+  for (const auto& file : shipped) {
+    if (file.stem() == name) return file;
+  }
+  return name;
+}
+
+}  // namespace
+
+Workbench::Workbench() : simulation_(session_) {
+  session_.setRequestSink([this](const robotcontrol::Request& request) { simulation_.request(request); });
+  addCommands();
+}
+
+Workbench::~Workbench() { session_.setRequestSink({}); }
+
+std::vector<std::filesystem::path> Workbench::scenes() { return filesIn("scenes", ".sdf"); }
+std::vector<std::filesystem::path> Workbench::layouts() { return filesIn("layouts", ".yaml"); }
+
+RunOptions Workbench::defaultOptions() {
+  RunOptions options;
+  options.scene = robotlink::resource("scenes/field2002.sdf");
+  options.layout = robotlink::resource("layouts/compact.yaml");
+  return options;
+}
+
+void Workbench::load(RunOptions options) {
+  ++loading_;
+  simulation_.load(std::move(options), [this](const Outcome& outcome) { outcomes_.push(outcome); });
+}
+
+void Workbench::setLayout(const std::filesystem::path& file) {
+  ++loading_;
+  simulation_.setLayout(file, [this](const Outcome& outcome) { outcomes_.push(outcome); });
+}
+
+void Workbench::tick() {
+  for (Outcome& outcome : outcomes_.drain()) takeIn(std::move(outcome));
+  session_.tick();
+}
+
+void Workbench::takeIn(Outcome outcome) {
+  --loading_;
+  if (!outcome) {
+    if (onErrors_) onErrors_(outcome.error());
+    return;
+  }
+  loaded_ = std::move(*outcome);
+  std::vector<std::string> robots;
+  for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
+  session_.setRobots(robots);
+  if (onLoaded_) onLoaded_(*loaded_);
+}
+
+robotlink::Result<void> Workbench::control(int action, double speed) {
+  robotcontrol::Request request;
+  request.mutable_control_simulation()->set_action(static_cast<Control::Action>(action));
+  request.mutable_control_simulation()->set_speed(speed);
+  session_.request(request);
+  return {};
+}
+
+void Workbench::addCommands() {
+  addSimulationCommands();
+  addRobotCommands();
+}
+
+void Workbench::addSimulationCommands() {
+  const auto action = [this](const char* name, const char* help, Control::Action what) {
+    commands_.add({name, help, {}, [this, what](const Values&) { return control(what); }});
+  };
+  action("simulation.start", "Lets the simulation run", Control::START);
+  action("simulation.pause", "Pauses the simulation", Control::PAUSE);
+  action("simulation.step", "Makes one step of 8 ms", Control::STEP);
+  action("simulation.reset", "Puts everything back to the start", Control::RESET);
+  commands_.add({"simulation.speed",
+                 "Sets how many times real time the simulation runs; 0 is as fast as possible",
+                 {{"speed", CommandTable::Type::kNumber, "times real time, 0 to 100"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   const double speed = std::get<double>(values[0]);
+                   if (!(speed >= 0 && speed <= 100)) {
+                     return robotlink::failure("simulation.speed", "the speed must be between 0 and 100 times real time");
+                   }
+                   return control(Control::UNCHANGED, speed);
+                 }});
+  commands_.add({"simulation.open",
+                 "Opens a scene, by its path or the name of a shipped one",
+                 {{"scene", CommandTable::Type::kText, "an SDFormat file"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   RunOptions options = loaded_ ? loaded_->options : defaultOptions();
+                   options.scene = shippedOr(scenes(), std::get<std::string>(values[0]));
+                   load(std::move(options));
+                   return {};
+                 }});
+  commands_.add({"layout.open",
+                 "Starts the robots' programs anew in another process layout, by its path or the name of a shipped one",
+                 {{"layout", CommandTable::Type::kText, "a layout file"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   setLayout(shippedOr(layouts(), std::get<std::string>(values[0])));
+                   return {};
+                 }});
+}
+
+void Workbench::addRobotCommands() {
+  commands_.add({"robot.select",
+                 "Chooses the robot that toolbars and views talk about",
+                 {{"robot", CommandTable::Type::kText, "its name"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   const auto& name = std::get<std::string>(values[0]);
+                   const auto& robots = session_.robots();
+                   if (std::find(robots.begin(), robots.end(), name) == robots.end()) {
+                     return robotlink::failure("robot.unknown", "there is no robot " + name, {}, {name});
+                   }
+                   session_.selectRobot(name);
+                   return {};
+                 }});
+  commands_.add({"robot.stop",
+                 "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
+                 {{"engaged", CommandTable::Type::kBool, "true engages, false releases"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   for (const std::string& robot : session_.robots()) {
+                     robotcontrol::Request request;
+                     request.set_robot(robot);
+                     request.mutable_stop()->set_engaged(std::get<bool>(values[0]));
+                     session_.request(request);
+                   }
+                   return {};
+                 }});
+}
+
+}  // namespace app

@@ -1,0 +1,208 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/core/BallTrials.h"
+#include "app/core/Workbench.h"
+#include "app/robotctl/Commands.h"
+#include "robotcontrol/Debugging.pb.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+
+struct SimArguments {
+  RunOptions run = Workbench::defaultOptions();
+  std::string layout = "compact";
+  std::vector<std::string> solutions;
+  std::string executor = "lockstep";
+  double seconds = 10;
+  bool noNoise = false;
+  bool asJson = false;
+  bool digest = false;
+  bool texts = false;
+  int trials = 0;
+  double radius = 1.5;
+};
+
+std::string hex(std::uint64_t value) {
+  std::ostringstream text;
+  text << std::hex << std::setw(16) << std::setfill('0') << value;
+  return text.str();
+}
+
+double milliseconds(robotlink::Duration total, std::uint64_t count) {
+  return count == 0 ? 0 : robotlink::seconds(total) * 1000 / static_cast<double>(count);
+}
+
+/// "task=solution" pairs into the options; false and a message if one is none.
+bool takeSolutions(SimArguments& arguments) {
+  for (const std::string& text : arguments.solutions) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      std::cerr << "robotctl sim: --solution takes TASK=SOLUTION, not '" << text << "'\n";
+      return false;
+    }
+    arguments.run.solutions[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return true;
+}
+
+std::filesystem::path layoutFile(const std::string& name) {
+  for (const auto& shipped : Workbench::layouts()) {
+    if (shipped.stem() == name) return shipped;
+  }
+  return name;
+}
+
+void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue) {
+  for (const auto& message : queue.messages()) {
+    if (!message.has_text()) continue;
+    const auto& stamp = message.timestamp();
+    std::cerr << std::fixed << std::setprecision(3)
+              << static_cast<double>(stamp.seconds()) + 1e-9 * stamp.nanos() << "  " << robot << "/"
+              << message.text().name() << ": " << message.text().message() << "\n";
+  }
+}
+
+SimulatedRun::Listeners listenersFor(const SimArguments& arguments) {
+  SimulatedRun::Listeners listeners;
+  listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
+    std::cerr << robot << ": " << text << "\n";
+  };
+  if (arguments.texts) {
+    listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
+  }
+  return listeners;
+}
+
+json figuresOf(SimulatedRun& run, double realSeconds) {
+  const SimulatedWorld& world = run.world();
+  const auto& costs = world.costs();
+  const double simulated = robotlink::seconds(world.clock().now());
+  json figures;
+  figures["scene"] = run.options().scene.string();
+  figures["layout"] = run.options().layout.string();
+  figures["seed"] = world.options().seed;
+  figures["robots"] = run.robots().size();
+  figures["simulated_seconds"] = simulated;
+  figures["real_seconds"] = realSeconds;
+  figures["real_time_factor"] = realSeconds > 0 ? simulated / realSeconds : 0;
+  figures["steps"] = costs.steps;
+  figures["images"] = costs.images;
+  figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
+  figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
+  figures["ball_contacts"] = world.simulation().ballContacts();
+  figures["digest"] = hex(world.digest());
+  return figures;
+}
+
+void printFigures(const json& figures) {
+  for (const auto& [name, value] : figures.items()) {
+    std::cout << std::left << std::setw(20) << name << (value.is_string() ? value.get<std::string>() : value.dump())
+              << "\n";
+  }
+}
+
+int runOnce(const SimArguments& arguments) {
+  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments));
+  if (!run) return printErrors(run.error());
+  const auto start = std::chrono::steady_clock::now();
+  const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
+  while ((*run)->world().clock().now() < end) (*run)->step();
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const json figures = figuresOf(**run, real);
+  if (arguments.digest && !arguments.asJson) {
+    std::cout << figures["digest"].get<std::string>() << "\n";
+  } else if (arguments.asJson) {
+    std::cout << figures.dump(2) << "\n";
+  } else {
+    printFigures(figures);
+  }
+  return kDone;
+}
+
+json trialJson(const BallTrials::Trial& trial) {
+  return {{"seed", trial.seed},
+          {"ball", {trial.ball.x(), trial.ball.y()}},
+          {"touched", trial.touched},
+          {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
+          {"ball_moved", trial.moved},
+          {"fell", trial.fell}};
+}
+
+int runTrials(const SimArguments& arguments) {
+  BallTrials trials;
+  trials.run = arguments.run;
+  trials.firstSeed = arguments.run.world.seed;
+  trials.count = arguments.trials;
+  trials.radius = arguments.radius;
+  trials.seconds = arguments.seconds;
+  trials.onTrial = [&](const BallTrials::Trial& trial) {
+    std::cerr << "seed " << trial.seed << ": "
+              << (trial.touched ? "touched after " + std::to_string(trial.touchedAfter) + " s" : "not touched")
+              << (trial.fell ? ", fell" : "") << "\n";
+  };
+  const auto results = trials.play();
+  if (!results) return printErrors(results.error());
+  json report;
+  report["trials"] = results->size();
+  report["touched"] = std::count_if(results->begin(), results->end(), [](const auto& t) { return t.touched; });
+  report["radius"] = arguments.radius;
+  report["seconds"] = arguments.seconds;
+  report["blackout"] = arguments.run.world.blackout;
+  for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
+  if (arguments.asJson) {
+    std::cout << report.dump(2) << "\n";
+  } else {
+    std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
+  }
+  return kDone;
+}
+
+int runSim(SimArguments& arguments, bool secondsGiven) {
+  if (!takeSolutions(arguments)) return kUsage;
+  arguments.run.layout = layoutFile(arguments.layout);
+  arguments.run.world.noise = !arguments.noNoise;
+  arguments.run.executor = arguments.executor == "threads" ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
+  return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
+}
+
+}  // namespace
+
+void addSimCommand(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<SimArguments>();
+  CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots, as fast as possible");
+  sim->add_option("scene", arguments->run.scene, "An SDFormat world")->required();
+  auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each)")
+                      ->check(CLI::Range(0.0, 1e6));
+  sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")->capture_default_str();
+  sim->add_option("--layout", arguments->layout, "A process layout: a file, or the name of a shipped one")
+      ->capture_default_str();
+  sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
+  sim->add_option("--executor", arguments->executor, "How processes run: lockstep (reproducible) or threads")
+      ->check(CLI::IsMember({"lockstep", "threads"}))
+      ->capture_default_str();
+  sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
+  sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see nothing but black");
+  sim->add_option("--trials", arguments->trials,
+                  "Plays this many games with the ball at random places around the first robot; counts touches")
+      ->check(CLI::Range(1, 100000));
+  sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
+      ->check(CLI::Range(0.4, 10.0))
+      ->capture_default_str();
+  sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
+  sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
+  sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
+  sim->callback([arguments, seconds, &status] { status = runSim(*arguments, seconds->count() > 0); });
+}
+
+}  // namespace app
