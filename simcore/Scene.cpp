@@ -7,6 +7,7 @@
 #include "simcore/SceneFiles.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/SdfReader.h"
+#include "simcore/SdfSpec.h"
 
 namespace simcore {
 namespace fs = std::filesystem;
@@ -32,6 +33,7 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
   instance.name = include.name.empty() ? type->name : include.name;
   instance.type = include.isStatic && !type->isStatic ? madeStatic(type) : type;
   instance.poseInWorld = poseFromNumbers(include.pose);
+  instance.where = where;
   if (!instance.poseInWorld.matrix().allFinite() || instance.poseInWorld.translation().norm() > 1e4) {
     errors.push_back({"scene.pose", "a pose must be finite and at most 10 km away", {}, where});
   }
@@ -50,12 +52,13 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
 }
 
 WorldDescription readWorld(const fs::path& file, Errors& errors) {
-  const SceneFiles files = SceneFiles::read(file, errors);
+  const SdfSpec spec;
+  const SceneFiles files = SceneFiles::read(file, spec, errors);
   if (!errors.empty()) return {};
   ModelTypes types;
   for (const auto& [path, text] : files.models)
-    types[path] = readSdfModel(text, path.string(), files.palette, errors);
-  WorldDescription world = readSdfWorld(files.worldText, file.string(), files.palette, errors);
+    types[path] = readSdfModel(text, path.string(), files.palette, spec, errors);
+  WorldDescription world = readSdfWorld(files.worldText, file.string(), files.palette, spec, errors);
   for (const SceneInclude& include : files.includes) {
     addInclude(include, files, types, file.string(), world, errors);
   }

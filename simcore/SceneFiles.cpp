@@ -32,7 +32,7 @@ bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& doc
   }
   text = std::move(*contents);
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
-    fail(errors, file, document.ErrorLineNum(), "scene.xml",
+    fail(errors, file, std::max(1, document.ErrorLineNum()), "scene.xml",
          std::string("not readable as XML (") + document.ErrorName() + ")");
     return false;
   }
@@ -145,13 +145,13 @@ void blankIncludes(std::string& text) {
 }
 
 /// Reads and checks each included file once; collects its colours.
-void readModels(SceneFiles& files, const fs::path& world, Errors& errors) {
+void readModels(SceneFiles& files, const fs::path& world, const SdfSpec& spec, Errors& errors) {
   for (const SceneInclude& include : files.includes) {
     if (files.models.contains(include.file)) continue;
     std::string& text = files.models[include.file];
     tinyxml2::XMLDocument document;
     if (!readXml(include.file, text, document, errors)) continue;
-    checkSdfTree(document, include.file.string(), errors);
+    checkSdfTree(document, include.file.string(), spec, errors);
     const XMLElement* root = document.RootElement();
     const XMLElement* model = root != nullptr ? root->FirstChildElement("model") : nullptr;
     if (model == nullptr) {
@@ -165,11 +165,12 @@ void readModels(SceneFiles& files, const fs::path& world, Errors& errors) {
 
 }  // namespace
 
-SceneFiles SceneFiles::read(const fs::path& file, Errors& errors) {
+SceneFiles SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& errors) {
   SceneFiles files;
   tinyxml2::XMLDocument document;
   if (!readXml(file, files.worldText, document, errors)) return files;
-  checkSdfTree(document, file.string(), errors);
+  checkSdfTree(document, file.string(), spec, errors);
+  if (!errors.empty()) return files;
   const XMLElement* root = document.RootElement();
   const XMLElement* world = root != nullptr ? root->FirstChildElement("world") : nullptr;
   if (world == nullptr) {
@@ -182,7 +183,11 @@ SceneFiles SceneFiles::read(const fs::path& file, Errors& errors) {
     if (auto include = readInclude(*element, file, errors)) files.includes.push_back(std::move(*include));
   }
   readPalette(*world, file, files.palette, errors);
-  readModels(files, file, errors);
+  for (auto* model = world->FirstChildElement("model"); model != nullptr;
+       model = model->NextSiblingElement("model")) {
+    readPalette(*model, file, files.palette, errors);
+  }
+  readModels(files, file, spec, errors);
   blankIncludes(files.worldText);
   return files;
 }

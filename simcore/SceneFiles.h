@@ -32,7 +32,7 @@ struct SceneFiles {
   Palette palette;                                      ///< of the world and of all models
 
   /// Reads `file` and what it includes. What is wrong goes to `errors`.
-  static SceneFiles read(const std::filesystem::path& file, robotlink::Errors& errors);
+  static SceneFiles read(const std::filesystem::path& file, const SdfSpec& spec, robotlink::Errors& errors);
 };
 
 }  // namespace simcore

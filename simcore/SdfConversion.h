@@ -4,19 +4,11 @@
 #pragma once
 
 #include <sdf/sdf.hh>
-#include <sstream>
 #include <string>
 
 #include "simcore/SdfReader.h"
 
 namespace simcore {
-
-/// "0.001", not "0.001000".
-inline std::string shortNumber(double value) {
-  std::ostringstream stream;
-  stream << value;
-  return stream.str();
-}
 
 inline Vector3 toEigen(const ignition::math::Vector3d& v) {
   return {v.X(), v.Y(), v.Z()};
@@ -31,31 +23,16 @@ inline Pose3 toEigen(const ignition::math::Pose3d& pose) {
 /// What converting one file needs, and where its errors go.
 struct SdfContext {
   const std::string& file;
+  const std::string& source;  ///< the file's text
   const Palette& palette;
   robotlink::Errors& errors;
 
-  void fail(const sdf::ElementPtr& element, std::string id, std::string text) const {
-    const int line = element ? element->LineNumber().value_or(0) : 0;
-    errors.push_back({std::move(id), std::move(text), {}, {file, line, 0}});
-  }
-
+  void fail(const sdf::ElementPtr& element, std::string id, std::string text) const;
   /// Notes what libsdformat found wrong; true if that was nothing.
-  bool take(const sdf::Errors& found, const sdf::ElementPtr& element) const {
-    for (const sdf::Error& error : found) {
-      const int line = error.LineNumber().value_or(element ? element->LineNumber().value_or(0) : 0);
-      errors.push_back({"scene.sdf", error.Message(), {}, {file, line, 0}});
-    }
-    return found.empty();
-  }
-
+  bool take(const sdf::Errors& found, const sdf::ElementPtr& element) const;
   /// `value` if it lies within [minimum, maximum]; else notes an error and gives `minimum`. NaN lies nowhere.
   double within(double value, double minimum, double maximum, const std::string& what,
-                const sdf::ElementPtr& element) const {
-    if (value >= minimum && value <= maximum) return value;
-    fail(element, "scene.range",
-         what + " must lie between " + shortNumber(minimum) + " and " + shortNumber(maximum));
-    return minimum;
-  }
+                const sdf::ElementPtr& element) const;
 };
 
 /// A pose in its resolved frame, checked to be finite and near.

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "simcore/SdfConversion.h"
+#include "simcore/SdfSpecImplementation.h"
 
 namespace simcore {
 namespace {
@@ -16,22 +17,36 @@ sdf::ParserConfig parserConfig() {
   return config;
 }
 
+/// Reads a text into `root`; false, with errors noted, if that fails.
+bool load(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
+  const auto document = std::make_shared<sdf::SDF>();
+  document->Root(spec.implementation().description->Root()->Clone());
+  sdf::Errors found;
+  const bool readable = sdf::readString(text, parserConfig(), document, found);
+  if (!context.take(found, nullptr)) return false;
+  if (!readable) {
+    context.fail(nullptr, "scene.sdf", "libsdformat cannot read this file");
+    return false;
+  }
+  return context.take(root.Load(document, parserConfig()), nullptr);
+}
+
 int linkIndex(const ModelDescription& model, const std::string& name) {
   const auto found = std::ranges::find(model.links, name, &LinkDescription::name);
   return found == model.links.end() ? -1 : static_cast<int>(found - model.links.begin());
 }
 
-void readServo(const sdf::ElementPtr& element, JointDescription& result, const SdfContext& context) {
+void readServo(const sdf::JointAxis& axis, const sdf::ElementPtr& element, JointDescription& result,
+               const SdfContext& context) {
   const sdf::ElementPtr servo = element->GetElement("robotcontrol:servo");
   result.servo = true;
+  // Without limits, SDFormat has these infinite, which no servo is.
+  result.maximumSpeed = context.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
+  result.maximumTorque = context.within(axis.Effort(), 1e-9, 1000, "a servo's <effort>", element);
   const auto number = [&](const char* key) { return servo->HasElement(key) ? servo->Get<double>(key) : 0.0; };
   result.initialAngle = context.within(number("robotcontrol:initial_position"), result.lower, result.upper,
                                        "initial_position of '" + result.name + "'", servo);
   result.positionNoise = context.within(number("robotcontrol:position_noise"), 0, 1, "position_noise", servo);
-  if (result.maximumSpeed <= 0 || result.maximumTorque <= 0) {
-    context.fail(element, "scene.servo",
-                 "the servo '" + result.name + "' needs a limit's velocity and effort above 0");
-  }
 }
 
 void readHinge(const sdf::Joint& joint, JointDescription& result, const SdfContext& context) {
@@ -47,9 +62,7 @@ void readHinge(const sdf::Joint& joint, JointDescription& result, const SdfConte
       limited ? context.within(axis.Lower(), -kFullTurn, kFullTurn, "lower", joint.Element()) : -kFullTurn;
   result.upper =
       limited ? context.within(axis.Upper(), result.lower, kFullTurn, "upper", joint.Element()) : kFullTurn;
-  result.maximumSpeed = std::clamp(axis.MaxVelocity(), 0.0, 1000.0);
-  result.maximumTorque = std::clamp(axis.Effort(), 0.0, 1000.0);
-  if (joint.Element()->HasElement("robotcontrol:servo")) readServo(joint.Element(), result, context);
+  if (joint.Element()->HasElement("robotcontrol:servo")) readServo(axis, joint.Element(), result, context);
 }
 
 JointDescription readJoint(const sdf::Joint& joint, const ModelDescription& model,
@@ -168,10 +181,11 @@ Pose3 poseFromNumbers(const double (&numbers)[6]) {
 }
 
 std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, const std::string& file,
-                                                     const Palette& palette, robotlink::Errors& errors) {
-  const SdfContext context{file, palette, errors};
+                                                     const Palette& palette, const SdfSpec& spec,
+                                                     robotlink::Errors& errors) {
+  const SdfContext context{file, text, palette, errors};
   sdf::Root root;
-  if (!context.take(root.LoadSdfString(text, parserConfig()), nullptr)) return nullptr;
+  if (!load(text, spec, context, root)) return nullptr;
   if (root.Model() == nullptr) {
     context.fail(root.Element(), "scene.no-model", "the file describes no model");
     return nullptr;
@@ -180,11 +194,11 @@ std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, co
 }
 
 WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
-                              robotlink::Errors& errors) {
-  const SdfContext context{file, palette, errors};
+                              const SdfSpec& spec, robotlink::Errors& errors) {
+  const SdfContext context{file, text, palette, errors};
   WorldDescription result;
   sdf::Root root;
-  if (!context.take(root.LoadSdfString(text, parserConfig()), nullptr)) return result;
+  if (!load(text, spec, context, root)) return result;
   if (root.WorldCount() != 1) {
     context.fail(root.Element(), "scene.no-world", "the file must describe one world");
     return result;
@@ -197,6 +211,7 @@ WorldDescription readSdfWorld(const std::string& text, const std::string& file, 
     const sdf::Model& model = *world.ModelByIndex(i);
     ModelInstance instance;
     instance.name = model.Name();
+    instance.where = {file, model.Element()->LineNumber().value_or(1), 0};
     instance.poseInWorld = resolvedPose(model.SemanticPose(), "", model.Element(), context);
     instance.type = std::make_shared<ModelDescription>(readModel(model, context));
     result.models.push_back(std::move(instance));

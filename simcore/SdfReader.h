@@ -9,6 +9,8 @@
 
 namespace simcore {
 
+class SdfSpec;
+
 /// Colours that a scene's files may use by name.
 using Palette = std::map<std::string, Rgb>;
 
@@ -16,11 +18,12 @@ using Palette = std::map<std::string, Rgb>;
 /// What the text says must have passed checkSdfTree(): this reader finds what needs frames and units to be
 /// resolved.
 std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, const std::string& file,
-                                                     const Palette& palette, robotlink::Errors& errors);
+                                                     const Palette& palette, const SdfSpec& spec,
+                                                     robotlink::Errors& errors);
 
 /// The same for a world file without its <include> elements: everything but the included models.
 WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
-                              robotlink::Errors& errors);
+                              const SdfSpec& spec, robotlink::Errors& errors);
 
 /// Reads six numbers x y z roll pitch yaw as SDFormat's <pose> has them.
 Pose3 poseFromNumbers(const double (&numbers)[6]);

@@ -155,11 +155,11 @@ robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_pt
   for (std::size_t i = 0; i < made.world.models.size(); ++i) {
     const int other = made.physics->overlappedModel(static_cast<int>(i), kMaxOverlap);
     if (other < 0) continue;
-    const std::string& name = made.world.models[i].name;
+    const ModelInstance& model = made.world.models[i];
     const std::string& otherName = made.world.models[static_cast<std::size_t>(other)].name;
     return robotlink::failure("scene.overlap",
-                              "'" + name + "' starts inside '" + otherName + "': move one of them",
-                              {made.scene->file().string(), 0, 0}, {name, otherName});
+                              "'" + model.name + "' starts inside '" + otherName + "': move one of them",
+                              model.where, {model.name, otherName});
   }
   return simulation;
 }

@@ -98,6 +98,7 @@ struct ModelInstance {
   std::shared_ptr<const ModelDescription> type;
   Pose3 poseInWorld = Pose3::Identity();
   std::optional<Rgb> teamColor;
+  robotlink::FilePosition where;  ///< its <include> or <model>
 };
 
 /// A world, checked: every index is valid, every number finite and of a sensible size. A plain value.

@@ -1,0 +1,131 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/Scene.h"
+
+#include <gmock/gmock.h>
+
+#include <set>
+
+#include "SceneFixture.h"
+#include "simcore/SceneImplementation.h"
+#include "simcore/Simulation.h"
+
+namespace simcore {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SceneTest : public testing::Test {
+ protected:
+  SceneTest() { folder_.writeModel("small", kSmallModel); }
+  static std::string include(const std::string& rest) {
+    return "<include><uri>model://small</uri>" + rest + "</include>";
+  }
+  std::string errorsWithModel(const std::string& from, const std::string& to) const {
+    folder_.writeModel("small", replaced(kSmallModel, from, to));
+    return folder_.errorsOf(worldAround(include("")));
+  }
+  SceneFolder folder_;
+};
+
+TEST_F(SceneTest, theShippedSceneHasOneRobotOnTheField) {
+  const auto scene = shippedScene();
+  ASSERT_TRUE(scene);
+  ASSERT_EQ(scene->robots().size(), 1U);
+  EXPECT_EQ(scene->robots()[0].name, "red1");
+  EXPECT_EQ(scene->robots()[0].description, "ers210");
+}
+
+TEST_F(SceneTest, aModelIsParsedOnceHoweverOftenItIsIncluded) {
+  std::string includes;
+  for (int i = 0; i < 8; ++i) {
+    includes +=
+        include("<name>m" + std::to_string(i) + "</name><pose>" + std::to_string(i) + " 0 0 0 0 0</pose>");
+  }
+  const auto scene = Scene::load(folder_.write("world.sdf", worldAround(includes)));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  std::set<const ModelDescription*> types;
+  for (const ModelInstance& model : (*scene)->implementation().world.models) types.insert(model.type.get());
+  EXPECT_EQ((*scene)->implementation().world.models.size(), 8U);
+  EXPECT_EQ(types.size(), 1U);
+}
+
+TEST_F(SceneTest, includesInCommentsAreNone) {
+  const std::string world =
+      worldAround("<!-- <include> --><!--x--><include>\n<uri>model://small</uri></include>");
+  EXPECT_EQ(folder_.errorsOf(world), "");
+  EXPECT_EQ(folder_.errorsOf(worldAround("<!-- <include><uri>model://none</uri></include> -->")), "");
+}
+
+TEST_F(SceneTest, aModelMayStandInTheWorldItself) {
+  const std::string model =
+      replaced(replaced(kSmallModel, "<?xml version=\"1.0\"?>", ""), "<model", "<world name='w'><model");
+  EXPECT_EQ(folder_.errorsOf(replaced(model, "</model>", "</model></world>")), "");
+}
+
+TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {
+  const auto scene = Scene::load("/nowhere/world.sdf");
+  ASSERT_FALSE(scene);
+  EXPECT_THAT(describe(scene.error()), StartsWith("/nowhere/world.sdf"));
+}
+
+TEST_F(SceneTest, brokenXmlHasItsLine) {
+  EXPECT_THAT(folder_.errorsOf("<sdf version=\"1.9\">\n<world name=\"w\">\n</sdf>"),
+              StartsWith("world.sdf:2: not readable as XML"));
+  EXPECT_THAT(folder_.errorsOf(""), StartsWith("world.sdf:1: not readable as XML"));
+  std::string deep;
+  for (int i = 0; i < 10'000; ++i) deep += "<a>";
+  EXPECT_THAT(folder_.errorsOf(deep), StartsWith("world.sdf:1: not readable as XML"));
+}
+
+TEST_F(SceneTest, brokenIncludesHaveTheirLine) {
+  EXPECT_EQ(folder_.errorsOf(worldAround("<include><uri>model://smal</uri></include>")),
+            "world.sdf:3: there is no model 'model://smal'");
+  EXPECT_EQ(folder_.errorsOf(worldAround("<include><uri>http://x/small</uri></include>")),
+            "world.sdf:3: there is no model 'http://x/small'");
+  EXPECT_EQ(folder_.errorsOf(worldAround(include("") + "\n" + include(""))),
+            "world.sdf:4: there is another model 'small'");
+  EXPECT_THAT(folder_.errorsOf(worldAround(include("<pose>1 2 3</pose>"))),
+              HasSubstr("world.sdf:3: <pose> must be 6 finite numbers"));
+  EXPECT_EQ(folder_.errorsOf(worldAround(include("<pose>1e9 0 0 0 0 0</pose>"))),
+            "world.sdf:3: a pose must be finite and at most 10 km away");
+  EXPECT_EQ(folder_.errorsOf(worldAround(include("<robotcontrol:team>mauve</robotcontrol:team>"))),
+            "world.sdf:3: no palette has the colour 'mauve'");
+}
+
+TEST_F(SceneTest, anIncludedFileWithoutAModelIsRefused) {
+  folder_.writeModel("small", "<sdf version=\"1.9\"><world name=\"w\"/></sdf>");
+  EXPECT_THAT(folder_.errorsOf(worldAround(include(""))), HasSubstr("describes no model"));
+}
+
+TEST_F(SceneTest, aFileWithoutAWorldIsRefused) {
+  EXPECT_THAT(folder_.errorsOf(kSmallModel), HasSubstr("the file must describe a world"));
+}
+
+TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
+  const std::string file = "models/small/model.sdf:";
+  EXPECT_THAT(errorsWithModel("relative_to=\"foot\"", "relative_to=\"toe\""), StartsWith(file + "13: "));
+  EXPECT_EQ(errorsWithModel("<robotcontrol:color>red", "<robotcontrol:color>gold"),
+            file + "11: no palette has the colour 'gold'");
+  EXPECT_EQ(errorsWithModel("<collision>hand", "<collision>fist"),
+            file + "17: the link 'arm' has no collision 'fist'");
+  EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),
+            file + "19: initial_position of 'hip' must lie between -1 and 1");
+  EXPECT_EQ(errorsWithModel("<effort>2</effort>", ""),
+            file + "19: a servo's <effort> must lie between 1e-09 and 1000");
+  EXPECT_THAT(errorsWithModel("<parent>foot</parent>", "<parent>arm</parent>"), StartsWith(file));
+  EXPECT_THAT(errorsWithModel("type=\"contact\"", "type=\"sonar\""), StartsWith(file + "17: "));
+}
+
+TEST_F(SceneTest, aSceneThatStartsInsideItselfCannotBeSimulated) {
+  const auto scene = Scene::load(folder_.write(
+      "world.sdf",
+      worldAround(include("") + "\n" + include("<name>other</name><pose>0.05 0 0 0 0 0</pose>"))));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto simulation = Simulation::create(*scene, {});
+  ASSERT_FALSE(simulation);
+  EXPECT_THAT(simulation.error().describe(), HasSubstr("world.sdf:3: 'small' starts inside 'other'"));
+}
+
+}  // namespace
+}  // namespace simcore

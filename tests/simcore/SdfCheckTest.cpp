@@ -1,0 +1,110 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/SdfCheck.h"
+
+#include <gmock/gmock.h>
+#include <tinyxml2.h>
+
+#include "SceneFixture.h"
+#include "simcore/SdfSpec.h"
+
+namespace simcore {
+namespace {
+
+using testing::HasSubstr;
+using testing::StartsWith;
+
+class SdfCheck : public testing::Test {
+ protected:
+  /// What is wrong with a text, a line an error.
+  static std::string errorsOf(const std::string& text) {
+    static const SdfSpec kSpec;
+    tinyxml2::XMLDocument document;
+    EXPECT_EQ(document.Parse(text.c_str()), tinyxml2::XML_SUCCESS) << text;
+    robotlink::Errors errors;
+    checkSdfTree(document, "m.sdf", kSpec, errors);
+    return describe(errors);
+  }
+  /// What is wrong with the small model after one replacement.
+  static std::string broken(const std::string& from, const std::string& to) {
+    return errorsOf(replaced(kSmallModel, from, to));
+  }
+};
+
+TEST_F(SdfCheck, aSoundModelHasNoErrors) {
+  EXPECT_EQ(errorsOf(kSmallModel), "");
+}
+
+TEST_F(SdfCheck, unknownElementsAndAttributesAreRefusedWithTheirLine) {
+  EXPECT_EQ(broken("<child>arm</child>", "<child>arm</child><colour>red</colour>"),
+            "m.sdf:21: SDFormat 1.9 has no <colour> in <joint>");
+  EXPECT_EQ(broken("<mass>1.5", "<mass unit=\"kg\">1.5"), "m.sdf:7: <mass> has no attribute 'unit'");
+  EXPECT_EQ(broken("<collision name=\"hand\">", "<collision>"),
+            "m.sdf:16: <collision> needs the attribute 'name'");
+}
+
+TEST_F(SdfCheck, elementsOfOtherNamespacesAreLeftAlone) {
+  EXPECT_EQ(broken("<child>arm</child>", "<child>arm</child><gz:colour>red</gz:colour>"), "");
+  EXPECT_EQ(broken("<child>arm</child>", "<child>arm</child><sensor name='s' type='force_torque'/>"), "");
+}
+
+TEST_F(SdfCheck, ourOwnElementsStandWhereTheyHaveAMeaning) {
+  EXPECT_THAT(
+      broken("<robotcontrol:servo>", "<robotcontrol:serwo>1</robotcontrol:serwo><robotcontrol:servo>"),
+      "m.sdf:23: there is no <robotcontrol:serwo>");
+  EXPECT_THAT(broken("<child>arm</child>", "<child>arm</child><robotcontrol:ball>true</robotcontrol:ball>"),
+              HasSubstr("<robotcontrol:ball> has no meaning in <joint>"));
+  EXPECT_THAT(broken("_position>0.5<", "_position>half<"),
+              "m.sdf:23: <robotcontrol:initial_position> must be one finite number");
+}
+
+TEST_F(SdfCheck, valuesHaveTheirTypes) {
+  EXPECT_EQ(broken("<mass>1.5", "<mass>heavy"), "m.sdf:7: <mass> must be one finite number");
+  EXPECT_EQ(broken("<mass>1.5", "<mass>nan"), "m.sdf:7: <mass> must be one finite number");
+  EXPECT_EQ(broken("<xyz>0 0 1", "<xyz>0 0"), "m.sdf:22: <xyz> must be 3 finite numbers");
+  EXPECT_EQ(broken("0 0 0.1 0 0 0", "0 0 inf 0 0 0"), "m.sdf:14: <pose> must be 6 finite numbers");
+  EXPECT_EQ(broken("<link name=\"foot\">", "<static>maybe</static><link name=\"foot\">"),
+            "m.sdf:5: <static> must be true or false");
+}
+
+TEST_F(SdfCheck, onlyLimitsMayBeInfinite) {
+  EXPECT_EQ(broken("<lower>-1", "<lower>-inf"), "");
+  EXPECT_THAT(broken("<mass>1.5", "<mass>inf"), StartsWith("m.sdf:7: "));
+}
+
+TEST_F(SdfCheck, jointsJoinLinksThatExist) {
+  EXPECT_EQ(broken("<child>arm<", "<child>leg<"),
+            "m.sdf:21: the joint 'hip' has as its child 'leg', which is no link of the model");
+  EXPECT_EQ(broken("<child>arm</child>", ""), "m.sdf:19: the joint 'hip' has no <child>");
+  EXPECT_EQ(broken("<parent>foot<", "<parent>world<"), "");
+  EXPECT_THAT(broken("<child>arm<", "<child>world<"), HasSubstr("'world', which is no link"));
+  EXPECT_THAT(broken("type=\"revolute\"", "type=\"screw\""), HasSubstr("m.sdf:19: of joints, only revolute"));
+}
+
+TEST_F(SdfCheck, namesStandOnce) {
+  EXPECT_THAT(broken("<link name=\"arm\">", "<link name=\"foot\">"),
+              StartsWith("m.sdf:13: the name 'foot' stands here twice"));
+  EXPECT_EQ(broken("<joint name=\"hip\"", "<joint name=\"foot\""),
+            "m.sdf:19: the name 'foot' stands here twice");
+}
+
+TEST_F(SdfCheck, bodiesThatCannotBeAreRefused) {
+  EXPECT_EQ(broken("<mass>1.5", "<mass>-1.5"), "m.sdf:7: <mass> must lie between 1e-06 and 10000 kg");
+  EXPECT_EQ(broken("<mass>1.5", "<mass>1e30"), "m.sdf:7: <mass> must lie between 1e-06 and 10000 kg");
+  EXPECT_EQ(broken("<ixx>0.1", "<ixx>5"),
+            "m.sdf:8: no body has such moments: ixx exceeds the sum of the other two");
+  EXPECT_EQ(broken("<size>0.1 0.1 0.1", "<size>0.1 0 0.1"),
+            "m.sdf:10: <size> must lie between 1e-05 and 1000 m");
+  EXPECT_EQ(broken("<radius>0.02", "<radius>1e9"), "m.sdf:16: <radius> must lie between 1e-05 and 1000 m");
+  EXPECT_EQ(broken("<box><size>0.1 0.1 0.1</size></box>", ""),
+            "m.sdf:10: 'sole' has no shape in its <geometry>");
+}
+
+TEST_F(SdfCheck, otherFilesAndVersionsAreRefused) {
+  EXPECT_EQ(errorsOf("<html/>"), "m.sdf:1: this is no SDFormat file: its root is not <sdf>");
+  EXPECT_EQ(broken("version=\"1.9\"", "version=\"3.7\""),
+            "m.sdf:2: the version must be 1.9, or an older one down to 1.5");
+  EXPECT_EQ(broken("version=\"1.9\"", "version=\"1.7\""), "");
+}
+
+}  // namespace
+}  // namespace simcore
