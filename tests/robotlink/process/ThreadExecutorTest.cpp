@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/process/ThreadExecutor.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+#include <sys/resource.h>
+#include <sys/syscall.h>
+#include <unistd.h>
+
+#include <atomic>
+
+#include "tests/robotlink/process/TestProcess.h"
+
+namespace robotlink::testing {
+namespace {
+
+using namespace std::chrono_literals;
+
+/// Waits for what another thread does; false after ten seconds.
+bool eventually(const std::function<bool()>& condition) {
+  const auto end = std::chrono::steady_clock::now() + 10s;
+  while (!condition()) {
+    if (std::chrono::steady_clock::now() > end) return false;
+    std::this_thread::sleep_for(1ms);
+  }
+  return true;
+}
+
+TEST(ThreadExecutorTest, motionKeepsItsRateWhileBehaviorIsBlocked) {
+  SteadyClock clock;
+  TestProcess behavior("behavior", clock);
+  TestProcess motion("motion", clock);
+  Sender<Ball> wish(behavior, "wish", Blocking::kNo);
+  Receiver<Ball> wished(motion, "wish", Blocking::kNo);
+  connect(wish, wished);
+  behavior.setPeriod(10ms);
+  motion.setPeriod(10ms);
+  std::atomic<std::uint64_t> before{0};
+  std::atomic<std::uint64_t> during{0};
+  std::atomic<bool> blocked{false};
+  behavior.body = [&] {
+    wish.send(ball(1));
+    if (behavior.frames() != 3) return;
+    before = motion.frames();
+    std::this_thread::sleep_for(1s);
+    during = motion.frames() - before;
+    blocked = true;
+  };
+  ThreadExecutor executor({});
+  executor.add(behavior);
+  executor.add(motion);
+  executor.start();
+  ASSERT_TRUE(eventually([&] { return blocked.load(); }));
+  executor.stop();
+  EXPECT_GE(during, 75U) << "of 100 frames, on a machine that has others to serve";
+  EXPECT_LE(during, 101U);
+}
+
+TEST(ThreadExecutorTest, aManualClockWakesItsPeriods) {
+  ManualClock clock;
+  TestProcess process("process", clock);
+  process.setPeriod(20ms);
+  ThreadExecutor executor({});
+  executor.add(process);
+  executor.start();
+  for (std::uint64_t frame = 1; frame <= 20; ++frame) {
+    ASSERT_TRUE(eventually([&] { return process.frames() == frame; }));
+    clock.advance(20ms);
+    executor.clockAdvanced();
+  }
+}
+
+TEST(ThreadExecutorTest, aProcessThatThrowsIsReportedAndTheOthersGoOn) {
+  ManualClock clock;
+  TestProcess bad("bad", clock);
+  TestProcess good("good", clock);
+  Sender<Ball> toBad(good, "x", Blocking::kYes);
+  Receiver<Ball> receiver(bad, "x", Blocking::kYes);
+  connect(toBad, receiver);
+  bad.body = [] { throw std::runtime_error("broken"); };
+  good.body = [&] {
+    if (good.frames() < 100) {
+      toBad.send(ball(1));
+      good.wake();
+    } else {
+      good.stop();
+    }
+  };
+  std::atomic<int> reports{0};
+  std::string failure;
+  ThreadExecutor::Options options;
+  options.onFailed = [&](const Process& process) {
+    failure = process.name() + ": " + process.failure();
+    ++reports;
+  };
+  ThreadExecutor executor(options);
+  executor.add(bad);
+  executor.add(good);
+  executor.start();
+  EXPECT_TRUE(eventually([&] { return good.stopped() && reports == 1; }));
+  executor.stop();
+  EXPECT_EQ("bad: broken", failure);
+}
+
+TEST(ThreadExecutorTest, aPriorityIsSetOrItsRefusalIsReported) {
+  ManualClock clock;
+  TestProcess urgent("urgent", clock);
+  TestProcess modest("modest", clock);
+  urgent.setPriority(-20);
+  modest.setPriority(5);
+  std::atomic<int> urgentNice{100};
+  std::atomic<int> modestNice{100};
+  const auto nice = [] { return ::getpriority(PRIO_PROCESS, static_cast<id_t>(::syscall(SYS_gettid))); };
+  urgent.body = [&] { urgentNice = nice(), urgent.stop(); };
+  modest.body = [&] { modestNice = nice(), modest.stop(); };
+  std::atomic<int> refusals{0};
+  ThreadExecutor::Options options;
+  options.onPriorityRefused = [&](const Process& process, const std::string& why) {
+    EXPECT_EQ("urgent", process.name());
+    EXPECT_FALSE(why.empty());
+    ++refusals;
+  };
+  ThreadExecutor executor(options);
+  executor.add(urgent);
+  executor.add(modest);
+  executor.start();
+  EXPECT_TRUE(eventually([&] { return urgent.stopped() && modest.stopped(); }));
+  executor.stop();
+  EXPECT_NE(urgentNice == -20, refusals == 1) << "nice value " << urgentNice << ", refusals " << refusals;
+  EXPECT_GE(modestNice, 5);
+}
+
+TEST(ThreadExecutorTest, itStopsWhileAllWait) {
+  ManualClock clock;
+  TestProcess a("a", clock);
+  TestProcess b("b", clock);
+  Receiver<Ball> nothing(a, "nothing", Blocking::kYes);
+  b.setPeriod(1h);
+  ThreadExecutor executor({});
+  executor.add(a);
+  executor.add(b);
+  executor.start();
+  EXPECT_TRUE(eventually([&] { return b.frames() == 1; }));
+  executor.stop();
+  EXPECT_EQ(0U, a.frames());
+}
+
+}  // namespace
+}  // namespace robotlink::testing
