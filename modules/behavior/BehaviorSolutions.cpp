@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "behavior": what the robot wants to do.
+#include <algorithm>
+#include <array>
+
+#include "BehaviorParameters.pb.h"
+#include "modules/behavior/BallChaser.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Motion.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotcontrol::HeadMode;
+using robotcontrol::MotionRequest;
+using robotlink::DebugKey;
+using robotlink::Vector2;
+
+const DebugKey kStateKey{"behavior/state", "The state of the behaviour, beside the robot"};
+const DebugKey kTargetKey{"behavior/target",
+                          "Where the robot wants to stand, the ball and the goal it plays to"};
+const DebugKey kSpeedKey{"behavior/speed", "The walking speeds that are asked for"};
+
+/// Sends what is wanted of body and head.
+class Behavior : public robotlink::Solution {
+ public:
+  explicit Behavior(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        clock_(context.clock()),
+        motion_(context.output(robotlink::kMotionRequest)),
+        head_(context.output(robotlink::kHeadMode)) {}
+
+ protected:
+  void want(std::shared_ptr<MotionRequest> motion, std::shared_ptr<HeadMode> head) {
+    robotlink::assign(*motion->mutable_timestamp(), clock_.now());
+    robotlink::assign(*head->mutable_timestamp(), clock_.now());
+    if (debug_.on(kSpeedKey)) {
+      debug_.plot(kSpeedKey, "x", motion->walk().x(), "m/s");
+      debug_.plot(kSpeedKey, "y", motion->walk().y(), "m/s");
+      debug_.plot(kSpeedKey, "rotation", motion->walk().rotation(), "rad/s");
+    }
+    motion_.send(std::move(motion));
+    head_.send(std::move(head));
+  }
+
+  robotlink::DebugContext& debug_;
+  const robotlink::Clock& clock_;
+
+ private:
+  robotlink::Output<MotionRequest> motion_;
+  robotlink::Output<HeadMode> head_;
+};
+
+class GoToBallAndKick final : public Behavior {
+ public:
+  explicit GoToBallAndKick(robotlink::SolutionContext& context)
+      : Behavior(context),
+        parameters_(context.parameters<robotcontrol::GoToBallParameters>()),
+        goalInField_(opponentGoal(context.robot())),
+        green_(context.robot().field->surfaceColor),
+        ball_(context.input(robotlink::kBallModel)),
+        pose_(context.input(robotlink::kRobotPose)),
+        regions_(context.input(robotlink::kColorRegions)),
+        status_(context.input(robotlink::kMotionStatus)),
+        chaser_({}) {}
+
+  void execute() override {
+    chaser_.setOptions(options());
+    const Situation now = situation();
+    const Intention intention = chaser_.decide(now);
+    if (chaser_.changed())
+      debug_.text(robotlink::Level::kInfo, "behavior",
+                  std::string(name(chaser_.state())) + ": " + chaser_.reason());
+    draw(now);
+    auto motion = std::make_shared<MotionRequest>();
+    fill(*motion, intention);
+    auto head = std::make_shared<HeadMode>();
+    static constexpr std::array kHeads{HeadMode::LOOK_AHEAD, HeadMode::SEARCH_BALL, HeadMode::TRACK_BALL,
+                                       HeadMode::LOOK_AROUND};
+    head->set_kind(kHeads[static_cast<std::size_t>(intention.head)]);
+    want(std::move(motion), std::move(head));
+  }
+
+ private:
+  static Vector2 opponentGoal(const robotlink::RobotSetup& robot) {
+    const double direction = robot.team == "blue" ? -1 : 1;
+    for (const auto& goal : robot.field->goals)
+      if (goal.x * direction > 0) return {goal.x, 0};
+    return {direction * 0.5 * robot.field->length, 0};
+  }
+
+  BallChaser::Options options() const {
+    const robotcontrol::GoToBallParameters& p = parameters_;
+    return {p.forward_speed(), p.sideward_speed(), p.turn_speed(),       p.look_about_time(),
+            p.turn_time(),     p.wander_time(),    p.wander_speed(),     p.blind_after(),
+            p.lost_after(),    p.align_distance(), p.align_tolerance(),  p.align_time(),
+            p.kick_x(),        p.kick_y(),         p.kick_tolerance_x(), p.kick_tolerance_y(),
+            p.position_time(), p.kick_timeout()};
+  }
+
+  Situation situation() const {
+    Situation now;
+    now.time = robotlink::seconds(clock_.now());
+    if (ball_ && ball_->known()) {
+      now.ballKnown = true;
+      now.ball = robotlink::vector2(ball_->position_in_robot());
+      // The model's age is that of its last frame.
+      now.ballAge = ball_->seconds_since_seen() +
+                    std::max(0.0, now.time - robotlink::seconds(robotlink::instant(ball_->timestamp())));
+    }
+    if (pose_ && pose_->position_deviation() <= parameters_.goal_position_deviation() &&
+        pose_->heading_deviation() <= parameters_.goal_heading_deviation())
+      now.goal = robotlink::pose2(pose_->robot_in_field()).inverse() * goalInField_;
+    now.fieldSeen = seesField();
+    if (status_) {
+      now.fallen = status_->fallen();
+      now.stable = status_->stable();
+      now.kicking = status_->executed().kind() == MotionRequest::KEY_FRAMES;
+    }
+    return now;
+  }
+
+  bool seesField() const {
+    // Without regions nobody can tell; the ball model alone decides then.
+    if (!regions_) return ball_ && ball_->known();
+    double green = 0;
+    for (const robotcontrol::ColorRegion& region : regions_->regions())
+      if (static_cast<int>(region.color_class()) < regions_->class_names_size() &&
+          regions_->class_names(static_cast<int>(region.color_class())) == green_)
+        green += region.area();
+    return green >= parameters_.minimum_green() * regions_->width() * regions_->height() && green > 0;
+  }
+
+  void fill(MotionRequest& motion, const Intention& intention) const {
+    switch (intention.motion) {
+      case Intention::Motion::kStand:
+        motion.set_kind(MotionRequest::STAND);
+        break;
+      case Intention::Motion::kWalk:
+        motion.set_kind(MotionRequest::WALK);
+        motion.mutable_walk()->set_x(intention.forward);
+        motion.mutable_walk()->set_y(intention.left);
+        motion.mutable_walk()->set_rotation(intention.turn);
+        break;
+      case Intention::Motion::kKick:
+        motion.set_kind(MotionRequest::KEY_FRAMES);
+        motion.set_motion(parameters_.kick());
+        break;
+      case Intention::Motion::kGetUp:
+        motion.set_kind(MotionRequest::GET_UP);
+        break;
+    }
+  }
+
+  void draw(const Situation& now) {
+    if (debug_.on(kStateKey))
+      debug_.robotDrawing(kStateKey).text(Vector2(-0.2, 0.2), name(chaser_.state()),
+                                          robotlink::colors::kBlack);
+    if (!debug_.on(kTargetKey)) return;
+    auto drawing = debug_.robotDrawing(kTargetKey);
+    if (now.ballKnown) drawing.line(Vector2(0, 0), now.ball, robotlink::colors::kOrange);
+    if (now.ballKnown && now.goal) drawing.arrow(now.ball, *now.goal, robotlink::colors::kYellow);
+    if (chaser_.target()) drawing.dot(*chaser_.target(), robotlink::colors::kRed);
+  }
+
+  const robotcontrol::GoToBallParameters& parameters_;
+  Vector2 goalInField_;
+  std::string green_;
+  robotlink::Input<robotcontrol::BallModel> ball_;
+  robotlink::Input<robotcontrol::RobotPose> pose_;
+  robotlink::Input<robotcontrol::ColorRegions> regions_;
+  robotlink::Input<robotcontrol::MotionStatus> status_;
+  BallChaser chaser_;
+};
+
+const robotlink::SolutionRegistration kGoToBallAndKick =
+    robotlink::SolutionBuilder<GoToBallAndKick>("behavior", "go-to-ball-and-kick",
+                                                "Looks for the ball, walks to it, gets behind it as seen "
+                                                "from the goal where that is known, and kicks it.")
+        .needs(robotlink::kBallModel)
+        .uses(robotlink::kRobotPose)
+        .uses(robotlink::kColorRegions)
+        .uses(robotlink::kMotionStatus)
+        .yields(robotlink::kMotionRequest)
+        .yields(robotlink::kHeadMode)
+        .keys({&kStateKey, &kTargetKey, &kSpeedKey})
+        .parameters<robotcontrol::GoToBallParameters>();
+
+class Stand final : public Behavior {
+ public:
+  explicit Stand(robotlink::SolutionContext& context) : Behavior(context) {}
+
+  void execute() override {
+    auto head = std::make_shared<HeadMode>();
+    head->set_kind(HeadMode::LOOK_AHEAD);
+    want(std::make_shared<MotionRequest>(), std::move(head));
+  }
+};
+
+const robotlink::SolutionRegistration kStand =
+    robotlink::SolutionBuilder<Stand>("behavior", "stand", "Stands and looks ahead.")
+        .yields(robotlink::kMotionRequest)
+        .yields(robotlink::kHeadMode)
+        .keys({&kSpeedKey});
+
+class Obey final : public Behavior {
+ public:
+  explicit Obey(robotlink::SolutionContext& context)
+      : Behavior(context), remote_(context.input(robotlink::kRemoteMotion)) {}
+
+  void execute() override {
+    auto motion = std::make_shared<MotionRequest>();
+    auto head = std::make_shared<HeadMode>();
+    if (remote_) {
+      *motion = remote_->motion();
+      *head = remote_->head();
+    }
+    want(std::move(motion), std::move(head));
+  }
+
+ private:
+  robotlink::Input<robotcontrol::RemoteMotion> remote_;
+};
+
+const robotlink::SolutionRegistration kObey =
+    robotlink::SolutionBuilder<Obey>("behavior", "obey",
+                                     "Does nothing but what a person asks for; stands until somebody does.")
+        .uses(robotlink::kRemoteMotion)
+        .yields(robotlink::kMotionRequest)
+        .yields(robotlink::kHeadMode)
+        .keys({&kSpeedKey});
+
+}  // namespace
+}  // namespace modules

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "robotlink/base/Geometry.h"
+#include "robotlink/base/Random.h"
+
+namespace modules {
+
+/// Where the robot believes to be on the field.
+struct PoseEstimate {
+  robotlink::Pose2 robotInField;
+  double positionDeviation = 0;  ///< m, standard deviation
+  double headingDeviation = 0;   ///< rad, standard deviation
+};
+
+/// A landmark at a known place of the field, as the robot sees it.
+struct LandmarkMeasurement {
+  robotlink::Vector2 position = robotlink::Vector2::Zero();  ///< in the field, m
+  double bearing = 0;                                        ///< rad, in the robot
+  double distance = 0;                                       ///< m
+  double confidence = 0;                                     ///< 0 to 1
+  bool isGoal = false;                                       ///< large things have no exact place
+};
+
+/// Self-localisation by a particle filter (Monte Carlo localisation; Dellaert, Fox et al. 1999) over dead
+/// reckoning and landmarks.
+///
+/// A particle's weight follows from bearings (good) and distances (poor) of landmarks; where they fit badly
+/// for a while, particles are drawn anew from what the landmarks say, so that a robot that was carried off
+/// finds itself again. Deterministic: a seed and the calls decide everything.
+class LandmarkLocalizer {
+ public:
+  struct Options {
+    int particles = 120;
+    double fieldLength = 4.2, fieldWidth = 2.7;  ///< m
+    double bearingDeviation = 0.08;              ///< rad
+    double distanceDeviation = 0.25;             ///< share of the distance
+    double walkNoise = 0.15;                     ///< share of the way walked and turned
+    double driftNoise = 0.004;                   ///< m and rad a update
+    double newShare = 0.1;                       ///< of particles drawn anew where the rest fits badly
+    std::uint64_t seed = 1;
+  };
+  LandmarkLocalizer(const Options& options, const robotlink::Pose2& start, double startDeviation);
+  /// From now on; the number of particles and the seed stay.
+  void setOptions(const Options& options) { options_ = options; }
+
+  /// `robotInOdometry`: dead reckoning since any start.
+  void update(const robotlink::Pose2& robotInOdometry, std::span<const LandmarkMeasurement> seen);
+  const PoseEstimate& estimate() const { return estimate_; }
+  std::vector<robotlink::Pose2> particles() const;
+
+ private:
+  struct Particle {
+    robotlink::Pose2 pose;
+    double weight = 1;
+  };
+  void move(const robotlink::Pose2& step);
+  void weigh(std::span<const LandmarkMeasurement> seen);
+  void resample(std::span<const LandmarkMeasurement> seen);
+  /// A pose from which one of the landmarks looks as it was seen.
+  robotlink::Pose2 drawFrom(const LandmarkMeasurement& seen);
+  void keepOnField(robotlink::Pose2& pose) const;
+  void summarize();
+
+  Options options_;
+  robotlink::Random random_;
+  std::vector<Particle> particles_;
+  std::vector<Particle> drawn_;
+  robotlink::Pose2 odometry_;
+  bool hasOdometry_ = false;
+  double fit_ = 1;  ///< how well particles fitted lately, 0 to 1
+  PoseEstimate estimate_;
+};
+
+}  // namespace modules

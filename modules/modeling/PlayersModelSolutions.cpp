@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "players-model": where the other robots are.
+#include "ModelingParameters.pb.h"
+#include "modules/modeling/PlayerTracker.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+
+const DebugKey kPlayersKey{"players-model/players", "Where the other robots are believed to be"};
+const DebugKey kCountKey{"players-model/count", "How many other robots are known"};
+
+/// Sends the players and tells of them.
+class PlayersModeler : public robotlink::Solution {
+ public:
+  explicit PlayersModeler(robotlink::SolutionContext& context)
+      : debug_(context.debug()), model_(context.output(robotlink::kPlayersModel)) {}
+
+ protected:
+  void tell(const std::vector<TrackedPlayer>& players, const google::protobuf::Timestamp& time) {
+    auto package = std::make_shared<robotcontrol::PlayersModel>();
+    *package->mutable_timestamp() = time;
+    for (const TrackedPlayer& player : players) {
+      robotcontrol::PlayersModel::Player& added = *package->add_players();
+      added.set_team(player.team);
+      robotlink::assign(*added.mutable_position_in_field(), player.positionInField);
+      added.set_confidence(player.confidence);
+    }
+    model_.send(std::move(package));
+    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(players.size()));
+    if (!debug_.on(kPlayersKey)) return;
+    auto drawing = debug_.fieldDrawing(kPlayersKey);
+    for (const TrackedPlayer& player : players)
+      drawing.circle(player.positionInField, 0.15,
+                     player.team == "red" ? robotlink::colors::kRed : robotlink::colors::kBlue,
+                     1 + 2 * player.confidence);
+  }
+
+ private:
+  robotlink::DebugContext& debug_;
+  robotlink::Output<robotcontrol::PlayersModel> model_;
+};
+
+class PerceptPlayers final : public PlayersModeler {
+ public:
+  explicit PerceptPlayers(robotlink::SolutionContext& context)
+      : PlayersModeler(context),
+        percepts_(context.input(robotlink::kRobotPercepts)),
+        pose_(context.input(robotlink::kRobotPose)),
+        parameters_(context.parameters<robotcontrol::PerceptPlayersParameters>()) {}
+
+  void execute() override {
+    if (!percepts_ || !percepts_.isNew() || !pose_) return;
+    const robotlink::Pose2 robotInField = robotlink::pose2(pose_->robot_in_field());
+    seen_.clear();
+    for (const robotcontrol::RobotPercept& percept : percepts_->robots())
+      seen_.push_back({percept.team(), robotInField * robotlink::vector2(percept.position_in_robot()),
+                       percept.confidence()});
+    tracker_.setOptions(
+        {parameters_.same_within(), parameters_.half_life(), parameters_.forget_below(), parameters_.pull()});
+    tracker_.update(robotlink::seconds(robotlink::instant(percepts_->timestamp())), seen_);
+    tell(tracker_.players(), percepts_->timestamp());
+  }
+
+ private:
+  robotlink::Input<robotcontrol::RobotPercepts> percepts_;
+  robotlink::Input<robotcontrol::RobotPose> pose_;
+  const robotcontrol::PerceptPlayersParameters& parameters_;
+  PlayerTracker tracker_{{}};
+  std::vector<TrackedPlayer> seen_;
+};
+
+const robotlink::SolutionRegistration kPercepts =
+    robotlink::SolutionBuilder<PerceptPlayers>(
+        "players-model", "percepts",
+        "Keeps the robots that were seen until they have not been seen for a while.")
+        .needs(robotlink::kRobotPercepts)
+        .needs(robotlink::kRobotPose)
+        .yields(robotlink::kPlayersModel)
+        .keys({&kPlayersKey, &kCountKey})
+        .parameters<robotcontrol::PerceptPlayersParameters>();
+
+class OraclePlayers final : public PlayersModeler {
+ public:
+  explicit OraclePlayers(robotlink::SolutionContext& context)
+      : PlayersModeler(context), world_(context.input(robotlink::kOracleWorld)) {}
+
+  void execute() override {
+    if (!world_ || !world_.isNew()) return;
+    std::vector<TrackedPlayer> players;
+    for (const robotcontrol::OracleWorld::Robot& robot : world_->others())
+      players.push_back({robot.team(), robotlink::pose2(robot.pose_in_field()).translation(), 1});
+    tell(players, world_->timestamp());
+  }
+
+ private:
+  robotlink::Input<robotcontrol::OracleWorld> world_;
+};
+
+const robotlink::SolutionRegistration kOracle =
+    robotlink::SolutionBuilder<OraclePlayers>("players-model", "oracle",
+                                              "The true places of the other robots, from the simulator.")
+        .needs(robotlink::kOracleWorld)
+        .yields(robotlink::kPlayersModel)
+        .keys({&kPlayersKey, &kCountKey});
+
+}  // namespace
+}  // namespace modules

@@ -1,0 +1,201 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "self-localisation": where the robot is on the field.
+#include <algorithm>
+#include <cmath>
+
+#include "ModelingParameters.pb.h"
+#include "modules/modeling/LandmarkLocalizer.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Motion.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+using robotlink::Pose2;
+
+const DebugKey kPoseKey{"self-localisation/pose", "Where the robot believes to be, and how sure that is"};
+const DebugKey kParticlesKey{"self-localisation/particles",
+                             "The poses that the filter weighs against each other"};
+const DebugKey kPlotKey{"self-localisation/plot", "Place, heading and deviation of the robot"};
+
+/// Start poses are those of the red team; the blue one plays the field turned by half.
+Pose2 startPose(const robotcontrol::Pose2& start, const std::string& team) {
+  const Pose2 red = robotlink::pose2(start);
+  return team == "blue" ? Pose2{0, 0, robotlink::kPi} * red : red;
+}
+
+/// Sends an estimate and tells of it.
+class SelfLocator : public robotlink::Solution {
+ public:
+  explicit SelfLocator(robotlink::SolutionContext& context)
+      : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
+
+ protected:
+  void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
+    auto package = std::make_shared<robotcontrol::RobotPose>();
+    *package->mutable_timestamp() = time;
+    robotlink::assign(*package->mutable_robot_in_field(), estimate.robotInField);
+    package->set_position_deviation(estimate.positionDeviation);
+    package->set_heading_deviation(estimate.headingDeviation);
+    pose_.send(std::move(package));
+    if (debug_.on(kPoseKey)) {
+      auto drawing = debug_.fieldDrawing(kPoseKey);
+      drawing.pose(estimate.robotInField, robotlink::colors::kBlack);
+      drawing.circle(estimate.robotInField.translation(), 2 * estimate.positionDeviation,
+                     robotlink::colors::kGrey);
+    }
+    if (debug_.on(kPlotKey)) {
+      debug_.plot(kPlotKey, "x", estimate.robotInField.x, "m");
+      debug_.plot(kPlotKey, "y", estimate.robotInField.y, "m");
+      debug_.plot(kPlotKey, "heading", estimate.robotInField.heading, "rad");
+      debug_.plot(kPlotKey, "deviation", estimate.positionDeviation, "m");
+    }
+  }
+
+  robotlink::DebugContext& debug_;
+
+ private:
+  robotlink::Output<robotcontrol::RobotPose> pose_;
+};
+
+class OdometryLocator final : public SelfLocator {
+ public:
+  explicit OdometryLocator(robotlink::SolutionContext& context)
+      : SelfLocator(context),
+        parameters_(context.parameters<robotcontrol::OdometryLocalisationParameters>()),
+        team_(context.robot().team),
+        motion_(context.input(robotlink::kMotionStatus)) {}
+
+  void execute() override {
+    if (!motion_ || !motion_.isNew()) return;
+    const Pose2 now = robotlink::pose2(motion_->odometry());
+    const Pose2 step = last_.inverse() * now;
+    last_ = now;
+    way_ += std::hypot(step.x, step.y);
+    turn_ += std::abs(step.heading);
+    PoseEstimate estimate;
+    estimate.robotInField = startPose(parameters_.start(), team_) * now;
+    estimate.headingDeviation = parameters_.drift_per_radian() * turn_;
+    estimate.positionDeviation =
+        parameters_.drift_per_metre() * way_ + 0.5 * way_ * estimate.headingDeviation;
+    tell(estimate, motion_->timestamp());
+  }
+
+ private:
+  const robotcontrol::OdometryLocalisationParameters& parameters_;
+  std::string team_;
+  robotlink::Input<robotcontrol::MotionStatus> motion_;
+  Pose2 last_;
+  double way_ = 0, turn_ = 0;
+};
+
+const robotlink::SolutionRegistration kOdometry =
+    robotlink::SolutionBuilder<OdometryLocator>("self-localisation", "odometry",
+                                                "Dead reckoning from a known start; its error only grows.")
+        .needs(robotlink::kMotionStatus)
+        .yields(robotlink::kRobotPose)
+        .keys({&kPoseKey, &kPlotKey})
+        .parameters<robotcontrol::OdometryLocalisationParameters>();
+
+class LandmarkLocator final : public SelfLocator {
+ public:
+  explicit LandmarkLocator(robotlink::SolutionContext& context)
+      : SelfLocator(context),
+        field_(context.robot().field),
+        percepts_(context.input(robotlink::kLandmarkPercepts)),
+        motion_(context.input(robotlink::kMotionStatus)),
+        parameters_(context.parameters<robotcontrol::LandmarkLocalisationParameters>()),
+        localizer_(options(), startPose(parameters_.start(), context.robot().team),
+                   parameters_.start_deviation()) {}
+
+  void execute() override {
+    if (!percepts_ || !percepts_.isNew()) return;
+    seen_.clear();
+    for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addMeasurement(percept);
+    localizer_.setOptions(options());
+    localizer_.update(motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{}, seen_);
+    tell(localizer_.estimate(), percepts_->timestamp());
+    if (debug_.on(kParticlesKey)) {
+      auto drawing = debug_.fieldDrawing(kParticlesKey);
+      for (const Pose2& particle : localizer_.particles())
+        drawing.pose(particle, robotlink::colors::kBlue, 0.05);
+    }
+  }
+
+ private:
+  LandmarkLocalizer::Options options() const {
+    LandmarkLocalizer::Options options;
+    options.particles = parameters_.particles();
+    options.fieldLength = field_->length;
+    options.fieldWidth = field_->width;
+    options.bearingDeviation = parameters_.bearing_deviation();
+    options.distanceDeviation = parameters_.distance_deviation();
+    options.walkNoise = parameters_.walk_noise();
+    options.driftNoise = parameters_.drift_noise();
+    options.newShare = parameters_.new_share();
+    return options;
+  }
+
+  void addMeasurement(const robotcontrol::LandmarkPercept& percept) {
+    LandmarkMeasurement seen{robotlink::Vector2::Zero(), percept.bearing(), percept.distance(),
+                             percept.confidence(), percept.kind() == robotcontrol::LandmarkPercept::GOAL};
+    const auto beacon =
+        std::ranges::find(field_->beacons, percept.name(), &robotlink::FieldDescription::Beacon::name);
+    const auto goal =
+        std::ranges::find(field_->goals, percept.name(), &robotlink::FieldDescription::Goal::name);
+    if (!seen.isGoal && beacon != field_->beacons.end())
+      seen.position = beacon->position;
+    else if (seen.isGoal && goal != field_->goals.end())
+      seen.position = {goal->x + std::copysign(0.5 * field_->goalDepth, goal->x), 0};
+    else
+      return;
+    seen_.push_back(seen);
+  }
+
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+  robotlink::Input<robotcontrol::LandmarkPercepts> percepts_;
+  robotlink::Input<robotcontrol::MotionStatus> motion_;
+  const robotcontrol::LandmarkLocalisationParameters& parameters_;
+  LandmarkLocalizer localizer_;
+  std::vector<LandmarkMeasurement> seen_;
+};
+
+const robotlink::SolutionRegistration kLandmarks =
+    robotlink::SolutionBuilder<LandmarkLocator>(
+        "self-localisation", "landmarks",
+        "A particle filter over dead reckoning and the bearings and distances of beacons and goals.")
+        .needs(robotlink::kLandmarkPercepts)
+        .uses(robotlink::kMotionStatus)
+        .yields(robotlink::kRobotPose)
+        .keys({&kPoseKey, &kParticlesKey, &kPlotKey})
+        .parameters<robotcontrol::LandmarkLocalisationParameters>();
+
+class OracleLocator final : public SelfLocator {
+ public:
+  explicit OracleLocator(robotlink::SolutionContext& context)
+      : SelfLocator(context), world_(context.input(robotlink::kOracleWorld)) {}
+
+  void execute() override {
+    if (!world_ || !world_.isNew()) return;
+    tell({robotlink::pose2(world_->robot_in_field()), 0, 0}, world_->timestamp());
+  }
+
+ private:
+  robotlink::Input<robotcontrol::OracleWorld> world_;
+};
+
+const robotlink::SolutionRegistration kOracle =
+    robotlink::SolutionBuilder<OracleLocator>("self-localisation", "oracle",
+                                              "The robot's true pose, from the simulator.")
+        .needs(robotlink::kOracleWorld)
+        .yields(robotlink::kRobotPose)
+        .keys({&kPoseKey, &kPlotKey});
+
+}  // namespace
+}  // namespace modules
