@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/Shapes.h"
 
+#include <algorithm>
 #include <numeric>
 
 namespace robotlink {
@@ -72,7 +73,7 @@ std::vector<std::uint32_t> triangulate(std::span<const Vector2> corners) {
   if (corners.size() < 3) return triangles;
   Ring ring(corners.size());
   std::iota(ring.begin(), ring.end(), 0U);
-  if (twiceArea(corners) < 0) ring.assign(ring.rbegin(), ring.rend());
+  if (twiceArea(corners) < 0) std::reverse(ring.begin(), ring.end());
   const bool convex = isConvex(corners, ring);
   std::size_t i = 0, misses = 0;
   while (ring.size() > 2) {
