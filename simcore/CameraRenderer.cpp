@@ -172,7 +172,8 @@ void CameraRenderer::Implementation::lightStrip(Strip& strip, const VisibilityBu
   kernels_.shade(strip, buffer);
   for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
     const RayList& rays = memory_.rays()[lamp];
-    if (rays.count > 0) shadows_->addUnshadowed(lamp, rays, strip.light);
+    if (rays.count > 0)
+      shadows_->addUnshadowed(lamp, rays, buffer.stride, strip.rows * buffer.stride, strip.light);
   }
 }
 

@@ -7,7 +7,7 @@
 namespace simcore::rendering {
 namespace {
 
-constexpr int kStripPixels = 4096;
+constexpr int kStripPixels = 8192;
 
 }  // namespace
 
@@ -59,11 +59,13 @@ void FrameMemory::resize(const CameraModel& camera) {
   const std::size_t pixels = static_cast<std::size_t>(rowsPerStrip_) * stride;
   light_.resize(pixels);
   for (auto& channel : color_) channel.resize(pixels);
-  rayPixels_.resize(pixels * rayLists_.size());
+  rayIntegers_.resize(3 * pixels * rayLists_.size());
   rayFloats_.resize(4 * pixels * rayLists_.size());
   for (std::size_t i = 0; i < rayLists_.size(); ++i) {
     RayList& rays = rayLists_[i];
-    rays.pixel = rayPixels_.data() + i * pixels;
+    rays.pixel = rayIntegers_.data() + 3 * i * pixels;
+    rays.row = rays.pixel + pixels;
+    rays.self = rays.row + pixels;
     rays.light = rayFloats_.data() + 4 * i * pixels;
     for (std::size_t k = 0; k < 3; ++k) rays.direction[k] = rays.light + (k + 1) * pixels;
   }

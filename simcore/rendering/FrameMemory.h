@@ -34,7 +34,7 @@ class FrameMemory {
   std::vector<float> light_, color_[3];
   std::vector<RayList> rayLists_;
   std::vector<float> rayFloats_;
-  std::vector<std::int32_t> rayPixels_;
+  std::vector<std::int32_t> rayIntegers_;
 };
 
 }  // namespace simcore::rendering

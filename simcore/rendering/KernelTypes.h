@@ -72,6 +72,8 @@ struct LampCell {
 struct RayList {
   int count = 0;
   std::int32_t* pixel = nullptr;  ///< index into the strip
+  std::int32_t* row = nullptr;    ///< of the strip
+  std::int32_t* self = nullptr;   ///< of the pixel's triangle
   float* light = nullptr;
   float* direction[3] = {};
 };

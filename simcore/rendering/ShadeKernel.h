@@ -82,9 +82,11 @@ SIMCORE_INLINE Float8 nearestCaster(const LampCell* cells, Int8 cell, Int8 self)
   return (instance == self) & (self >= splatInt(0)) ? gathered(base, at + 1) : gathered(base, at);
 }
 
-SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixel, Float8 light,
-                           const Vector8& direction) {
+SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixel, std::int32_t row,
+                           Int8 self, Float8 light, const Vector8& direction) {
   float values[4][8];
+  std::int32_t selves[8];
+  store(selves, self);
   store(values[0], light);
   store(values[1], direction.x);
   store(values[2], direction.y);
@@ -93,6 +95,8 @@ SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixe
     const int lane = __builtin_ctz(lanes);
     const int at = rays.count++;
     rays.pixel[at] = firstPixel + lane;
+    rays.row[at] = row;
+    rays.self[at] = selves[lane];
     rays.light[at] = values[0][lane];
     for (int k = 0; k < 3; ++k) rays.direction[k][at] = values[k + 1][lane];
   }
@@ -101,7 +105,7 @@ SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixe
 /// The light of one lamp on eight points, apart from that which depends on rays.
 SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const Surface& surface,
                                 const Vector8& point, Float8 squaredNormal, Int8 drawn,
-                                std::int32_t firstPixel) {
+                                std::int32_t firstPixel, std::int32_t row) {
   constexpr float kTiny = 1e-30F;
   const Vector8 position = splatVector(lamp.inCamera);
   const Vector8 toLamp = position - point;
@@ -119,7 +123,7 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
   const Int8 unsure = lit & (bound < squaredDistance);
   const unsigned lanes = bits(unsure);
   if (lanes == 0) return light;
-  append(*lamp.rays, lanes, firstPixel, light, direction);
+  append(*lamp.rays, lanes, firstPixel, row, surface.self, light, direction);
   return unsure ? splat(0) : light;
 }
 
@@ -142,7 +146,8 @@ SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffe
     const Float8 squaredNormal = dot(surface.normal, surface.normal);
     Float8 sum = splat(strip.ambient);
     for (int i = 0; i < strip.lampCount; ++i) {
-      sum = sum + lampLight(strip, strip.lamps[i], surface, point, squaredNormal, drawn, firstPixel);
+      sum = sum + lampLight(strip, strip.lamps[i], surface, point, squaredNormal, drawn, firstPixel,
+                            y - strip.firstRow);
     }
     light = drawn ? sum : light;
   }
