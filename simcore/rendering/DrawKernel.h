@@ -12,8 +12,9 @@ namespace {
 
 /// Eight triangles, ready to be drawn.
 struct Setup {
-  float edge[3][3][8];  ///< edge i, component k: inside where edge * d > 0
-  float plane[3][8];    ///< 1 / depth = plane * d
+  float edge[3][3][8];    ///< edge i, component k: inside where edge * d > threshold
+  float threshold[3][8];  ///< just below 0 for the edges that own the pixels on them, else 0
+  float plane[3][8];      ///< 1 / depth = plane * d
   std::int32_t x0[8], x1[8], y0[8], y1[8];
   std::int32_t triangle[8];
 };
@@ -112,6 +113,15 @@ SIMCORE_INLINE Int8 boundPixels(const Vector8 (&v)[3], const VisibilityBuffer& b
   return seen & (right > half) & (bottom > half) & (x0 <= x1) & (y0 <= y1);
 }
 
+/// Left edges, and horizontal ones at the top, own the pixels on them; d.y and d.z decrease along the image's
+/// axes.
+SIMCORE_INLINE Float8 thresholdOf(const Vector8& edge) {
+  constexpr float kSmallest = 1.17549435e-38F;
+  const Float8 zero = splat(0);
+  const Int8 owns = (edge.y < zero) | ((edge.y == zero) & (edge.z < zero));
+  return owns ? splat(-kSmallest) : zero;
+}
+
 SIMCORE_INLINE void storeVector(float (&to)[3][8], const Vector8& v) {
   store(to[0], v.x);
   store(to[1], v.y);
@@ -130,9 +140,11 @@ SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer
   const Vector8 inward = cross(v[2] - v[0], v[1] - v[0]);
   const Float8 volume = dot(inward, v[0]);
   storeVector(setup.plane, {inward.x / volume, inward.y / volume, inward.z / volume});
-  storeVector(setup.edge[0], edgeBetween(v[2], v[1]));
-  storeVector(setup.edge[1], edgeBetween(v[0], v[2]));
-  storeVector(setup.edge[2], edgeBetween(v[1], v[0]));
+  const Vector8 edges[3] = {edgeBetween(v[2], v[1]), edgeBetween(v[0], v[2]), edgeBetween(v[1], v[0])};
+  for (int i = 0; i < 3; ++i) {
+    storeVector(setup.edge[i], edges[i]);
+    store(setup.threshold[i], thresholdOf(edges[i]));
+  }
   store(setup.triangle, load<Int8>(triangles));
   return bits(covers & (volume > splat(0)));
 }
@@ -140,21 +152,18 @@ SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer
 /// One triangle of a setup while its rows are drawn.
 struct Edges {
   float x[3], y[3], z[3];
-  float threshold[3];  ///< just below 0 for the edges that own the pixels on them, else 0
+  float threshold[3];
   float plane[3];
   std::int32_t id;
 };
 
 SIMCORE_INLINE Edges selectLane(const Setup& setup, int lane, std::int32_t id) {
-  constexpr float kSmallest = 1.17549435e-38F;
   Edges e;
   for (int i = 0; i < 3; ++i) {
     e.x[i] = setup.edge[i][0][lane];
     e.y[i] = setup.edge[i][1][lane];
     e.z[i] = setup.edge[i][2][lane];
-    // Left edges, and horizontal ones at the top; d.y and d.z decrease along the image's axes.
-    const bool owns = e.y[i] < 0 || (e.y[i] == 0 && e.z[i] < 0);
-    e.threshold[i] = owns ? -kSmallest : 0;
+    e.threshold[i] = setup.threshold[i][lane];
     e.plane[i] = setup.plane[i][lane];
   }
   e.id = id;
@@ -190,29 +199,49 @@ SIMCORE_INLINE void narrow(const Edges& e, const float (&base)[3], const float (
   }
 }
 
-SIMCORE_INLINE unsigned drawTriangle(const Edges& e, const Setup& setup, int lane,
-                                     const VisibilityBuffer& buffer) {
-  const int x0 = setup.x0[lane], x1 = setup.x1[lane], y1 = setup.y1[lane];
+/// The edge functions and 1 / depth where a row's column is 0.
+struct RowStart {
+  float edge[3];
+  float depth;
+  std::ptrdiff_t pixel;
+
+  SIMCORE_INLINE RowStart(const Edges& e, const VisibilityBuffer& buffer, int y)
+      : edge{e.x[0] + e.z[0] * buffer.row[y], e.x[1] + e.z[1] * buffer.row[y],
+             e.x[2] + e.z[2] * buffer.row[y]},
+        depth(e.plane[0] + e.plane[2] * buffer.row[y]),
+        pixel(static_cast<std::ptrdiff_t>(y) * buffer.stride) {}
+};
+
+SIMCORE_INLINE unsigned drawNarrow(const Edges& e, const VisibilityBuffer& buffer, int x0, int y0, int y1) {
+  unsigned any = 0;
+  for (int y = y0; y <= y1; ++y) {
+    const RowStart start(e, buffer, y);
+    any |= drawEight(e, start.edge, start.depth, buffer, start.pixel, x0);
+  }
+  return any;
+}
+
+SIMCORE_INLINE unsigned drawWide(const Edges& e, const VisibilityBuffer& buffer, int x0, int x1, int y0,
+                                 int y1) {
   const float center = static_cast<float>(buffer.width) / 2 - 0.5F;
   const float slope[3] = {buffer.focalX / e.y[0], buffer.focalX / e.y[1], buffer.focalX / e.y[2]};
   unsigned any = 0;
-  for (int y = setup.y0[lane]; y <= y1; ++y) {
-    const float row = buffer.row[y];
-    const float base[3] = {e.x[0] + e.z[0] * row, e.x[1] + e.z[1] * row, e.x[2] + e.z[2] * row};
-    const float depth = e.plane[0] + e.plane[2] * row;
-    const std::ptrdiff_t rowStart = static_cast<std::ptrdiff_t>(y) * buffer.stride;
-    if (x1 - x0 < 8) {
-      any |= drawEight(e, base, depth, buffer, rowStart, x0);
-      continue;
-    }
+  for (int y = y0; y <= y1; ++y) {
+    const RowStart start(e, buffer, y);
     auto from = static_cast<float>(x0), to = static_cast<float>(x1);
-    narrow(e, base, slope, center, from, to);
+    narrow(e, start.edge, slope, center, from, to);
     if (!(from <= to)) continue;
     for (int x = static_cast<int>(from), last = static_cast<int>(to); x <= last; x += 8) {
-      any |= drawEight(e, base, depth, buffer, rowStart, x);
+      any |= drawEight(e, start.edge, start.depth, buffer, start.pixel, x);
     }
   }
   return any;
+}
+
+SIMCORE_INLINE unsigned drawTriangle(const Edges& e, const Setup& setup, int lane,
+                                     const VisibilityBuffer& buffer) {
+  const int x0 = setup.x0[lane], x1 = setup.x1[lane], y0 = setup.y0[lane], y1 = setup.y1[lane];
+  return x1 - x0 < 8 ? drawNarrow(e, buffer, x0, y0, y1) : drawWide(e, buffer, x0, x1, y0, y1);
 }
 
 SIMCORE_INLINE void writeRecord(const DrawJob& job, const VisibilityBuffer& buffer, const Edges& e,

@@ -74,12 +74,17 @@ SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
   return (face * gridSize + cv) * gridSize + cu;
 }
 
-/// A lower bound of the squared distance from the lamp to whatever could shade the points.
-SIMCORE_INLINE Float8 nearestCaster(const LampCell* cells, Int8 cell, Int8 self) {
+/// Of some lanes with points at squared distances from a lamp, those that something in their cell could
+/// shade.
+SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Float8 squaredDistance,
+                                Int8 lanes) {
   const auto* base = reinterpret_cast<const float*>(cells);
   const Int8 at = cell * 4;
-  const auto instance = reinterpret_cast<Int8>(gathered(base, at + 2));
-  return (instance == self) & (self >= splatInt(0)) ? gathered(base, at + 1) : gathered(base, at);
+  const Int8 behind = lanes & (gathered(base, at) < squaredDistance);
+  if (bits(behind) == 0) return behind;
+  const auto nearest = reinterpret_cast<Int8>(gathered(base, at + 2));
+  const Int8 own = (nearest == self) & (self >= splatInt(0));
+  return behind & (~own | (gathered(base, at + 1) < squaredDistance));
 }
 
 SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixel, std::int32_t row,
@@ -119,8 +124,8 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
   const Int8 lit = drawn & (light > splat(0));
   if (bits(lit) == 0) return light;
   const Vector8 direction = rotated(strip.cameraToWorld, {-toLamp.x, -toLamp.y, -toLamp.z});
-  const Float8 bound = nearestCaster(lamp.cells, cellOf(direction, strip.gridSize), surface.self);
-  const Int8 unsure = lit & (bound < squaredDistance);
+  const Int8 unsure =
+      mayBeShaded(lamp.cells, cellOf(direction, strip.gridSize), surface.self, squaredDistance, lit);
   const unsigned lanes = bits(unsure);
   if (lanes == 0) return light;
   append(*lamp.rays, lanes, firstPixel, row, surface.self, light, direction);

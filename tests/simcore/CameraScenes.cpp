@@ -56,7 +56,7 @@ class SceneBuilder {
 };
 
 void addCarpet(SceneBuilder& builder) {
-  builder.addBox({4.6, 3.1, 0.02}, at(0, 0, -0.01), kGreen);
+  builder.addBox({4.6, 3.1, 0.02}, at(0, 0, -0.01), kGreen, false);
   const auto line = [&](double x, double y, double lengthX, double lengthY) {
     builder.addBox({lengthX, lengthY, 0.001}, at(x, y, 0.0005), kWhite, false);
   };
