@@ -33,7 +33,7 @@ FallDetector::Side FallDetector::side() const {
   if (-direction.z() > std::abs(direction.x()) && -direction.z() > std::abs(direction.y()))
     return Side::kBack;
   if (std::abs(direction.x()) > std::abs(direction.y()))
-    return direction.x() > 0 ? Side::kBack : Side::kFront;
+    return direction.x() > 0 ? Side::kRear : Side::kFront;
   return direction.y() > 0 ? Side::kRight : Side::kLeft;
 }
 

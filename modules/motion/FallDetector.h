@@ -15,8 +15,8 @@ namespace modules {
 /// calls.
 class FallDetector {
  public:
-  /// What the robot lies on.
-  enum class Side { kNone, kFront, kBack, kLeft, kRight };
+  /// What the robot lies on: its face, its rump (the nose in the air), its back or a flank.
+  enum class Side { kNone, kFront, kRear, kBack, kLeft, kRight };
 
   void update(const robotlink::Vector3& acceleration, robotlink::Duration frame);
   void reset() { *this = {}; }

@@ -20,22 +20,24 @@ enum class FootMode { kRectangle, kHalfEllipse };
 /// differ in the second place of an array.
 struct GaitParameters {
   FootMode footMode = FootMode::kRectangle;
-  double foreHeight = 0.095, foreWidth = 0.075, foreCenterX = 0.030;
-  double hindHeight = 0.105, hindWidth = 0.075, hindCenterX = -0.030;
-  double foreLift = 0.015, hindLift = 0.015;  ///< how high the paws go
-  double foreTilt = 0, hindTilt = 0;  ///< how far a lifted paw goes to the front for each metre of lift
+  double foreHeight = 0.1014, foreWidth = 0.0705, foreCenterX = 0.0428;
+  double hindHeight = 0.1069, hindWidth = 0.0572, hindCenterX = -0.0313;
+  double foreLift = 0.0081, hindLift = 0.0101;  ///< how high the paws go
+  double foreTilt = -0.65,
+         hindTilt = 0.31;  ///< how far a lifted paw goes to the front for each metre of lift
 
-  int stepFrames = 60;                              ///< of 8 ms, of one cycle
-  std::array<double, 2> groundPhase{0.5, 0.5};      ///< on the ground
-  std::array<double, 2> liftPhase{0.1, 0.1};      ///< straight up (rectangle only)
-  std::array<double, 2> loweringPhase{0.1, 0.1};  ///< straight down (rectangle only)
-  std::array<double, 4> legPhase{0, 0.5, 0.5, 0};   ///< a trot: the diagonal legs together
+  int stepFrames = 54;                             ///< of 8 ms, of one cycle
+  std::array<double, 2> groundPhase{0.5, 0.5};     ///< on the ground
+  std::array<double, 2> liftPhase{0.1, 0.1};       ///< straight up (rectangle only)
+  std::array<double, 2> loweringPhase{0.1, 0.1};   ///< straight down (rectangle only)
+  std::array<double, 4> legPhase{0, 0.5, 0.5, 0};  ///< a trot: the diagonal legs together
 
   /// Paws are moved by this factor faster than the robot shall go: what slipping and slow servos cost.
-  double factorX = 1, factorBackward = 1, factorY = 1, factorRotation = 1;
+  double factorX = 0.995, factorBackward = 0.995, factorY = 1.053, factorRotation = 1.003;
   /// rad/s of turning for each m/s to the front and to the left: against the robot's drift.
-  double counterRotationX = 0, counterRotationY = 0;
-  double maximumX = 0.18, maximumY = 0.16, maximumRotation = 1.2;  ///< the corners of an ellipsoid of speeds
+  double counterRotationX = 0, counterRotationY = 1.29;
+  double maximumX = 0.18, maximumBackward = 0.12, maximumY = 0.16,
+         maximumRotation = 1.2;  ///< the corners of an ellipsoid of speeds
   double maximumChangeX = 0.4, maximumChangeY = 0.4, maximumChangeRotation = 3.0;  ///< a second
   double maximumStepX = 0.060, maximumStepY = 0.060;  ///< length of a paw's way on the ground
 

@@ -77,6 +77,8 @@ std::string MotionEngine::getUpMotion() const {
   switch (falls_.side()) {
     case FallDetector::Side::kBack:
       return "get-up-back";
+    case FallDetector::Side::kRear:
+      return "get-up-rear";
     case FallDetector::Side::kLeft:
       return "get-up-left";
     case FallDetector::Side::kRight:

@@ -31,7 +31,7 @@ class MotionEngine {
  public:
   struct Options {
     bool getUpByItself = true;
-    double blendTime = 0.35;      ///< s, from the end of a motion to the stand
+    double blendTime = 0.5;       ///< s, from the end of a motion to the stand
     double headSpeedShare = 0.9;  ///< of the head joints' greatest speed
     bool operator==(const Options&) const = default;
   };

@@ -34,8 +34,9 @@ void WheelModelGait::reset() {
 }
 
 WalkSpeed WheelModelGait::limited(const WalkSpeed& speed) const {
-  const double norm = std::hypot(speed.x / parameters_.maximumX, speed.y / parameters_.maximumY,
-                                 speed.rotation / parameters_.maximumRotation);
+  const GaitParameters& p = parameters_;
+  const double norm = std::hypot(speed.x / (speed.x < 0 ? p.maximumBackward : p.maximumX),
+                                 speed.y / p.maximumY, speed.rotation / p.maximumRotation);
   if (!std::isfinite(norm)) return {};
   const double scale = norm > 1 ? 1 / norm : 1;
   return {speed.x * scale, speed.y * scale, speed.rotation * scale};

@@ -40,9 +40,11 @@ class WheelModelGait {
   bool onGround(Leg leg) const;
   robotlink::Vector3 pawInBody(Leg leg) const;
   LegAngles angles(Leg leg) const;
+  /// The way of a paw over the ground in one cycle, metres; half of it before and half behind the paw's
+  /// place.
+  robotlink::Vector3 stepVector(Leg leg) const;
 
  private:
-  robotlink::Vector3 stepVector(Leg leg) const;
   robotlink::Vector3 standInHip(Leg leg) const;
   double legPhase(Leg leg) const;
   double pitch() const;

@@ -14,7 +14,7 @@ void feel(FallDetector& detector, const Vector3& acceleration, int frames) {
 }
 
 TEST(FallDetectorTest, theSideThatIsDownIsTold) {
-  const std::pair<Vector3, Side> cases[] = {{{9.8, 0, 1}, Side::kBack},
+  const std::pair<Vector3, Side> cases[] = {{{9.8, 0, 1}, Side::kRear},
                                             {{-9.8, 0, 1}, Side::kFront},
                                             {{0, 9.8, 1}, Side::kRight},
                                             {{0, -9.8, 1}, Side::kLeft},

@@ -24,6 +24,11 @@ Vector3 groundVelocity(WheelModelGait gait, Leg leg) {
 WheelModelGait levelGait() {
   GaitParameters parameters;
   parameters.foreHeight = parameters.hindHeight = 0.1;
+  parameters.foreWidth = parameters.hindWidth = 0.075;
+  parameters.foreCenterX = 0.03;
+  parameters.hindCenterX = -0.03;
+  parameters.factorX = parameters.factorBackward = parameters.factorY = parameters.factorRotation = 1;
+  parameters.counterRotationX = parameters.counterRotationY = 0;
   return WheelModelGait(parameters);
 }
 

@@ -1,0 +1,82 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/motion/HeadController.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace modules {
+namespace {
+
+// Nearer to the neck than this a point cannot be looked at; the neck would have to look through the chest.
+constexpr double kNearest = 0.06;
+// How far the head may stay behind a sweep before the sweep waits for it.
+constexpr double kLag = 0.5;
+
+double approached(double value, double target, double change) {
+  return value + std::clamp(target - value, -change, change);
+}
+
+}  // namespace
+
+HeadAngles HeadController::advance(const HeadWish& wish, const std::optional<BallSight>& ball,
+                                   const HeadAngles& now, robotlink::Duration frame) {
+  const double dt = robotlink::seconds(frame);
+  if (ball && ball->position.allFinite()) side_ = ball->position.y() < 0 ? -1 : 1;
+  switch (wish.kind) {
+    case HeadWish::Kind::kLookAhead:
+      state_ = State::kStill;
+      return {parameters_.aheadTilt, 0, 0, 0};
+    case HeadWish::Kind::kAngles:
+      state_ = State::kStill;
+      return wish.angles;
+    case HeadWish::Kind::kLookAround:
+      return lookAround(now, frame);
+    default:
+      break;
+  }
+  if (ball && ball->position.allFinite() && ball->age < parameters_.lostAfter) {
+    state_ = State::kTracking;
+    return anglesTowards({ball->position.x(), ball->position.y(), parameters_.ballRadius});
+  }
+  const double far = parameters_.searchFarTilt, near = parameters_.searchNearTilt;
+  const double wide = parameters_.searchFarPan * side_, narrow = parameters_.searchNearPan * side_;
+  return swept({{far, wide}, {far, -wide}, {near, -narrow}, {near, narrow}}, State::kSearching, now, dt);
+}
+
+HeadAngles HeadController::lookAround(const HeadAngles& now, robotlink::Duration frame) {
+  const double tilt = parameters_.aroundTilt, pan = parameters_.aroundPan;
+  return swept({{tilt, pan}, {tilt, -pan}}, State::kSweeping, now, robotlink::seconds(frame));
+}
+
+/// Goes along a closed path at the sweep's speed, from where the head is.
+HeadAngles HeadController::swept(const std::vector<Waypoint>& path, State state, const HeadAngles& now,
+                                 double seconds) {
+  if (state_ != state) {
+    state_ = state;
+    sweep_ = {now.tilt, now.pan, 0, 0};
+    waypoint_ = 0;
+  }
+  const double lag = std::max(std::abs(sweep_.pan - now.pan), std::abs(sweep_.tilt - now.tilt));
+  const double step = lag > kLag ? 0 : parameters_.sweepSpeed * seconds;
+  const Waypoint& target = path[waypoint_ % path.size()];
+  sweep_.tilt = approached(sweep_.tilt, target.tilt, step);
+  sweep_.pan = approached(sweep_.pan, target.pan, step);
+  if (sweep_.tilt == target.tilt && sweep_.pan == target.pan) waypoint_ = (waypoint_ + 1) % path.size();
+  return sweep_;
+}
+
+HeadAngles HeadController::anglesTowards(const robotlink::Vector3& pointInRobot) const {
+  // From the robot's frame on the ground to the body's, whose nose is pitched down.
+  const robotlink::Vector3 raised = pointInRobot - robotlink::Vector3(0, 0, parameters_.bodyHeight);
+  robotlink::Vector3 point = Eigen::AngleAxisd(-parameters_.bodyPitch, robotlink::Vector3::UnitY()) * raised;
+  point -= robotlink::Vector3(dimensions_.neckX, 0, dimensions_.neckZ);
+  point.x() = std::max(point.x(), kNearest);
+  // The pan axis stands on the tilted neck, so tilt must put the point at the height of the pan's centre.
+  const double distance = std::hypot(point.x(), point.z());
+  const double tilt =
+      std::atan2(point.z(), point.x()) - std::asin(std::min(dimensions_.neckLength / distance, 1.0));
+  const double ahead = point.x() * std::cos(tilt) + point.z() * std::sin(tilt);
+  return {tilt, std::atan2(point.y(), ahead), 0, 0};
+}
+
+}  // namespace modules

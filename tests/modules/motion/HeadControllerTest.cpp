@@ -1,0 +1,113 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/motion/HeadController.h"
+
+#include <gtest/gtest.h>
+
+namespace modules {
+namespace {
+
+using robotlink::radians;
+using robotlink::Vector3;
+constexpr robotlink::Duration kFrame = std::chrono::milliseconds(8);
+
+HeadWish wish(HeadWish::Kind kind) { return {kind, {}}; }
+
+/// The direction of the camera's axis and the point it passes through, in the robot's frame, for a level body.
+std::pair<Vector3, Vector3> gaze(const HeadAngles& angles, const HeadParameters& parameters) {
+  const RobotDimensions d;
+  const auto tilt = Eigen::AngleAxisd(-angles.tilt, Vector3::UnitY());
+  const Vector3 panCentre = Vector3(d.neckX, 0, d.neckZ + parameters.bodyHeight) + tilt * Vector3(0, 0, d.neckLength);
+  return {panCentre, tilt * (Eigen::AngleAxisd(angles.pan, Vector3::UnitZ()) * Vector3::UnitX())};
+}
+
+TEST(HeadControllerTest, theCamerasAxisGoesThroughThePoint) {
+  HeadParameters parameters;
+  parameters.bodyPitch = 0;
+  const HeadController controller(parameters);
+  for (const Vector3& point : {Vector3(0.3, 0, 0.04), Vector3(1.5, 0.8, 0.04), Vector3(0.4, -0.4, 0.3)}) {
+    const auto [from, direction] = gaze(controller.anglesTowards(point), parameters);
+    EXPECT_LT((point - from).cross(direction).norm(), 1e-9);
+    EXPECT_GT((point - from).dot(direction), 0);
+  }
+}
+
+TEST(HeadControllerTest, aPitchedBodyRaisesTheHeadByItsPitch) {
+  HeadParameters parameters;
+  parameters.bodyPitch = 0;
+  const double level = HeadController(parameters).anglesTowards({5, 0, 0.2}).tilt;
+  parameters.bodyPitch = 0.1;
+  EXPECT_NEAR(HeadController(parameters).anglesTowards({5, 0, 0.2}).tilt - level, 0.1, 5e-3);
+}
+
+TEST(HeadControllerTest, whatLiesBehindTheNeckDoesNotTurnTheHeadOver) {
+  const HeadController controller(HeadParameters{});
+  const HeadAngles angles = controller.anglesTowards({-1, 0.2, 0.04});
+  EXPECT_LT(angles.tilt, 0);
+  EXPECT_GT(angles.pan, 0);
+  EXPECT_TRUE(std::isfinite(controller.anglesTowards({0.075, 0, 0.165}).tilt));
+}
+
+TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnItsSide) {
+  for (const auto kind : {HeadWish::Kind::kSearchBall, HeadWish::Kind::kTrackBall}) {
+    HeadController controller(HeadParameters{});
+    HeadAngles head = controller.advance(wish(kind), BallSight{{1, -0.5}, 0.1}, {}, kFrame);
+    EXPECT_EQ(controller.state(), HeadController::State::kTracking);
+    EXPECT_LT(head.pan, -0.3);
+    for (int i = 0; i < 30; ++i) head = controller.advance(wish(kind), BallSight{{1, -0.5}, 2}, head, kFrame);
+    EXPECT_EQ(controller.state(), HeadController::State::kSearching);
+    EXPECT_LT(head.pan, -0.7);
+  }
+}
+
+/// Pan and tilt over some seconds, the head following at once.
+struct Sweep {
+  double left = -9, right = 9, up = -9, down = 9, fastest = 0;
+};
+Sweep swept(HeadController& controller, const HeadWish& kind, double seconds) {
+  Sweep sweep;
+  HeadAngles head;
+  for (int i = 0; i < static_cast<int>(seconds / 0.008); ++i) {
+    const HeadAngles next = controller.advance(kind, std::nullopt, head, kFrame);
+    sweep.fastest = std::max(sweep.fastest, std::abs(next.pan - head.pan) / 0.008);
+    head = next;
+    sweep.left = std::max(sweep.left, head.pan);
+    sweep.right = std::min(sweep.right, head.pan);
+    sweep.up = std::max(sweep.up, head.tilt);
+    sweep.down = std::min(sweep.down, head.tilt);
+  }
+  return sweep;
+}
+
+TEST(HeadControllerTest, searchingSweepsFarAndNearOnBothSides) {
+  HeadController controller(HeadParameters{});
+  const Sweep sweep = swept(controller, wish(HeadWish::Kind::kSearchBall), 6);
+  EXPECT_GT(sweep.left, radians(75));
+  EXPECT_LT(sweep.right, radians(-75));
+  EXPECT_LT(sweep.down, radians(-40));
+  EXPECT_LT(sweep.fastest, 2);
+}
+
+TEST(HeadControllerTest, lookingAroundStaysAtTheHeightOfLandmarks) {
+  HeadController controller(HeadParameters{});
+  const Sweep sweep = swept(controller, wish(HeadWish::Kind::kLookAround), 5);
+  EXPECT_GT(sweep.left, radians(80));
+  EXPECT_LT(sweep.right, radians(-80));
+  EXPECT_GT(sweep.down, radians(-5));
+}
+
+TEST(HeadControllerTest, aSweepWaitsForAHeadThatIsHeld) {
+  HeadController controller(HeadParameters{});
+  HeadAngles wanted;
+  for (int i = 0; i < 300; ++i) wanted = controller.lookAround({}, kFrame);
+  EXPECT_LT(wanted.pan, 0.6);
+}
+
+TEST(HeadControllerTest, anglesAndAheadAreObeyedAtOnce) {
+  HeadController controller(HeadParameters{});
+  const HeadWish angles{HeadWish::Kind::kAngles, {0.1, 0.2, 0.3, -0.4}};
+  EXPECT_EQ(controller.advance(angles, std::nullopt, {}, kFrame), angles.angles);
+  EXPECT_EQ(controller.advance(wish(HeadWish::Kind::kLookAhead), std::nullopt, {}, kFrame).pan, 0);
+}
+
+}  // namespace
+}  // namespace modules
