@@ -25,11 +25,11 @@ namespace robotlink::testing {
 /// broken, untidy], ball-model [last, oracle, throwing], behavior [go, obey] and motion [walk].
 class ToyPlatform final : public Platform {
  public:
-  ToyPlatform(std::string name, ManualClock& clock) : Platform(std::move(name), clock), clock_(clock) {}
+  using Platform::Platform;
   ~ToyPlatform() override { stop(); }
 
   void actuate() override;
-  void engageStop(bool engaged) override { stopEngaged_ = engaged; }
+  void engageStop(bool) override {}
   /// Every `n`-th step has an image.
   void setImageEvery(int n) { imageEvery_ = n; }
   const std::vector<std::string>& requests() const { return requests_; }
@@ -38,14 +38,12 @@ class ToyPlatform final : public Platform {
   void execute() override;
 
  private:
-  ManualClock& clock_;
   Sender<foxglove::RawImage> image_{*this, "camera/image", Blocking::kNo};
   Sender<foxglove::JointStates> joints_{*this, "joints/states", Blocking::kNo};
   Receiver<robotcontrol::JointRequest> request_{*this, "joints/request", Blocking::kNo};
   std::vector<std::string> requests_;  // serialised
   int imageEvery_ = 5;
   int step_ = 0;
-  bool stopEngaged_ = false;
 };
 
 /// A layout of the toy tasks: cognition waits for images, motion for joint states.

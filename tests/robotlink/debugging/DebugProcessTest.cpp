@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/DebugProcess.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <set>
+
+#include "tests/robotlink/debugging/ToyRobot.h"
+
+using namespace robotlink;
+using namespace robotlink::testing;
+using robotcontrol::KeyMode;
+using robotcontrol::Request;
+
+namespace {
+
+Request walk(double speed) {
+  Request request;
+  request.mutable_motion()->mutable_motion()->mutable_walk()->set_x(speed);
+  return request;
+}
+
+TEST(DebugProcessTest, aRemoteMotionReachesTheSolutionThatObeys) {
+  ToyRobot robot;
+  EXPECT_TRUE(robot.select("behavior", "obey").accepted());
+  EXPECT_TRUE(robot.ask(walk(0.25)).accepted());
+  robot.run(20);
+  robotcontrol::JointRequest request;
+  request.ParseFromString(robot.platform.requests().back());
+  EXPECT_EQ(0.25, request.positions(1));
+}
+
+TEST(DebugProcessTest, aRemoteMotionThatNobodyObeysIsRefused) {
+  ToyRobot robot(R"(version: 1
+name: eyes
+processes:
+  - {name: see, blocking: [camera/image], tasks: [ball-percept: region]}
+  - {name: debug, debug: true, period_ms: 16}
+)");
+  EXPECT_EQ("no task of this layout obeys remote motions", robot.ask(walk(1)).reason());
+}
+
+TEST(DebugProcessTest, eachRequestIsAnsweredExactlyOnceHoweverManyThereAre) {
+  ToyRobot robot;
+  std::set<std::uint64_t> expected;
+  for (std::uint64_t id = 1000; id < 1300; ++id) {
+    Request request;
+    request.set_id(id);
+    switch (id % 4) {
+      case 0:
+        request.mutable_set_key()->set_name("package/models/ball");
+        break;
+      case 1:
+        request.mutable_set_key()->set_name("ball-percept/dot");
+        break;
+      case 2:
+        request.mutable_select_solution()->set_task("behavior");
+        request.mutable_select_solution()->set_solution("go");
+        break;
+      default:
+        request.mutable_stop()->set_engaged(true);
+        break;
+    }
+    ASSERT_TRUE(robot.program->debugProcess().request(request));
+    expected.insert(id);
+    if (id % 7 == 0) robot.run(1);
+  }
+  robot.run(50);
+  std::multiset<std::uint64_t> answered;
+  for (const auto* message : robot.on("results")) answered.insert(message->result().id());
+  EXPECT_EQ(expected.size(), answered.size());
+  EXPECT_EQ(expected, std::set<std::uint64_t>(answered.begin(), answered.end()));
+}
+
+TEST(DebugProcessTest, tooManyRequestsAreDropped) {
+  ToyRobot robot;
+  int accepted = 0;
+  for (int i = 0; i < 2000; ++i) accepted += robot.program->debugProcess().request(walk(1)) ? 1 : 0;
+  EXPECT_EQ(1000, accepted);
+}
+
+TEST(DebugProcessTest, whatIsNotAProgramsBusinessIsRefused) {
+  ToyRobot robot;
+  Request stop;
+  stop.mutable_stop()->set_engaged(true);
+  EXPECT_EQ("a robot's program cannot do this; ask its platform or the simulation", robot.ask(stop).reason());
+}
+
+TEST(DebugProcessTest, tablesComeAtTheStartAndOnRequestAndOtherwiseOnlyOnChange) {
+  ToyRobot robot;
+  robot.run(60);
+  const std::size_t keys = robot.on("tables/keys").size();
+  const std::size_t solutions = robot.on("tables/solutions").size();
+  EXPECT_GE(keys, 1U);
+  EXPECT_GE(solutions, 1U);
+  robot.run(200);
+  EXPECT_EQ(keys, robot.on("tables/keys").size());
+  Request request;
+  request.mutable_send_tables();
+  EXPECT_TRUE(robot.ask(request).accepted());
+  robot.run(20);
+  EXPECT_GT(robot.on("tables/keys").size(), keys);
+  EXPECT_GT(robot.on("tables/solutions").size(), solutions);
+}
+
+TEST(DebugProcessTest, theProcessTableComesTwiceASecondWithAllEnds) {
+  ToyRobot robot;
+  robot.run(251);  // two seconds
+  const auto tables = robot.on("tables/processes");
+  EXPECT_EQ(4U, tables.size());
+  const auto& table = tables.back()->processes();
+  ASSERT_EQ(4, table.processes_size());
+  const auto& cognition = table.processes(0);
+  EXPECT_EQ("cognition", cognition.name());
+  EXPECT_EQ("running", cognition.state());
+  EXPECT_GT(cognition.frames(), 30U);
+  EXPECT_EQ((std::vector<std::string>{"ball-percept", "ball-model", "behavior"}),
+            std::vector<std::string>(cognition.tasks().begin(), cognition.tasks().end()));
+  const auto& image = *std::find_if(cognition.receivers().begin(), cognition.receivers().end(),
+                                    [](const auto& port) { return port.package() == "camera/image"; });
+  EXPECT_EQ("foxglove.RawImage", image.type());
+  EXPECT_TRUE(image.blocking());
+  EXPECT_EQ("toy", image.peer());
+  EXPECT_EQ(cognition.frames(), image.count());
+  EXPECT_EQ("toy", table.processes(3).name());
+}
+
+TEST(DebugProcessTest, whatAFailedProcessNeverDidIsRefused) {
+  ToyRobot robot;
+  robot.platform.setImageEvery(1000);  // cognition waits, so its requests do
+  robot.run(20);
+  Request request;
+  request.set_id(77);
+  request.mutable_select_solution()->set_task("behavior");
+  request.mutable_select_solution()->set_solution("obey");
+  robot.program->debugProcess().request(request);
+  robot.run(20);
+  EXPECT_TRUE(robot.on("results").empty());
+  robot.program->processes()[0]->stop();
+  robot.run(10);
+  const auto results = robot.on("results");
+  ASSERT_EQ(1U, results.size());
+  EXPECT_EQ(77U, results[0]->result().id());
+  EXPECT_EQ("process cognition has stopped", results[0]->result().reason());
+}
+
+}  // namespace

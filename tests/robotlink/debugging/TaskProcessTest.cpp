@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/TaskProcess.h"
+
+#include <gmock/gmock.h>
+#include <google/protobuf/descriptor.pb.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "tests/robotlink/debugging/ToyRobot.h"
+
+using namespace robotlink;
+using namespace robotlink::testing;
+using robotcontrol::KeyMode;
+using robotcontrol::Request;
+using ::testing::HasSubstr;
+
+namespace {
+
+/// A folder of parameter files that vanishes with the test.
+class ParameterFolder {
+ public:
+  explicit ParameterFolder(const std::string& name)
+      : path_(std::filesystem::path(::testing::TempDir()) / ("task-process-test-" + name)) {
+    std::filesystem::create_directories(path_);
+  }
+  ~ParameterFolder() { std::filesystem::remove_all(path_); }
+  ParameterFolder(const ParameterFolder&) = delete;
+  ParameterFolder& operator=(const ParameterFolder&) = delete;
+  void write(const std::string& file, const std::string& text) { std::ofstream(path_ / file) << text; }
+  const std::filesystem::path& path() const { return path_; }
+
+ private:
+  std::filesystem::path path_;
+};
+
+robotcontrol::Velocity2 velocity(double x) {
+  robotcontrol::Velocity2 result;
+  result.set_x(x);
+  return result;
+}
+
+Request setParameters(const std::string& solution, const google::protobuf::Message& value) {
+  Request request;
+  auto& wish = *request.mutable_set_parameters();
+  wish.set_task("ball-percept");
+  wish.set_solution(solution);
+  wish.mutable_value()->set_type(value.GetDescriptor()->full_name());
+  wish.mutable_value()->set_data(value.SerializeAsString());
+  return request;
+}
+
+/// The radius in the newest shown ball percept; the percept's package must be on.
+robotcontrol::BallPercept lastBall(const ToyRobot& robot) {
+  robotcontrol::BallPercept ball;
+  const auto shown = robot.on("percepts/ball");
+  if (!shown.empty()) ball.ParseFromString(shown.back()->package().data());
+  return ball;
+}
+
+// ---- Solutions
+
+TEST(TaskProcessTest, aSolutionIsSwitchedAtAFramesStartAndStartsAfresh) {
+  ToyRobot robot;
+  robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
+  robot.run(100);
+  EXPECT_GT(lastBall(robot).confidence(), 10);  // its object counts its images
+  EXPECT_TRUE(robot.select("ball-percept", "region").accepted());
+  robot.run(5);
+  EXPECT_LE(lastBall(robot).confidence(), 3);
+  EXPECT_EQ(4, livingSolutions());
+}
+
+TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
+  ToyRobot robot;
+  robot.run(20);
+  EXPECT_EQ("go", robot.active("behavior"));
+  EXPECT_TRUE(robot.select("behavior", "obey").accepted());
+  robot.run(20);
+  EXPECT_EQ("obey", robot.active("behavior"));
+  const auto table = robot.on("tables/solutions").back()->solutions();
+  ASSERT_EQ(4, table.tasks_size());
+  EXPECT_EQ("ball-model", table.tasks(1).name());
+  EXPECT_EQ("cognition", table.tasks(1).process());
+  EXPECT_EQ("oracle", table.tasks(1).solutions(1).name());
+  EXPECT_EQ("unavailable because nobody offers oracle/world", table.tasks(1).solutions(1).unavailable());
+  EXPECT_EQ("", table.tasks(1).solutions(0).unavailable());
+  EXPECT_TRUE(table.tasks(0).solutions(1).has_parameters());
+}
+
+TEST(TaskProcessTest, anUnavailableOrUnknownSolutionIsRefusedWithTheReason) {
+  ToyRobot robot;
+  EXPECT_EQ("solution oracle of ball-model is unavailable because nobody offers oracle/world",
+            robot.select("ball-model", "oracle").reason());
+  EXPECT_EQ("task ball-model has no solution 'kalman'", robot.select("ball-model", "kalman").reason());
+  EXPECT_EQ("no process of this layout has 'cooking'", robot.select("cooking", "soup").reason());
+  robot.run(20);
+  EXPECT_EQ("last", robot.active("ball-model"));
+}
+
+TEST(TaskProcessTest, aSolutionThatCannotBeMadeIsRefusedAndTheOldOneGoesOn) {
+  ToyRobot robot;
+  EXPECT_EQ("solution broken of task ball-percept could not be made: no colour table for red1",
+            robot.select("ball-percept", "broken").reason());
+  EXPECT_THAT(
+      robot.select("ball-percept", "untidy").reason(),
+      HasSubstr("ball-percept (untidy) uses the input models/pose, which its registration does not name"));
+  robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
+  robot.run(20);
+  EXPECT_TRUE(lastBall(robot).seen());
+  EXPECT_EQ(4, livingSolutions());
+}
+
+TEST(TaskProcessTest, aDefaultSolutionThatCannotBeMadeRefusesTheLayout) {
+  std::string layout = kToyLayout;
+  layout.replace(layout.find("ball-percept: region"), 20, "ball-percept: broken");
+  ToyRobot robot;
+  const Errors errors = robot.load(layout);
+  ASSERT_EQ(1U, errors.size());
+  EXPECT_EQ("toy.yaml:7:9: solution broken of task ball-percept could not be made: no colour table for red1",
+            errors[0].describe());
+}
+
+// ---- Debug keys and packages
+
+TEST(TaskProcessTest, aDrawingIsSentOnlyWhileItsKeyIsOn) {
+  ToyRobot robot;
+  robot.run(50);
+  EXPECT_TRUE(robot.on("drawings/image/ball-percept/dot").empty());
+  EXPECT_TRUE(robot.setKey("ball-percept/dot", KeyMode::N_TIMES, 3).accepted());
+  robot.run(100);
+  EXPECT_EQ(3U, robot.on("drawings/image/ball-percept/dot").size());
+}
+
+TEST(TaskProcessTest, keysOfInactiveSolutionsAreKnownAndARunOutKeyIsTold) {
+  ToyRobot robot;
+  robot.setKey("ball-percept/dot", KeyMode::N_TIMES, 2);
+  robot.run(100);
+  const auto& table = robot.on("tables/keys").back()->keys();
+  std::map<std::string, robotcontrol::KeyTable::Key> keys;
+  for (const auto& key : table.keys()) keys[key.name()] = key;
+  EXPECT_TRUE(keys.at("ball-percept/dot").in_use());
+  EXPECT_EQ(KeyMode::OFF, keys.at("ball-percept/dot").mode().kind());
+  EXPECT_EQ("ball-percept/region", keys.at("ball-percept/dot").solutions(0));
+  EXPECT_FALSE(keys.at("ball-model/oracle").in_use());
+  EXPECT_TRUE(keys.at("timing/tasks").in_use());
+  EXPECT_TRUE(keys.count("package/percepts/ball") == 1 && keys.count("package/camera/image") == 1);
+  EXPECT_EQ(table.keys_size(), static_cast<int>(keys.size())) << "each key once";
+}
+
+TEST(TaskProcessTest, anyPackageCanBeSeenOnRequest) {
+  ToyRobot robot;
+  EXPECT_TRUE(robot.setKey("package/models/ball", KeyMode::EVERY_N, 2).accepted());
+  EXPECT_TRUE(robot.setKey("package/camera/image", KeyMode::N_TIMES, 1).accepted());
+  EXPECT_TRUE(robot.setKey("package/joints/request", KeyMode::ALWAYS).accepted());
+  robot.run(100);
+  const auto models = robot.on("models/ball");
+  ASSERT_GE(models.size(), 8U);
+  EXPECT_EQ("robotcontrol.BallModel", models[0]->package().type());
+  EXPECT_EQ(80'000'000,
+            (models[1]->timestamp().nanos() - models[0]->timestamp().nanos() + 1'000'000'000) % 1'000'000'000)
+      << "every second image";
+  ASSERT_EQ(1U, robot.on("camera/image").size());
+  EXPECT_TRUE(robot.on("camera/image")[0]->has_image());
+  EXPECT_GT(robot.on("joints/request").size(), 90U);
+}
+
+TEST(TaskProcessTest, wrongKeysAreRefusedWithTheNearestName) {
+  ToyRobot robot;
+  EXPECT_EQ("there is no debug key 'ball-percept/dots'; did you mean 'ball-percept/dot'?",
+            robot.setKey("ball-percept/dots", KeyMode::ALWAYS).reason());
+  EXPECT_EQ("no process of this layout has 'package/weather'",
+            robot.setKey("package/weather", KeyMode::ALWAYS).reason());
+  EXPECT_EQ("this mode of a debug key needs a number above 0",
+            robot.setKey("ball-percept/dot", KeyMode::EVERY_MS).reason());
+}
+
+TEST(TaskProcessTest, stopwatchesTellEachTaskAndTheWholeFrame) {
+  ToyRobot robot;
+  robot.run(10);
+  EXPECT_TRUE(robot.on("stopwatches/cognition").empty());
+  robot.setKey("timing/tasks", KeyMode::ALWAYS);
+  robot.run(50);
+  const auto times = robot.on("stopwatches/cognition");
+  ASSERT_FALSE(times.empty());
+  const auto& entries = times.back()->stopwatches().entries();
+  ASSERT_EQ(4, entries.size());
+  EXPECT_EQ("ball-percept", entries[0].task());
+  EXPECT_EQ("region", entries[0].solution());
+  EXPECT_EQ("", entries[3].task());
+  EXPECT_GE(entries[3].seconds(), entries[0].seconds() + entries[1].seconds() + entries[2].seconds());
+  EXPECT_FALSE(robot.on("stopwatches/motion").empty());
+}
+
+// ---- Parameters
+
+TEST(TaskProcessTest, parametersComeFromTheirFileAndCanBeSet) {
+  ParameterFolder folder("set");
+  folder.write("ball-percept.region.textproto", "# metres\nx: 1000\n");
+  ToyRobot robot(kToyLayout, folder.path());
+  robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
+  robot.run(20);
+  EXPECT_GT(lastBall(robot).radius_in_image(), 1000);
+  EXPECT_TRUE(robot.ask(setParameters("region", velocity(5000))).accepted());
+  robot.run(20);
+  EXPECT_GT(lastBall(robot).radius_in_image(), 5000);
+  EXPECT_TRUE(robot.select("ball-percept", "region").accepted());
+  robot.run(20);
+  EXPECT_GT(lastBall(robot).radius_in_image(), 5000) << "kept when the solution is switched";
+}
+
+TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
+  ToyRobot robot;
+  Request request;
+  request.mutable_get_parameters()->set_task("ball-percept");
+  request.mutable_get_parameters()->set_solution("region");
+  EXPECT_TRUE(robot.ask(request).accepted());
+  const auto told = robot.on("parameters/ball-percept/region");
+  ASSERT_EQ(1U, told.size());
+  EXPECT_EQ("robotcontrol.Velocity2", told[0]->parameters().value().type());
+  google::protobuf::FileDescriptorSet files;
+  ASSERT_TRUE(files.ParseFromString(told[0]->parameters().descriptors()));
+  EXPECT_EQ("robotcontrol/Sensing.proto", files.file(files.file_size() - 1).name());
+  request.mutable_get_parameters()->set_solution("broken");
+  EXPECT_EQ("solution broken of ball-percept has no parameters", robot.ask(request).reason());
+}
+
+TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
+  ToyRobot robot;
+  EXPECT_EQ("its parameters are a robotcontrol.Velocity2, not a 'robotcontrol.Pose2'",
+            robot.ask(setParameters("region", robotcontrol::Pose2())).reason());
+  EXPECT_EQ("'x' is not a finite number",
+            robot.ask(setParameters("region", velocity(std::numeric_limits<double>::infinity()))).reason());
+  Request damaged = setParameters("region", velocity(1));
+  damaged.mutable_set_parameters()->mutable_value()->mutable_data()->resize(5);
+  EXPECT_EQ("the bytes are no robotcontrol.Velocity2", robot.ask(damaged).reason());
+  robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
+  robot.run(20);
+  EXPECT_LT(lastBall(robot).radius_in_image(), 200);
+}
+
+TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
+  ParameterFolder folder("wrong");
+  folder.write("ball-percept.region.textproto", "x: 1\ny: fast\ncolour: 3\n");
+  ToyRobot robot;
+  robot.parameterFolder = folder.path();
+  const Errors errors = robot.load(kToyLayout);
+  ASSERT_FALSE(errors.empty());
+  EXPECT_EQ((FilePosition{(folder.path() / "ball-percept.region.textproto").string(), 2, 4}),
+            errors[0].where);
+  EXPECT_THAT(errors[0].text, HasSubstr("fast"));
+}
+
+}  // namespace
