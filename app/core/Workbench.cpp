@@ -5,6 +5,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/session/KeyPresets.h"
 
 namespace app {
 
@@ -34,7 +35,7 @@ std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shippe
 
 }  // namespace
 
-Workbench::Workbench() : simulation_(session_) {
+Workbench::Workbench(std::filesystem::path userFolder) : userFolder_(std::move(userFolder)), simulation_(session_) {
   session_.setRequestSink([this](const robotcontrol::Request& request) { simulation_.request(request); });
   addCommands();
 }
@@ -76,7 +77,32 @@ void Workbench::takeIn(Outcome outcome) {
   std::vector<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
   session_.setRobots(robots);
+  for (const std::string& robot : robots) {
+    if (switchedOn_.insert(robot).second) switchKeysOn(robot);
+  }
   if (onLoaded_) onLoaded_(*loaded_);
+}
+
+void Workbench::switchKeysOn(const std::string& robot) {
+  auto keys = robotlink::KeyPresets(userFolder_ / "session").load(robot);
+  if (!keys) keys = robotlink::KeyPresets(robotlink::resource("presets")).load("start");
+  if (!keys) return;
+  for (const auto& key : keys->keys()) {
+    robotcontrol::Request request;
+    request.set_robot(robot);
+    request.mutable_set_key()->set_name(key.name());
+    *request.mutable_set_key()->mutable_mode() = key.mode();
+    session_.request(std::move(request));
+  }
+}
+
+robotlink::Result<void> Workbench::keepKeys() {
+  for (const std::string& robot : session_.robots()) {
+    const auto* table = session_.store().latestAs<robotcontrol::KeyTable>(robot + "/tables/keys", session_.timeline().newest());
+    if (table == nullptr) continue;
+    if (auto saved = robotlink::KeyPresets(userFolder_ / "session").save(robot, *table); !saved) return saved;
+  }
+  return {};
 }
 
 robotlink::Result<void> Workbench::control(int action, double speed) {

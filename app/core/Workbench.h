@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -20,7 +21,8 @@ namespace app {
 /// thread that owns it calls tick() at 30 Hz.
 class Workbench {
  public:
-  Workbench();
+  /// Debug keys that were on at the end of the last session are kept below `userFolder`.
+  explicit Workbench(std::filesystem::path userFolder);
   ~Workbench();
 
   robotlink::Session& session() { return session_; }
@@ -41,6 +43,9 @@ class Workbench {
   /// Is a scene being loaded now?
   bool loading() const { return loading_ > 0; }
 
+  /// Keeps the debug keys that are on, for the next start.
+  robotlink::Result<void> keepKeys();
+
   /// The shipped ones.
   static std::vector<std::filesystem::path> scenes();
   static std::vector<std::filesystem::path> layouts();
@@ -52,8 +57,11 @@ class Workbench {
   void addSimulationCommands();
   void addRobotCommands();
   void takeIn(Outcome outcome);
+  void switchKeysOn(const std::string& robot);
   robotlink::Result<void> control(int action, double speed = -1);
 
+  std::filesystem::path userFolder_;
+  std::set<std::string> switchedOn_;  ///< robots whose keys were set at the start
   robotlink::Session session_;
   robotlink::CommandTable commands_;
   robotlink::BoundedQueue<Outcome> outcomes_{64};

@@ -40,9 +40,9 @@ void MainWindow::createViewMenu() {
   menu->setObjectName(QStringLiteral("viewMenu"));
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
     const QString id = QLatin1String(type.id);
-    QAction* action = menu->addAction(widgets::icon(type.icon), tr(type.title), this, [this, id] { docks_->open(id); });
+    QAction* action = menu->addAction(widgets::icon(type.icon), QCoreApplication::translate("View", type.title), this, [this, id] { docks_->open(id); });
     action->setObjectName(QStringLiteral("view.") + id);
-    action->setToolTip(tr(type.help));
+    action->setToolTip(QCoreApplication::translate("View", type.help));
   }
   menu->setToolTipsVisible(true);
 }

@@ -23,7 +23,7 @@ void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
 
 void buildPlay(ViewDocks& docks) {
   ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
-  ads::CDockWidget* keys = docks.add(QStringLiteral("keys"), Place::kLeft);
+  ads::CDockWidget* keys = docks.add(QStringLiteral("debug-keys"), Place::kLeft);
   ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kRight);
   ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, keys);
   ads::CDockWidget* field = docks.add(QStringLiteral("field"), Place::kBottom, image);

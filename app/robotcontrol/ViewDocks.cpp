@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/ViewDocks.h"
 
+#include <QCoreApplication>
 #include <QJsonArray>
 #include <algorithm>
 #include <qtadvanceddocking/DockAreaWidget.h>
@@ -54,13 +55,12 @@ int ViewDocks::freeNumber(const QString& id) const {
 ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr) return nullptr;
-  const QString title = tr(type->title);
+  const QString title = QCoreApplication::translate("View", type->title);
   auto* dock = new ads::CDockWidget(number > 1 ? QStringLiteral("%1 %2").arg(title).arg(number) : title);
   dock->setObjectName(nameOf(id, number));
   dock->setIcon(widgets::icon(type->icon));
-  dock->setTabToolTip(tr(type->help));
+  dock->setTabToolTip(QCoreApplication::translate("View", type->help));
   widgets::View* view = type->create(context_, dock);
-  view->setObjectName(nameOf(id, number) + QStringLiteral("/view"));
   dock->setWidget(view, ads::CDockWidget::ForceNoScrollArea);
   connect(view, &widgets::View::titleChanged, dock, [dock](const QString& text) { dock->setWindowTitle(text); });
   docks_.push_back({id, dock, view});

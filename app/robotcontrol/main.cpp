@@ -70,14 +70,29 @@ void runCommands(app::Workbench& workbench, const Arguments& arguments) {
   }
 }
 
+/// Without a display Qt says of each window what it cannot do with it; nobody wants to know.
+void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+  if (text.startsWith(QLatin1String("This plugin does not support"))) return;
+  std::cerr << text.toStdString() << "\n";
+  if (type == QtFatalMsg) std::abort();
+}
+
+/// The offscreen plugin knows no desktop whose font size it could take.
+void useFontOfDesktops() {
+  if (QGuiApplication::platformName() != QLatin1String("offscreen")) return;
+  QFont font = QApplication::font();
+  font.setPointSizeF(9);
+  QApplication::setFont(font);
+}
+
 int takePicture(app::MainWindow& window, const std::string& file) {
   if (window.grab().save(QString::fromStdString(file))) return kDone;
   std::cerr << file << ": the picture could not be written\n";
   return kFailed;
 }
 
-int run(QApplication& application, const Arguments& arguments) {
-  app::Workbench workbench;
+int run(const Arguments& arguments) {
+  app::Workbench workbench(robotlink::userDirectory());
   app::MainWindow window(workbench, robotlink::userDirectory());
   if (!arguments.perspective.empty()) window.showPerspective(QString::fromStdString(arguments.perspective));
   window.show();
@@ -88,7 +103,9 @@ int run(QApplication& application, const Arguments& arguments) {
       QApplication::exit(takePicture(window, arguments.screenshot));
     });
   }
-  return application.exec();
+  const int status = QApplication::exec();
+  if (const auto kept = workbench.keepKeys(); !kept) std::cerr << kept.error().describe() << "\n";
+  return status;
 }
 
 }  // namespace
@@ -112,11 +129,13 @@ int main(int argc, char** argv) {
     }
     ::setenv("QT_QPA_PLATFORM", "offscreen", 1);
   }
+  qInstallMessageHandler(handleQtMessage);
   QCoreApplication::setAttribute(Qt::AA_UseHighDpiPixmaps);
   QApplication::setAttribute(Qt::AA_EnableHighDpiScaling);
   int qtArguments = 1;
   QApplication application(qtArguments, argv);
   QApplication::setApplicationName(QStringLiteral("RobotControl"));
   QApplication::setApplicationVersion(QStringLiteral(ROBOTCONTROL_VERSION));
-  return run(application, arguments);
+  useFontOfDesktops();
+  return run(arguments);
 }

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The program as its users call it.
+#include <gtest/gtest.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <string>
+
+namespace {
+
+struct Outcome {
+  int status = -1;
+  std::string text;  ///< stdout and stderr
+};
+
+Outcome robotctl(const std::string& arguments) {
+  const std::string command = std::string(ROBOTCTL) + " " + arguments + " 2>&1";
+  Outcome outcome;
+  FILE* pipe = ::popen(command.c_str(), "r");
+  if (pipe == nullptr) return outcome;
+  std::array<char, 4096> buffer{};
+  while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
+    outcome.text.append(buffer.data(), count);
+  }
+  outcome.status = WEXITSTATUS(::pclose(pipe));
+  return outcome;
+}
+
+const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
+const std::string kLayout = ROBOTCONTROL_SOURCE_DIR "/resources/layouts/compact.yaml";
+
+}  // namespace
+
+TEST(Robotctl, helpIsGivenAndWrongUsageIsTwo) {
+  EXPECT_EQ(robotctl("--help").status, 0);
+  EXPECT_EQ(robotctl("sim --help").status, 0);
+  EXPECT_EQ(robotctl("").status, 2);
+  EXPECT_EQ(robotctl("fly").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --seconds minus").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --solution nonsense").status, 2);
+}
+
+TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
+  const Outcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5 --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  const auto figures = nlohmann::json::parse(outcome.text);
+  EXPECT_EQ(figures.at("steps"), 250);
+  EXPECT_EQ(figures.at("images"), 25);
+  EXPECT_EQ(figures.at("seed"), 5);
+  EXPECT_EQ(figures.at("robots"), 1);
+  EXPECT_NEAR(figures.at("simulated_seconds").get<double>(), 1, 0.009);
+  for (const char* name : {"real_time_factor", "ms_per_step", "ms_per_image"}) EXPECT_GT(figures.at(name).get<double>(), 0);
+  EXPECT_TRUE(figures.contains("ball_contacts"));
+  EXPECT_TRUE(figures.contains("digest"));
+}
+
+TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
+  const std::string command = "sim " + kScene + " --seconds 1 --digest --seed ";
+  const Outcome first = robotctl(command + "1");
+  ASSERT_EQ(first.status, 0);
+  EXPECT_EQ(first.text, robotctl(command + "1").text);
+  EXPECT_NE(first.text, robotctl(command + "2").text);
+}
+
+TEST(Robotctl, aSceneThatIsNotThereAndABadLayoutFailWithTheirPlace) {
+  const Outcome scene = robotctl("sim /no/such.sdf --seconds 1");
+  EXPECT_EQ(scene.status, 1);
+  EXPECT_NE(scene.text.find("/no/such.sdf"), std::string::npos);
+  const auto file = std::filesystem::path(testing::TempDir()) / "bad.yaml";
+  std::ofstream(file) << "version: 1\nname: bad\nprocesses:\n  - name: a\n    colour: green\n";
+  const Outcome layout = robotctl("layout check " + file.string());
+  EXPECT_EQ(layout.status, 1);
+  EXPECT_NE(layout.text.find(file.string() + ":5:"), std::string::npos) << layout.text;
+}
+
+TEST(Robotctl, layoutsAreCheckedAndDrawn) {
+  EXPECT_EQ(robotctl("layout check " + kLayout).status, 0);
+  const Outcome graph = robotctl("layout graph " + kLayout);
+  EXPECT_EQ(graph.status, 0);
+  EXPECT_NE(graph.text.find("digraph"), std::string::npos);
+  EXPECT_NE(graph.text.find("camera/image"), std::string::npos);
+}

@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/SimulationThread.h"
+
+#include <gtest/gtest.h>
+
+#include "app/core/Workbench.h"
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Requests.pb.h"
+
+using namespace app;
+using robotcontrol::SimulationStatus;
+
+namespace {
+
+/// A workbench that is ticked until something holds.
+class SimulationThreadTest : public testing::Test {
+ protected:
+  SimulationThreadTest() : workbench(std::filesystem::path(testing::TempDir()) / "workbench") {
+    workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
+    workbench.load(Workbench::defaultOptions());
+    EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; }));
+  }
+
+  template <typename Condition>
+  bool waitFor(Condition condition) {
+    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+    while (std::chrono::steady_clock::now() < end) {
+      workbench.tick();
+      if (condition()) return true;
+      std::this_thread::sleep_for(std::chrono::milliseconds(2));
+    }
+    return false;
+  }
+  const SimulationStatus* status() {
+    return workbench.session().store().latestAs<SimulationStatus>("simulation", workbench.session().timeline().newest());
+  }
+  void run(const char* line) {
+    const auto done = workbench.commands().runLine(line);
+    EXPECT_TRUE(done.has_value()) << line << ": " << (done ? "" : done.error().describe());
+  }
+
+  Workbench workbench;
+  robotlink::Errors errors;
+};
+
+}  // namespace
+
+TEST_F(SimulationThreadTest, aLoadedSceneWaitsAtItsStart) {
+  EXPECT_FALSE(status()->running());
+  EXPECT_EQ(status()->steps(), 0U);
+  const auto* scene = workbench.session().store().latest("scene", workbench.session().timeline().newest());
+  ASSERT_NE(scene, nullptr);
+  EXPECT_GT(dynamic_cast<const foxglove::SceneUpdate&>(*scene->value).entities_size(), 20);
+  EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"red1"});
+}
+
+TEST_F(SimulationThreadTest, aStepIsEightMillisecondsAndResetGoesBack) {
+  run("simulation.step");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  EXPECT_NEAR(status()->time(), 0.008, 1e-9);
+  run("simulation.reset");
+  EXPECT_TRUE(waitFor([this] { return status()->steps() == 0; }));
+}
+
+TEST_F(SimulationThreadTest, itRunsAtTheChosenSpeedUntilItIsPaused) {
+  run("simulation.speed 0.5");
+  run("simulation.start");
+  ASSERT_TRUE(waitFor([this] { return status()->time() > 0.1; }));
+  const double start = status()->time();
+  const auto realStart = std::chrono::steady_clock::now();
+  ASSERT_TRUE(waitFor([&] { return status()->time() > start + 0.5; }));
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - realStart).count();
+  EXPECT_GT(real, 0.7);
+  run("simulation.pause");
+  ASSERT_TRUE(waitFor([this] { return !status()->running(); }));
+  const auto steps = status()->steps();
+  std::this_thread::sleep_for(std::chrono::milliseconds(50));
+  workbench.tick();
+  EXPECT_EQ(status()->steps(), steps);
+}
+
+TEST_F(SimulationThreadTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
+  run("simulation.start");
+  run("simulation.open /no/such/scene.sdf");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("/no/such/scene.sdf"), std::string::npos);
+  const double time = status()->time();
+  EXPECT_TRUE(waitFor([&] { return status()->time() > time; }));
+}
+
+TEST_F(SimulationThreadTest, aModelIsPlacedWhileTheSimulationIsPaused) {
+  robotcontrol::Request request;
+  request.mutable_place_model()->set_model("ball");
+  request.mutable_place_model()->mutable_pose_in_field()->set_x(0.5);
+  request.mutable_place_model()->mutable_pose_in_field()->set_y(-0.5);
+  bool accepted = false;
+  workbench.session().request(request, [&](const auto& result) { accepted = result.accepted(); });
+  EXPECT_TRUE(waitFor([&] { return accepted; }));
+}
+
+TEST_F(SimulationThreadTest, whatCannotBeDoneIsRefusedWithAReason) {
+  EXPECT_FALSE(workbench.commands().runLine("simulation.speed -3").has_value());
+  EXPECT_FALSE(workbench.commands().runLine("robot.select nobody").has_value());
+  std::string reason;
+  robotcontrol::Request request;
+  request.mutable_place_model()->set_model("moon");
+  workbench.session().request(request, [&](const auto& result) { reason = result.reason(); });
+  EXPECT_TRUE(waitFor([&] { return !reason.empty(); }));
+}
