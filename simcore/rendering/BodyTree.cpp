@@ -63,7 +63,6 @@ RTCScene newBodyScene(RTCDevice device, const RenderScene& scene, int body, Cont
     attachMesh(device, inner, scene.meshes[static_cast<std::size_t>(instance.mesh)], instance.meshInBody);
   }
   if (inner == nullptr) return nullptr;
-  rtcSetSceneBuildQuality(inner, RTC_BUILD_QUALITY_HIGH);
   rtcCommitScene(inner);
   return inner;
 }

@@ -4,12 +4,16 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <span>
 
 namespace simcore::rendering {
 namespace {
 
 constexpr int kSize = LampGrid::kSize;
 constexpr std::size_t kFaceCells = static_cast<std::size_t>(kSize) * kSize;
+
+/// What squared bounds are reduced by: rounding, and the curvature of distance within a cell.
+constexpr double kCaution = 1 - 1e-3;
 
 /// The axes of a face's u and v.
 constexpr int kU[3] = {1, 0, 0};
@@ -51,6 +55,26 @@ void insert(LampCell& cell, int instance, float distance) {
   }
 }
 
+/// How near a plane (points p with normal * p = offset) comes to the lamp within a cell, squared; infinite if
+/// it does not pass. 1 / distance is linear in the directions, so that the corners tell, but for the cell
+/// right below the lamp.
+double squaredPlaneDistance(const Eigen::Vector3d& normal, double offset, int face, int u, int v) {
+  constexpr double kMargin = 0.02;
+  const int axis = face / 2;
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const double cu : {u - kMargin, u + 1 + kMargin}) {
+    for (const double cv : {v - kMargin, v + 1 + kMargin}) {
+      Eigen::Vector3d direction;
+      direction[axis] = face % 2 == 0 ? 1 : -1;
+      direction[kU[axis]] = 2 * cu / kSize - 1;
+      direction[kV[axis]] = 2 * cv / kSize - 1;
+      const double t = offset / normal.dot(direction);
+      if (t >= 0) nearest = std::min(nearest, t * t * direction.squaredNorm());
+    }
+  }
+  return nearest;
+}
+
 }  // namespace
 
 LampGrid::LampGrid(const Eigen::Vector3d& lampInWorld) : lamp_(lampInWorld) {
@@ -64,29 +88,45 @@ void LampGrid::addStatic(const Mesh& mesh, const Pose3& meshInWorld, int instanc
     const auto corner = [&](std::size_t i) {
       return Eigen::Vector3d(meshInWorld * mesh.vertices[t[i]].cast<double>() - lamp_);
     };
-    addTriangle(corner(0), corner(1), corner(2), instance, 0);
+    addTriangle({corner(0), corner(1), corner(2)}, instance, 0);
   }
 }
 
-void LampGrid::addTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c,
-                           int instance, int depth) {
+/// Halves a triangle until its pieces are a few cells large.
+void LampGrid::addTriangle(const Triangle& t, int instance, int depth) {
   constexpr int kDeepest = 16;
-  const double ab = (b - a).squaredNorm(), bc = (c - b).squaredNorm(), ca = (a - c).squaredNorm();
+  constexpr double kCells = 4;
+  const double ab = (t.b - t.a).squaredNorm(), bc = (t.c - t.b).squaredNorm(), ca = (t.a - t.c).squaredNorm();
   const double longest = std::max({ab, bc, ca});
-  const Eigen::Vector3d center = (a + b + c) / 3;
-  const double cell = center.norm() / kSize;
-  if (longest <= cell * cell || depth == kDeepest) {
-    const double radius = std::sqrt(
-        std::max({(a - center).squaredNorm(), (b - center).squaredNorm(), (c - center).squaredNorm()}));
-    addSphere(static_, center, radius + 1e-9, instance, false);
-    return;
-  }
-  if (longest == ab) {
-    const Eigen::Vector3d middle = (a + b) / 2;
-    addTriangle(a, middle, c, instance, depth + 1);
-    addTriangle(middle, b, c, instance, depth + 1);
+  const double enough = kCells * 2 / kSize * (t.a + t.b + t.c).norm() / 3;
+  if (longest <= enough * enough || depth == kDeepest) {
+    addPiece(t, instance);
+  } else if (longest == ab) {
+    const Eigen::Vector3d middle = (t.a + t.b) / 2;
+    addTriangle({t.a, middle, t.c}, instance, depth + 1);
+    addTriangle({middle, t.b, t.c}, instance, depth + 1);
   } else {
-    addTriangle(b, c, a, instance, depth);
+    addTriangle({t.b, t.c, t.a}, instance, depth);
+  }
+}
+
+void LampGrid::addPiece(const Triangle& t, int instance) {
+  const Eigen::Vector3d center = (t.a + t.b + t.c) / 3;
+  const double radius = 1e-9 + std::sqrt(std::max({(t.a - center).squaredNorm(), (t.b - center).squaredNorm(),
+                                                   (t.c - center).squaredNorm()}));
+  const double sphere = std::pow(std::max(0.0, center.norm() - radius), 2);
+  const Eigen::Vector3d normal = (t.b - t.a).cross(t.c - t.a).normalized();
+  Rectangle rectangles[6];
+  const std::size_t count = rectanglesAround(center, radius, rectangles);
+  for (const Rectangle& r : std::span(rectangles, count)) {
+    for (int v = r.v0; v <= r.v1; ++v) {
+      for (int u = r.u0; u <= r.u1; ++u) {
+        const double plane = squaredPlaneDistance(normal, normal.dot(center), r.face, u, v);
+        LampCell& cell = static_[static_cast<std::size_t>((r.face * kSize + v) * kSize + u)];
+        if (std::isfinite(plane))
+          insert(cell, instance, static_cast<float>(std::max(sphere, plane) * kCaution));
+      }
+    }
   }
 }
 
@@ -103,29 +143,34 @@ void LampGrid::beginMoving() {
 }
 
 void LampGrid::addMoving(const Sphere& sphereInWorld, int instance) {
-  addSphere(cells_, sphereInWorld.center - lamp_, sphereInWorld.radius, instance, true);
+  const Eigen::Vector3d center = sphereInWorld.center - lamp_;
+  const double distance = std::max(0.0, center.norm() - sphereInWorld.radius);
+  const auto bound = static_cast<float>(distance * distance * kCaution);
+  Rectangle rectangles[6];
+  const std::size_t count = rectanglesAround(center, sphereInWorld.radius, rectangles);
+  for (const Rectangle& r : std::span(rectangles, count)) {
+    for (int v = r.v0; v <= r.v1; ++v) {
+      LampCell* const row = cells_.data() + static_cast<std::ptrdiff_t>(r.face * kSize + v) * kSize;
+      for (int u = r.u0; u <= r.u1; ++u) insert(row[u], instance, bound);
+    }
+    touched_.push_back(r);
+  }
 }
 
-void LampGrid::addSphere(std::vector<LampCell>& cells, const Eigen::Vector3d& center, double radius,
-                         int instance, bool remember) {
-  const double distance = std::max(0.0, center.norm() - radius);
-  const auto bound = static_cast<float>(distance * distance * (1 - 1e-5));
+/// The cells, at most one rectangle a face, that a sphere is seen in; returns how many rectangles.
+std::size_t LampGrid::rectanglesAround(const Eigen::Vector3d& center, double radius,
+                                       Rectangle (&rectangles)[6]) {
+  std::size_t count = 0;
   for (int face = 0; face < 6; ++face) {
     const int axis = face / 2;
     const double along = face % 2 == 0 ? center[axis] : -center[axis];
     Interval u{}, v{};
     if (!slopes(along, center[kU[axis]], radius, u) || !slopes(along, center[kV[axis]], radius, v)) continue;
     constexpr double kMargin = 0.01;
-    const Rectangle r{face, cellOf(u.low, -kMargin), cellOf(u.high, kMargin), cellOf(v.low, -kMargin),
-                      cellOf(v.high, kMargin)};
-    for (int row = r.v0; row <= r.v1; ++row) {
-      const auto start = static_cast<std::size_t>(face * kSize + row) * kSize;
-      for (int column = r.u0; column <= r.u1; ++column) {
-        insert(cells[start + static_cast<std::size_t>(column)], instance, bound);
-      }
-    }
-    if (remember) touched_.push_back(r);
+    rectangles[count++] = {face, cellOf(u.low, -kMargin), cellOf(u.high, kMargin), cellOf(v.low, -kMargin),
+                           cellOf(v.high, kMargin)};
   }
+  return count;
 }
 
 double LampGrid::nearest(const Eigen::Vector3d& pointInWorld, int withoutInstance) const {

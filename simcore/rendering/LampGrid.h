@@ -36,10 +36,13 @@ class LampGrid {
   struct Rectangle {
     int face, u0, u1, v0, v1;
   };
-  void addSphere(std::vector<LampCell>& cells, const Eigen::Vector3d& center, double radius, int instance,
-                 bool remember);
-  void addTriangle(const Eigen::Vector3d& a, const Eigen::Vector3d& b, const Eigen::Vector3d& c, int instance,
-                   int depth);
+  struct Triangle {
+    Eigen::Vector3d a, b, c;  ///< relative to the lamp
+  };
+  static std::size_t rectanglesAround(const Eigen::Vector3d& center, double radius,
+                                      Rectangle (&rectangles)[6]);
+  void addTriangle(const Triangle& t, int instance, int depth);
+  void addPiece(const Triangle& t, int instance);
 
   Eigen::Vector3d lamp_;
   std::vector<LampCell> static_;

@@ -188,8 +188,12 @@ TEST(CameraRenderer, aSurfaceIsLitAsTheFormulaSays) {
 
 TEST(CameraRenderer, yuyvIsTheRgbImageConverted) {
   const CameraScene scene = tableScene();
+  CameraRenderer renderer(scene.scene, {});
+  renderer.setPoses(scene.poses);
+  Image rgb, yuyv;
   for (const Pose3& camera : scene.cameras) {
-    const Image rgb = drawn(scene, {}, camera), yuyv = drawn(scene, {}, camera, {}, PixelFormat::kYuyv);
+    renderer.render(camera, {}, PixelFormat::kRgb8, {}, rgb);
+    renderer.render(camera, {}, PixelFormat::kYuyv, {}, yuyv);
     for (int y = 0; y < rgb.height; ++y) {
       for (int x = 0; x < rgb.width; x += 2) {
         const robotlink::YCbCr a = robotlink::toYCbCr(pixel(rgb, x, y)),
@@ -293,6 +297,6 @@ TEST(CameraRenderer, lampsInsideAndOnBodiesDoNotUpsetIt) {
     scene->meshes.push_back(sphereMesh(1));
     scene->instances.push_back(
         {static_cast<int>(scene->meshes.size()) - 1, 0, Pose3::Identity(), {9, 9, 9}, "dome", true});
-    EXPECT_LE(disagreement({scene, tableScene().poses, tableScene().cameras}, true, {}), 0.2) << height;
+    EXPECT_LE(disagreement({scene, tableScene().poses, tableScene().cameras}, true, {88, 72}), 0.2) << height;
   }
 }
