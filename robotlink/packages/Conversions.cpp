@@ -3,7 +3,9 @@
 
 #include <google/protobuf/timestamp.pb.h>
 
+#include <algorithm>
 #include <array>
+#include <limits>
 
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Image.pb.h"
@@ -18,7 +20,11 @@ void assign(google::protobuf::Timestamp& to, Instant from) {
 }
 
 Instant instant(const google::protobuf::Timestamp& from) {
-  return Instant(std::chrono::seconds(from.seconds()) + Duration(from.nanos()));
+  // Less than half of what fits, so that neither this nor the difference of two overflows, whatever a link
+  // delivers.
+  constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 2 / 1'000'000'000 - 10;
+  const std::int64_t whole = std::clamp<std::int64_t>(from.seconds(), -kMaxSeconds, kMaxSeconds);
+  return Instant(std::chrono::seconds(whole) + Duration(from.nanos()));
 }
 
 void assign(foxglove::Vector3& to, const Vector3& from) {
@@ -27,14 +33,18 @@ void assign(foxglove::Vector3& to, const Vector3& from) {
   to.set_z(from.z());
 }
 
-Vector3 vector3(const foxglove::Vector3& from) { return {from.x(), from.y(), from.z()}; }
+Vector3 vector3(const foxglove::Vector3& from) {
+  return {from.x(), from.y(), from.z()};
+}
 
 void assign(foxglove::Point2& to, const Vector2& from) {
   to.set_x(from.x());
   to.set_y(from.y());
 }
 
-Vector2 vector2(const foxglove::Point2& from) { return {from.x(), from.y()}; }
+Vector2 vector2(const foxglove::Point2& from) {
+  return {from.x(), from.y()};
+}
 
 void assign(foxglove::Pose& to, const Pose3& from) {
   assign(*to.mutable_position(), Vector3(from.translation()));
@@ -61,7 +71,9 @@ void assign(robotcontrol::Pose2& to, const Pose2& from) {
   to.set_heading(from.heading);
 }
 
-Pose2 pose2(const robotcontrol::Pose2& from) { return {from.x(), from.y(), from.heading()}; }
+Pose2 pose2(const robotcontrol::Pose2& from) {
+  return {from.x(), from.y(), from.heading()};
+}
 
 void assign(foxglove::Color& to, Rgb from, double alpha) {
   to.set_r(from.r / 255.0);
@@ -89,8 +101,8 @@ ImageView imageView(const foxglove::RawImage& from) {
                       from.height() <= kMaxSide && from.step() >= rowBytes && from.step() <= 8 * kMaxSide &&
                       from.data().size() >= std::size_t{from.step()} * (from.height() - 1) + rowBytes;
     if (!fits || (format == PixelFormat::kYuyv && from.width() % 2 != 0)) return {};
-    return {static_cast<int>(from.width()), static_cast<int>(from.height()), static_cast<int>(from.step()), format,
-            reinterpret_cast<const std::uint8_t*>(from.data().data())};
+    return {static_cast<int>(from.width()), static_cast<int>(from.height()), static_cast<int>(from.step()),
+            format, reinterpret_cast<const std::uint8_t*>(from.data().data())};
   }
   return {};
 }

@@ -23,9 +23,11 @@ class Pose2;
 
 namespace robotlink {
 
-// Between packages and the values that code calculates with. `assign` writes into a field: assign(*message.mutable_pose(), pose).
+// Between packages and the values that code calculates with. `assign` writes into a field:
+// assign(*message.mutable_pose(), pose).
 
 void assign(google::protobuf::Timestamp& to, Instant from);
+/// Seconds that would not fit are brought to the nearest that do (some 146 years).
 Instant instant(const google::protobuf::Timestamp& from);
 
 void assign(foxglove::Vector3& to, const Vector3& from);
@@ -43,7 +45,8 @@ void assign(foxglove::Color& to, Rgb from, double alpha = 1);
 
 /// Takes the pixels over; `frame` is the id of the camera's frame.
 void assign(foxglove::RawImage& to, const ImageView& from, Instant time, const std::string& frame);
-/// A view on the message's pixels, valid as long as it; an empty view where size, step and encoding do not fit the data.
+/// A view on the message's pixels, valid as long as it; an empty view where size, step and encoding do not
+/// fit the data.
 ImageView imageView(const foxglove::RawImage& from);
 
 }  // namespace robotlink

@@ -21,7 +21,7 @@ constexpr std::size_t kMaxPath = 512;
 
 // Null unless the seconds fit into an instant, with room for sums of two.
 std::optional<Instant> timeOf(const DebugMessage& message) {
-  constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 4 / 1'000'000'000;
+  constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 2 / 1'000'000'000 - 10;
   if (!message.has_timestamp()) return std::nullopt;
   const auto& stamp = message.timestamp();
   if (stamp.seconds() > kMaxSeconds || stamp.seconds() < -kMaxSeconds) return std::nullopt;

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 #include <google/protobuf/stubs/logging.h>
+#include <google/protobuf/timestamp.pb.h>
 
 #include <atomic>
 #include <random>
@@ -297,6 +298,16 @@ TEST(Session, timesThatCannotBeAreReplacedByThoseOfTheNeighbours) {
   EXPECT_EQ(session.store().latest("red1/plots/valid", at(10))->time, at(4));
   EXPECT_EQ(session.store().latest("red1/plots/nanos", at(10))->time, at(4));
   EXPECT_EQ(session.store().latest("red1/plots/none", at(10))->time, at(4));
+}
+
+TEST(Session, aTimeStampThatDoesNotFitIsBroughtToOneThatDoes) {
+  google::protobuf::Timestamp stamp;
+  stamp.set_seconds(std::numeric_limits<std::int64_t>::max());
+  stamp.set_nanos(std::numeric_limits<std::int32_t>::max());
+  const Instant late = instant(stamp);
+  stamp.set_seconds(std::numeric_limits<std::int64_t>::min());
+  stamp.set_nanos(std::numeric_limits<std::int32_t>::min());
+  EXPECT_GT(late - instant(stamp), Duration::zero()) << "their difference fits, too";
 }
 
 TEST(Session, garbageThatParsesNeverBreaksIt) {
