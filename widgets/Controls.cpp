@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/Controls.h"
+
+#include <QAction>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QShortcut>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "widgets/Icon.h"
+
+namespace widgets {
+namespace {
+
+QString withShortcut(const ControlText& text) {
+  if (text.shortcut.isEmpty()) return text.toolTip;
+  return QStringLiteral("%1 (%2)").arg(text.toolTip, text.shortcut.toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+void describe(QWidget& widget, const ControlText& text) {
+  widget.setObjectName(QString::fromLatin1(text.name));
+  widget.setAccessibleName(text.text);
+  widget.setAccessibleDescription(text.toolTip);
+  widget.setToolTip(withShortcut(text));
+}
+
+QAction* makeAction(QWidget* owner, const char* iconName, const ControlText& text) {
+  auto* action = new QAction(icon(iconName), text.text, owner);
+  action->setObjectName(QString::fromLatin1(text.name) + QStringLiteral("Action"));
+  action->setToolTip(withShortcut(text));
+  action->setShortcut(text.shortcut);
+  action->setShortcutContext(Qt::WidgetWithChildrenShortcut);
+  owner->addAction(action);
+  return action;
+}
+
+QToolButton* makeButton(QWidget* parent, QAction* action) {
+  auto* button = new QToolButton(parent);
+  button->setDefaultAction(action);
+  button->setAutoRaise(true);
+  QString name = action->objectName();
+  name.chop(static_cast<int>(qstrlen("Action")));
+  button->setObjectName(name);
+  button->setAccessibleName(action->text());
+  button->setAccessibleDescription(action->toolTip());
+  return button;
+}
+
+QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {
+  auto* field = new QLineEdit(parent);
+  describe(*field, text);
+  field->setPlaceholderText(text.text);
+  field->setClearButtonEnabled(true);
+  field->addAction(icon("search"), QLineEdit::LeadingPosition);
+  auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), field);
+  escape->setContext(Qt::WidgetShortcut);
+  QObject::connect(escape, &QShortcut::activated, field, &QLineEdit::clear);
+  return field;
+}
+
+void styleTree(QTreeView& tree) {
+  tree.setUniformRowHeights(true);
+  tree.setAlternatingRowColors(true);
+  tree.setAllColumnsShowFocus(true);
+  tree.setEditTriggers(QAbstractItemView::NoEditTriggers);
+  tree.setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  tree.header()->setStretchLastSection(true);
+  tree.header()->setHighlightSections(false);
+}
+
+}  // namespace widgets

@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/MessagesView.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QBoxLayout>
+#include <QClipboard>
+#include <QComboBox>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QScrollBar>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+
+#include "foxglove/Robot.pb.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/LevelDelegate.h"
+#include "widgets/models/LogFilter.h"
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"messages", QT_TRANSLATE_NOOP("View", "Messages"),
+     QT_TRANSLATE_NOOP("View", "Shows what the robots say in words, with filters and a search."), "messages", true,
+     create<MessagesView>}};
+
+LogEntry logEntry(const robotlink::StreamMessage& message, const QString& robot, const foxglove::Log& log) {
+  LogEntry entry;
+  entry.time = message.time;
+  entry.level = static_cast<LogEntry::Level>(std::clamp(static_cast<int>(log.level()), 0, 5));
+  entry.robot = robot;
+  entry.source = QString::fromStdString(log.name());
+  entry.text = QString::fromStdString(log.message());
+  return entry;
+}
+
+}  // namespace
+
+MessagesView::MessagesView(ViewContext& context, QWidget* parent)
+    : View(context, parent), filter_(new LogFilter(this)) {
+  setObjectName(QStringLiteral("messagesView"));
+  createActions();
+  createFilters();
+  createViews();
+  connectSignals();
+  showState();
+}
+
+void MessagesView::createActions() {
+  regex_ = makeAction(this, "debug", {"messagesRegex", tr("Regular expression"),
+                                      tr("Reads the filter as a regular expression"), tr("Alt+R")});
+  regex_->setIcon({});
+  regex_->setIconText(QStringLiteral(".*"));
+  regex_->setCheckable(true);
+  previous_ = makeAction(this, "previous", {"messagesPrevious", tr("Previous match"), tr("Goes to the match above"),
+                                            QKeySequence::FindPrevious});
+  next_ = makeAction(this, "next",
+                     {"messagesNext", tr("Next match"), tr("Goes to the match below"), QKeySequence::FindNext});
+  follow_ = makeAction(this, "follow", {"messagesFollow", tr("Follow"), tr("Keeps the newest message in view"), tr("Ctrl+E")});
+  follow_->setCheckable(true);
+  follow_->setChecked(true);
+  pause_ = makeAction(this, "pause", {"messagesPause", tr("Pause"),
+                                      tr("Stops taking messages in; they come when it goes on"), tr("Ctrl+T")});
+  pause_->setCheckable(true);
+  copy_ = makeAction(this, "copy", {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
+  clear_ = makeAction(this, "clear", {"messagesClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
+}
+
+void MessagesView::createFilters() {
+  level_ = new QComboBox(this);
+  describe(*level_, {"messagesLevel", tr("Level"), tr("Shows messages that are at least this severe")});
+  for (int level = 0; level <= static_cast<int>(LogEntry::Level::kError); ++level) {
+    level_->addItem(level == 0 ? tr("all levels") : LogModel::levelName(static_cast<LogEntry::Level>(level)), level);
+  }
+  robot_ = new QComboBox(this);
+  describe(*robot_, {"messagesRobot", tr("Robot"), tr("Shows what one robot says, or all")});
+  robot_->addItem(tr("all robots"), QString());
+  pattern_ = makeSearchField(this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source holds this")});
+  search_ = makeSearchField(this, {"messagesSearch", tr("Search"), tr("Goes to the next message that holds this; Enter for the next")});
+}
+
+QWidget* MessagesView::createBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(level_);
+  layout->addWidget(robot_);
+  layout->addWidget(pattern_, 3);
+  auto* regex = makeButton(this, regex_);
+  regex->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  layout->addWidget(regex);
+  layout->addSpacing(8);
+  layout->addWidget(search_, 2);
+  for (QAction* action : {previous_, next_}) layout->addWidget(makeButton(this, action));
+  layout->addSpacing(8);
+  for (QAction* action : {follow_, pause_, copy_, clear_}) layout->addWidget(makeButton(this, action));
+  return bar;
+}
+
+void MessagesView::createViews() {
+  table_ = new QTableView(this);
+  describe(*table_, {"messagesTable", tr("Messages"), {}});
+  filter_->setSourceModel(&model_);
+  table_->setModel(filter_);
+  table_->setItemDelegateForColumn(LogModel::kLevel, new LevelDelegate(table_));
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
+  table_->horizontalHeader()->setStretchLastSection(true);
+  table_->horizontalHeader()->setHighlightSections(false);
+  const int widths[] = {72, 84, 60, 190};
+  for (int column = 0; column < LogModel::kText; ++column) table_->setColumnWidth(column, widths[column]);
+  hint_ = new EmptyHint(table_);
+  state_ = new QLabel(this);
+  describe(*state_, {"messagesState", tr("Number of messages"), {}});
+  problem_ = new QLabel(this);
+  describe(*problem_, {"messagesProblem", tr("What is wrong with the filter"), {}});
+  problem_->hide();
+  auto* bottom = new QHBoxLayout;
+  bottom->addWidget(state_);
+  bottom->addWidget(problem_, 1);
+  bottom->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addWidget(createBar());
+  layout->addWidget(table_, 1);
+  layout->addLayout(bottom);
+}
+
+void MessagesView::connectSignals() {
+  connect(level_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    filter_->setMinimumLevel(level_->currentData().toInt());
+    showState();
+  });
+  connect(robot_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    filter_->setRobot(robot_->currentData().toString());
+    showState();
+  });
+  connect(pattern_, &QLineEdit::textChanged, this, &MessagesView::setPattern);
+  connect(regex_, &QAction::toggled, this, &MessagesView::setPattern);
+  connect(search_, &QLineEdit::textChanged, this, [this] { find(0); });
+  connect(search_, &QLineEdit::returnPressed, this, [this] { find(1); });
+  connect(next_, &QAction::triggered, this, [this] { find(1); });
+  connect(previous_, &QAction::triggered, this, [this] { find(-1); });
+  connect(copy_, &QAction::triggered, this, &MessagesView::copy);
+  connect(clear_, &QAction::triggered, this, [this] {
+    model_.clear();
+    showState();
+  });
+  connect(follow_, &QAction::toggled, this, [this](bool on) {
+    if (on) table_->scrollToBottom();
+  });
+  // Who scrolls up wants to read: following goes on when he is at the end again.
+  connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
+    const QScrollBar* bar = table_->verticalScrollBar();
+    follow_->setChecked(bar->sliderPosition() >= bar->maximum());
+  });
+}
+
+void MessagesView::tick() {
+  listRobots();
+  if (!pause_->isChecked()) takeNew();
+  const auto& timeline = session().timeline();
+  if (timeline.live() || timeline.shown() == shown_) return;
+  shown_ = timeline.shown();
+  const int row = model_.rowAt(shown_);
+  const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(model_.index(row, 0));
+  if (!index.isValid()) return;
+  table_->setCurrentIndex(index);
+  table_->scrollTo(index);
+}
+
+void MessagesView::takeNew() {
+  std::vector<LogEntry> entries;
+  for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
+    const QString robot = QString::fromStdString(robotPart(stream->path));
+    const StreamCursor::Range range = cursors_[stream->path].take(*stream);
+    for (std::size_t i = range.first; i < range.last; ++i) {
+      const auto& message = stream->messages[i];
+      const auto* log = dynamic_cast<const foxglove::Log*>(message.value.get());
+      if (log != nullptr) entries.push_back(logEntry(message, robot, *log));
+    }
+  }
+  if (entries.empty()) return;
+  std::stable_sort(entries.begin(), entries.end(),
+                   [](const LogEntry& a, const LogEntry& b) { return a.time < b.time; });
+  model_.append(std::move(entries));
+  if (follow_->isChecked() && session().timeline().live()) table_->scrollToBottom();
+  showState();
+}
+
+void MessagesView::listRobots() {
+  const auto& robots = session().robots();
+  bool same = robot_->count() == static_cast<int>(robots.size()) + 1;
+  for (int i = 1; same && i < robot_->count(); ++i) {
+    same = robot_->itemData(i).toString().toStdString() == robots[static_cast<std::size_t>(i) - 1];
+  }
+  if (same) return;
+  const QString chosen = robot_->currentData().toString();
+  const QSignalBlocker quiet(robot_);
+  robot_->clear();
+  robot_->addItem(tr("all robots"), QString());
+  for (const std::string& robot : robots) robot_->addItem(QString::fromStdString(robot), QString::fromStdString(robot));
+  robot_->setCurrentIndex(std::max(0, robot_->findData(chosen)));
+  filter_->setRobot(robot_->currentData().toString());
+}
+
+void MessagesView::setPattern() {
+  const QString problem = filter_->setPattern(pattern_->text(), regex_->isChecked());
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  problem_->setPalette(colors);
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+  showState();
+}
+
+void MessagesView::find(int step) {
+  const QString text = search_->text();
+  const int rows = filter_->rowCount();
+  if (text.isEmpty() || rows == 0) return;
+  const int current = table_->currentIndex().isValid() ? table_->currentIndex().row() : step > 0 ? -1 : 0;
+  const int direction = step < 0 ? -1 : 1;
+  for (int i = 0; i < rows; ++i) {
+    const int row = ((current + step + i * direction) % rows + rows) % rows;
+    if (!LogFilter::holds(*filter_, row, text)) continue;
+    follow_->setChecked(false);
+    table_->setCurrentIndex(filter_->index(row, LogModel::kText));
+    return showState();
+  }
+  state_->setText(tr("“%1” was not found").arg(text));
+}
+
+void MessagesView::copy() {
+  QModelIndexList rows = table_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  QStringList lines;
+  for (const QModelIndex& row : rows) {
+    QStringList cells;
+    for (int column = 0; column < LogModel::kColumns; ++column) cells << row.siblingAtColumn(column).data().toString();
+    lines << cells.join(QLatin1Char('\t'));
+  }
+  if (!lines.isEmpty()) QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+void MessagesView::showState() {
+  const int all = model_.rowCount();
+  const int shown = filter_->rowCount();
+  state_->setText(shown == all ? tr("%1 messages").arg(all) : tr("%1 of %2 messages").arg(shown).arg(all));
+  if (all == 0) {
+    hint_->setHint(tr("No messages yet. They appear here when a robot's program says something."));
+  } else {
+    hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.") : QString());
+  }
+}
+
+QJsonObject MessagesView::saveState() const {
+  return {{QStringLiteral("level"), level_->currentData().toInt()},
+          {QStringLiteral("filter"), pattern_->text()},
+          {QStringLiteral("regex"), regex_->isChecked()},
+          {QStringLiteral("follow"), follow_->isChecked()},
+          {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+}
+
+void MessagesView::restoreState(const QJsonObject& state) {
+  level_->setCurrentIndex(std::max(0, level_->findData(state.value(QStringLiteral("level")).toInt())));
+  regex_->setChecked(state.value(QStringLiteral("regex")).toBool());
+  pattern_->setText(state.value(QStringLiteral("filter")).toString());
+  follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
+  const QString columns = state.value(QStringLiteral("columns")).toString();
+  if (!columns.isEmpty()) table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+}
+
+}  // namespace widgets

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+
+#include "widgets/View.h"
+#include "widgets/models/LogModel.h"
+#include "widgets/models/TypedStreams.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+
+namespace widgets {
+
+class EmptyHint;
+class LogFilter;
+
+/// What the robots say in words: a table with filters for level, robot and text, a search, follow, pause, clear and copy. While the
+/// time line stands at an instant, the row of that instant is the current one.
+class MessagesView final : public View {
+  Q_OBJECT
+ public:
+  explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
+  void tick() override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
+
+ private:
+  void createActions();
+  void createFilters();
+  void createViews();
+  void connectSignals();
+  void takeNew();
+  void listRobots();
+  void setPattern();
+  void find(int step);
+  void copy();
+  void showState();
+  QWidget* createBar();
+
+  LogModel model_;
+  LogFilter* filter_;
+  QTableView* table_ = nullptr;
+  QComboBox* level_ = nullptr;
+  QComboBox* robot_ = nullptr;
+  QLineEdit* pattern_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QLabel* state_ = nullptr;
+  QLabel* problem_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* regex_ = nullptr;
+  QAction* follow_ = nullptr;
+  QAction* pause_ = nullptr;
+  QAction* clear_ = nullptr;
+  QAction* copy_ = nullptr;
+  QAction* next_ = nullptr;
+  QAction* previous_ = nullptr;
+  std::map<std::string, StreamCursor> cursors_;  // by stream
+  robotlink::Instant shown_;
+};
+
+}  // namespace widgets
