@@ -188,11 +188,9 @@ void MessagesView::takeNew() {
   std::vector<LogEntry> entries;
   for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
     const QString robot = QString::fromStdString(robotPart(stream->path));
-    const StreamCursor::Range range = cursors_[stream->path].take(*stream);
-    for (std::size_t i = range.first; i < range.last; ++i) {
-      const auto& message = stream->messages[i];
-      const auto* log = dynamic_cast<const foxglove::Log*>(message.value.get());
-      if (log != nullptr) entries.push_back(logEntry(message, robot, *log));
+    for (const auto* message : cursors_[stream->path].take(*stream).messages) {
+      const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
+      if (log != nullptr) entries.push_back(logEntry(*message, robot, *log));
     }
   }
   if (entries.empty()) return;

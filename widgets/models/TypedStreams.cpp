@@ -36,18 +36,26 @@ std::string robotPart(const std::string& path) {
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
 
-StreamCursor::Range StreamCursor::take(const robotlink::StreamStore::Stream& stream) {
-  const auto& messages = stream.messages;
-  const auto size = messages.size();
-  const auto added = static_cast<std::size_t>(std::min<std::uint64_t>(stream.count - count_, size));
-  Range range{size - added, size, false};
-  if (added == 0 && stream.count == count_) return range;
-  if (last_.value != nullptr && !messages.empty() && messages[range.first].time < last_.time) {
-    range.restarted = true;
+bool StreamCursor::seen(const robotlink::StreamMessage& message) const {
+  return message.time <= newest_ && std::find(recent_.rbegin(), recent_.rend(), message.value) != recent_.rend();
+}
+
+StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stream) {
+  constexpr std::size_t kRemembered = 256;  // more than come out of order
+  News news;
+  const std::uint64_t added = stream.count - count_;
+  if (added == 0) return news;
+  for (auto message = stream.messages.rbegin(); message != stream.messages.rend(); ++message) {
+    if (news.messages.size() == added) break;
+    if (!seen(*message)) news.messages.push_back(&*message);
   }
+  std::reverse(news.messages.begin(), news.messages.end());
+  news.restarted = count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_;
   count_ = stream.count;
-  if (!messages.empty()) last_ = messages.back();
-  return range;
+  if (!stream.messages.empty()) newest_ = stream.messages.back().time;
+  for (const auto* message : news.messages) recent_.push_back(message->value);
+  while (recent_.size() > kRemembered) recent_.pop_front();
+  return news;
 }
 
 }  // namespace widgets

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QString>
+#include <deque>
 #include <string>
 #include <vector>
 
@@ -27,20 +27,22 @@ std::string lastPart(const std::string& path);
 /// What precedes the first '/': the robot of a stream; empty for what belongs to the world.
 std::string robotPart(const std::string& path);
 
-/// Hands out each message of a stream once, in order; after a reset of the clock it begins anew. Keeps no message but the last.
+/// Hands out each message of a stream once; also one that came late and was put in its place among those handed out before. After a
+/// reset of the clock it begins anew.
 class StreamCursor {
  public:
-  /// The new ones are [first, last) of stream.messages.
-  struct Range {
-    std::size_t first = 0;
-    std::size_t last = 0;
+  struct News {
+    std::vector<const robotlink::StreamMessage*> messages;  ///< oldest first; valid until the store changes
     bool restarted = false;  ///< what was handed out before is no longer true: the clock went back
   };
-  Range take(const robotlink::StreamStore::Stream& stream);
+  News take(const robotlink::StreamStore::Stream& stream);
 
  private:
+  bool seen(const robotlink::StreamMessage& message) const;
+
   std::uint64_t count_ = 0;
-  robotlink::StreamMessage last_;
+  robotlink::Instant newest_;
+  std::deque<robotlink::PackagePtr> recent_;  // kept alive, so that no new message has the address of an old one
 };
 
 }  // namespace widgets

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/DebugKeysView.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSpinBox>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "tests/widgets/Bench.h"
+
+using robotcontrol::KeyMode;
+using robotcontrol::KeyTable;
+
+namespace {
+
+void addKey(KeyTable& table, const std::string& name, KeyMode::Kind kind, bool inUse, unsigned n = 0) {
+  auto& key = *table.add_keys();
+  key.set_name(name);
+  key.set_help("Help of " + name);
+  key.mutable_mode()->set_kind(kind);
+  key.mutable_mode()->set_n(n);
+  key.set_in_use(inUse);
+  key.add_solutions(name.substr(0, name.find('/')) + "/scan-lines");
+}
+
+KeyTable someKeys() {
+  KeyTable table;
+  addKey(table, "ball-percept/circle", KeyMode::OFF, true);
+  addKey(table, "ball-percept/edges", KeyMode::ALWAYS, true);
+  addKey(table, "ball-model/position", KeyMode::EVERY_MS, true, 200);
+  addKey(table, "self-localization/particles", KeyMode::OFF, false);
+  return table;
+}
+
+/// The index that shows `text` in the first column, anywhere in the tree.
+QModelIndex find(const QTreeView& tree, const QString& text, int column = 0) {
+  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
+                                        Qt::MatchExactly | Qt::MatchRecursive);
+  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
+}
+
+void clickCell(QTreeView& tree, const QModelIndex& index) {
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(index).center());
+}
+
+}  // namespace
+
+class DebugKeysViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void keysStandInATreeByTheirNamesAndInactiveOnesAreGreyedButSettable() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QVERIFY(child<QLabel>(*view, "emptyHint").isVisible());
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    QVERIFY(!child<QLabel>(*view, "emptyHint").isVisible());
+    QCOMPARE(tree.model()->rowCount(), 3);
+    QCOMPARE(find(tree, QStringLiteral("position"), 1).data().toString(), QStringLiteral("every n ms"));
+    QCOMPARE(find(tree, QStringLiteral("position"), 2).data().toString(), QStringLiteral("200 ms"));
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 1).data().toString(), QStringLiteral("1 of 2 on"));
+    const QModelIndex inactive = find(tree, QStringLiteral("particles"), 1);
+    QVERIFY(inactive.data(Qt::ForegroundRole).value<QColor>().isValid());
+    QVERIFY(inactive.data(Qt::ToolTipRole).toString().contains(QStringLiteral("Inactive")));
+    QVERIFY(inactive.flags().testFlag(Qt::ItemIsEditable));
+  }
+
+  void aClickOnTheModeOpensAListAndTheChoiceIsRequested() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    clickCell(tree, find(tree, QStringLiteral("circle"), 1));
+    auto& list = child<QComboBox>(tree, "keyModeEditor");
+    QTest::keyClick(list.view(), Qt::Key_Down);
+    QTest::keyClick(list.view(), Qt::Key_Down);
+    QTest::keyClick(list.view(), Qt::Key_Return);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].robot(), std::string("red1"));
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("ball-percept/circle"));
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::N_TIMES);
+    QCOMPARE(bench.requests[0].set_key().mode().n(), 1U);
+    QCOMPARE(find(tree, QStringLiteral("circle"), 1).data().toString(), QStringLiteral("n times"));
+  }
+
+  void theNumberIsEditedInPlace() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    clickCell(tree, find(tree, QStringLiteral("position"), 2));
+    auto& number = child<QSpinBox>(tree, "keyNumberEditor");
+    QTest::keyClicks(&number, QStringLiteral("500"));
+    QTest::keyClick(&number, Qt::Key_Return);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::EVERY_MS);
+    QCOMPARE(bench.requests[0].set_key().mode().n(), 500U);
+  }
+
+  void spaceSwitchesTheCurrentKeyAndAllKeysOfAGroup() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("circle")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QCOMPARE(bench.requests.back().set_key().mode().kind(), KeyMode::ALWAYS);
+    tree.setCurrentIndex(find(tree, QStringLiteral("ball-percept")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QCOMPARE(bench.requests.size(), std::size_t{3});
+    QCOMPARE(bench.requests[1].set_key().mode().kind(), KeyMode::OFF);
+    QCOMPARE(bench.requests[2].set_key().mode().kind(), KeyMode::OFF);
+  }
+
+  void typingInTheListSearches() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    QTest::keyClicks(&tree, QStringLiteral("e"));
+    QTest::keyClicks(&child<QLineEdit>(*view, "keysSearch"), QStringLiteral("dge"));
+    QCOMPARE(child<QLineEdit>(*view, "keysSearch").text(), QStringLiteral("edge"));
+    QCOMPARE(tree.model()->rowCount(), 1);
+    QVERIFY(find(tree, QStringLiteral("edges")).isValid());
+    QVERIFY(!find(tree, QStringLiteral("circle")).isValid());
+    QTest::keyClick(&child<QLineEdit>(*view, "keysSearch"), Qt::Key_Escape);
+    QCOMPARE(tree.model()->rowCount(), 3);
+  }
+
+  void onlyKeysThatAreOnAreShownOnWishAndAllAreSwitchedOff() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "keysActiveOnly"));
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    QCOMPARE(tree.model()->rowCount(), 2);
+    QVERIFY(!find(tree, QStringLiteral("circle")).isValid());
+    click(child<QToolButton>(*view, "keysAllOff"));
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    for (const auto& request : bench.requests) QCOMPARE(request.set_key().mode().kind(), KeyMode::OFF);
+    QVERIFY(!child<QToolButton>(*view, "keysAllOff").isEnabled());
+  }
+
+  void aRefusalTakesTheWishBackAndSaysWhy() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("circle")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    bench.answer(false, "the process has failed");
+    bench.tick(*view);
+    QCOMPARE(find(tree, QStringLiteral("circle"), 1).data().toString(), QStringLiteral("off"));
+    QVERIFY(child<QLabel>(*view, "keysState").text().contains(QStringLiteral("the process has failed")));
+  }
+
+  void theViewFollowsTheChosenRobot() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    KeyTable other;
+    addKey(other, "motion/legs", KeyMode::ALWAYS, true);
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.push("blue1/tables/keys", other, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    QVERIFY(!find(tree, QStringLiteral("legs")).isValid());
+    bench.session.selectRobot("blue1");
+    bench.tick(*view);
+    QVERIFY(find(tree, QStringLiteral("legs")).isValid());
+    QVERIFY(!find(tree, QStringLiteral("circle")).isValid());
+  }
+
+  void searchAndFilterAreKept() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    child<QLineEdit>(*view, "keysSearch").setText(QStringLiteral("ball"));
+    click(child<QToolButton>(*view, "keysActiveOnly"));
+    auto again = bench.open<widgets::DebugKeysView>();
+    again->restoreState(view->saveState());
+    QCOMPARE(child<QLineEdit>(*again, "keysSearch").text(), QStringLiteral("ball"));
+    QVERIFY(child<QToolButton>(*again, "keysActiveOnly").isChecked());
+  }
+};
+
+QTEST_MAIN(DebugKeysViewTest)
+#include "DebugKeysViewTest.moc"

@@ -1,0 +1,76 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/Icon.h"
+
+#include <QApplication>
+#include <QDir>
+#include <QImage>
+#include <QPalette>
+#include <QTest>
+
+#include "tests/widgets/Bench.h"
+
+namespace {
+
+/// The mean lightness of what an icon paints, by how opaque it is; -1 if it paints nothing.
+double lightness(const QIcon& icon, QIcon::Mode mode = QIcon::Normal) {
+  const QImage image = icon.pixmap(QSize(24, 24), mode).toImage().convertToFormat(QImage::Format_ARGB32);
+  double sum = 0, weight = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor color = image.pixelColor(x, y);
+      sum += color.lightnessF() * color.alphaF();
+      weight += color.alphaF();
+    }
+  }
+  return weight > 0 ? sum / weight : -1;
+}
+
+void useText(const QColor& color) {
+  QPalette palette = QApplication::palette();
+  palette.setColor(QPalette::WindowText, color);
+  QApplication::setPalette(palette);
+}
+
+}  // namespace
+
+class IconTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void everyIconPaintsSomething() {
+    const QDir folder(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/icons"));
+    const QStringList files = folder.entryList({QStringLiteral("*.svg")});
+    QVERIFY(files.size() > 40);
+    for (const QString& file : files) {
+      QVERIFY2(lightness(widgets::icon(QString(file).remove(QStringLiteral(".svg")))) >= 0, qPrintable(file));
+    }
+  }
+
+  void everyViewHasItsIcon() {
+    for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
+      QVERIFY2(lightness(widgets::icon(type.icon)) >= 0, type.id);
+    }
+  }
+
+  void anIconTakesThePalettesTextColourWheneverItIsPainted() {
+    const QIcon play = widgets::icon("play");
+    useText(Qt::black);
+    QVERIFY(lightness(play) < 0.1);
+    useText(Qt::white);
+    QVERIFY(lightness(play) > 0.9);
+  }
+
+  void fixedColoursStay() {
+    useText(Qt::black);
+    const double before = lightness(widgets::icon("warning"));
+    useText(Qt::white);
+    QCOMPARE(lightness(widgets::icon("warning")), before);
+  }
+
+  void anUnknownIconPaintsNothing() { QCOMPARE(lightness(widgets::icon("no-such-icon")), -1.0); }
+};
+
+QTEST_MAIN(IconTest)
+#include "IconTest.moc"

@@ -1,0 +1,304 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/MotionView.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QToolButton>
+#include <algorithm>
+
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "widgets/Controls.h"
+#include "widgets/HeadPanel.h"
+#include "widgets/Icon.h"
+#include "widgets/MotionButtons.h"
+#include "widgets/Requests.h"
+#include "widgets/SpeedPanel.h"
+#include "widgets/WalkPad.h"
+#include "widgets/models/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
+     QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion", false,
+     create<MotionView>}};
+
+constexpr int kTurnSteps = 100;
+
+/// Every look of the button says what a click does; red is never the only sign.
+constexpr char kStopStyle[] =
+    "QPushButton { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; border-radius: 6px;"
+    " padding: 6px 14px; }"
+    "QPushButton:hover { background: #d83a3a; } QPushButton:pressed { background: #8e1b1b; }"
+    "QPushButton:checked { background: #ffd54f; color: #5d1212; border: 3px solid #c62828; }"
+    "QPushButton:focus { border-color: white; }";
+
+}  // namespace
+
+MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("motionView"));
+  auto device = std::make_shared<Gamepad>();
+  gamepad_ = [device] { return device->poll(); };
+  createActions();
+  createViews();
+  connectSignals();
+  showPad(nullptr);
+}
+
+void MotionView::createActions() {
+  take_ = makeButton(this, makeAction(this, "take-over", {"motionTakeOver", tr("Take over"),
+                                                          tr("Switches the behavior to obeying you, and back"), tr("Ctrl+T")}));
+  take_->defaultAction()->setCheckable(true);
+  take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  take_->setAutoRaise(false);
+  take_->setFocusPolicy(Qt::TabFocus);
+  stop_ = new QPushButton(tr("STOP"), this);
+  describe(*stop_, {"motionStop", tr("Emergency stop"),
+                    tr("Stops the robot at its platform, whatever its program does; stays until released")});
+  stop_->setCheckable(true);
+  stop_->setMinimumSize(96, 44);
+  stop_->setStyleSheet(QString::fromLatin1(kStopStyle));
+}
+
+QWidget* MotionView::createTop() {
+  auto* top = new QWidget(this);
+  state_ = new QLabel(top);
+  describe(*state_, {"motionState", tr("Who steers"), {}});
+  state_->setWordWrap(true);
+  auto* layout = new QHBoxLayout(top);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(take_);
+  layout->addWidget(state_, 1);
+  layout->addWidget(stop_);
+  return top;
+}
+
+QWidget* MotionView::createBody() {
+  auto* body = new QWidget(this);
+  walkPad_ = new WalkPad(body);
+  turn_ = new QSlider(Qt::Horizontal, body);
+  describe(*turn_, {"walkTurn", tr("Turn"), tr("Turns as long as it is held: left is counter-clockwise")});
+  turn_->setRange(-kTurnSteps, kTurnSteps);
+  turn_->setInvertedAppearance(true);
+  turn_->setTickPosition(QSlider::TicksBelow);
+  turn_->setTickInterval(kTurnSteps);
+  gamepadState_ = new QLabel(body);
+  describe(*gamepadState_, {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
+  speed_ = new SpeedPanel(body);
+  head_ = new HeadPanel(body);
+  motions_ = new MotionButtons(body);
+  auto* left = new QVBoxLayout;
+  left->addWidget(walkPad_, 1);
+  left->addWidget(turn_);
+  left->addWidget(gamepadState_);
+  auto* right = new QVBoxLayout;
+  right->addWidget(speed_);
+  right->addWidget(head_);
+  right->addWidget(motions_);
+  right->addStretch();
+  auto* layout = new QHBoxLayout(body);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(left, 3);
+  layout->addLayout(right, 2);
+  return body;
+}
+
+void MotionView::createViews() {
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addWidget(createTop());
+  scroll->setWidget(createBody());
+  layout->addWidget(scroll, 1);
+}
+
+void MotionView::connectSignals() {
+  connect(take_->defaultAction(), &QAction::triggered, this, &MotionView::takeOver);
+  connect(stop_, &QPushButton::clicked, this, &MotionView::stop);
+  connect(turn_, &QSlider::sliderReleased, this, [this] { turn_->setValue(0); });
+  connect(motions_, &MotionButtons::chosen, this, &MotionView::play);
+  connect(speed_, &SpeedPanel::limitsChanged, this, [this] { commander_.setLimits(speed_->limits()); });
+  connect(head_, &HeadPanel::changed, this, [this] { commander_.setHead(head_->wish()); });
+}
+
+void MotionView::followRobot() {
+  const std::string& robot = session().selectedRobot();
+  if (robot != robot_) {
+    stand();
+    robot_ = robot;
+    takeOver_ = {};
+    tables_.clear();
+    askedForStatus_ = false;
+    commander_.setActive(false);
+    const auto description = context().robots.find(robot);
+    head_->setRobot(description == context().robots.end() ? nullptr : description->second.get());
+  }
+  const auto tables = latestOfType(session().store(), robot, "robotcontrol.SolutionTable", session().timeline().newest());
+  auto values = valuesOf(tables);
+  if (values != tables_) {
+    tables_ = std::move(values);
+    takeOver_.update(tasksOf(tables));
+  }
+  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
+  if (taken && !commander_.active()) walkPad_->setFocus();
+  commander_.setActive(taken);
+  commander_.setHead(head_->wish());
+}
+
+void MotionView::tick() {
+  followRobot();
+  useGamepad(gamepad_());
+  std::string path = robot_ + '/';
+  path += robotlink::kMotionStatus.name;
+  const auto* status =
+      session().store().latestAs<robotcontrol::MotionStatus>(path, session().timeline().newest());
+  WalkAxes axes = pad_.axes.zero() ? walkPad_->axes() : pad_.axes;
+  if (turn_->isSliderDown()) axes.turn = turn_->value() / double(kTurnSteps);
+  commander_.setAxes(commander_.active() ? axes : WalkAxes{});
+  if (commander_.tick(status)) send();
+  showStop();
+  showPad(status);
+}
+
+void MotionView::send() {
+  robotcontrol::Request request;
+  *request.mutable_motion() = commander_.command();
+  robotlink::assign(*request.mutable_motion()->mutable_timestamp(), session().timeline().newest());
+  ask(session(), robot_, std::move(request));
+}
+
+void MotionView::stand() {
+  walkPad_->release();
+  turn_->setSliderDown(false);
+  turn_->setValue(0);
+  pad_ = {};
+  if (!commander_.active()) return;
+  commander_.halt();
+  if (commander_.tick(nullptr)) send();
+}
+
+void MotionView::takeOver(bool take) {
+  const std::string solution = takeOver_.begin(take);
+  if (!take) stand();
+  if (!solution.empty()) {
+    robotcontrol::Request request;
+    request.mutable_select_solution()->set_task(TakeOver::kTask);
+    request.mutable_select_solution()->set_solution(solution);
+    ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
+      if (!accepted) takeOver_.refused(reason);
+    });
+  }
+  showPad(nullptr);
+  if (take && !askedForStatus_) {
+    askedForStatus_ = true;
+    robotcontrol::Request request;
+    std::string key = "package/";
+    key += robotlink::kMotionStatus.name;
+    request.mutable_set_key()->set_name(key);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    ask(session(), robot_, std::move(request));
+  }
+}
+
+void MotionView::stop(bool engage) {
+  robotcontrol::Request request;
+  request.mutable_stop()->set_engaged(engage);
+  ask(session(), robot_, std::move(request));
+}
+
+void MotionView::play(const QString& motion) {
+  if (commander_.active()) commander_.play(motion.toStdString());
+}
+
+void MotionView::useGamepad(const Gamepad::State& pad) {
+  if (pad.kick && !pad_.kick) {
+    const QStringList motions = MotionButtons::shippedMotions();
+    const auto kick = std::find_if(motions.begin(), motions.end(),
+                                   [](const QString& name) { return name.startsWith(QLatin1String("kick")); });
+    if (kick != motions.end()) play(*kick);
+  }
+  if (pad.stop && !pad_.stop) stop(true);
+  pad_ = pad;
+  gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name) : tr("No gamepad; plug one in to use it"));
+  gamepadState_->setEnabled(pad.connected);
+}
+
+void MotionView::showStop() {
+  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation,
+                                                                                 session().timeline().newest());
+  if (status != nullptr && !stop_->isDown()) {
+    const auto& stopped = status->stopped_robots();
+    stop_->setChecked(std::find(stopped.begin(), stopped.end(), robot_) != stopped.end());
+  }
+  stop_->setEnabled(!robot_.empty());
+  stop_->setText(stop_->isChecked() ? tr("STOPPED\nclick to release") : tr("STOP"));
+}
+
+void MotionView::showPad(const robotcontrol::MotionStatus* status) {
+  const TakeOver::State who = takeOver_.state();
+  const bool taken = who == TakeOver::State::kTaken;
+  QAction& take = *take_->defaultAction();
+  take.setChecked(taken);
+  take.setEnabled(who == TakeOver::State::kFree || taken);
+  take.setText(taken ? tr("Give back") : tr("Take over"));
+  const QString text = robot_.empty() ? tr("No robot. Start a simulation or connect to a robot.") : takeOver_.text();
+  state_->setText(text);
+  motions_->setEnabled(taken);
+  head_->setEnabled(taken);
+  turn_->setEnabled(taken);
+  motions_->showPlaying(status != nullptr && status->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES
+                            ? QString::fromStdString(status->executed().motion())
+                            : QString());
+  const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
+  std::optional<Speed> believed;
+  if (status != nullptr) {
+    believed = Speed{status->velocity().x(), status->velocity().y(), status->velocity().rotation()};
+  }
+  const auto walk = commander_.command().motion().walk();
+  speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
+  WalkPad::Picture picture{commander_.axes(), {}, taken, taken ? QString() : tr("Take over to steer")};
+  if (measured) {
+    const auto limits = commander_.limits();
+    picture.measured = WalkAxes{measured->x / limits.speed, measured->y / limits.speed, measured->rotation / limits.rotation};
+  }
+  walkPad_->show(std::move(picture));
+}
+
+void MotionView::hideEvent(QHideEvent* event) {
+  stand();
+  View::hideEvent(event);
+}
+
+void MotionView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) stand();
+  View::changeEvent(event);
+}
+
+QJsonObject MotionView::saveState() const {
+  const auto limits = speed_->limits();
+  return {{QStringLiteral("speed"), limits.speed},
+          {QStringLiteral("rotation"), limits.rotation},
+          {QStringLiteral("headMode"), static_cast<int>(head_->wish().kind)}};
+}
+
+void MotionView::restoreState(const QJsonObject& state) {
+  const MotionCommander::Limits standard;
+  speed_->setLimits({state.value(QStringLiteral("speed")).toDouble(standard.speed),
+                     state.value(QStringLiteral("rotation")).toDouble(standard.rotation)});
+  HeadWish wish = head_->wish();
+  wish.kind = static_cast<HeadWish::Kind>(std::clamp(state.value(QStringLiteral("headMode")).toInt(), 0, 4));
+  head_->setWish(wish);
+}
+
+}  // namespace widgets

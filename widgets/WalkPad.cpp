@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/WalkPad.h"
+
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/Controls.h"
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+QRectF discIn(const QRectF& rect) {
+  const double side = std::min(rect.width(), rect.height()) - 24;
+  return {rect.center().x() - side / 2, rect.center().y() - side / 2, side, side};
+}
+
+/// -1, 0 or 1 by which of two keys (each with its twin) is held.
+double direction(const QSet<int>& keys, std::initializer_list<int> plus, std::initializer_list<int> minus) {
+  const auto held = [&](std::initializer_list<int> any) {
+    return std::any_of(any.begin(), any.end(), [&](int key) { return keys.contains(key); });
+  };
+  return (held(plus) ? 1.0 : 0.0) - (held(minus) ? 1.0 : 0.0);
+}
+
+bool drives(int key) {
+  static constexpr int kKeys[] = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E,
+                                  Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right};
+  return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
+}
+
+void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette) {
+  const QColor line = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.25);
+  painter.setPen(QPen(line, 1));
+  painter.setBrush(palette.color(QPalette::Base));
+  painter.drawEllipse(disc);
+  painter.setBrush(Qt::NoBrush);
+  painter.drawEllipse(disc.center(), disc.width() / 4, disc.width() / 4);
+  painter.drawLine(QPointF(disc.center().x(), disc.top()), QPointF(disc.center().x(), disc.bottom()));
+  painter.drawLine(QPointF(disc.left(), disc.center().y()), QPointF(disc.right(), disc.center().y()));
+}
+
+void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, const QColor& color, bool filled) {
+  const double radius = disc.width() / 2;
+  const QPointF tip = disc.center() + QPointF(-axes.left, -axes.forward) * radius;
+  painter.setPen(QPen(color, filled ? 3 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap));
+  painter.drawLine(disc.center(), tip);
+  painter.setPen(QPen(color, 2));
+  painter.setBrush(filled ? QBrush(color) : QBrush(Qt::NoBrush));
+  painter.drawEllipse(tip, filled ? 7 : 5, filled ? 7 : 5);
+  painter.setBrush(Qt::NoBrush);
+  if (axes.turn == 0) return;
+  // The turn as an arc around the disc, from the top, counter-clockwise to the left.
+  const double margin = filled ? 5 : 9;
+  painter.setPen(QPen(color, filled ? 4 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap));
+  painter.drawArc(disc.adjusted(-margin, -margin, margin, margin), 90 * 16,
+                  static_cast<int>(std::clamp(axes.turn, -1.5, 1.5) * 90 * 16));
+}
+
+}  // namespace
+
+WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
+  describe(*this, {"walkPad", tr("Walk pad"),
+                   tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.")});
+  setFocusPolicy(Qt::StrongFocus);
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void WalkPad::show(Picture picture) {
+  picture_ = std::move(picture);
+  update();
+}
+
+void WalkPad::paint(QPainter& painter, const QRectF& rect, const Picture& picture, const QPalette& palette) {
+  const QRectF disc = discIn(rect);
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintGrid(painter, disc, palette);
+  if (picture.measured) paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false);
+  if (picture.enabled) {
+    paintVector(painter, disc, picture.asked, colorOf(Meaning::kNote, palette), true);
+    return;
+  }
+  painter.setPen(colorOf(Meaning::kMuted, palette));
+  painter.drawText(disc.adjusted(disc.width() / 8, 0, -disc.width() / 8, 0), Qt::AlignCenter | Qt::TextWordWrap,
+                   picture.hint);
+}
+
+void WalkPad::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paint(painter, rect(), picture_, palette());
+  if (!hasFocus()) return;
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(palette().color(QPalette::Highlight), 1, Qt::DotLine));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRect(rect().adjusted(1, 1, -2, -2));
+}
+
+void WalkPad::setAxes(const WalkAxes& axes) {
+  if (axes == axes_) return;
+  axes_ = axes;
+  Q_EMIT moved();
+}
+
+void WalkPad::release() {
+  keys_.clear();
+  setAxes({});
+}
+
+void WalkPad::follow(const QPointF& position) {
+  const QRectF disc = discIn(rect());
+  QPointF vector = (position - disc.center()) / (disc.width() / 2);
+  const double length = std::hypot(vector.x(), vector.y());
+  if (length > 1) vector /= length;
+  setAxes({-vector.y(), -vector.x(), axes_.turn});
+}
+
+void WalkPad::mousePressEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) follow(event->localPos());
+}
+
+void WalkPad::mouseMoveEvent(QMouseEvent* event) {
+  if (event->buttons().testFlag(Qt::LeftButton)) follow(event->localPos());
+}
+
+void WalkPad::mouseReleaseEvent(QMouseEvent* event) {
+  if (event->button() == Qt::LeftButton) release();
+}
+
+void WalkPad::useKeys(bool halved) {
+  const double scale = halved ? 0.5 : 1;
+  setAxes({scale * direction(keys_, {Qt::Key_W, Qt::Key_Up}, {Qt::Key_S, Qt::Key_Down}),
+           scale * direction(keys_, {Qt::Key_A, Qt::Key_Left}, {Qt::Key_D, Qt::Key_Right}),
+           scale * direction(keys_, {Qt::Key_Q}, {Qt::Key_E})});
+}
+
+void WalkPad::keyPressEvent(QKeyEvent* event) {
+  const bool modified = (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+  if (modified || !(drives(event->key()) || event->key() == Qt::Key_Shift)) return QWidget::keyPressEvent(event);
+  if (drives(event->key())) keys_.insert(event->key());
+  useKeys(event->modifiers().testFlag(Qt::ShiftModifier) || event->key() == Qt::Key_Shift);
+}
+
+void WalkPad::keyReleaseEvent(QKeyEvent* event) {
+  if (!(drives(event->key()) || event->key() == Qt::Key_Shift)) return QWidget::keyReleaseEvent(event);
+  if (event->isAutoRepeat()) return;
+  keys_.remove(event->key());
+  useKeys(event->modifiers().testFlag(Qt::ShiftModifier) && event->key() != Qt::Key_Shift);
+}
+
+void WalkPad::focusOutEvent(QFocusEvent* event) {
+  release();
+  QWidget::focusOutEvent(event);
+  update();
+}
+
+void WalkPad::hideEvent(QHideEvent* event) {
+  release();
+  QWidget::hideEvent(event);
+}
+
+}  // namespace widgets
