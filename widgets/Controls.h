@@ -12,8 +12,8 @@ class QWidget;
 
 namespace widgets {
 
-// The controls that views have in common, made in one way: each with an object name for tests and scripts, an accessible name
-// and a tool tip that names its key. All of them belong to the parent given.
+// The controls that views have in common, made in one way: each with an object name for tests and scripts, an
+// accessible name and a tool tip that names its key. All of them belong to the parent given.
 
 /// How a control of a view is named and reached. `name` is the object name; it never changes.
 struct ControlText {

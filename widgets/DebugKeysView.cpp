@@ -25,8 +25,8 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"debug-keys", QT_TRANSLATE_NOOP("View", "Debug keys"),
-     QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys", false,
-     create<DebugKeysView>}};
+     QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
+     false, create<DebugKeysView>}};
 
 constexpr char kTable[] = "robotcontrol.KeyTable";
 
@@ -43,14 +43,17 @@ DebugKeysView::DebugKeysView(ViewContext& context, QWidget* parent)
 }
 
 void DebugKeysView::createActions() {
-  activeOnly_ = makeAction(this, "filter", {"keysActiveOnly", tr("Only those that are on"),
-                                            tr("Shows only the keys that are not off"), tr("Ctrl+L")});
+  activeOnly_ = makeAction(this, "filter",
+                           {"keysActiveOnly", tr("Only those that are on"),
+                            tr("Shows only the keys that are not off"), tr("Ctrl+L")});
   activeOnly_->setCheckable(true);
-  allOff_ = makeAction(this, "clear", {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+0")});
-  savePreset_ = makeAction(this, "save", {"keysSavePreset", tr("Save preset"),
-                                          tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+S")});
-  removePreset_ =
-      makeAction(this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
+  allOff_ =
+      makeAction(this, "clear", {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+0")});
+  savePreset_ = makeAction(this, "save",
+                           {"keysSavePreset", tr("Save preset"),
+                            tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+S")});
+  removePreset_ = makeAction(
+      this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
 }
 
 void DebugKeysView::createViews() {
@@ -110,7 +113,8 @@ void DebugKeysView::connectSignals() {
   });
   connect(allOff_, &QAction::triggered, this, &DebugKeysView::allOff);
   connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
-    if (index.column() != KeyTreeModel::kName && index.flags().testFlag(Qt::ItemIsEditable)) tree_->edit(index);
+    if (index.column() != KeyTreeModel::kName && index.flags().testFlag(Qt::ItemIsEditable))
+      tree_->edit(index);
   });
   connect(&model_, &KeyTreeModel::keyChosen, this, &DebugKeysView::request);
   connect(presets_, QOverload<int>::of(&QComboBox::activated), this,
@@ -150,7 +154,8 @@ void DebugKeysView::showState() {
   } else if (keys.empty()) {
     hint_->setHint(tr("The robot has not told its debug keys yet. Start its program."));
   } else {
-    hint_->setHint(filter_->rowCount() > 0 ? QString() : tr("No key is like that. Clear the search or the filter."));
+    hint_->setHint(filter_->rowCount() > 0 ? QString()
+                                           : tr("No key is like that. Clear the search or the filter."));
   }
 }
 
@@ -199,7 +204,8 @@ bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
 }
 
 QJsonObject DebugKeysView::saveState() const {
-  return {{QStringLiteral("search"), search_->text()}, {QStringLiteral("activeOnly"), activeOnly_->isChecked()}};
+  return {{QStringLiteral("search"), search_->text()},
+          {QStringLiteral("activeOnly"), activeOnly_->isChecked()}};
 }
 
 void DebugKeysView::restoreState(const QJsonObject& state) {

@@ -15,8 +15,9 @@ namespace widgets {
 class EmptyHint;
 class KeyFilter;
 
-/// The debug keys of the selected robot: a tree with a search field, mode and number edited in place, presets by name, and all
-/// off. Space switches the current key (or all keys of a group) between off and always; typing goes to the search field.
+/// The debug keys of the selected robot: a tree with a search field, mode and number edited in place, presets
+/// by name, and all off. Space switches the current key (or all keys of a group) between off and always;
+/// typing goes to the search field.
 class DebugKeysView final : public View {
   Q_OBJECT
  public:

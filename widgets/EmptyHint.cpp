@@ -31,6 +31,8 @@ bool EmptyHint::eventFilter(QObject* watched, QEvent* event) {
   return QLabel::eventFilter(watched, event);
 }
 
-void EmptyHint::fit() { setGeometry(parentWidget()->rect()); }
+void EmptyHint::fit() {
+  setGeometry(parentWidget()->rect());
+}
 
 }  // namespace widgets

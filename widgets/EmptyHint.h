@@ -7,8 +7,9 @@ class QAbstractItemView;
 
 namespace widgets {
 
-/// What an empty view says in its middle: why nothing is there and what to do about it. Lies over a widget (for item views: over
-/// its viewport), lets the mouse through, and follows its size. Belongs to the widget it lies over.
+/// What an empty view says in its middle: why nothing is there and what to do about it. Lies over a widget
+/// (for item views: over its viewport), lets the mouse through, and follows its size. Belongs to the widget
+/// it lies over.
 class EmptyHint final : public QLabel {
   Q_OBJECT
  public:

@@ -8,9 +8,9 @@
 
 namespace widgets {
 
-/// The first gamepad that is plugged in, by SDL2: left stick walks, right stick turns, A kicks, B is STOP. Asked in each tick of a
-/// view; pads may come and go at any time. Opens no window and takes no signals. Without SDL's joysticks there is never a pad.
-/// GUI thread.
+/// The first gamepad that is plugged in, by SDL2: left stick walks, right stick turns, A kicks, B is STOP.
+/// Asked in each tick of a view; pads may come and go at any time. Opens no window and takes no signals.
+/// Without SDL's joysticks there is never a pad. GUI thread.
 class Gamepad {
  public:
   struct State {

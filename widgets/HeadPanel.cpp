@@ -17,7 +17,9 @@ namespace {
 
 constexpr int kPerDegree = 10;
 
-int toSlider(double angle) { return static_cast<int>(std::lround(robotlink::degrees(angle) * kPerDegree)); }
+int toSlider(double angle) {
+  return static_cast<int>(std::lround(robotlink::degrees(angle) * kPerDegree));
+}
 
 }  // namespace
 
@@ -81,14 +83,16 @@ void HeadPanel::setRobot(const robotlink::RobotDescription* robot) {
 }
 
 void HeadPanel::showValue(Joint joint) {
-  values_[joint]->setText(QStringLiteral("%1°").arg(sliders_[joint]->value() / double(kPerDegree), 0, 'f', 1));
+  values_[joint]->setText(
+      QStringLiteral("%1°").arg(sliders_[joint]->value() / double(kPerDegree), 0, 'f', 1));
 }
 
 HeadWish HeadPanel::wish() const {
   const auto angle = [this](Joint joint) {
     return robotlink::radians(sliders_[joint]->value() / double(kPerDegree));
   };
-  return {static_cast<HeadWish::Kind>(mode_->currentIndex()), angle(kTilt), angle(kPan), angle(kRoll), angle(kMouth)};
+  return {static_cast<HeadWish::Kind>(mode_->currentIndex()), angle(kTilt), angle(kPan), angle(kRoll),
+          angle(kMouth)};
 }
 
 void HeadPanel::setWish(const HeadWish& wish) {

@@ -27,7 +27,8 @@ QColor strokeColor(QIcon::Mode mode) {
   return palette.color(QPalette::WindowText);
 }
 
-/// Renders the drawing in the palette's colours of the moment; pixmaps are kept in Qt's cache by size and colour.
+/// Renders the drawing in the palette's colours of the moment; pixmaps are kept in Qt's cache by size and
+/// colour.
 class PaletteIconEngine final : public QIconEngine {
  public:
   PaletteIconEngine(QString name, QByteArray svg) : name_(std::move(name)), svg_(std::move(svg)) {}
@@ -74,6 +75,8 @@ class PaletteIconEngine final : public QIconEngine {
 
 }  // namespace
 
-QIcon icon(const QString& name) { return QIcon(new PaletteIconEngine(name, readIcon(name))); }
+QIcon icon(const QString& name) {
+  return QIcon(new PaletteIconEngine(name, readIcon(name)));
+}
 
 }  // namespace widgets

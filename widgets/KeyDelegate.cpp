@@ -24,7 +24,8 @@ QWidget* KeyDelegate::createModeEditor(QWidget* parent) const {
   return box;
 }
 
-QWidget* KeyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
+QWidget* KeyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                   const QModelIndex& index) const {
   if (index.column() == KeyTreeModel::kMode) return createModeEditor(parent);
   auto* spin = new QSpinBox(parent);
   spin->setObjectName(QStringLiteral("keyNumberEditor"));

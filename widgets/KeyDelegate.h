@@ -5,7 +5,8 @@
 
 namespace widgets {
 
-/// Edits a debug key's mode by a list that opens at once ("keyModeEditor") and its number in place ("keyNumberEditor").
+/// Edits a debug key's mode by a list that opens at once ("keyModeEditor") and its number in place
+/// ("keyNumberEditor").
 class KeyDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -9,8 +9,8 @@
 namespace widgets {
 
 LevelDelegate::LevelDelegate(QObject* parent)
-    : QStyledItemDelegate(parent),
-      icons_{icon("info"), icon("debug"), icon("info"), icon("warning"), icon("error"), icon("error")} {}
+    : QStyledItemDelegate(parent), icons_{icon("info"),    icon("debug"), icon("info"),
+                                          icon("warning"), icon("error"), icon("error")} {}
 
 void LevelDelegate::initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const {
   QStyledItemDelegate::initStyleOption(option, index);

@@ -27,8 +27,8 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"messages", QT_TRANSLATE_NOOP("View", "Messages"),
-     QT_TRANSLATE_NOOP("View", "Shows what the robots say in words, with filters and a search."), "messages", true,
-     create<MessagesView>}};
+     QT_TRANSLATE_NOOP("View", "Shows what the robots say in words, with filters and a search."), "messages",
+     true, create<MessagesView>}};
 
 LogEntry logEntry(const robotlink::StreamMessage& message, const QString& robot, const foxglove::Log& log) {
   LogEntry entry;
@@ -53,36 +53,46 @@ MessagesView::MessagesView(ViewContext& context, QWidget* parent)
 }
 
 void MessagesView::createActions() {
-  regex_ = makeAction(this, "debug", {"messagesRegex", tr("Regular expression"),
-                                      tr("Reads the filter as a regular expression"), tr("Alt+R")});
+  regex_ = makeAction(this, "debug",
+                      {"messagesRegex", tr("Regular expression"),
+                       tr("Reads the filter as a regular expression"), tr("Alt+R")});
   regex_->setIcon({});
   regex_->setIconText(QStringLiteral(".*"));
   regex_->setCheckable(true);
-  previous_ = makeAction(this, "previous", {"messagesPrevious", tr("Previous match"), tr("Goes to the match above"),
-                                            QKeySequence::FindPrevious});
-  next_ = makeAction(this, "next",
-                     {"messagesNext", tr("Next match"), tr("Goes to the match below"), QKeySequence::FindNext});
-  follow_ = makeAction(this, "follow", {"messagesFollow", tr("Follow"), tr("Keeps the newest message in view"), tr("Ctrl+E")});
+  previous_ = makeAction(
+      this, "previous",
+      {"messagesPrevious", tr("Previous match"), tr("Goes to the match above"), QKeySequence::FindPrevious});
+  next_ =
+      makeAction(this, "next",
+                 {"messagesNext", tr("Next match"), tr("Goes to the match below"), QKeySequence::FindNext});
+  follow_ = makeAction(
+      this, "follow", {"messagesFollow", tr("Follow"), tr("Keeps the newest message in view"), tr("Ctrl+E")});
   follow_->setCheckable(true);
   follow_->setChecked(true);
-  pause_ = makeAction(this, "pause", {"messagesPause", tr("Pause"),
-                                      tr("Stops taking messages in; they come when it goes on"), tr("Ctrl+T")});
+  pause_ = makeAction(this, "pause",
+                      {"messagesPause", tr("Pause"),
+                       tr("Stops taking messages in; they come when it goes on"), tr("Ctrl+T")});
   pause_->setCheckable(true);
-  copy_ = makeAction(this, "copy", {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
-  clear_ = makeAction(this, "clear", {"messagesClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
+  copy_ = makeAction(this, "copy",
+                     {"messagesCopy", tr("Copy"), tr("Copies the selected rows"), QKeySequence::Copy});
+  clear_ =
+      makeAction(this, "clear", {"messagesClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
 }
 
 void MessagesView::createFilters() {
   level_ = new QComboBox(this);
   describe(*level_, {"messagesLevel", tr("Level"), tr("Shows messages that are at least this severe")});
   for (int level = 0; level <= static_cast<int>(LogEntry::Level::kError); ++level) {
-    level_->addItem(level == 0 ? tr("all levels") : LogModel::levelName(static_cast<LogEntry::Level>(level)), level);
+    level_->addItem(level == 0 ? tr("all levels") : LogModel::levelName(static_cast<LogEntry::Level>(level)),
+                    level);
   }
   robot_ = new QComboBox(this);
   describe(*robot_, {"messagesRobot", tr("Robot"), tr("Shows what one robot says, or all")});
   robot_->addItem(tr("all robots"), QString());
-  pattern_ = makeSearchField(this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source holds this")});
-  search_ = makeSearchField(this, {"messagesSearch", tr("Search"), tr("Goes to the next message that holds this; Enter for the next")});
+  pattern_ = makeSearchField(
+      this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source holds this")});
+  search_ = makeSearchField(this, {"messagesSearch", tr("Search"),
+                                   tr("Goes to the next message that holds this; Enter for the next")});
 }
 
 QWidget* MessagesView::createBar() {
@@ -212,7 +222,8 @@ void MessagesView::listRobots() {
   const QSignalBlocker quiet(robot_);
   robot_->clear();
   robot_->addItem(tr("all robots"), QString());
-  for (const std::string& robot : robots) robot_->addItem(QString::fromStdString(robot), QString::fromStdString(robot));
+  for (const std::string& robot : robots)
+    robot_->addItem(QString::fromStdString(robot), QString::fromStdString(robot));
   robot_->setCurrentIndex(std::max(0, robot_->findData(chosen)));
   filter_->setRobot(robot_->currentData().toString());
 }
@@ -249,7 +260,8 @@ void MessagesView::copy() {
   QStringList lines;
   for (const QModelIndex& row : rows) {
     QStringList cells;
-    for (int column = 0; column < LogModel::kColumns; ++column) cells << row.siblingAtColumn(column).data().toString();
+    for (int column = 0; column < LogModel::kColumns; ++column)
+      cells << row.siblingAtColumn(column).data().toString();
     lines << cells.join(QLatin1Char('\t'));
   }
   if (!lines.isEmpty()) QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
@@ -262,16 +274,18 @@ void MessagesView::showState() {
   if (all == 0) {
     hint_->setHint(tr("No messages yet. They appear here when a robot's program says something."));
   } else {
-    hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.") : QString());
+    hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.")
+                              : QString());
   }
 }
 
 QJsonObject MessagesView::saveState() const {
-  return {{QStringLiteral("level"), level_->currentData().toInt()},
-          {QStringLiteral("filter"), pattern_->text()},
-          {QStringLiteral("regex"), regex_->isChecked()},
-          {QStringLiteral("follow"), follow_->isChecked()},
-          {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+  return {
+      {QStringLiteral("level"), level_->currentData().toInt()},
+      {QStringLiteral("filter"), pattern_->text()},
+      {QStringLiteral("regex"), regex_->isChecked()},
+      {QStringLiteral("follow"), follow_->isChecked()},
+      {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
 }
 
 void MessagesView::restoreState(const QJsonObject& state) {
@@ -280,7 +294,8 @@ void MessagesView::restoreState(const QJsonObject& state) {
   pattern_->setText(state.value(QStringLiteral("filter")).toString());
   follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
   const QString columns = state.value(QStringLiteral("columns")).toString();
-  if (!columns.isEmpty()) table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  if (!columns.isEmpty())
+    table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
 }
 
 }  // namespace widgets

@@ -18,8 +18,8 @@ namespace widgets {
 class EmptyHint;
 class LogFilter;
 
-/// What the robots say in words: a table with filters for level, robot and text, a search, follow, pause, clear and copy. While the
-/// time line stands at an instant, the row of that instant is the current one.
+/// What the robots say in words: a table with filters for level, robot and text, a search, follow, pause,
+/// clear and copy. While the time line stands at an instant, the row of that instant is the current one.
 class MessagesView final : public View {
   Q_OBJECT
  public:

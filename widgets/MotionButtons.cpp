@@ -35,13 +35,15 @@ QStringList MotionButtons::shippedMotions() {
   for (const QFileInfo& file : files) {
     const QString name = file.completeBaseName();
     // "extern" declares the grammar's way out, and getting up is a kind of request of its own.
-    if (name != QLatin1String("extern") && !name.startsWith(QLatin1String(MotionCommander::kGetUp))) motions << name;
+    if (name != QLatin1String("extern") && !name.startsWith(QLatin1String(MotionCommander::kGetUp)))
+      motions << name;
   }
   return motions;
 }
 
 void MotionButtons::add(const QString& motion, int place) {
-  auto* button = new QPushButton(icon(motion.startsWith(QLatin1String("kick")) ? "kick" : "motion"), motion, this);
+  auto* button =
+      new QPushButton(icon(motion.startsWith(QLatin1String("kick")) ? "kick" : "motion"), motion, this);
   const QByteArray name = "motion-" + motion.toLatin1();
   describe(*button, {name.constData(), motion, tr("Plays this motion once, while you steer")});
   button->setCheckable(true);

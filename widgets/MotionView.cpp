@@ -27,14 +27,15 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
-     QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion", false,
-     create<MotionView>}};
+     QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion",
+     false, create<MotionView>}};
 
 constexpr int kTurnSteps = 100;
 
 /// Every look of the button says what a click does; red is never the only sign.
 constexpr char kStopStyle[] =
-    "QPushButton { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; border-radius: 6px;"
+    "QPushButton { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; "
+    "border-radius: 6px;"
     " padding: 6px 14px; }"
     "QPushButton:hover { background: #d83a3a; } QPushButton:pressed { background: #8e1b1b; }"
     "QPushButton:checked { background: #ffd54f; color: #5d1212; border: 3px solid #c62828; }"
@@ -53,8 +54,9 @@ MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, pa
 }
 
 void MotionView::createActions() {
-  take_ = makeButton(this, makeAction(this, "take-over", {"motionTakeOver", tr("Take over"),
-                                                          tr("Switches the behavior to obeying you, and back"), tr("Ctrl+T")}));
+  take_ = makeButton(this, makeAction(this, "take-over",
+                                      {"motionTakeOver", tr("Take over"),
+                                       tr("Switches the behavior to obeying you, and back"), tr("Ctrl+T")}));
   take_->defaultAction()->setCheckable(true);
   take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   take_->setAutoRaise(false);
@@ -90,7 +92,8 @@ QWidget* MotionView::createBody() {
   turn_->setTickPosition(QSlider::TicksBelow);
   turn_->setTickInterval(kTurnSteps);
   gamepadState_ = new QLabel(body);
-  describe(*gamepadState_, {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
+  describe(*gamepadState_,
+           {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
   speed_ = new SpeedPanel(body);
   head_ = new HeadPanel(body);
   motions_ = new MotionButtons(body);
@@ -144,7 +147,8 @@ void MotionView::followRobot() {
     const auto description = context().robots.find(robot);
     head_->setRobot(description == context().robots.end() ? nullptr : description->second.get());
   }
-  const auto tables = latestOfType(session().store(), robot, "robotcontrol.SolutionTable", session().timeline().newest());
+  const auto tables =
+      latestOfType(session().store(), robot, "robotcontrol.SolutionTable", session().timeline().newest());
   auto values = valuesOf(tables);
   if (values != tables_) {
     tables_ = std::move(values);
@@ -224,19 +228,21 @@ void MotionView::play(const QString& motion) {
 void MotionView::useGamepad(const Gamepad::State& pad) {
   if (pad.kick && !pad_.kick) {
     const QStringList motions = MotionButtons::shippedMotions();
-    const auto kick = std::find_if(motions.begin(), motions.end(),
-                                   [](const QString& name) { return name.startsWith(QLatin1String("kick")); });
+    const auto kick = std::find_if(motions.begin(), motions.end(), [](const QString& name) {
+      return name.startsWith(QLatin1String("kick"));
+    });
     if (kick != motions.end()) play(*kick);
   }
   if (pad.stop && !pad_.stop) stop(true);
   pad_ = pad;
-  gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name) : tr("No gamepad; plug one in to use it"));
+  gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name)
+                                       : tr("No gamepad; plug one in to use it"));
   gamepadState_->setEnabled(pad.connected);
 }
 
 void MotionView::showStop() {
-  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation,
-                                                                                 session().timeline().newest());
+  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, session().timeline().newest());
   if (status != nullptr && !stop_->isDown()) {
     const auto& stopped = status->stopped_robots();
     stop_->setChecked(std::find(stopped.begin(), stopped.end(), robot_) != stopped.end());
@@ -252,12 +258,14 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
   take.setChecked(taken);
   take.setEnabled(who == TakeOver::State::kFree || taken);
   take.setText(taken ? tr("Give back") : tr("Take over"));
-  const QString text = robot_.empty() ? tr("No robot. Start a simulation or connect to a robot.") : takeOver_.text();
+  const QString text =
+      robot_.empty() ? tr("No robot. Start a simulation or connect to a robot.") : takeOver_.text();
   state_->setText(text);
   motions_->setEnabled(taken);
   head_->setEnabled(taken);
   turn_->setEnabled(taken);
-  motions_->showPlaying(status != nullptr && status->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES
+  motions_->showPlaying(status != nullptr &&
+                                status->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES
                             ? QString::fromStdString(status->executed().motion())
                             : QString());
   const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
@@ -270,7 +278,8 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
   WalkPad::Picture picture{commander_.axes(), {}, taken, taken ? QString() : tr("Take over to steer")};
   if (measured) {
     const auto limits = commander_.limits();
-    picture.measured = WalkAxes{measured->x / limits.speed, measured->y / limits.speed, measured->rotation / limits.rotation};
+    picture.measured = WalkAxes{measured->x / limits.speed, measured->y / limits.speed,
+                                measured->rotation / limits.rotation};
   }
   walkPad_->show(std::move(picture));
 }

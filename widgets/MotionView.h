@@ -22,9 +22,10 @@ class MotionButtons;
 class SpeedPanel;
 class WalkPad;
 
-/// Steers the selected robot: takes its behaviour over, then commands walk, head and key-frame motions by pad, keys and gamepad, and
-/// shows how fast it really goes. STOP acts at the platform, whoever steers. Nothing is commanded before the take-over; when pad or
-/// view lose the focus or are hidden, the robot is told to stand.
+/// Steers the selected robot: takes its behaviour over, then commands walk, head and key-frame motions by
+/// pad, keys and gamepad, and shows how fast it really goes. STOP acts at the platform, whoever steers.
+/// Nothing is commanded before the take-over; when pad or view lose the focus or are hidden, the robot is
+/// told to stand.
 class MotionView final : public View {
   Q_OBJECT
  public:

@@ -8,7 +8,8 @@
 
 namespace widgets {
 
-QWidget* ParameterDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
+QWidget* ParameterDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                         const QModelIndex& index) const {
   const QStringList choices = index.data(ParameterModel::kChoicesRole).toStringList();
   QWidget* editor = nullptr;
   if (choices.isEmpty()) {
@@ -45,7 +46,8 @@ void ParameterDelegate::setEditorData(QWidget* editor, const QModelIndex& index)
   }
 }
 
-void ParameterDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
+void ParameterDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
+                                     const QModelIndex& index) const {
   if (auto* box = qobject_cast<QComboBox*>(editor)) model->setData(index, box->currentText(), Qt::EditRole);
   if (auto* line = qobject_cast<QLineEdit*>(editor)) model->setData(index, line->text(), Qt::EditRole);
 }

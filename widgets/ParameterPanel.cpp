@@ -37,7 +37,8 @@ class EditParameters final : public QUndoCommand {
 
 }  // namespace
 
-ParameterPanel::ParameterPanel(robotlink::Session& session, QWidget* parent) : QWidget(parent), session_(session) {
+ParameterPanel::ParameterPanel(robotlink::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session) {
   setObjectName(QStringLiteral("parameterPanel"));
   createActions();
   createViews();
@@ -46,12 +47,18 @@ ParameterPanel::ParameterPanel(robotlink::Session& session, QWidget* parent) : Q
 }
 
 void ParameterPanel::createActions() {
-  undoAction_ = makeAction(this, "undo", {"parametersUndo", tr("Undo"), tr("Takes the last edit back"), QKeySequence::Undo});
-  redoAction_ = makeAction(this, "redo", {"parametersRedo", tr("Redo"), tr("Makes the edit again"), QKeySequence::Redo});
-  reset_ = makeAction(this, "reset", {"parametersReset", tr("Reset to default"),
-                                      tr("Gives the current parameter, or group, its default"), tr("Ctrl+R")});
-  resetAll_ = makeAction(this, "clear", {"parametersResetAll", tr("Reset all"), tr("Gives every parameter its default")});
-  refresh_ = makeAction(this, "refresh", {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("F5")});
+  undoAction_ = makeAction(
+      this, "undo", {"parametersUndo", tr("Undo"), tr("Takes the last edit back"), QKeySequence::Undo});
+  redoAction_ = makeAction(this, "redo",
+                           {"parametersRedo", tr("Redo"), tr("Makes the edit again"), QKeySequence::Redo});
+  reset_ = makeAction(this, "reset",
+                      {"parametersReset", tr("Reset to default"),
+                       tr("Gives the current parameter, or group, its default"), tr("Ctrl+R")});
+  resetAll_ = makeAction(this, "clear",
+                         {"parametersResetAll", tr("Reset all"), tr("Gives every parameter its default")});
+  refresh_ =
+      makeAction(this, "refresh",
+                 {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("F5")});
 }
 
 void ParameterPanel::createViews() {
@@ -70,7 +77,8 @@ void ParameterPanel::createViews() {
   state_->setWordWrap(true);
   auto* top = new QHBoxLayout;
   top->addWidget(title_, 1);
-  for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_}) top->addWidget(makeButton(this, action));
+  for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_})
+    top->addWidget(makeButton(this, action));
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(4);
@@ -82,10 +90,12 @@ void ParameterPanel::createViews() {
 void ParameterPanel::connectSignals() {
   connect(&model_, &ParameterModel::edited, this,
           [this](const QByteArray& before, const QByteArray& after, const QString& what) {
-            undo_.push(new EditParameters(what, before, after, [this](const QByteArray& value) { apply(value); }));
+            undo_.push(
+                new EditParameters(what, before, after, [this](const QByteArray& value) { apply(value); }));
           });
   connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
-    if (index.column() == ParameterModel::kValue && index.flags().testFlag(Qt::ItemIsEditable)) tree_->edit(index);
+    if (index.column() == ParameterModel::kValue && index.flags().testFlag(Qt::ItemIsEditable))
+      tree_->edit(index);
   });
   connect(undoAction_, &QAction::triggered, &undo_, &QUndoStack::undo);
   connect(redoAction_, &QAction::triggered, &undo_, &QUndoStack::redo);
@@ -111,8 +121,9 @@ void ParameterPanel::show(const std::string& robot, const std::string& task, con
   redoAction_->setEnabled(false);
   for (QAction* action : {reset_, resetAll_, refresh_}) action->setEnabled(!solution_.empty());
   title_->setText(solution.empty() ? tr("Parameters")
-                                   : QStringLiteral("<b>%1</b> / %2").arg(QString::fromStdString(task).toHtmlEscaped(),
-                                                                         QString::fromStdString(solution).toHtmlEscaped()));
+                                   : QStringLiteral("<b>%1</b> / %2")
+                                         .arg(QString::fromStdString(task).toHtmlEscaped(),
+                                              QString::fromStdString(solution).toHtmlEscaped()));
   if (solution.empty()) {
     hint_->setHint(tr("Choose a solution to see its parameters."));
   } else if (!hasParameters) {
@@ -134,8 +145,8 @@ void ParameterPanel::askForValues() {
 
 void ParameterPanel::tick() {
   if (solution_.empty()) return;
-  for (const auto* message : latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues",
-                                          session_.timeline().shown())) {
+  for (const auto* message :
+       latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues", session_.timeline().shown())) {
     if (message == nullptr || message->value.get() == shown_) continue;
     const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(message->value.get());
     if (values == nullptr || values->task() != task_ || values->solution() != solution_) continue;

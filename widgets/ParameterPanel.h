@@ -18,15 +18,17 @@ namespace widgets {
 
 class EmptyHint;
 
-/// Edits the parameters of one solution of the selected robot: asks for them, shows them as a tree, sends the whole message back when
-/// a value is entered. Every edit and every reset to the default can be undone. What the robot refuses is said and taken back.
+/// Edits the parameters of one solution of the selected robot: asks for them, shows them as a tree, sends the
+/// whole message back when a value is entered. Every edit and every reset to the default can be undone. What
+/// the robot refuses is said and taken back.
 class ParameterPanel final : public QWidget {
   Q_OBJECT
  public:
   explicit ParameterPanel(robotlink::Session& session, QWidget* parent = nullptr);
 
   /// Asks the robot for the parameters; an empty solution empties the panel.
-  void show(const std::string& robot, const std::string& task, const std::string& solution, bool hasParameters);
+  void show(const std::string& robot, const std::string& task, const std::string& solution,
+            bool hasParameters);
   /// Takes what the robot has told since.
   void tick();
 

@@ -25,14 +25,16 @@ void paintRadio(QPainter& painter, const QRect& rect, SolutionModel::Choice choi
   painter.drawEllipse(center, 5.5, 5.5);
   painter.setPen(Qt::NoPen);
   painter.setBrush(color);
-  if (marked) painter.drawPie(QRectF(center.x() - 3, center.y() - 3, 6, 6), 90 * 16,
-                              (choice == SolutionModel::Choice::kActive ? 360 : 180) * 16);
+  if (marked)
+    painter.drawPie(QRectF(center.x() - 3, center.y() - 3, 6, 6), 90 * 16,
+                    (choice == SolutionModel::Choice::kActive ? 360 : 180) * 16);
   painter.restore();
 }
 
 }  // namespace
 
-void SolutionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option, const QModelIndex& index) const {
+void SolutionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
+                             const QModelIndex& index) const {
   const QVariant choice = index.data(SolutionModel::kChoiceRole);
   if (!choice.isValid() || index.column() != SolutionModel::kName) {
     QStyledItemDelegate::paint(painter, option, index);

@@ -5,8 +5,8 @@
 
 namespace widgets {
 
-/// Paints a solution's name with a radio button before it: filled where it runs, half filled while a switch is not yet confirmed,
-/// greyed where it cannot be chosen.
+/// Paints a solution's name with a radio button before it: filled where it runs, half filled while a switch
+/// is not yet confirmed, greyed where it cannot be chosen.
 class SolutionDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -23,8 +23,8 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"solutions", QT_TRANSLATE_NOOP("View", "Solutions"),
-     QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."), "solutions", false,
-     create<SolutionsView>}};
+     QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
+     "solutions", false, create<SolutionsView>}};
 
 constexpr char kTable[] = "robotcontrol.SolutionTable";
 
@@ -38,10 +38,12 @@ SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(conte
 }
 
 void SolutionsView::createActions() {
-  defaults_ = makeAction(this, "reset", {"solutionsDefaults", tr("Defaults"),
-                                         tr("Switches every task to the solution that its layout names"), tr("Ctrl+D")});
-  showParameters_ = makeAction(this, "settings", {"solutionsParameters", tr("Parameters"),
-                                                  tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
+  defaults_ = makeAction(this, "reset",
+                         {"solutionsDefaults", tr("Defaults"),
+                          tr("Switches every task to the solution that its layout names"), tr("Ctrl+D")});
+  showParameters_ = makeAction(this, "settings",
+                               {"solutionsParameters", tr("Parameters"),
+                                tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
   showParameters_->setCheckable(true);
   showParameters_->setChecked(true);
 }
@@ -81,7 +83,8 @@ void SolutionsView::createViews() {
 void SolutionsView::connectSignals() {
   tree_->installEventFilter(this);
   connect(tree_, &QTreeView::clicked, this, &SolutionsView::choose);
-  connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &SolutionsView::showCurrent);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
   connect(showParameters_, &QAction::toggled, parameters_, &QWidget::setVisible);
 }
@@ -101,10 +104,11 @@ void SolutionsView::tick() {
       tree_->resizeColumnToContents(SolutionModel::kProcess);
       showCurrent(tree_->currentIndex());
     }
-    hint_->setHint(model_.rowCount() > 0 ? QString()
-                   : robot.empty()
-                       ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
-                       : tr("The robot has not told its tasks yet. Start its program."));
+    hint_->setHint(
+        model_.rowCount() > 0 ? QString()
+        : robot.empty()
+            ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
+            : tr("The robot has not told its tasks yet. Start its program."));
   }
   defaults_->setEnabled(model_.rowCount() > 0);
   parameters_->tick();
@@ -128,12 +132,13 @@ void SolutionsView::select(const std::string& task, const std::string& solution)
   robotcontrol::Request request;
   request.mutable_select_solution()->set_task(task);
   request.mutable_select_solution()->set_solution(solution);
-  ask(session(), robot_, std::move(request), this, [this, task, solution](bool accepted, const QString& reason) {
-    const QString name = QString::fromStdString(task + " / " + solution);
-    if (accepted) return say(tr("%1 was accepted").arg(name), false);
-    model_.refuse(task, solution, reason);
-    say(tr("%1 was refused: %2").arg(name, reason), true);
-  });
+  ask(session(), robot_, std::move(request), this,
+      [this, task, solution](bool accepted, const QString& reason) {
+        const QString name = QString::fromStdString(task + " / " + solution);
+        if (accepted) return say(tr("%1 was accepted").arg(name), false);
+        model_.refuse(task, solution, reason);
+        say(tr("%1 was refused: %2").arg(name, reason), true);
+      });
 }
 
 void SolutionsView::selectDefaults() {

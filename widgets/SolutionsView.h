@@ -14,8 +14,9 @@ namespace widgets {
 class EmptyHint;
 class ParameterPanel;
 
-/// The tasks of the selected robot and the solutions that exist for them. One click on a solution, or Space, switches to it; what cannot
-/// be chosen says why. The panel below edits the parameters of the current solution.
+/// The tasks of the selected robot and the solutions that exist for them. One click on a solution, or Space,
+/// switches to it; what cannot be chosen says why. The panel below edits the parameters of the current
+/// solution.
 class SolutionsView final : public View {
   Q_OBJECT
  public:

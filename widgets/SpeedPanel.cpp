@@ -22,7 +22,8 @@ void SpeedPanel::createTable() {
   auto* layout = static_cast<QGridLayout*>(this->layout());
   const QString columns[] = {tr("forwards\nmm/s"), tr("left\nmm/s"), tr("turn\nrad/s")};
   const QString rows[] = {tr("asked"), tr("true"), tr("believed")};
-  const QString tips[] = {tr("What you ask for"), tr("How the robot moved in the last half second, as the simulator knows"),
+  const QString tips[] = {tr("What you ask for"),
+                          tr("How the robot moved in the last half second, as the simulator knows"),
                           tr("What the robot says of itself (motion/status)")};
   const char* names[] = {"speedAsked", "speedMeasured", "speedBelieved"};
   const char* axes[] = {"X", "Y", "Turn"};
@@ -56,7 +57,8 @@ void SpeedPanel::createLimits() {
   speed_->setSingleStep(10);
   speed_->setSuffix(tr(" mm/s"));
   rotation_ = new QDoubleSpinBox(this);
-  describe(*rotation_, {"limitRotation", tr("Greatest turn"), tr("The speed of turning that full deflection means")});
+  describe(*rotation_,
+           {"limitRotation", tr("Greatest turn"), tr("The speed of turning that full deflection means")});
   rotation_->setRange(0.1, 10);
   rotation_->setSingleStep(0.1);
   rotation_->setSuffix(tr(" rad/s"));
@@ -89,7 +91,9 @@ void SpeedPanel::showSpeeds(const Speed& asked, const std::optional<Speed>& meas
   showRow(kBelieved, believed);
 }
 
-MotionCommander::Limits SpeedPanel::limits() const { return {speed_->value() / 1000, rotation_->value()}; }
+MotionCommander::Limits SpeedPanel::limits() const {
+  return {speed_->value() / 1000, rotation_->value()};
+}
 
 void SpeedPanel::setLimits(const MotionCommander::Limits& limits) {
   speed_->setValue(limits.speed * 1000);

@@ -13,13 +13,14 @@ class QLabel;
 
 namespace widgets {
 
-/// What is asked of the robot, how it truly moves and what it believes, side by side, in mm/s and rad/s; and the limits that full
-/// deflection means.
+/// What is asked of the robot, how it truly moves and what it believes, side by side, in mm/s and rad/s; and
+/// the limits that full deflection means.
 class SpeedPanel final : public QGroupBox {
   Q_OBJECT
  public:
   explicit SpeedPanel(QWidget* parent = nullptr);
-  void showSpeeds(const Speed& asked, const std::optional<Speed>& measured, const std::optional<Speed>& believed);
+  void showSpeeds(const Speed& asked, const std::optional<Speed>& measured,
+                  const std::optional<Speed>& believed);
   MotionCommander::Limits limits() const;
   void setLimits(const MotionCommander::Limits& limits);
 

@@ -27,8 +27,8 @@ double direction(const QSet<int>& keys, std::initializer_list<int> plus, std::in
 }
 
 bool drives(int key) {
-  static constexpr int kKeys[] = {Qt::Key_W, Qt::Key_A, Qt::Key_S, Qt::Key_D, Qt::Key_Q, Qt::Key_E,
-                                  Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right};
+  static constexpr int kKeys[] = {Qt::Key_W, Qt::Key_A,  Qt::Key_S,    Qt::Key_D,    Qt::Key_Q,
+                                  Qt::Key_E, Qt::Key_Up, Qt::Key_Down, Qt::Key_Left, Qt::Key_Right};
   return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
 }
 
@@ -43,7 +43,8 @@ void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette) {
   painter.drawLine(QPointF(disc.left(), disc.center().y()), QPointF(disc.right(), disc.center().y()));
 }
 
-void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, const QColor& color, bool filled) {
+void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, const QColor& color,
+                 bool filled) {
   const double radius = disc.width() / 2;
   const QPointF tip = disc.center() + QPointF(-axes.left, -axes.forward) * radius;
   painter.setPen(QPen(color, filled ? 3 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap));
@@ -63,8 +64,10 @@ void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, co
 }  // namespace
 
 WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
-  describe(*this, {"walkPad", tr("Walk pad"),
-                   tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.")});
+  describe(
+      *this,
+      {"walkPad", tr("Walk pad"),
+       tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.")});
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
 }
@@ -78,14 +81,15 @@ void WalkPad::paint(QPainter& painter, const QRectF& rect, const Picture& pictur
   const QRectF disc = discIn(rect);
   painter.setRenderHint(QPainter::Antialiasing);
   paintGrid(painter, disc, palette);
-  if (picture.measured) paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false);
+  if (picture.measured)
+    paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false);
   if (picture.enabled) {
     paintVector(painter, disc, picture.asked, colorOf(Meaning::kNote, palette), true);
     return;
   }
   painter.setPen(colorOf(Meaning::kMuted, palette));
-  painter.drawText(disc.adjusted(disc.width() / 8, 0, -disc.width() / 8, 0), Qt::AlignCenter | Qt::TextWordWrap,
-                   picture.hint);
+  painter.drawText(disc.adjusted(disc.width() / 8, 0, -disc.width() / 8, 0),
+                   Qt::AlignCenter | Qt::TextWordWrap, picture.hint);
 }
 
 void WalkPad::paintEvent(QPaintEvent*) {
@@ -137,8 +141,10 @@ void WalkPad::useKeys(bool halved) {
 }
 
 void WalkPad::keyPressEvent(QKeyEvent* event) {
-  const bool modified = (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
-  if (modified || !(drives(event->key()) || event->key() == Qt::Key_Shift)) return QWidget::keyPressEvent(event);
+  const bool modified =
+      (event->modifiers() & (Qt::ControlModifier | Qt::AltModifier | Qt::MetaModifier)) != 0;
+  if (modified || !(drives(event->key()) || event->key() == Qt::Key_Shift))
+    return QWidget::keyPressEvent(event);
   if (drives(event->key())) keys_.insert(event->key());
   useKeys(event->modifiers().testFlag(Qt::ShiftModifier) || event->key() == Qt::Key_Shift);
 }

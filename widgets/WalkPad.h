@@ -10,17 +10,18 @@
 
 namespace widgets {
 
-/// A pad to walk by: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrows, Q and E to turn; Shift halves. All is
-/// zero as soon as button or keys are released or the focus goes. Shows what is asked for (filled) and what is measured (outlined).
+/// A pad to walk by: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrows, Q and E
+/// to turn; Shift halves. All is zero as soon as button or keys are released or the focus goes. Shows what is
+/// asked for (filled) and what is measured (outlined).
 class WalkPad final : public QWidget {
   Q_OBJECT
  public:
   /// What paint() needs.
   struct Picture {
-    WalkAxes asked;                   ///< -1 to 1
+    WalkAxes asked;                    ///< -1 to 1
     std::optional<WalkAxes> measured;  ///< as shares of the limits
     bool enabled = false;
-    QString hint;                     ///< in the middle, while not enabled
+    QString hint;  ///< in the middle, while not enabled
   };
 
   explicit WalkPad(QWidget* parent = nullptr);

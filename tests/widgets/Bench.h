@@ -16,8 +16,8 @@
 #include "robotlink/session/Session.h"
 #include "widgets/View.h"
 
-/// What every test of a view stands on: a session with one robot, "red1", whose requests are recorded instead of sent, and whose clock the
-/// test turns. Any Qt warning but the offscreen plugin's own ends the program.
+/// What every test of a view stands on: a session with one robot, "red1", whose requests are recorded instead
+/// of sent, and whose clock the test turns. Any Qt warning but the offscreen plugin's own ends the program.
 class Bench {
  public:
   Bench() {
@@ -53,7 +53,8 @@ class Bench {
 
   template <typename T>
   void push(const std::string& path, const T& message, double time) {
-    session.push({path, robotlink::Instant(robotlink::fromSeconds(time)), std::make_shared<const T>(message)});
+    session.push(
+        {path, robotlink::Instant(robotlink::fromSeconds(time)), std::make_shared<const T>(message)});
   }
   void tick(widgets::View& view) {
     session.tick();
@@ -89,7 +90,8 @@ class Bench {
   }
 };
 
-/// A widget of a view by its object name; fails the program if there is none, so that a test reads like a recipe.
+/// A widget of a view by its object name; fails the program if there is none, so that a test reads like a
+/// recipe.
 template <typename W>
 W& child(QWidget& of, const char* name) {
   W* found = of.findChild<W*>(QString::fromLatin1(name));
@@ -97,4 +99,6 @@ W& child(QWidget& of, const char* name) {
   return *found;
 }
 
-inline void click(QWidget& widget) { QTest::mouseClick(&widget, Qt::LeftButton); }
+inline void click(QWidget& widget) {
+  QTest::mouseClick(&widget, Qt::LeftButton);
+}

@@ -102,6 +102,7 @@ class DebugKeysViewTest : public QObject {
     auto& number = child<QSpinBox>(tree, "keyNumberEditor");
     QTest::keyClicks(&number, QStringLiteral("500"));
     QTest::keyClick(&number, Qt::Key_Return);
+    QCoreApplication::processEvents();  // item views commit from the event loop
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::EVERY_MS);
     QCOMPARE(bench.requests[0].set_key().mode().n(), 500U);

@@ -153,7 +153,8 @@ class MessagesViewTest : public QObject {
     auto& table = child<QTableView>(*view, "messagesTable");
     table.selectRow(1);
     click(child<QToolButton>(*view, "messagesCopy"));
-    QCOMPARE(QApplication::clipboard()->text(), QStringLiteral("1.100\twarning\tred1\tmotion/walk\tpaw slips"));
+    QCOMPARE(QApplication::clipboard()->text(),
+             QStringLiteral("1.100\twarning\tred1\tmotion/walk\tpaw slips"));
   }
 
   void followsTheNewestUntilSomebodyScrollsUp() {

@@ -23,29 +23,42 @@ void merge(KeyEntry& entry, const robotcontrol::KeyTable::Key& key) {
   for (const std::string& solution : key.solutions()) addUnique(entry.solutions, solution);
 }
 
-QString text(const char* source) { return QCoreApplication::translate("KeyValue", source); }
+QString text(const char* source) {
+  return QCoreApplication::translate("KeyValue", source);
+}
 
 }  // namespace
 
-bool hasNumber(KeyValue::Kind kind) { return kind > KeyValue::Kind::kAlways; }
+bool hasNumber(KeyValue::Kind kind) {
+  return kind > KeyValue::Kind::kAlways;
+}
 
 QString kindName(KeyValue::Kind kind) {
   switch (kind) {
-    case KeyValue::Kind::kOff: return text("off");
-    case KeyValue::Kind::kAlways: return text("always");
-    case KeyValue::Kind::kTimes: return text("n times");
-    case KeyValue::Kind::kEveryNth: return text("every n-th time");
-    case KeyValue::Kind::kEveryMs: return text("every n ms");
+    case KeyValue::Kind::kOff:
+      return text("off");
+    case KeyValue::Kind::kAlways:
+      return text("always");
+    case KeyValue::Kind::kTimes:
+      return text("n times");
+    case KeyValue::Kind::kEveryNth:
+      return text("every n-th time");
+    case KeyValue::Kind::kEveryMs:
+      return text("every n ms");
   }
   return {};
 }
 
 QString numberText(const KeyValue& value) {
   switch (value.kind) {
-    case KeyValue::Kind::kTimes: return text("%1 left").arg(value.n);
-    case KeyValue::Kind::kEveryNth: return QString::number(value.n);
-    case KeyValue::Kind::kEveryMs: return text("%1 ms").arg(value.n);
-    default: return {};
+    case KeyValue::Kind::kTimes:
+      return text("%1 left").arg(value.n);
+    case KeyValue::Kind::kEveryNth:
+      return QString::number(value.n);
+    case KeyValue::Kind::kEveryMs:
+      return text("%1 ms").arg(value.n);
+    default:
+      return {};
   }
 }
 

@@ -35,12 +35,12 @@ struct KeyEntry {
   std::string name;
   QString help;
   KeyValue value;
-  bool inUse = false;      ///< a running solution asks for it
+  bool inUse = false;     ///< a running solution asks for it
   QStringList solutions;  ///< "ball-percept/scan-lines"
 };
 
-/// The keys of all these messages that are KeyTables (null ones are skipped), by name. The mode is that of a table in which the
-/// key is in use, if there is one.
+/// The keys of all these messages that are KeyTables (null ones are skipped), by name. The mode is that of a
+/// table in which the key is in use, if there is one.
 std::vector<KeyEntry> mergeKeys(const std::vector<const robotlink::StreamMessage*>& tables);
 
 }  // namespace widgets

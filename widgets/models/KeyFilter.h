@@ -6,8 +6,8 @@
 
 namespace widgets {
 
-/// Shows those keys of a KeyTreeModel whose whole name contains every word that was typed, with the groups they are in; on wish only
-/// those that are not off.
+/// Shows those keys of a KeyTreeModel whose whole name contains every word that was typed, with the groups
+/// they are in; on wish only those that are not off.
 class KeyFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:

@@ -146,7 +146,9 @@ int KeyTreeModel::rowCount(const QModelIndex& parent) const {
   return parent.column() > 0 ? 0 : static_cast<int>(nodeOf(parent).children.size());
 }
 
-int KeyTreeModel::columnCount(const QModelIndex&) const { return kColumns; }
+int KeyTreeModel::columnCount(const QModelIndex&) const {
+  return kColumns;
+}
 
 int KeyTreeModel::activeBelow(const Node& node, int& all) const {
   int active = 0;
@@ -174,7 +176,8 @@ QString KeyTreeModel::toolTip(const KeyEntry& key) const {
   lines << key.help.toHtmlEscaped();
   if (!key.solutions.isEmpty()) lines << tr("Used by: %1").arg(key.solutions.join(QStringLiteral(", ")));
   if (!key.inUse) {
-    lines << tr("Inactive: none of its solutions is running. What you set takes effect when one is switched on.");
+    lines << tr(
+        "Inactive: none of its solutions is running. What you set takes effect when one is switched on.");
   }
   const auto refusal = refusals_.find(key.name);
   if (refusal != refusals_.end()) lines << tr("Refused: %1").arg(refusal->second.toHtmlEscaped());
@@ -187,17 +190,24 @@ QVariant KeyTreeModel::data(const QModelIndex& index, int role) const {
   const KeyEntry* key = entryOf(index);
   int all = 0;
   switch (role) {
-    case Qt::DisplayRole: return display(node, index.column());
-    case kKeyRole: return QString::fromStdString(node.path);
-    case kActiveRole: return activeBelow(node, all) > 0;
-    default: break;
+    case Qt::DisplayRole:
+      return display(node, index.column());
+    case kKeyRole:
+      return QString::fromStdString(node.path);
+    case kActiveRole:
+      return activeBelow(node, all) > 0;
+    default:
+      break;
   }
   if (key == nullptr) return {};
   const KeyValue value = shownValue(*key);
   switch (role) {
-    case kKindRole: return static_cast<int>(value.kind);
-    case Qt::EditRole: return index.column() == kNumber ? static_cast<int>(value.n) : static_cast<int>(value.kind);
-    case Qt::ToolTipRole: return toolTip(*key);
+    case kKindRole:
+      return static_cast<int>(value.kind);
+    case Qt::EditRole:
+      return index.column() == kNumber ? static_cast<int>(value.n) : static_cast<int>(value.kind);
+    case Qt::ToolTipRole:
+      return toolTip(*key);
     case Qt::ForegroundRole:
       if (refusals_.count(key->name) > 0) return colorOf(Meaning::kBad, QGuiApplication::palette());
       return key->inUse ? QVariant() : colorOf(Meaning::kMuted, QGuiApplication::palette());
@@ -207,7 +217,8 @@ QVariant KeyTreeModel::data(const QModelIndex& index, int role) const {
       font.setBold(index.column() != kName && value.kind != KeyValue::Kind::kOff);
       return font;
     }
-    default: return {};
+    default:
+      return {};
   }
 }
 
@@ -220,7 +231,8 @@ Qt::ItemFlags KeyTreeModel::flags(const QModelIndex& index) const {
   Qt::ItemFlags flags = QAbstractItemModel::flags(index);
   const KeyEntry* key = index.isValid() ? entryOf(index) : nullptr;
   if (key == nullptr) return flags;
-  const bool editable = index.column() == kMode || (index.column() == kNumber && hasNumber(shownValue(*key).kind));
+  const bool editable =
+      index.column() == kMode || (index.column() == kNumber && hasNumber(shownValue(*key).kind));
   return editable ? flags | Qt::ItemIsEditable : flags;
 }
 

@@ -10,9 +10,10 @@
 
 namespace widgets {
 
-/// The debug keys of one robot as a tree by the parts of their names ("ball-percept/circle"). Columns: name, mode, number. Editing
-/// a mode or a number changes nothing here but what is shown as wished (in italics); keyChosen() asks the owner to request it, and
-/// the next tables or refuse() settle it. Keys of inactive solutions are greyed and can be set all the same. GUI thread.
+/// The debug keys of one robot as a tree by the parts of their names ("ball-percept/circle"). Columns: name,
+/// mode, number. Editing a mode or a number changes nothing here but what is shown as wished (in italics);
+/// keyChosen() asks the owner to request it, and the next tables or refuse() settle it. Keys of inactive
+/// solutions are greyed and can be set all the same. GUI thread.
 class KeyTreeModel final : public QAbstractItemModel {
   Q_OBJECT
  public:

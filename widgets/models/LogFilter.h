@@ -6,8 +6,8 @@
 
 namespace widgets {
 
-/// The rows of a LogModel that are severe enough, of one robot or of all, and whose text, source or robot holds what was typed: a part of
-/// it in any case of letters, or a regular expression.
+/// The rows of a LogModel that are severe enough, of one robot or of all, and whose text, source or robot
+/// holds what was typed: a part of it in any case of letters, or a regular expression.
 class LogFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:

@@ -8,10 +8,12 @@
 
 namespace widgets {
 
-LogModel::LogModel(std::size_t capacity, QObject* parent) : QAbstractTableModel(parent), capacity_(capacity) {}
+LogModel::LogModel(std::size_t capacity, QObject* parent)
+    : QAbstractTableModel(parent), capacity_(capacity) {}
 
 void LogModel::append(std::vector<LogEntry> entries) {
-  if (entries.size() > capacity_) entries.erase(entries.begin(), entries.end() - static_cast<std::ptrdiff_t>(capacity_));
+  if (entries.size() > capacity_)
+    entries.erase(entries.begin(), entries.end() - static_cast<std::ptrdiff_t>(capacity_));
   if (entries.empty()) return;
   const std::size_t wanted = entries_.size() + entries.size();
   if (wanted > capacity_) {
@@ -42,12 +44,18 @@ int LogModel::rowAt(robotlink::Instant time) const {
 
 QString LogModel::levelName(LogEntry::Level level) {
   switch (level) {
-    case LogEntry::Level::kDebug: return tr("debug");
-    case LogEntry::Level::kInfo: return tr("info");
-    case LogEntry::Level::kWarning: return tr("warning");
-    case LogEntry::Level::kError: return tr("error");
-    case LogEntry::Level::kFatal: return tr("fatal");
-    case LogEntry::Level::kUnknown: break;
+    case LogEntry::Level::kDebug:
+      return tr("debug");
+    case LogEntry::Level::kInfo:
+      return tr("info");
+    case LogEntry::Level::kWarning:
+      return tr("warning");
+    case LogEntry::Level::kError:
+      return tr("error");
+    case LogEntry::Level::kFatal:
+      return tr("fatal");
+    case LogEntry::Level::kUnknown:
+      break;
   }
   return tr("message");
 }
@@ -60,7 +68,9 @@ int LogModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
-int LogModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int LogModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
 
 QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
@@ -76,22 +86,32 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
   }
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
-    case kTime: return timeText(said.time);
-    case kLevel: return levelName(said.level);
-    case kRobot: return said.robot;
-    case kSource: return said.source;
-    default: return said.text;
+    case kTime:
+      return timeText(said.time);
+    case kLevel:
+      return levelName(said.level);
+    case kRobot:
+      return said.robot;
+    case kSource:
+      return said.source;
+    default:
+      return said.text;
   }
 }
 
 QVariant LogModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
   switch (section) {
-    case kTime: return tr("Time [s]");
-    case kLevel: return tr("Level");
-    case kRobot: return tr("Robot");
-    case kSource: return tr("Source");
-    default: return tr("Text");
+    case kTime:
+      return tr("Time [s]");
+    case kLevel:
+      return tr("Level");
+    case kRobot:
+      return tr("Robot");
+    case kSource:
+      return tr("Source");
+    default:
+      return tr("Text");
   }
 }
 

@@ -18,8 +18,9 @@ struct LogEntry {
   QString text;
 };
 
-/// The texts of all robots as a table: time, level, robot, source, text. Bounded: past `capacity` rows the oldest go, some hundred
-/// at a time, so that a full table costs no more than an empty one. A batch is one insertion. GUI thread.
+/// The texts of all robots as a table: time, level, robot, source, text. Bounded: past `capacity` rows the
+/// oldest go, some hundred at a time, so that a full table costs no more than an empty one. A batch is one
+/// insertion. GUI thread.
 class LogModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

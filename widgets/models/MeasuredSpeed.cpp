@@ -25,7 +25,8 @@ std::optional<robotlink::Pose2> poseOf(const robotlink::StreamMessage& message, 
 
 }  // namespace
 
-Speed speedBetween(const robotlink::Pose2& before, const robotlink::Pose2& after, robotlink::Duration elapsed) {
+Speed speedBetween(const robotlink::Pose2& before, const robotlink::Pose2& after,
+                   robotlink::Duration elapsed) {
   const double seconds = robotlink::seconds(elapsed);
   const double turned = robotlink::normalizedAngle(after.heading - before.heading);
   const double heading = before.heading + turned / 2;
@@ -34,8 +35,8 @@ Speed speedBetween(const robotlink::Pose2& before, const robotlink::Pose2& after
           turned / seconds};
 }
 
-std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const std::string& robot, robotlink::Instant time,
-                                   robotlink::Duration window) {
+std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const std::string& robot,
+                                   robotlink::Instant time, robotlink::Duration window) {
   const auto* stream = store.find(robotlink::streams::kTransforms);
   if (stream == nullptr) return {};
   std::optional<robotlink::Pose2> after, before;

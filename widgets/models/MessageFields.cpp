@@ -19,8 +19,9 @@ Message& mutableMessageAt(Message& root, const FieldPath& path, std::size_t step
   Message* message = &root;
   for (std::size_t i = 0; i < steps; ++i) {
     const Reflection& reflection = *message->GetReflection();
-    message = path[i].element >= 0 ? reflection.MutableRepeatedMessage(message, path[i].field, path[i].element)
-                                   : reflection.MutableMessage(message, path[i].field);
+    message = path[i].element >= 0
+                  ? reflection.MutableRepeatedMessage(message, path[i].field, path[i].element)
+                  : reflection.MutableMessage(message, path[i].field);
   }
   return *message;
 }
@@ -32,32 +33,52 @@ QVariant enumName(const google::protobuf::EnumValueDescriptor* value) {
 QVariant singleValue(const Message& message, const FieldDescriptor* field) {
   const Reflection& r = *message.GetReflection();
   switch (field->cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE: return r.GetDouble(message, field);
-    case FieldDescriptor::CPPTYPE_FLOAT: return static_cast<double>(r.GetFloat(message, field));
-    case FieldDescriptor::CPPTYPE_BOOL: return r.GetBool(message, field);
-    case FieldDescriptor::CPPTYPE_INT32: return r.GetInt32(message, field);
-    case FieldDescriptor::CPPTYPE_UINT32: return r.GetUInt32(message, field);
-    case FieldDescriptor::CPPTYPE_INT64: return static_cast<qlonglong>(r.GetInt64(message, field));
-    case FieldDescriptor::CPPTYPE_UINT64: return static_cast<qulonglong>(r.GetUInt64(message, field));
-    case FieldDescriptor::CPPTYPE_ENUM: return enumName(r.GetEnum(message, field));
-    case FieldDescriptor::CPPTYPE_STRING: return QString::fromStdString(r.GetString(message, field));
-    default: return {};
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return r.GetDouble(message, field);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return static_cast<double>(r.GetFloat(message, field));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return r.GetBool(message, field);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return r.GetInt32(message, field);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return r.GetUInt32(message, field);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return static_cast<qlonglong>(r.GetInt64(message, field));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return static_cast<qulonglong>(r.GetUInt64(message, field));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumName(r.GetEnum(message, field));
+    case FieldDescriptor::CPPTYPE_STRING:
+      return QString::fromStdString(r.GetString(message, field));
+    default:
+      return {};
   }
 }
 
 QVariant elementValue(const Message& message, const FieldDescriptor* field, int element) {
   const Reflection& r = *message.GetReflection();
   switch (field->cpp_type()) {
-    case FieldDescriptor::CPPTYPE_DOUBLE: return r.GetRepeatedDouble(message, field, element);
-    case FieldDescriptor::CPPTYPE_FLOAT: return static_cast<double>(r.GetRepeatedFloat(message, field, element));
-    case FieldDescriptor::CPPTYPE_BOOL: return r.GetRepeatedBool(message, field, element);
-    case FieldDescriptor::CPPTYPE_INT32: return r.GetRepeatedInt32(message, field, element);
-    case FieldDescriptor::CPPTYPE_UINT32: return r.GetRepeatedUInt32(message, field, element);
-    case FieldDescriptor::CPPTYPE_INT64: return static_cast<qlonglong>(r.GetRepeatedInt64(message, field, element));
-    case FieldDescriptor::CPPTYPE_UINT64: return static_cast<qulonglong>(r.GetRepeatedUInt64(message, field, element));
-    case FieldDescriptor::CPPTYPE_ENUM: return enumName(r.GetRepeatedEnum(message, field, element));
-    case FieldDescriptor::CPPTYPE_STRING: return QString::fromStdString(r.GetRepeatedString(message, field, element));
-    default: return {};
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return r.GetRepeatedDouble(message, field, element);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return static_cast<double>(r.GetRepeatedFloat(message, field, element));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return r.GetRepeatedBool(message, field, element);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return r.GetRepeatedInt32(message, field, element);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return r.GetRepeatedUInt32(message, field, element);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return static_cast<qlonglong>(r.GetRepeatedInt64(message, field, element));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return static_cast<qulonglong>(r.GetRepeatedUInt64(message, field, element));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumName(r.GetRepeatedEnum(message, field, element));
+    case FieldDescriptor::CPPTYPE_STRING:
+      return QString::fromStdString(r.GetRepeatedString(message, field, element));
+    default:
+      return {};
   }
 }
 
@@ -85,8 +106,9 @@ bool storeInteger(Message& message, const FieldStep& step, const QVariant& value
   if (!good) return false;
   switch (step.field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_INT32:
-      return inRange<std::int32_t>(number) && store(message, step, &Reflection::SetInt32, &Reflection::SetRepeatedInt32,
-                                                    static_cast<std::int32_t>(number));
+      return inRange<std::int32_t>(number) &&
+             store(message, step, &Reflection::SetInt32, &Reflection::SetRepeatedInt32,
+                   static_cast<std::int32_t>(number));
     case FieldDescriptor::CPPTYPE_UINT32:
       return inRange<std::uint32_t>(number) &&
              store(message, step, &Reflection::SetUInt32, &Reflection::SetRepeatedUInt32,
@@ -105,14 +127,16 @@ bool storeNumber(Message& message, const FieldStep& step, const QVariant& value)
   const double number = value.toDouble(&good);
   if (!good || !std::isfinite(number)) return false;
   if (step.field->cpp_type() == FieldDescriptor::CPPTYPE_FLOAT) {
-    return store(message, step, &Reflection::SetFloat, &Reflection::SetRepeatedFloat, static_cast<float>(number));
+    return store(message, step, &Reflection::SetFloat, &Reflection::SetRepeatedFloat,
+                 static_cast<float>(number));
   }
   return store(message, step, &Reflection::SetDouble, &Reflection::SetRepeatedDouble, number);
 }
 
 bool storeEnum(Message& message, const FieldStep& step, const QVariant& value) {
   const auto* chosen = step.field->enum_type()->FindValueByName(value.toString().toStdString());
-  return chosen != nullptr && store(message, step, &Reflection::SetEnum, &Reflection::SetRepeatedEnum, chosen);
+  return chosen != nullptr &&
+         store(message, step, &Reflection::SetEnum, &Reflection::SetRepeatedEnum, chosen);
 }
 
 bool storeText(Message& message, const FieldStep& step, const QVariant& value) {
@@ -127,7 +151,9 @@ bool storeText(Message& message, const FieldStep& step, const QVariant& value) {
   return true;
 }
 
-QString text(const char* source) { return QCoreApplication::translate("MessageFields", source); }
+QString text(const char* source) {
+  return QCoreApplication::translate("MessageFields", source);
+}
 
 }  // namespace
 
@@ -154,7 +180,8 @@ QVariant valueAt(const Message& root, const FieldPath& path) {
   const Message& owner = messageAt(root, FieldPath(path.begin(), path.end() - 1));
   if (!last.field->is_repeated()) return singleValue(owner, last.field);
   const int size = owner.GetReflection()->FieldSize(owner, last.field);
-  return last.element >= 0 && last.element < size ? elementValue(owner, last.field, last.element) : QVariant();
+  return last.element >= 0 && last.element < size ? elementValue(owner, last.field, last.element)
+                                                  : QVariant();
 }
 
 bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {
@@ -163,13 +190,18 @@ bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {
   const FieldStep& last = path.back();
   switch (last.field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
-    case FieldDescriptor::CPPTYPE_FLOAT: return storeNumber(owner, last, value);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return storeNumber(owner, last, value);
     case FieldDescriptor::CPPTYPE_BOOL:
       return store(owner, last, &Reflection::SetBool, &Reflection::SetRepeatedBool, value.toBool());
-    case FieldDescriptor::CPPTYPE_ENUM: return storeEnum(owner, last, value);
-    case FieldDescriptor::CPPTYPE_STRING: return storeText(owner, last, value);
-    case FieldDescriptor::CPPTYPE_MESSAGE: return false;
-    default: return storeInteger(owner, last, value);
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return storeEnum(owner, last, value);
+    case FieldDescriptor::CPPTYPE_STRING:
+      return storeText(owner, last, value);
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return false;
+    default:
+      return storeInteger(owner, last, value);
   }
 }
 
@@ -185,14 +217,21 @@ QString typeName(const FieldPath& path) {
   if (path.empty()) return {};
   switch (path.back().field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
-    case FieldDescriptor::CPPTYPE_FLOAT: return text("number");
-    case FieldDescriptor::CPPTYPE_BOOL: return text("yes or no");
-    case FieldDescriptor::CPPTYPE_ENUM: return text("choice");
-    case FieldDescriptor::CPPTYPE_STRING: return text("text");
-    case FieldDescriptor::CPPTYPE_MESSAGE: return text("group");
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return text("number");
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return text("yes or no");
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return text("choice");
+    case FieldDescriptor::CPPTYPE_STRING:
+      return text("text");
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return text("group");
     case FieldDescriptor::CPPTYPE_UINT32:
-    case FieldDescriptor::CPPTYPE_UINT64: return text("whole number, not negative");
-    default: return text("whole number");
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return text("whole number, not negative");
+    default:
+      return text("whole number");
   }
 }
 

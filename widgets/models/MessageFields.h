@@ -14,7 +14,8 @@ class Message;
 
 namespace widgets {
 
-/// Where a field is in a message: one step from each message to its field; for a repeated field also which element.
+/// Where a field is in a message: one step from each message to its field; for a repeated field also which
+/// element.
 struct FieldStep {
   const google::protobuf::FieldDescriptor* field = nullptr;
   int element = -1;  ///< -1: the field as a whole
@@ -27,7 +28,8 @@ bool isMessage(const FieldPath& path);
 const google::protobuf::Message& messageAt(const google::protobuf::Message& root, const FieldPath& path);
 /// A number, bool or QString; enumerations by name. Invalid for messages and for lists as a whole.
 QVariant valueAt(const google::protobuf::Message& root, const FieldPath& path);
-/// False, and nothing is changed, where the value is none of the field's: a text that is no number, an unknown name, out of range.
+/// False, and nothing is changed, where the value is none of the field's: a text that is no number, an
+/// unknown name, out of range.
 bool setValueAt(google::protobuf::Message& root, const FieldPath& path, const QVariant& value);
 /// The names of an enumeration; empty for other fields.
 QStringList choicesAt(const FieldPath& path);

@@ -9,8 +9,8 @@
 namespace widgets {
 namespace {
 
-constexpr int kResendTicks = 3;    // 10 Hz at 30 ticks a second
-constexpr int kMotionTicks = 30;   // a second
+constexpr int kResendTicks = 3;   // 10 Hz at 30 ticks a second
+constexpr int kMotionTicks = 30;  // a second
 using Kind = robotcontrol::MotionRequest;
 
 }  // namespace

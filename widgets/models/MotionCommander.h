@@ -19,7 +19,8 @@ struct WalkAxes {
   bool zero() const { return forward == 0 && left == 0 && turn == 0; }
 };
 
-/// What the head shall do; the kinds are those of robotcontrol.HeadMode, in its order. Angles in rad, for kAngles.
+/// What the head shall do; the kinds are those of robotcontrol.HeadMode, in its order. Angles in rad, for
+/// kAngles.
 struct HeadWish {
   enum class Kind : std::uint8_t { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
@@ -30,9 +31,10 @@ struct HeadWish {
   bool operator==(const HeadWish&) const = default;
 };
 
-/// Turns what a person does with pad, keys, sliders and gamepad into motion commands, and says when one is due: at once when something
-/// changed, and ten times a second (every third tick) as long as it is active, so that a robot that hears nothing may stop. Key
-/// frames are commanded until the robot says that it plays them (at most a second), so that they are played once. Pure; one thread.
+/// Turns what a person does with pad, keys, sliders and gamepad into motion commands, and says when one is
+/// due: at once when something changed, and ten times a second (every third tick) as long as it is active, so
+/// that a robot that hears nothing may stop. Key frames are commanded until the robot says that it plays them
+/// (at most a second), so that they are played once. Pure; one thread.
 class MotionCommander {
  public:
   struct Limits {
@@ -56,7 +58,8 @@ class MotionCommander {
   void setActive(bool active);
   bool active() const { return active_; }
 
-  /// Called 30 times a second. True: command() is to be sent now. `status` is what the robot says that it does; null if it is silent.
+  /// Called 30 times a second. True: command() is to be sent now. `status` is what the robot says that it
+  /// does; null if it is silent.
   bool tick(const robotcontrol::MotionStatus* status);
   /// What to send, without its time stamp.
   robotcontrol::RemoteMotion command() const;

@@ -46,7 +46,9 @@ struct ParameterModel::Values {
 
 namespace {
 
-QByteArray bytesOf(const Message& message) { return QByteArray::fromStdString(message.SerializeAsString()); }
+QByteArray bytesOf(const Message& message) {
+  return QByteArray::fromStdString(message.SerializeAsString());
+}
 
 bool parse(Message& message, const QByteArray& bytes) {
   return message.ParseFromArray(bytes.constData(), bytes.size());
@@ -59,7 +61,8 @@ QString shown(const QVariant& value) {
 
 }  // namespace
 
-ParameterModel::ParameterModel(QObject* parent) : QAbstractItemModel(parent), root_(std::make_unique<Node>()) {}
+ParameterModel::ParameterModel(QObject* parent)
+    : QAbstractItemModel(parent), root_(std::make_unique<Node>()) {}
 ParameterModel::~ParameterModel() = default;
 
 void ParameterModel::clear() {
@@ -92,9 +95,15 @@ bool ParameterModel::setParameters(const robotcontrol::ParameterValues& from) {
   return true;
 }
 
-QByteArray ParameterModel::value() const { return values_ ? bytesOf(*values_->now) : QByteArray(); }
-QByteArray ParameterModel::defaults() const { return values_ ? bytesOf(*values_->standard) : QByteArray(); }
-std::string ParameterModel::typeName() const { return values_ ? values_->now->GetTypeName() : std::string(); }
+QByteArray ParameterModel::value() const {
+  return values_ ? bytesOf(*values_->now) : QByteArray();
+}
+QByteArray ParameterModel::defaults() const {
+  return values_ ? bytesOf(*values_->standard) : QByteArray();
+}
+std::string ParameterModel::typeName() const {
+  return values_ ? values_->now->GetTypeName() : std::string();
+}
 
 void ParameterModel::setValue(const QByteArray& value) {
   if (values_ == nullptr || !parse(*values_->now, value)) return;
@@ -107,7 +116,9 @@ void ParameterModel::setValue(const QByteArray& value) {
   notify({});
 }
 
-void ParameterModel::build() { addFields(*root_); }
+void ParameterModel::build() {
+  addFields(*root_);
+}
 
 void ParameterModel::addFields(Node& node) {
   const auto add = [&](FieldPath path) {
@@ -138,8 +149,10 @@ const ParameterModel::Node& ParameterModel::nodeOf(const QModelIndex& index) con
 }
 
 bool ParameterModel::differs(const Node& node) const {
-  if (node.children.empty()) return valueAt(*values_->now, node.path) != valueAt(*values_->standard, node.path);
-  return std::any_of(node.children.begin(), node.children.end(), [this](const auto& child) { return differs(*child); });
+  if (node.children.empty())
+    return valueAt(*values_->now, node.path) != valueAt(*values_->standard, node.path);
+  return std::any_of(node.children.begin(), node.children.end(),
+                     [this](const auto& child) { return differs(*child); });
 }
 
 void ParameterModel::resetInto(const Node& node, Values& values) const {
@@ -175,7 +188,9 @@ int ParameterModel::rowCount(const QModelIndex& parent) const {
   return parent.column() > 0 ? 0 : static_cast<int>(nodeOf(parent).children.size());
 }
 
-int ParameterModel::columnCount(const QModelIndex&) const { return kColumns; }
+int ParameterModel::columnCount(const QModelIndex&) const {
+  return kColumns;
+}
 
 QVariant ParameterModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
@@ -186,14 +201,19 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
       if (index.column() == kDefault) return shown(valueAt(*values_->standard, node.path));
       if (index.column() == kValue) return value.type() == QVariant::Bool ? QVariant() : shown(value);
       return pathText({node.path.back()});
-    case Qt::EditRole: return index.column() == kValue ? shown(value) : QVariant();
+    case Qt::EditRole:
+      return index.column() == kValue ? shown(value) : QVariant();
     case Qt::CheckStateRole:
       if (index.column() != kValue || value.type() != QVariant::Bool) return {};
       return value.toBool() ? Qt::Checked : Qt::Unchecked;
-    case kChoicesRole: return choicesAt(node.path);
-    case kChangedRole: return differs(node);
-    case kPathRole: return pathText(node.path);
-    case Qt::ToolTipRole: return QStringLiteral("%1: %2").arg(pathText(node.path), widgets::typeName(node.path));
+    case kChoicesRole:
+      return choicesAt(node.path);
+    case kChangedRole:
+      return differs(node);
+    case kPathRole:
+      return pathText(node.path);
+    case Qt::ToolTipRole:
+      return QStringLiteral("%1: %2").arg(pathText(node.path), widgets::typeName(node.path));
     case Qt::FontRole: {
       QFont font;
       font.setBold(index.column() != kDefault && differs(node));
@@ -201,7 +221,8 @@ QVariant ParameterModel::data(const QModelIndex& index, int role) const {
     }
     case Qt::ForegroundRole:
       return index.column() == kDefault ? colorOf(Meaning::kMuted, QGuiApplication::palette()) : QVariant();
-    default: return {};
+    default:
+      return {};
   }
 }
 
@@ -219,7 +240,8 @@ Qt::ItemFlags ParameterModel::flags(const QModelIndex& index) const {
 }
 
 bool ParameterModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || index.column() != kValue || (role != Qt::EditRole && role != Qt::CheckStateRole)) return false;
+  if (!index.isValid() || index.column() != kValue || (role != Qt::EditRole && role != Qt::CheckStateRole))
+    return false;
   const Node& node = nodeOf(index);
   std::unique_ptr<Message> changed(values_->now->New());
   changed->CopyFrom(*values_->now);

@@ -12,9 +12,10 @@ class ParameterValues;
 
 namespace widgets {
 
-/// The parameters of a solution, any protobuf message, as a tree of fields. Columns: field, value, default. An edit changes nothing here:
-/// edited() carries the message before and after it, and whoever keeps the undo stack calls setValue(). Types that this program
-/// does not know are built from the descriptors that come with the values. GUI thread.
+/// The parameters of a solution, any protobuf message, as a tree of fields. Columns: field, value, default.
+/// An edit changes nothing here: edited() carries the message before and after it, and whoever keeps the undo
+/// stack calls setValue(). Types that this program does not know are built from the descriptors that come
+/// with the values. GUI thread.
 class ParameterModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -28,7 +29,8 @@ class ParameterModel final : public QAbstractItemModel {
   explicit ParameterModel(QObject* parent = nullptr);
   ~ParameterModel() override;
 
-  /// False, and empty, if the type is unknown or the bytes are not of it. Without defaults told, the first values seen are the defaults.
+  /// False, and empty, if the type is unknown or the bytes are not of it. Without defaults told, the first
+  /// values seen are the defaults.
   bool setParameters(const robotcontrol::ParameterValues& values);
   void clear();
   /// The message, serialised; what setValue() takes.

@@ -28,10 +28,9 @@ TaskEntry taskEntry(const robotcontrol::SolutionTable::Task& from) {
 
 bool sameShape(const std::vector<TaskEntry>& a, const std::vector<TaskEntry>& b) {
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TaskEntry& x, const TaskEntry& y) {
-    return x.name == y.name && std::equal(x.solutions.begin(), x.solutions.end(), y.solutions.begin(),
-                                          y.solutions.end(), [](const auto& s, const auto& t) {
-                                            return s.name == t.name;
-                                          });
+    return x.name == y.name &&
+           std::equal(x.solutions.begin(), x.solutions.end(), y.solutions.begin(), y.solutions.end(),
+                      [](const auto& s, const auto& t) { return s.name == t.name; });
   });
 }
 
@@ -112,9 +111,12 @@ int SolutionModel::rowCount(const QModelIndex& parent) const {
   return static_cast<int>(tasks_[static_cast<std::size_t>(parent.row())].solutions.size());
 }
 
-int SolutionModel::columnCount(const QModelIndex&) const { return kColumns; }
+int SolutionModel::columnCount(const QModelIndex&) const {
+  return kColumns;
+}
 
-SolutionModel::Choice SolutionModel::choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
+SolutionModel::Choice SolutionModel::choiceOf(const TaskEntry& task,
+                                              const TaskEntry::Solution& solution) const {
   const auto wish = pending_.find(task.name);
   if (wish != pending_.end() && wish->second == solution.name) return Choice::kPending;
   if (solution.name == task.active) return Choice::kActive;
@@ -151,10 +153,14 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
   const auto refusal = refusals_.find(task.name);
   const bool refused = refusal != refusals_.end() && refusal->second.solution == solution.name;
   switch (role) {
-    case kTaskRole: return QString::fromStdString(task.name);
-    case kSolutionRole: return QString::fromStdString(solution.name);
-    case kChoiceRole: return static_cast<int>(choiceOf(task, solution));
-    case kParametersRole: return solution.hasParameters;
+    case kTaskRole:
+      return QString::fromStdString(task.name);
+    case kSolutionRole:
+      return QString::fromStdString(solution.name);
+    case kChoiceRole:
+      return static_cast<int>(choiceOf(task, solution));
+    case kParametersRole:
+      return solution.hasParameters;
     case Qt::DisplayRole:
       if (column == kName) return QString::fromStdString(solution.name);
       return column == kState ? stateOf(task, solution) : QString();
@@ -168,7 +174,8 @@ QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Sol
         return colorOf(Meaning::kMuted, QGuiApplication::palette());
       }
       return {};
-    default: return {};
+    default:
+      return {};
   }
 }
 

@@ -30,11 +30,13 @@ struct TaskEntry {
   bool operator==(const TaskEntry&) const = default;
 };
 
-/// The tasks of all these messages that are SolutionTables (null ones are skipped), in the order of the tables.
+/// The tasks of all these messages that are SolutionTables (null ones are skipped), in the order of the
+/// tables.
 std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
-/// Tasks as rows, their solutions below them. Columns: name, process, state. What was asked for and is not yet confirmed is shown
-/// as such; a refusal stays at its solution, with its reason, until something else is asked of the task. GUI thread.
+/// Tasks as rows, their solutions below them. Columns: name, process, state. What was asked for and is not
+/// yet confirmed is shown as such; a refusal stays at its solution, with its reason, until something else is
+/// asked of the task. GUI thread.
 class SolutionModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
@@ -66,7 +68,8 @@ class SolutionModel final : public QAbstractItemModel {
 
  private:
   QVariant taskData(const TaskEntry& task, int column, int role) const;
-  QVariant solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column, int role) const;
+  QVariant solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,
+                        int role) const;
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   QString stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
   void taskChanged(const std::string& task);
@@ -76,8 +79,8 @@ class SolutionModel final : public QAbstractItemModel {
     QString reason;
   };
   std::vector<TaskEntry> tasks_;
-  std::map<std::string, std::string> pending_;     // by task
-  std::map<std::string, Refusal> refusals_;        // by task
+  std::map<std::string, std::string> pending_;      // by task
+  std::map<std::string, Refusal> refusals_;         // by task
   std::map<std::string, std::string> firstActive_;  // by task
 };
 

@@ -7,11 +7,14 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* source) { return QCoreApplication::translate("TakeOver", source); }
+QString translated(const char* source) {
+  return QCoreApplication::translate("TakeOver", source);
+}
 
 /// A task may be done by several processes' tables; the first counts.
 const TaskEntry* findTask(const std::vector<TaskEntry>& tasks) {
-  const auto found = std::find_if(tasks.begin(), tasks.end(), [](const auto& t) { return t.name == TakeOver::kTask; });
+  const auto found =
+      std::find_if(tasks.begin(), tasks.end(), [](const auto& t) { return t.name == TakeOver::kTask; });
   return found == tasks.end() ? nullptr : &*found;
 }
 
@@ -35,7 +38,8 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
     state_ = State::kSwitching;
   } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
     state_ = State::kUnavailable;
-    reason_ = obey == task->solutions.end() ? translated("its behavior has no solution “obey”") : obey->unavailable;
+    reason_ =
+        obey == task->solutions.end() ? translated("its behavior has no solution “obey”") : obey->unavailable;
   } else {
     state_ = State::kFree;
   }
@@ -59,11 +63,16 @@ void TakeOver::refused(const QString& reason) {
 
 QString TakeOver::text() const {
   switch (state_) {
-    case State::kUnknown: return translated("The robot has not told its behavior yet.");
-    case State::kUnavailable: return translated("Cannot be taken over: %1").arg(reason_);
-    case State::kSwitching: return translated("Switching to %1…").arg(QString::fromStdString(wished_));
-    case State::kTaken: return translated("You steer the robot.");
-    case State::kFree: break;
+    case State::kUnknown:
+      return translated("The robot has not told its behavior yet.");
+    case State::kUnavailable:
+      return translated("Cannot be taken over: %1").arg(reason_);
+    case State::kSwitching:
+      return translated("Switching to %1…").arg(QString::fromStdString(wished_));
+    case State::kTaken:
+      return translated("You steer the robot.");
+    case State::kFree:
+      break;
   }
   if (!reason_.isEmpty()) return translated("Refused: %1").arg(reason_);
   return translated("%1 steers the robot.").arg(QString::fromStdString(active_));

@@ -9,8 +9,9 @@
 
 namespace widgets {
 
-/// Whether a person or the robot's own behaviour commands it: follows the task "behavior" in the robot's tables and knows which solution
-/// to request for taking over ("obey") and for giving back (the one that ran before). Pure; one thread.
+/// Whether a person or the robot's own behaviour commands it: follows the task "behavior" in the robot's
+/// tables and knows which solution to request for taking over ("obey") and for giving back (the one that ran
+/// before). Pure; one thread.
 class TakeOver {
  public:
   static constexpr char kTask[] = "behavior";

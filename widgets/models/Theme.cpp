@@ -25,7 +25,9 @@ constexpr std::array<Pair, 12> kCurves{{{0xff1f6fd0, 0xff62a8ff},
                                         {0xff8c4a2f, 0xffd9a384},
                                         {0xffa43fb3, 0xffe58df2}}};
 
-QColor pick(const Pair& pair, const QPalette& palette) { return isDark(palette) ? pair.onDark : pair.onLight; }
+QColor pick(const Pair& pair, const QPalette& palette) {
+  return isDark(palette) ? pair.onDark : pair.onLight;
+}
 
 }  // namespace
 
@@ -41,11 +43,16 @@ QColor mixed(const QColor& a, const QColor& b, double share) {
 
 QColor colorOf(Meaning meaning, const QPalette& palette) {
   switch (meaning) {
-    case Meaning::kGood: return pick({0xff23803a, 0xff6fd283}, palette);
-    case Meaning::kNote: return pick({0xff1f6fd0, 0xff62a8ff}, palette);
-    case Meaning::kWarning: return pick({0xffa85d00, 0xffffb454}, palette);
-    case Meaning::kBad: return pick({0xffc62828, 0xffff7a72}, palette);
-    case Meaning::kMuted: break;
+    case Meaning::kGood:
+      return pick({0xff23803a, 0xff6fd283}, palette);
+    case Meaning::kNote:
+      return pick({0xff1f6fd0, 0xff62a8ff}, palette);
+    case Meaning::kWarning:
+      return pick({0xffa85d00, 0xffffb454}, palette);
+    case Meaning::kBad:
+      return pick({0xffc62828, 0xffff7a72}, palette);
+    case Meaning::kMuted:
+      break;
   }
   return mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.45);
 }

@@ -6,8 +6,9 @@
 
 namespace widgets {
 
-/// Colours that mean something, for the palette in use: all of them read on its base colour, light or dark. Follows the palette
-/// given, so a repaint after a palette change is enough. Team and class colours are not here; they come from data.
+/// Colours that mean something, for the palette in use: all of them read on its base colour, light or dark.
+/// Follows the palette given, so a repaint after a palette change is enough. Team and class colours are not
+/// here; they come from data.
 enum class Meaning : std::uint8_t { kGood, kNote, kWarning, kBad, kMuted };
 
 bool isDark(const QPalette& palette);

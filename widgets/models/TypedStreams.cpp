@@ -29,7 +29,9 @@ std::vector<const void*> valuesOf(const std::vector<const robotlink::StreamMessa
   return values;
 }
 
-std::string lastPart(const std::string& path) { return path.substr(path.rfind('/') + 1); }
+std::string lastPart(const std::string& path) {
+  return path.substr(path.rfind('/') + 1);
+}
 
 std::string robotPart(const std::string& path) {
   const std::size_t slash = path.find('/');
@@ -37,7 +39,8 @@ std::string robotPart(const std::string& path) {
 }
 
 bool StreamCursor::seen(const robotlink::StreamMessage& message) const {
-  return message.time <= newest_ && std::find(recent_.rbegin(), recent_.rend(), message.value) != recent_.rend();
+  return message.time <= newest_ &&
+         std::find(recent_.rbegin(), recent_.rend(), message.value) != recent_.rend();
 }
 
 StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stream) {

@@ -9,13 +9,13 @@
 
 namespace widgets {
 
-/// The streams of one message type below one robot (below nothing: of the whole session), whatever they are called: what a view
-/// shows follows from what is said, not from where. By path.
+/// The streams of one message type below one robot (below nothing: of the whole session), whatever they are
+/// called: what a view shows follows from what is said, not from where. By path.
 std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink::StreamStore& store,
                                                                  const std::string& robot, const char* type);
 
-/// The newest messages not later than `time` of those streams; null where a stream began later. Their addresses change
-/// whenever their contents do, which makes it cheap to see in a tick that nothing is new.
+/// The newest messages not later than `time` of those streams; null where a stream began later. Their
+/// addresses change whenever their contents do, which makes it cheap to see in a tick that nothing is new.
 std::vector<const robotlink::StreamMessage*> latestOfType(const robotlink::StreamStore& store,
                                                           const std::string& robot, const char* type,
                                                           robotlink::Instant time);
@@ -27,8 +27,8 @@ std::string lastPart(const std::string& path);
 /// What precedes the first '/': the robot of a stream; empty for what belongs to the world.
 std::string robotPart(const std::string& path);
 
-/// Hands out each message of a stream once; also one that came late and was put in its place among those handed out before. After a
-/// reset of the clock it begins anew.
+/// Hands out each message of a stream once; also one that came late and was put in its place among those
+/// handed out before. After a reset of the clock it begins anew.
 class StreamCursor {
  public:
   struct News {
@@ -42,7 +42,8 @@ class StreamCursor {
 
   std::uint64_t count_ = 0;
   robotlink::Instant newest_;
-  std::deque<robotlink::PackagePtr> recent_;  // kept alive, so that no new message has the address of an old one
+  std::deque<robotlink::PackagePtr>
+      recent_;  // kept alive, so that no new message has the address of an old one
 };
 
 }  // namespace widgets
