@@ -12,7 +12,6 @@
 #include <QTreeView>
 #include <algorithm>
 
-#include "robotlink/session/KeyPresets.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/KeyDelegate.h"

@@ -47,6 +47,7 @@ class Bench {
     auto view = std::make_unique<V>(context);
     view->resize(size);
     view->show();
+    if (!QTest::qWaitForWindowActive(view.get())) qFatal("the view's window never became active");
     tick(*view);
     return view;
   }

@@ -185,6 +185,32 @@ class DebugKeysViewTest : public QObject {
     QVERIFY(!find(tree, QStringLiteral("circle")).isValid());
   }
 
+  void aPresetIsSavedByNameAndBringsItsKeysBack() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    QTest::keyClicks(&child<QLineEdit>(*view, "keysPresetName"), QStringLiteral("ball only"));
+    click(child<QToolButton>(*view, "keysSavePreset"));
+    KeyTable others;
+    addKey(others, "ball-percept/circle", KeyMode::ALWAYS, true);
+    addKey(others, "ball-percept/edges", KeyMode::OFF, true);
+    addKey(others, "ball-model/position", KeyMode::EVERY_MS, true, 200);
+    bench.push("red1/tables/keys", others, 2);
+    auto again = bench.open<widgets::DebugKeysView>();
+    auto& list = child<QComboBox>(*again, "keysPresets");
+    QCOMPARE(list.count(), 1);
+    list.showPopup();
+    list.view()->setCurrentIndex(list.model()->index(0, 0));
+    QTest::keyClick(list.view(), Qt::Key_Return);
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("ball-percept/circle"));
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::OFF);
+    QCOMPARE(bench.requests[1].set_key().mode().kind(), KeyMode::ALWAYS);
+    click(child<QToolButton>(*again, "keysRemovePreset"));
+    QCOMPARE(list.count(), 0);
+  }
+
   void searchAndFilterAreKept() {
     Bench bench;
     auto view = bench.open<widgets::DebugKeysView>();
