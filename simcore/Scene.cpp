@@ -4,10 +4,10 @@
 #include <algorithm>
 
 #include "simcore/RenderSceneBuilder.h"
-#include "simcore/SceneFiles.h"
 #include "simcore/SceneImplementation.h"
-#include "simcore/SdfReader.h"
-#include "simcore/SdfSpec.h"
+#include "simcore/sdf/SceneFiles.h"
+#include "simcore/sdf/SdfReader.h"
+#include "simcore/sdf/SdfSpec.h"
 
 namespace simcore {
 namespace fs = std::filesystem;

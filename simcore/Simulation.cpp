@@ -3,12 +3,12 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
 
 #include "robotlink/base/Random.h"
-#include "simcore/Physics.h"
-#include "simcore/Ports.h"
 #include "simcore/SceneImplementation.h"
+#include "simcore/physics/Physics.h"
+#include "simcore/physics/Ports.h"
+#include "simcore/physics/Sensing.h"
 
 namespace simcore {
 namespace {
@@ -29,10 +29,9 @@ struct Simulation::Implementation {
   const WorldDescription& world;
   Ports ports;
   std::unique_ptr<Physics> physics;
+  std::optional<Sensing> sensing;
   std::uint64_t steps = 0;
   std::vector<Pose3> poses;                 // by body of the render scene
-  std::vector<Vector3> velocities;          // of accelerometers, one step ago; by sensor
-  std::vector<Vector3> accelerations;       // specific force in the world; by sensor
   std::vector<int> balls, robots;           // models
   std::vector<std::uint64_t> ballContacts;  // by robot
   std::vector<bool> touchedBall;            // in the last step, by robot
@@ -52,11 +51,10 @@ struct Simulation::Implementation {
 
   void start() {
     physics = std::make_unique<Physics>(world);
+    sensing.emplace(*physics, ports.sources, world.gravity);
     const Ports fresh = Ports::of(world);
     ports.servoStates = fresh.servoStates;
     steps = 0;
-    velocities.assign(ports.sources.size(), Vector3::Zero());
-    accelerations.assign(ports.sources.size(), -world.gravity);
     poses.assign(physics->bodyCount() + 1, Pose3::Identity());
     ballContacts.assign(robots.size(), 0);
     touchedBall.assign(robots.size(), false);
@@ -76,17 +74,6 @@ struct Simulation::Implementation {
     }
   }
 
-  void measureAccelerations() {
-    for (std::size_t i = 0; i < ports.sources.size(); ++i) {
-      const SensorSource& source = ports.sources[i];
-      if (source.kind != SensorSource::Kind::kAccelerometer) continue;
-      const Vector3 point = physics->linkInWorld(source.body) * source.poseInLink.translation();
-      const Vector3 velocity = physics->velocityAt(source.body, point);
-      accelerations[i] = (velocity - velocities[i]) / Physics::kStepSeconds - world.gravity;
-      velocities[i] = velocity;
-    }
-  }
-
   void countBallContacts() {
     for (std::size_t i = 0; i < robots.size(); ++i) {
       const bool touches =
@@ -96,40 +83,8 @@ struct Simulation::Implementation {
     }
   }
 
-  /// The reading without noise.
-  void read(std::size_t index, std::vector<double>& values) const {
-    const SensorSource& source = ports.sources[index];
-    switch (source.kind) {
-      case SensorSource::Kind::kAngle:
-        values[0] = physics->angle(source.hinge);
-        break;
-      case SensorSource::Kind::kContact:
-        values[0] = physics->touched(source.body, source.collision) ? 1 : 0;
-        break;
-      case SensorSource::Kind::kDistance: {
-        const Pose3 pose = physics->linkInWorld(source.body) * source.poseInLink;
-        values[0] = physics->castRay(pose.translation(), pose.linear().col(0), source.maximum, source.model);
-        break;
-      }
-      case SensorSource::Kind::kAccelerometer: {
-        const Pose3 pose = physics->linkInWorld(source.body) * source.poseInLink;
-        Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * accelerations[index];
-        break;
-      }
-    }
-  }
-
   void updateReadings() {
-    for (std::size_t i = 0; i < ports.sensors.size(); ++i) {
-      const SensorSource& source = ports.sources[i];
-      std::vector<double>& values = ports.sensors[i].values;
-      read(i, values);
-      robotlink::Random random(options.seed, robotlink::hashBits(0, i, steps));
-      for (double& value : values) {
-        if (options.noise && source.noise > 0) value += source.noise * random.normal();
-        if (source.maximum > source.minimum) value = std::clamp(value, source.minimum, source.maximum);
-      }
-    }
+    sensing->read({options.noise, options.seed, steps}, ports.sensors);
     readingsValid = true;
   }
 
@@ -169,7 +124,7 @@ void Simulation::step() {
   i.driveServos();
   i.physics->step(robotlink::hashBits(i.options.seed, kSolverStream, i.steps));
   ++i.steps;
-  i.measureAccelerations();
+  i.sensing->afterStep();
   i.countBallContacts();
   i.invalidate();
 }
@@ -248,7 +203,7 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   i.physics->moveModel(index, move);
   const int other = i.physics->overlappedModel(index, kMaxOverlap);
   if (other >= 0) i.physics->moveModel(index, move.inverse());
-  std::ranges::fill(i.velocities, Vector3::Zero());
+  i.sensing->forgetVelocities();
   i.invalidate();
   if (other < 0) return {};
   const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;

@@ -4,8 +4,8 @@
 #include <cmath>
 #include <thread>
 
-#include "SceneFixture.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

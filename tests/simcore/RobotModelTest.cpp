@@ -4,10 +4,10 @@
 
 #include <algorithm>
 
-#include "SceneFixture.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

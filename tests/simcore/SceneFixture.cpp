@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "SceneFixture.h"
+#include "tests/simcore/SceneFixture.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>
@@ -56,6 +56,10 @@ fs::path SceneFolder::write(const std::string& name, const std::string& text) co
 
 void SceneFolder::writeModel(const std::string& name, const std::string& text) const {
   write("models/" + name + "/model.sdf", text);
+}
+
+void SceneFolder::copyShippedModels() const {
+  fs::copy(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/models", path_ / "models", fs::copy_options::recursive);
 }
 
 std::string SceneFolder::errorsOf(const std::string& world) const {

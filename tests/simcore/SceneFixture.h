@@ -20,6 +20,8 @@ class SceneFolder {
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   /// Writes models/NAME/model.sdf.
   void writeModel(const std::string& name, const std::string& text) const;
+  /// Puts the shipped models into models.
+  void copyShippedModels() const;
   /// What is wrong with a world of this text, a line an error, without the folder's path; empty if nothing
   /// is.
   std::string errorsOf(const std::string& world) const;

@@ -5,9 +5,9 @@
 
 #include <set>
 
-#include "SceneFixture.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {
@@ -61,6 +61,23 @@ TEST_F(SceneTest, aModelMayStandInTheWorldItself) {
   const std::string model =
       replaced(replaced(kSmallModel, "<?xml version=\"1.0\"?>", ""), "<model", "<world name='w'><model");
   EXPECT_EQ(folder_.errorsOf(replaced(model, "</model>", "</model></world>")), "");
+}
+
+TEST_F(SceneTest, robotsWearTheirTeamsColor) {
+  const std::string palette =
+      "<robotcontrol:palette><robotcontrol:color name=\"blue\">0 0 "
+      "90</robotcontrol:color></robotcontrol:palette>";
+  folder_.writeModel("small", replaced(kSmallModel, "<robotcontrol:color>red", "<robotcontrol:color>team"));
+  const std::string red = include("<robotcontrol:team>red</robotcontrol:team>");
+  const std::string blue =
+      include("<name>other</name><pose>1 0 0 0 0 0</pose><robotcontrol:team>blue</robotcontrol:team>");
+  const auto scene = Scene::load(folder_.write("world.sdf", worldAround(palette + red + blue)));
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto& instances = (*scene)->implementation().renderScene->instances;
+  ASSERT_EQ(instances.size(), 2U);
+  EXPECT_EQ(instances[0].color, (robotlink::Rgb{200, 0, 0}));
+  EXPECT_EQ(instances[1].color, (robotlink::Rgb{0, 0, 90}));
+  EXPECT_EQ(instances[0].mesh, instances[1].mesh) << "equal shapes share a mesh";
 }
 
 TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {

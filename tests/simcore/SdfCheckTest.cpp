@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/SdfCheck.h"
+#include "simcore/sdf/SdfCheck.h"
 
 #include <gmock/gmock.h>
 #include <tinyxml2.h>
 
-#include "SceneFixture.h"
-#include "simcore/SdfSpec.h"
+#include "simcore/sdf/SdfSpec.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <limits>
 
-#include "SceneFixture.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

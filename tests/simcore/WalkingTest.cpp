@@ -4,10 +4,10 @@
 
 #include <cmath>
 
-#include "SceneFixture.h"
-#include "simcore/Physics.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/Simulation.h"
+#include "simcore/physics/Physics.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

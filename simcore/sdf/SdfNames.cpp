@@ -8,7 +8,7 @@
 #include <sstream>
 #include <string_view>
 
-#include "simcore/SdfCheck.h"
+#include "simcore/sdf/SdfCheck.h"
 
 namespace simcore {
 namespace {

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/SdfSpec.h"
+#include "simcore/sdf/SdfSpec.h"
 
 #include <sdf/Console.hh>
 #include <sdf/parser.hh>
 
-#include "simcore/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfSpecImplementation.h"
 
 namespace simcore {
 

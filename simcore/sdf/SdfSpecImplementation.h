@@ -4,7 +4,7 @@
 #include <sdf/Element.hh>
 #include <sdf/SDFImpl.hh>
 
-#include "simcore/SdfSpec.h"
+#include "simcore/sdf/SdfSpec.h"
 
 namespace simcore {
 

@@ -2,7 +2,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/SdfConversion.h"
+#include "simcore/sdf/SdfConversion.h"
 
 namespace simcore {
 namespace {

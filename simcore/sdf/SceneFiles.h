@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
-#include "simcore/SdfReader.h"
+#include "simcore/sdf/SdfReader.h"
 
 namespace simcore {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/SceneFiles.h"
+#include "simcore/sdf/SceneFiles.h"
 
 #include <tinyxml2.h>
 
@@ -8,7 +8,7 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Resources.h"
-#include "simcore/SdfCheck.h"
+#include "simcore/sdf/SdfCheck.h"
 
 namespace simcore {
 namespace fs = std::filesystem;

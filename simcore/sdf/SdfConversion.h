@@ -6,7 +6,7 @@
 #include <sdf/sdf.hh>
 #include <string>
 
-#include "simcore/SdfReader.h"
+#include "simcore/sdf/SdfReader.h"
 
 namespace simcore {
 

@@ -3,7 +3,7 @@
 // several threads would disturb each other. The functions here stand in for those of its shared library (the
 // dynamic linker takes the program's own definitions first), with one seed per thread, which Physics sets
 // before each step.
-#include "simcore/OdeRandom.h"
+#include "simcore/physics/OdeRandom.h"
 
 #include <ode/ode.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/SdfCheck.h"
+#include "simcore/sdf/SdfCheck.h"
 
 #include <tinyxml2.h>
 
@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simcore/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfSpecImplementation.h"
 
 namespace simcore {
 namespace {

@@ -3,7 +3,7 @@
 #include <cctype>
 #include <sstream>
 
-#include "simcore/SdfConversion.h"
+#include "simcore/sdf/SdfConversion.h"
 
 namespace simcore {
 namespace {

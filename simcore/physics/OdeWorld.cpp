@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/OdeWorld.h"
+#include "simcore/physics/OdeWorld.h"
 
 namespace simcore {
 namespace {

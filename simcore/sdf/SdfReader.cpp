@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/SdfReader.h"
+#include "simcore/sdf/SdfReader.h"
 
 #include <algorithm>
 
-#include "simcore/SdfConversion.h"
-#include "simcore/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfConversion.h"
+#include "simcore/sdf/SdfSpecImplementation.h"
 
 namespace simcore {
 namespace {

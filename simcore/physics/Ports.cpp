@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/Ports.h"
+#include "simcore/physics/Ports.h"
 
 namespace simcore {
 namespace {

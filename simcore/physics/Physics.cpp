@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/Physics.h"
+#include "simcore/physics/Physics.h"
 
 #include <algorithm>
 #include <bit>
 
 #include "robotlink/base/Random.h"
-#include "simcore/OdeRandom.h"
-#include "simcore/OdeWorld.h"
+#include "simcore/physics/OdeRandom.h"
+#include "simcore/physics/OdeWorld.h"
 
 namespace simcore {
 namespace {
