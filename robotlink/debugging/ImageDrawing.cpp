@@ -3,29 +3,13 @@
 #include <array>
 
 #include "foxglove/Image.pb.h"
-#include "robotlink/debugging/Drawings.h"
+#include "robotlink/debugging/Primitives.h"
 #include "robotlink/debugging/Shapes.h"
-#include "robotlink/packages/Conversions.h"
 
 namespace robotlink {
 namespace {
 
 using foxglove::PointsAnnotation;
-
-template <typename... Points>
-bool finite(const Points&... points) {
-  return (points.allFinite() && ...);
-}
-
-foxglove::Color packed(Color color) {
-  foxglove::Color result;
-  assign(result, color.rgb, color.alpha);
-  return result;
-}
-
-bool same(const foxglove::Color& a, const foxglove::Color& b) {
-  return a.r() == b.r() && a.g() == b.g() && a.b() == b.b() && a.a() == b.a();
-}
 
 PointsAnnotation& addPoints(foxglove::ImageAnnotations& to, Instant time, PointsAnnotation::Type type,
                             Color color, double width) {

@@ -1,30 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "foxglove/Geometry.pb.h"
 #include "foxglove/Scene.pb.h"
-#include "robotlink/debugging/Drawings.h"
+#include "robotlink/debugging/Primitives.h"
 #include "robotlink/debugging/Shapes.h"
-#include "robotlink/packages/Conversions.h"
 
 namespace robotlink {
 namespace {
 
 using foxglove::LinePrimitive;
 using foxglove::TriangleListPrimitive;
-
-template <typename... Points>
-bool finite(const Points&... points) {
-  return (points.allFinite() && ...);
-}
-
-foxglove::Color packed(Color color) {
-  foxglove::Color result;
-  assign(result, color.rgb, color.alpha);
-  return result;
-}
-
-bool same(const foxglove::Color& a, const foxglove::Color& b) {
-  return a.r() == b.r() && a.g() == b.g() && a.b() == b.b() && a.a() == b.a();
-}
 
 Vector3 onGround(const Vector2& point) {
   return {point.x(), point.y(), SceneDrawing::kGroundHeight};

@@ -56,7 +56,7 @@ std::vector<Vector2> ellipsePoints(const Vector2& center, const Vector2& radii, 
   points.reserve(kPoints);
   for (int i = 0; i < kPoints; ++i) {
     const double t = 2 * kPi * i / kPoints;
-    points.push_back(center + rotation * Vector2(radii.x() * std::cos(t), radii.y() * std::sin(t)));
+    points.emplace_back(center + rotation * Vector2(radii.x() * std::cos(t), radii.y() * std::sin(t)));
   }
   return points;
 }
