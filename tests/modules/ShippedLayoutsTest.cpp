@@ -72,6 +72,6 @@ TEST_P(ShippedLayoutsTest, withoutASimulatorOraclesSayWhyTheyCannotBeChosen) {
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest, testing::Values("parallel", "compact", "balanced"),
-                         [](const auto& info) { return std::string(info.param); });
+                         [](const auto& layout) { return std::string(layout.param); });
 
 }  // namespace
