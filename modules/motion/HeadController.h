@@ -27,7 +27,7 @@ struct BallSight {
 
 struct HeadParameters {
   double bodyHeight = 0.115;  ///< m, of the body's origin above the ground
-  double bodyPitch = 0.046;    ///< rad, nose down
+  double bodyPitch = 0.046;   ///< rad, nose down
   double ballRadius = 0.042;  ///< m
   double aheadTilt = robotlink::radians(-12);
   double searchFarTilt = robotlink::radians(-14);   ///< the sweep that sees the field

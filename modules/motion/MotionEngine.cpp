@@ -23,10 +23,7 @@ void MotionEngine::start(std::span<const double> positions) {
   for (std::size_t i = 0; i < std::min(positions.size(), positions_.size()); ++i) {
     if (std::isfinite(positions[i])) positions_[i] = positions[i];
   }
-  blendFrom_ = positions_;
-  blended_ = 0;
-  mode_ = Mode::kGait;
-  gait_.reset();
+  beginBlend();
   falls_.reset();
   odometry_ = {};
 }
@@ -38,20 +35,21 @@ void MotionEngine::setParameters(const GaitParameters& gait, Options options) {
 
 void MotionEngine::advance(const Frame& frame) {
   const double dt = robotlink::seconds(frame.time);
+  const bool wasFallen = falls_.fallen();
   if (frame.acceleration) falls_.update(*frame.acceleration, frame.time);
+  if (falls_.fallen() && !wasFallen && mode_ == Mode::kGait) beginBlend();
   const MotionWish wish = resolved(frame.wish);
 
-  // Key frames begin and end where the gait stands.
+  // Key frames begin and end where the gait stands; between two of them there is always a stand.
   const bool wantsKeyFrames =
       wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp;
-  if (mode_ == Mode::kGait && wantsKeyFrames && (gait_.standing() || falls_.fallen())) {
+  if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
     mode_ = Mode::kKeyFrames;
-    gait_.reset();
     player_.start(positions_);
+    player_.request(wish.motion, robotlink::MotionPlayer::Repeat::kOnce);
+    executed_ = wish;
   }
-  if (mode_ == Mode::kKeyFrames) {
-    runKeyFrames(wish, frame.time);
-  }
+  if (mode_ == Mode::kKeyFrames) runKeyFrames(wish, frame.time);
   if (mode_ == Mode::kGait) runGait(wantsKeyFrames ? MotionWish{} : wish, frame.time);
   setFreeJoints(dt);
   moveHead(frame.head, dt);
@@ -88,33 +86,41 @@ std::string MotionEngine::getUpMotion() const {
   }
 }
 
-void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
-  const bool getsUp = executed_.kind == MotionWish::Kind::kGetUp && !player_.finished();
-  if (wish.kind == MotionWish::Kind::kKeyFrames || (wish.kind == MotionWish::Kind::kGetUp && !getsUp)) {
-    player_.request(wish.motion);
-  } else {
-    player_.clear();
-  }
-  player_.advance(time);
-  const auto angles = player_.angles();
-  double most = 0;
-  for (std::size_t i = 0; i < positions_.size(); ++i) {
-    if (!player_.moves(i)) continue;
-    positions_[i] = std::clamp(angles[i], joints_.joint(i).minimum, joints_.joint(i).maximum);
-    most = std::max(most, player_.shares()[i]);
-  }
-  stiffness_ = most > 0 ? most : 1;
-  if (!player_.finished()) {
-    if (wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp) executed_ = wish;
-    if (!player_.motion().empty()) executed_.motion = player_.motion();
-    return;
-  }
-  // Over: blend to the stand, from where the gait goes on.
+/// Legs to the stand from where they are; the gait goes on from there.
+void MotionEngine::beginBlend() {
   mode_ = Mode::kGait;
+  gait_.reset();
   stiffness_ = 1;
   blendFrom_ = positions_;
   blended_ = 0;
   executed_ = {};
+}
+
+void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
+  // What shall be played may change, but a robot that gets up is not disturbed.
+  const bool getsUp = executed_.kind == MotionWish::Kind::kGetUp;
+  if (!getsUp && wish.kind == MotionWish::Kind::kKeyFrames) {
+    player_.request(wish.motion, robotlink::MotionPlayer::Repeat::kOnce);
+    executed_ = wish;
+  } else if (wish != executed_) {
+    player_.clear();
+  }
+  player_.advance(time);
+  const auto angles = player_.angles();
+  bool moved = false;
+  double most = 0;
+  for (std::size_t i = 0; i < positions_.size(); ++i) {
+    if (!player_.moves(i)) continue;
+    moved = true;
+    positions_[i] = std::clamp(angles[i], joints_.joint(i).minimum, joints_.joint(i).maximum);
+    most = std::max(most, player_.shares()[i]);
+  }
+  stiffness_ = moved ? most : 1;
+  if (player_.finished()) {
+    beginBlend();
+  } else if (!player_.motion().empty()) {
+    executed_.motion = player_.motion();
+  }
 }
 
 void MotionEngine::runGait(const MotionWish& wish, Duration time) {

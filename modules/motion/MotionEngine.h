@@ -69,6 +69,7 @@ class MotionEngine {
   MotionWish resolved(const MotionWish& wish);
   std::string getUpMotion() const;
   void runGait(const MotionWish& wish, robotlink::Duration time);
+  void beginBlend();
   void runKeyFrames(const MotionWish& wish, robotlink::Duration time);
   void moveHead(const HeadAngles& wanted, double seconds);
   void setFreeJoints(double seconds);

@@ -24,6 +24,7 @@ MotionPlayer::MotionPlayer(std::shared_ptr<const MotionNet> net)
     : net_(std::move(net)),
       none_(net_->find(MotionNet::kEntryName)),
       requested_(none_),
+      played_(none_),
       node_(static_cast<std::size_t>(net_->entry)),
       from_(net_->joints.size()),
       angles_(net_->joints.size()),
@@ -43,14 +44,16 @@ void MotionPlayer::start(std::span<const double> angles) {
   setShares();
   frame_ = nullptr;
   node_ = static_cast<std::size_t>(net_->entry);
-  requested_ = none_;
+  requested_ = played_ = none_;
   finished_ = true;
 }
 
-bool MotionPlayer::request(std::string_view motion) {
+bool MotionPlayer::request(std::string_view motion, Repeat repeat) {
   const int found = net_->find(motion);
   if (found < 0) return false;
+  if (finished_) played_ = none_;
   requested_ = found;
+  repeat_ = repeat;
   if (found != none_) finished_ = false;
   return true;
 }
@@ -93,15 +96,7 @@ void MotionPlayer::run() {
 
 /// False if there is nothing more to play.
 bool MotionPlayer::step(const MotionNet::Node& node) {
-  if (const auto* transition = std::get_if<MotionNet::Transition>(&node.step)) {
-    const bool taken = transition->request == MotionJump::kAllMotions || transition->request == requested_;
-    // The table's last line leads back to its start: nothing that it knows is asked for.
-    finished_ = taken && node.motion == none_ && transition->target == net_->entry;
-    node_ = taken ? static_cast<std::size_t>(transition->target) : node_ + 1;
-    if (node_ >= net_->nodes.size()) finished_ = true;
-    if (finished_) node_ = static_cast<std::size_t>(net_->entry);
-    return !finished_;
-  }
+  if (const auto* transition = std::get_if<MotionNet::Transition>(&node.step)) return take(node, *transition);
   if (const auto* hardness = std::get_if<MotionHardness>(&node.step)) {
     enter(*hardness);
     ++node_;
@@ -109,6 +104,23 @@ bool MotionPlayer::step(const MotionNet::Node& node) {
     enter(*frame);
   }
   return true;
+}
+
+bool MotionPlayer::take(const MotionNet::Node& node, const MotionNet::Transition& transition) {
+  const bool inTable = node.motion == none_;
+  const bool matches = transition.request == requested_;
+  const bool taken = matches || transition.request == MotionJump::kAllMotions;
+  const bool again = inTable && matches && repeat_ == Repeat::kOnce && played_ == requested_;
+  // The table's last line leads back to its start: nothing that it knows is asked for.
+  finished_ = again || (taken && inTable && transition.target == net_->entry);
+  if (inTable && matches) played_ = requested_;
+  node_ = taken ? static_cast<std::size_t>(transition.target) : node_ + 1;
+  if (node_ >= net_->nodes.size()) finished_ = true;
+  if (finished_) {
+    node_ = static_cast<std::size_t>(net_->entry);
+    requested_ = none_;
+  }
+  return !finished_;
 }
 
 void MotionPlayer::enter(const KeyFrame& frame) {

@@ -20,7 +20,8 @@ class MotionPlayer {
   /// Takes over from somebody else: the joints are at these angles, and nothing is being played.
   void start(std::span<const double> angles);
   /// What shall be played. False if the net has no such motion; then nothing changes.
-  bool request(std::string_view motion);
+  enum class Repeat { kForever, kOnce };
+  bool request(std::string_view motion, Repeat repeat = Repeat::kForever);
   /// Nothing shall be played any more.
   void clear() { requested_ = none_; }
 
@@ -42,6 +43,7 @@ class MotionPlayer {
  private:
   void run();
   bool step(const MotionNet::Node& node);
+  bool take(const MotionNet::Node& node, const MotionNet::Transition& transition);
   void enter(const KeyFrame& frame);
   void enter(const MotionHardness& hardness);
   void setAngles();
@@ -50,6 +52,8 @@ class MotionPlayer {
   std::shared_ptr<const MotionNet> net_;
   int none_;  ///< the request for nothing: the entry table itself
   int requested_;
+  int played_;  ///< what the entry table was last left for
+  Repeat repeat_ = Repeat::kForever;
   std::size_t node_;
   bool finished_ = true;
   const KeyFrame* frame_ = nullptr;  ///< of net_; null between frames

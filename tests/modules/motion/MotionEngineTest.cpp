@@ -87,13 +87,27 @@ TEST_F(MotionEngineTest, aWalkStandsBeforeKeyFramesBeginAndThenGoesOn) {
   run(walk(0.1), 100);
   run(keyFrames("kick"), 1);
   EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
-  run(keyFrames("kick"), 90);
+  for (int i = 0; i < 70 && engine_.executed().kind == MotionWish::Kind::kWalk; ++i)
+    run(keyFrames("kick"), 1);
+  run(keyFrames("kick"), 20);
   EXPECT_EQ(engine_.executed(), keyFrames("kick"));
   EXPECT_FALSE(engine_.stable());
   run(walk(0.1), 2);
   EXPECT_EQ(engine_.executed(), keyFrames("kick")) << "a motion is left at its end only";
   run(walk(0.1), 200);
   EXPECT_EQ(engine_.executed().kind, MotionWish::Kind::kWalk);
+  EXPECT_LT(largestStep_, 0.12);
+}
+
+TEST_F(MotionEngineTest, aMotionThatIsWantedAllTheTimeIsRepeatedAfterAStand) {
+  run({}, 100);
+  std::string told;
+  for (int i = 0; i < 250; ++i) {
+    run(keyFrames("kick"), 1);
+    const char state = engine_.executed().kind == MotionWish::Kind::kKeyFrames ? 'k' : 's';
+    if (told.empty() || told.back() != state) told += state;
+  }
+  EXPECT_EQ(told, "ksksks");
   EXPECT_LT(largestStep_, 0.12);
 }
 

@@ -110,6 +110,33 @@ TEST(MotionPlayerTest, aMotionIsRepeatedWhileItIsWanted) {
   EXPECT_FALSE(player->finished());
 }
 
+TEST(MotionPlayerTest, aMotionThatIsWantedOnceEndsAndCanBeWantedAnew) {
+  PlayerFixture player({"motion_id = nod\nlabel start\n80 * 0 8\n0 * 0 8\n" + kEnd});
+  for (int round = 0; round < 2; ++round) {
+    int frames = 0;
+    player->request("nod", MotionPlayer::Repeat::kOnce);
+    while (!player->finished() && ++frames < 10) {
+      player->request("nod", MotionPlayer::Repeat::kOnce);
+      player.play(1);
+    }
+    EXPECT_EQ(frames, 3);
+  }
+}
+
+TEST(MotionPlayerTest, aMotionThatHoldsGoesOnWhileItIsWantedOnce) {
+  PlayerFixture player(
+      {"motion_id = nod\nlabel start\nlabel hold\n80 * 0 8\ntransition nod nod hold\n0 * 0 8\n" + kEnd});
+  for (int i = 0; i < 20; ++i) {
+    player->request("nod", MotionPlayer::Repeat::kOnce);
+    player.play(1);
+  }
+  EXPECT_FALSE(player->finished());
+  player->clear();
+  player.play(5);
+  EXPECT_TRUE(player->finished());
+  EXPECT_NEAR(player.degreesOf(0), 0, 1e-9);
+}
+
 TEST(MotionPlayerTest, aMotionIsLeftOnlyWhereATransitionAllowsIt) {
   PlayerFixture player(
       {"motion_id = nod\nlabel start\n10 * 1 80\ntransition shake shake start\n20 * 1 80\n" + kEnd,
