@@ -16,6 +16,11 @@ namespace robotlink {
 /// Built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys, solutions,
 /// processes) are sent to the debug listener after a SendTables request and whenever they change; STOP never
 /// passes through here.
+///
+/// create() touches the platform only when nothing can be refused any more, so that a program that runs on it
+/// goes on; from then on the platform obeys the new one. Executors must have let go of the processes
+/// (clear(), ThreadExecutor::stop()) before a program is destroyed; the platform may go on meanwhile, in
+/// another thread.
 class RobotProgram {
  public:
   static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(

@@ -6,6 +6,8 @@
 #include <algorithm>
 #include <stdexcept>
 
+#include "robotlink/base/Spelling.h"
+
 namespace robotlink {
 namespace {
 
@@ -73,7 +75,7 @@ SolutionParameters* TaskRunner::parameters(const std::string& solution) {
 }
 
 Errors TaskRunner::loadParameters(const std::filesystem::path& folder) {
-  Errors errors;
+  Errors errors = filesOfNoSolution(folder);
   for (const SolutionDescription* solution : solutions_) {
     auto loaded = SolutionParameters::load(*solution, folder);
     if (loaded) {
@@ -82,6 +84,27 @@ Errors TaskRunner::loadParameters(const std::filesystem::path& folder) {
       errors.insert(errors.end(), loaded.error().begin(), loaded.error().end());
     }
   }
+  return errors;
+}
+
+/// A misspelt file would else never be read.
+Errors TaskRunner::filesOfNoSolution(const std::filesystem::path& folder) const {
+  std::vector<std::string> known;
+  for (const SolutionDescription* solution : solutions_) known.push_back(solution->name);
+  Errors errors;
+  std::error_code error;
+  for (const auto& entry : std::filesystem::directory_iterator(folder, error)) {
+    const std::string file = entry.path().filename().string();
+    if (!file.starts_with(task_ + ".") || entry.path().extension() != ".textproto") continue;
+    const std::string name = entry.path().stem().string().substr(task_.size() + 1);
+    if (contains(known, name)) continue;
+    errors.push_back({"parameters.unknown-solution",
+                      "task " + task_ + " has no solution '" + name + "'" + suggestion(name, known),
+                      {task_, name},
+                      {entry.path().string(), 0, 0}});
+  }
+  std::sort(errors.begin(), errors.end(),
+            [](const Error& a, const Error& b) { return a.where.file < b.where.file; });
   return errors;
 }
 

@@ -49,6 +49,7 @@ class TaskRunner {
   class Context;
 
   void refreshInputs();
+  Errors filesOfNoSolution(const std::filesystem::path& folder) const;
 
   const std::string task_;
   Environment environment_;

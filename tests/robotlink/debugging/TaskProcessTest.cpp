@@ -251,4 +251,17 @@ TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
   EXPECT_THAT(errors[0].text, HasSubstr("fast"));
 }
 
+TEST(TaskProcessTest, aParameterFileOfNoSolutionIsRefusedWithTheNearestName) {
+  ParameterFolder folder("misspelt");
+  folder.write("ball-percept.regoin.textproto", "x: 1");
+  folder.write("cooking.soup.textproto", "of a task that is not here");
+  ToyRobot robot;
+  robot.parameterFolder = folder.path();
+  const Errors errors = robot.load(kToyLayout);
+  ASSERT_EQ(1U, errors.size());
+  EXPECT_EQ((folder.path() / "ball-percept.regoin.textproto").string() +
+                ": task ball-percept has no solution 'regoin'; did you mean 'region'?",
+            errors[0].describe());
+}
+
 }  // namespace
