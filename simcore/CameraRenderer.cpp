@@ -86,7 +86,7 @@ class CameraRenderer::Implementation {
         meshInWorld_(scene_->instances.size()),
         centerInWorld_(scene_->instances.size()),
         lamps_(scene_->lamps.size()) {
-    if (options.shadows && !scene_->lamps.empty()) shadows_.emplace(*scene_, meshes_);
+    if (options.shadows && !scene_->lamps.empty()) shadows_.emplace(*scene_, meshes_, kernels_);
   }
 
   void setPoses(std::span<const Pose3> bodyInWorld) {
@@ -163,17 +163,17 @@ void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
     lamps_[i].intensity = lamp.intensity;
     lamps_[i].attenuation = lamp.attenuation;
     lamps_[i].cells = shadows_ ? shadows_->cells(i) : nullptr;
-    lamps_[i].rays = &memory_.rays()[i];
+    lamps_[i].unsure = &memory_.unsure()[i];
   }
 }
 
 void CameraRenderer::Implementation::lightStrip(Strip& strip, const VisibilityBuffer& buffer) {
-  for (RayList& rays : memory_.rays()) rays.count = 0;
+  for (UnsurePixels& pixels : memory_.unsure()) pixels.count = 0;
   kernels_.shade(strip, buffer);
   for (std::size_t lamp = 0; lamp < lamps_.size(); ++lamp) {
-    const RayList& rays = memory_.rays()[lamp];
-    if (rays.count > 0)
-      shadows_->addUnshadowed(lamp, rays, buffer.stride, strip.rows * buffer.stride, strip.light);
+    UnsurePixels& pixels = memory_.unsure()[lamp];
+    if (pixels.count == 0) continue;
+    shadows_->addUnshadowed(lamp, pixels, buffer.stride, strip.light);
   }
 }
 

@@ -16,7 +16,7 @@ FrameMemory::FrameMemory(int vertices, int meshTriangles, int allTriangles, std:
       positions_(static_cast<std::size_t>(vertices) * 4),
       normals_(positions_.size()),
       candidates_(static_cast<std::size_t>(meshTriangles) + 8),
-      rayLists_(lamps) {
+      unsure_(lamps) {
   buffer_.records = records_.data();
   buffer_.positions = positions_.data();
   buffer_.normals = normals_.data();
@@ -59,15 +59,16 @@ void FrameMemory::resize(const CameraModel& camera) {
   const std::size_t pixels = static_cast<std::size_t>(rowsPerStrip_) * stride;
   light_.resize(pixels);
   for (auto& channel : color_) channel.resize(pixels);
-  rayIntegers_.resize(3 * pixels * rayLists_.size());
-  rayFloats_.resize(4 * pixels * rayLists_.size());
-  for (std::size_t i = 0; i < rayLists_.size(); ++i) {
-    RayList& rays = rayLists_[i];
-    rays.pixel = rayIntegers_.data() + 3 * i * pixels;
-    rays.row = rays.pixel + pixels;
-    rays.self = rays.row + pixels;
-    rays.light = rayFloats_.data() + 4 * i * pixels;
-    for (std::size_t k = 0; k < 3; ++k) rays.direction[k] = rays.light + (k + 1) * pixels;
+  groups_.resize(pixels / 8 * unsure_.size());
+  const std::size_t margin = stride + 8;
+  seen_.assign((pixels + 2 * margin) * unsure_.size(), 0);
+  unsureFloats_.resize(4 * pixels * unsure_.size());
+  for (std::size_t i = 0; i < unsure_.size(); ++i) {
+    UnsurePixels& list = unsure_[i];
+    list.groups = groups_.data() + i * (pixels / 8);
+    list.seen = seen_.data() + i * (pixels + 2 * margin) + margin;
+    list.light = unsureFloats_.data() + 4 * i * pixels;
+    for (std::size_t k = 0; k < 3; ++k) list.direction[k] = list.light + (k + 1) * pixels;
   }
 }
 

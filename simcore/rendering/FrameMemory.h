@@ -19,9 +19,10 @@ class FrameMemory {
   VisibilityBuffer& begin(const CameraModel& camera, const float (&background)[3]);
   /// Rows that are lit at a time: so many that they stay in the cache.
   int rowsPerStrip() const { return rowsPerStrip_; }
-  /// A strip without rows yet; ray lists are by lamp.
+  /// A strip without rows yet.
   Strip strip();
-  std::vector<RayList>& rays() { return rayLists_; }
+  /// By lamp.
+  std::vector<UnsurePixels>& unsure() { return unsure_; }
 
  private:
   void resize(const CameraModel& camera);
@@ -32,9 +33,10 @@ class FrameMemory {
   std::vector<std::int32_t> candidates_, triangles_;
   int rowsPerStrip_ = 1;
   std::vector<float> light_, color_[3];
-  std::vector<RayList> rayLists_;
-  std::vector<float> rayFloats_;
-  std::vector<std::int32_t> rayIntegers_;
+  std::vector<UnsurePixels> unsure_;
+  std::vector<UnsureGroup> groups_;
+  std::vector<float> unsureFloats_;
+  std::vector<std::int32_t> seen_;
 };
 
 }  // namespace simcore::rendering

@@ -39,7 +39,7 @@ struct DrawJob {
 struct alignas(64) TriangleRecord {
   float linear[3][4] = {};
   float color[3] = {};
-  std::int32_t self = -1;
+  std::int32_t self = -1;  ///< right behind the colour: they are loaded together
 };
 
 /// The visibility buffer: which triangle is seen at each pixel, and 1 / depth there (0: nothing).
@@ -67,22 +67,29 @@ struct LampCell {
   std::int32_t secondInstance = -1;
 };
 
-/// Pixels that see a lamp unless a ray says otherwise; directions from the lamp to the pixel's point, in the
-/// world.
-struct RayList {
+/// Eight pixels of a strip's row, some of which see a lamp unless a ray says otherwise.
+struct UnsureGroup {
+  std::int32_t pixel = 0;  ///< the first; index into the strip
+  std::int32_t row = 0;    ///< of the strip
+  std::uint32_t lanes = 0;
+};
+
+/// The unsure pixels of a strip, column of groups by column. What belongs to a pixel is found by its index.
+struct UnsurePixels {
   int count = 0;
-  std::int32_t* pixel = nullptr;  ///< index into the strip
-  std::int32_t* row = nullptr;    ///< of the strip
-  std::int32_t* self = nullptr;   ///< of the pixel's triangle
-  float* light = nullptr;
-  float* direction[3] = {};
+  UnsureGroup* groups = nullptr;
+  float* light = nullptr;    ///< what the lamp adds if it is seen
+  float* direction[3] = {};  ///< from the lamp to the pixel's point, in the world
+  /// 2 where the pixel is in shadow, 3 where it sees the lamp, 0 where that is unknown; a row and a bit more
+  /// on either side may be read.
+  std::int32_t* seen = nullptr;
 };
 
 struct ShadeLamp {
   float inCamera[3] = {};
   float intensity = 0, attenuation = 0;
   const LampCell* cells = nullptr;  ///< six faces of gridSize^2; null: no shadows
-  RayList* rays = nullptr;
+  UnsurePixels* unsure = nullptr;
 };
 
 /// Some rows of an image while they are lit; stride as in the buffer, pixel 0 at the first row's start.
@@ -105,6 +112,8 @@ struct NoiseKey {
 struct Kernels {
   void (*draw)(const DrawJob&, VisibilityBuffer&);
   void (*shade)(const Strip&, const VisibilityBuffer&);
+  /// Settles those pixels whose neighbours agree, and leaves the others in the groups' lanes.
+  void (*settle)(UnsurePixels&, int stride, float* light);
   /// A row of pixels; the colours are Y, Cb - 128, Cr - 128 or R, G, B.
   void (*writeYuyv)(const float* light, const float* const color[3], int width, std::uint8_t* out);
   void (*writeRgb)(const float* light, const float* const color[3], int width, std::uint8_t* out);

@@ -5,6 +5,6 @@
 
 namespace simcore::rendering {
 
-const Kernels kAvx2Kernels = {draw, shade, writeYuyv, writeRgb, addNoise};
+const Kernels kAvx2Kernels = {draw, shade, settle, writeYuyv, writeRgb, addNoise};
 
 }  // namespace simcore::rendering

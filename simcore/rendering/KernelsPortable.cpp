@@ -5,6 +5,6 @@
 
 namespace simcore::rendering {
 
-const Kernels kPortableKernels = {draw, shade, writeYuyv, writeRgb, addNoise};
+const Kernels kPortableKernels = {draw, shade, settle, writeYuyv, writeRgb, addNoise};
 
 }  // namespace simcore::rendering

@@ -35,18 +35,16 @@ SIMCORE_INLINE Surface loadEight(const TriangleRecord* records, const std::int32
   for (int i = 0; i < 8; ++i) {
     const TriangleRecord& record = records[ids[i]];
     for (int k = 0; k < 3; ++k) at[k][i] = record.linear[k];
-    at[3][i] = record.color;
+    at[3][i] = record.color;  // and self
   }
   const Rows4 a = loadTransposed(at[0]), b = loadTransposed(at[1]), c = loadTransposed(at[2]);
   const auto value = [&](int i) { return (a.rows[i] + c.rows[i] * row) + b.rows[i] * column; };
-  Int8 self;
-  for (int i = 0; i < 8; ++i) self[i] = records[ids[i]].self;
   const Rows4 color = loadTransposed(at[3]);
   return {{value(0), value(1), value(2)},
           {a.rows[3], b.rows[3], c.rows[3]},
           value(3),
           {color.rows[0], color.rows[1], color.rows[2]},
-          self};
+          reinterpret_cast<Int8>(color.rows[3])};
 }
 
 SIMCORE_INLINE Vector8 rotated(const float (&m)[3][3], const Vector8& v) {
@@ -87,24 +85,13 @@ SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Flo
   return behind & (~own | (gathered(base, at + 1) < squaredDistance));
 }
 
-SIMCORE_INLINE void append(RayList& rays, unsigned lanes, std::int32_t firstPixel, std::int32_t row,
-                           Int8 self, Float8 light, const Vector8& direction) {
-  float values[4][8];
-  std::int32_t selves[8];
-  store(selves, self);
-  store(values[0], light);
-  store(values[1], direction.x);
-  store(values[2], direction.y);
-  store(values[3], direction.z);
-  for (; lanes != 0; lanes &= lanes - 1) {
-    const int lane = __builtin_ctz(lanes);
-    const int at = rays.count++;
-    rays.pixel[at] = firstPixel + lane;
-    rays.row[at] = row;
-    rays.self[at] = selves[lane];
-    rays.light[at] = values[0][lane];
-    for (int k = 0; k < 3; ++k) rays.direction[k][at] = values[k + 1][lane];
-  }
+SIMCORE_INLINE void append(UnsurePixels& pixels, const UnsureGroup& group, Float8 light,
+                           const Vector8& direction) {
+  pixels.groups[pixels.count++] = group;
+  store(pixels.light + group.pixel, light);
+  store(pixels.direction[0] + group.pixel, direction.x);
+  store(pixels.direction[1] + group.pixel, direction.y);
+  store(pixels.direction[2] + group.pixel, direction.z);
 }
 
 /// The light of one lamp on eight points, apart from that which depends on rays.
@@ -128,7 +115,7 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
       mayBeShaded(lamp.cells, cellOf(direction, strip.gridSize), surface.self, squaredDistance, lit);
   const unsigned lanes = bits(unsure);
   if (lanes == 0) return light;
-  append(*lamp.rays, lanes, firstPixel, row, surface.self, light, direction);
+  append(*lamp.unsure, {firstPixel, row, lanes}, light, direction);
   return unsure ? splat(0) : light;
 }
 
@@ -165,6 +152,43 @@ void shade(const Strip& strip, const VisibilityBuffer& buffer) {
     for (int i = 0; i < strip.rows; ++i) {
       shadeEight(strip, buffer, x, strip.firstRow + i, i * buffer.stride + x);
     }
+  }
+}
+
+/// What the traced neighbours of eight pixels say where they agree, else 0. Leaders, which are traced in any
+/// case, are the pixels with even coordinates.
+SIMCORE_INLINE Int8 neighboursSay(const std::int32_t* seen, int stride, bool oddRow) {
+  const Int8 zero = splatInt(0);
+  if (!oddRow) {
+    const Int8 left = load<Int8>(seen - 1);
+    return left == load<Int8>(seen + 1) ? left : zero;
+  }
+  const std::int32_t* const above = seen - stride;
+  const std::int32_t* const below = seen + stride;
+  const Int8 up = load<Int8>(above), corner = load<Int8>(above - 1);
+  const Int8 vertical = up == load<Int8>(below) ? up : zero;
+  const Int8 cornersAgree = (corner == load<Int8>(above + 1)) & (corner == load<Int8>(below - 1)) &
+                            (corner == load<Int8>(below + 1));
+  const Int8 evenColumn = {-1, 0, -1, 0, -1, 0, -1, 0};
+  return evenColumn ? vertical : cornersAgree ? corner : zero;
+}
+
+void settle(UnsurePixels& pixels, int stride, float* light) {
+  for (int i = 0; i < pixels.count; ++i) {
+    UnsureGroup& group = pixels.groups[i];
+    const bool oddRow = (group.row & 1) != 0;
+    group.lanes &= oddRow ? 0xFFU : 0xAAU;
+    if (group.lanes == 0) continue;
+    const Int8 says = neighboursSay(pixels.seen + group.pixel, stride, oddRow);
+    const Int8 settled = says != splatInt(0);
+    const unsigned lanes = bits(settled) & group.lanes;
+    if (lanes == 0) continue;
+    const Int8 lane = {1, 2, 4, 8, 16, 32, 64, 128};
+    const Int8 lit =
+        ((splatInt(static_cast<std::int32_t>(lanes)) & lane) != splatInt(0)) & ((says & 1) != splatInt(0));
+    const Float8 added = lit ? load<Float8>(pixels.light + group.pixel) : splat(0);
+    store(light + group.pixel, load<Float8>(light + group.pixel) + added);
+    group.lanes &= ~lanes;
   }
 }
 

@@ -10,18 +10,13 @@ constexpr int kWidth = 8;
 /// Rays end before the surface that they light, so that it does not shade itself by rounding.
 constexpr float kEnd = 1 - 2e-4F;
 
-/// Whether a pixel is one of the four whose ray is always traced.
-bool isLeader(const RayList& rays, int ray) {
-  return ((rays.pixel[ray] | rays.row[ray]) & 1) == 0;
-}
-
 }  // namespace
 
 /// Rays on their way from a lamp; they are traced whenever there are eight.
 class ShadowCaster::Packet {
  public:
-  Packet(RTCScene tree, const Eigen::Vector3f& lamp, const RayList& rays, std::int32_t* traced, float* light)
-      : tree_(tree), list_(rays), traced_(traced), light_(light) {
+  Packet(RTCScene tree, const Eigen::Vector3f& lamp, const UnsurePixels& pixels, float* light)
+      : tree_(tree), pixels_(pixels), light_(light) {
     for (int lane = 0; lane < kWidth; ++lane) {
       rays_.org_x[lane] = lamp.x();
       rays_.org_y[lane] = lamp.y();
@@ -30,14 +25,8 @@ class ShadowCaster::Packet {
     }
   }
 
-  void add(int ray) {
-    rays_.dir_x[count_] = list_.direction[0][ray];
-    rays_.dir_y[count_] = list_.direction[1][ray];
-    rays_.dir_z[count_] = list_.direction[2][ray];
-    rays_.tfar[count_] = kEnd;
-    valid_[count_] = -1;
-    index_[count_++] = ray;
-    if (count_ == kWidth) trace();
+  void add(const UnsureGroup& group, unsigned lanes) {
+    for (; lanes != 0; lanes &= lanes - 1) add(group.pixel + __builtin_ctz(lanes));
   }
 
   void trace() {
@@ -45,28 +34,38 @@ class ShadowCaster::Packet {
     rtcInitIntersectContext(&context);
     rtcOccluded8(valid_, tree_, &context, &rays_);
     for (int lane = 0; lane < count_; ++lane) {
-      const int ray = index_[lane], pixel = list_.pixel[ray];
+      const int pixel = pixel_[lane];
       const bool arrived = rays_.tfar[lane] >= 0;
-      if (arrived) light_[pixel] += list_.light[ray];
-      traced_[pixel] = 2 * list_.self[ray] + 2 + (arrived ? 1 : 0);
+      if (arrived) light_[pixel] += pixels_.light[pixel];
+      pixels_.seen[pixel] = arrived ? 3 : 2;
       valid_[lane] = 0;
     }
     count_ = 0;
   }
 
  private:
+  void add(int pixel) {
+    rays_.dir_x[count_] = pixels_.direction[0][pixel];
+    rays_.dir_y[count_] = pixels_.direction[1][pixel];
+    rays_.dir_z[count_] = pixels_.direction[2][pixel];
+    rays_.tfar[count_] = kEnd;
+    valid_[count_] = -1;
+    pixel_[count_++] = pixel;
+    if (count_ == kWidth) trace();
+  }
+
   RTCScene tree_;
-  const RayList& list_;
-  std::int32_t* traced_;
+  const UnsurePixels& pixels_;
   float* light_;
   int count_ = 0;
-  int index_[kWidth] = {};
+  int pixel_[kWidth] = {};
   alignas(32) int valid_[kWidth] = {};
   RTCRay8 rays_ = {};
 };
 
-ShadowCaster::ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes)
-    : scene_(scene), meshes_(meshes), tree_(scene) {
+ShadowCaster::ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes,
+                           const Kernels& kernels)
+    : scene_(scene), meshes_(meshes), kernels_(kernels), tree_(scene) {
   for (const Lamp& lamp : scene.lamps) {
     LampGrid& grid = grids_.emplace_back(lamp.position.cast<double>());
     for (std::size_t i = 0; i < scene.instances.size(); ++i) {
@@ -92,36 +91,17 @@ void ShadowCaster::setPoses(std::span<const Pose3> bodyInWorld) {
   }
 }
 
-/// What the neighbours with rays of their own say of a pixel if they agree, else 0.
-int ShadowCaster::witness(const RayList& rays, int ray, int stride) const {
-  if (rays.self[ray] < 0) return 0;
-  const std::int32_t* const at = traced_.data() + stride + rays.pixel[ray];
-  const bool oddColumn = (rays.pixel[ray] & 1) != 0, oddRow = (rays.row[ray] & 1) != 0;
-  const int across = oddColumn ? 1 : 0, down = oddRow ? stride : 0;
-  const std::int32_t first = at[-across - down];
-  if (first / 2 - 1 != rays.self[ray] || at[across + down] != first) return 0;
-  if (oddColumn && oddRow && (at[across - down] != first || at[down - across] != first)) return 0;
-  return first;
-}
-
-void ShadowCaster::addUnshadowed(std::size_t lamp, const RayList& rays, int stride, int pixels,
-                                 float* light) {
-  traced_.assign(static_cast<std::size_t>(pixels + 2 * stride), 0);
-  Packet packet(tree_.scene(), scene_.lamps[lamp].position, rays, traced_.data() + stride, light);
-  for (int ray = 0; ray < rays.count; ++ray) {
-    if (isLeader(rays, ray)) packet.add(ray);
+void ShadowCaster::addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light) {
+  Packet packet(tree_.scene(), scene_.lamps[lamp].position, pixels, light);
+  const auto groups = std::span(pixels.groups, static_cast<std::size_t>(pixels.count));
+  for (const UnsureGroup& group : groups) {
+    if (group.row % 2 == 0) packet.add(group, group.lanes & 0x55U);
   }
   packet.trace();
-  for (int ray = 0; ray < rays.count; ++ray) {
-    if (isLeader(rays, ray)) continue;
-    const int said = witness(rays, ray, stride);
-    if (said == 0) {
-      packet.add(ray);
-    } else if (said % 2 != 0) {
-      light[rays.pixel[ray]] += rays.light[ray];
-    }
-  }
+  kernels_.settle(pixels, stride, light);
+  for (const UnsureGroup& group : groups) packet.add(group, group.lanes);
   packet.trace();
+  for (const UnsureGroup& group : groups) std::fill_n(pixels.seen + group.pixel, 8, 0);
 }
 
 }  // namespace simcore::rendering

@@ -16,29 +16,26 @@ namespace simcore::rendering {
 /// spares most of them. One thread at a time; the scene and its drawable meshes must outlive it.
 class ShadowCaster {
  public:
-  ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes);
+  ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes, const Kernels& kernels);
 
   void setPoses(std::span<const Pose3> bodyInWorld);
   const LampCell* cells(std::size_t lamp) const { return grids_[lamp].cells(); }
-  /// Adds the light of those rays that arrive to light[pixel]; `stride` pixels make a row of the strip,
-  /// `pixels` all.
+  /// Adds the light of those unsure pixels that the lamp sees; `stride` pixels make a row of the strip.
   ///
-  /// Of every four pixels one has its ray traced at once. The others do as their neighbours among those where
-  /// these lie on the same convex instance and agree, and have their own ray elsewhere: at the edges of
-  /// shadows and bodies.
-  void addUnshadowed(std::size_t lamp, const RayList& rays, int stride, int pixels, float* light);
+  /// Of every four pixels one has its ray traced at once. The others do as their neighbours where these
+  /// agree, and have their own ray elsewhere: at the edges of shadows.
+  void addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light);
 
  private:
   class Packet;
-  int witness(const RayList& rays, int ray, int stride) const;
 
   const RenderScene& scene_;
   std::span<const DrawableMesh> meshes_;
+  const Kernels& kernels_;
   BodyTree tree_;
   std::vector<LampGrid> grids_;
-  /// By pixel of a strip with a row more on either side: 0, or where a ray was traced 2 * instance + 2, and 1
-  /// if it arrived.
-  std::vector<std::int32_t> traced_;
+  std::vector<std::int32_t>
+      traced_;  ///< as Kernels::settle() takes it, with a row and a bit more on either side
 };
 
 }  // namespace simcore::rendering
