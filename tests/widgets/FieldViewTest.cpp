@@ -1,0 +1,259 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QLabel>
+#include <QListView>
+#include <QTest>
+
+#include "robotlink/config/FieldDescription.h"
+#include "tests/widgets/SyntheticWorld.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/field/FieldCanvas.h"
+#include "widgets/field/FieldView.h"
+
+namespace widgets::test {
+namespace {
+
+using robotlink::SceneDrawing;
+using robotlink::Vector2;
+namespace colors = robotlink::colors;
+
+struct Shown {
+  SyntheticWorld world;
+  FieldView view{world.context};
+  FieldCanvas* canvas = child<FieldCanvas>(view, "fieldCanvas");
+
+  Shown() {
+    view.resize(800, 600);
+    view.show();
+    if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
+  }
+  void step() {
+    world.advance();
+    view.tick();
+  }
+  QPoint at(double x, double y) const { return canvas->transform().map(QPointF(x, y)).toPoint(); }
+  QImage picture() const { return canvas->grab().toImage(); }
+  QColor colorAt(double x, double y) const { return picture().pixelColor(at(x, y)); }
+  QColor named(const char* name) const {
+    const auto* color = world.context.field->color(name);
+    return {color->r, color->g, color->b};
+  }
+  void click(const char* button) { test::click(view, button); }
+  void wheel(const QPoint& position, int notches) { turnWheel(*canvas, position, notches); }
+  QString text(const char* label) const { return child<QLabel>(view, label)->text(); }
+  void placeThings() {
+    world.pushScene();
+    world.pushPoses({-1, 0.5, 0.3}, {0.5, -0.4});
+    step();
+  }
+  void drag(const QPoint& from, const QPoint& to, Qt::KeyboardModifiers modifiers = {}) {
+    test::drag(
+        *canvas, Qt::LeftButton, from, to, [this] { view.tick(); }, modifiers);
+  }
+};
+
+}  // namespace
+
+class FieldViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { failAtWarnings(); }
+
+  void theFieldHasItsColours() {
+    Shown s;
+    QVERIFY(isNear(s.colorAt(1.2, 0.9), s.named("green"), 2));
+    QVERIFY(isNear(s.colorAt(0, 0.8), s.named("white"), 40));
+    QVERIFY(isNear(s.colorAt(-2.11, 0.299), s.named("yellow"), 20));
+    QVERIFY(isNear(s.colorAt(2.11, 0.299), s.named("skyblue"), 20));
+    QVERIFY(isNear(s.colorAt(2.2, -1.45), s.named("pink"), 2));  // the upper band
+    QVERIFY(isNear(s.colorAt(2.2, 1.45), s.named("skyblue"), 2));
+    QVERIFY(isNear(s.colorAt(-2.05, 1.3), s.named("white"), 2));  // a corner's triangle
+  }
+
+  void trueAndEstimatedPosesDiffer() {
+    Shown s;
+    s.placeThings();
+    QVERIFY(isNear(s.colorAt(-1.02, 0.5), s.named("red"), 2));
+    QVERIFY(isNear(s.colorAt(0.5, -0.4), s.named("orange"), 2));
+    s.world.pushEstimates({-0.5, -0.5, 0}, {0.8, 0.6});
+    s.step();
+    // An estimate is an outline on a tinted area, not filled: neither the robot's nor the bare field's
+    // colour.
+    const QColor inside = s.colorAt(-0.55, -0.53);
+    QVERIFY(!isNear(inside, s.named("red"), 30) && !isNear(inside, s.named("green"), 10));
+    QVERIFY(!isNear(s.colorAt(0.3 + 0.06, 0.1), s.named("green"), 10));
+  }
+
+  void theCursorsPlaceIsTold() {
+    Shown s;
+    moveMouse(*s.canvas, s.at(1, -0.5));
+    const QStringList parts = s.text("fieldCursor").split(QLatin1Char(' '), Qt::SkipEmptyParts);
+    QCOMPARE(parts.size(), 6);
+    QVERIFY(std::abs(parts[1].toDouble() - 1) < 0.01 && std::abs(parts[4].toDouble() + 0.5) < 0.01);
+  }
+
+  void aDrawingIsToggledByAClickInTheList() {
+    Shown s;
+    s.placeThings();
+    s.world.pushFrame({worldDrawing("field", "ball-model/area", "field", [](SceneDrawing& d) {
+      d.circle({1, 0.9}, 0.2, colors::kPink, 1, colors::kPink);
+    })});
+    s.step();
+    QVERIFY(isNear(s.colorAt(1, 0.9), QColor(250, 90, 170)));
+    s.click("fieldDrawings");
+    auto* list = child<QListView>(s.view, "drawingsList");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
+    QVERIFY(isNear(s.colorAt(1, 0.9), s.named("green")));
+  }
+
+  void aDrawingRelativeToTheRobotLiesWhereTheRobotIs() {
+    Shown s;
+    s.world.pushScene();
+    s.world.pushPoses({0.5, 0, robotlink::kPi / 2}, {0, 0});
+    s.world.pushFrame({worldDrawing("robot", "percept", "red1", [](SceneDrawing& d) {
+      d.circle({0.8, 0}, 0.1, colors::kPink, 1, colors::kPink);
+    })});
+    s.step();
+    QVERIFY(isNear(s.colorAt(0.5, 0.8), QColor(250, 90, 170)));
+  }
+
+  void zoomPanTurnAndFit() {
+    Shown s;
+    const QPoint before = s.at(1, 0.5);
+    s.wheel(before, 3);
+    QVERIFY((s.at(1, 0.5) - before).manhattanLength() <= 2);
+    QVERIFY(!s.canvas->viewport().fit);
+    const QPoint origin = s.at(0, 0);
+    s.drag({400, 50}, {440, 80});
+    QCOMPARE(s.at(0, 0) - origin, QPoint(40, 30));
+    QTest::keyClick(s.canvas, Qt::Key_F);
+    QVERIFY(s.canvas->viewport().fit);
+    QTest::keyClick(s.canvas, Qt::Key_R);
+    QVERIFY(s.at(1, 0).y() < s.at(0, 0).y() && s.at(1, 0).x() == s.at(0, 0).x());  // x points up
+  }
+
+  void draggingTheBallPlacesIt() {
+    Shown s;
+    s.placeThings();
+    s.drag(s.at(0.5, -0.4), s.at(1.0, 0.3));
+    QVERIFY(s.world.requests.size() >= 2);
+    const auto& place = s.world.requests.back().place_model();
+    QCOMPARE(place.model(), std::string("ball"));
+    QVERIFY(std::abs(place.pose_in_field().x() - 1.0) < 0.02 &&
+            std::abs(place.pose_in_field().y() - 0.3) < 0.02);
+  }
+
+  void theWheelTurnsTheRobotThatIsDragged() {
+    Shown s;
+    s.placeThings();
+    const QPoint from = s.at(-1, 0.5);
+    QTest::mousePress(s.canvas, Qt::LeftButton, {}, from);
+    s.wheel(from, 2);
+    s.view.tick();
+    QTest::mouseRelease(s.canvas, Qt::LeftButton, {}, from);
+    QCOMPARE(s.world.requests.size(), std::size_t(1));
+    const auto& place = s.world.requests.back().place_model();
+    QCOMPARE(place.model(), std::string("red1"));
+    QVERIFY(std::abs(place.pose_in_field().heading() - 0.3 - robotlink::radians(30)) < 1e-6);
+  }
+
+  void withoutTheToolOnlyShiftMoves() {
+    Shown s;
+    s.placeThings();
+    s.click("fieldMove");
+    s.drag(s.at(0.5, -0.4), s.at(0.6, -0.4));
+    QVERIFY(s.world.requests.empty());
+    s.drag(s.at(0.5, -0.4), s.at(0.6, -0.4), Qt::ShiftModifier);
+    QVERIFY(!s.world.requests.empty());
+  }
+
+  void aRefusedPlaceIsShown() {
+    Shown s;
+    s.placeThings();
+    s.world.refusal = "it would stand in a wall";
+    const QImage before = s.picture();
+    s.drag(s.at(0.5, -0.4), s.at(1.9, 1.3));
+    s.step();
+    s.step();
+    const QImage after = s.picture();
+    const QRect top(200, 0, 400, 40);
+    QVERIFY(before.copy(top) != after.copy(top));
+    keepPicture(s.view, "field-refused");
+    for (int i = 0; i < 70; ++i) s.step();
+    QVERIFY(s.picture().copy(top) == before.copy(top));
+  }
+
+  void trailsShowWhereTheBallWas() {
+    Shown s;
+    s.placeThings();
+    for (int i = 0; i < 20; ++i) {
+      s.world.pushPoses({-1, 0.5, 0.3}, {-0.5 + 0.05 * i, -0.9});
+      s.world.advance(100);
+    }
+    s.view.tick();
+    QVERIFY(isNear(s.colorAt(-0.1, -0.9), s.named("green"), 4));
+    s.click("fieldTrails");
+    QVERIFY(!isNear(s.colorAt(-0.1, -0.9), s.named("green"), 20));
+  }
+
+  void thePictureIsCopied() {
+    Shown s;
+    s.placeThings();
+    s.view.findChild<QAction*>(QStringLiteral("fieldCopyAction"))->trigger();
+    QVERIFY(isNear(QApplication::clipboard()->image().pixelColor(s.at(0.5, -0.4)), s.named("orange"), 4));
+  }
+
+  void whatTheUserChoseSurvives() {
+    Shown a;
+    a.placeThings();
+    a.click("fieldDrawings");
+    a.click("fieldTrails");
+    a.click("fieldTurn");
+    a.wheel({300, 200}, 3);
+    child<RobotChoice>(a.view, "fieldRobot")->setChoice(QStringLiteral("*"));
+    const QJsonObject state = a.view.saveState();
+    Shown b;
+    b.view.restoreState(state);
+    QCOMPARE(b.view.saveState(), state);
+    b.view.restoreState({});  // harmless
+  }
+
+  void showsAWholePicture() {
+    Shown s;
+    s.world.session.setRobots({"red1", "blue1"});
+    s.placeThings();
+    s.world.pushEstimates({-0.9, 0.35, 0.5}, {1.4, -1.5});
+    s.world.pushFrame({worldDrawing("field", "particles", "field",
+                                    [](SceneDrawing& d) {
+                                      for (int i = 0; i < 60; ++i) {
+                                        d.pose(
+                                            {-0.9 + 0.15 * std::sin(i * 1.3), 0.35 + 0.12 * std::cos(i * 2.1),
+                                             0.5 + 0.2 * std::sin(i * 3.0)},
+                                            colors::kYellow, 0.06);
+                                      }
+                                      d.arrow({-0.9, 0.35}, {0.4, -0.3}, colors::kPink, 2);
+                                      d.text({0.5, -0.2}, "go to ball", colors::kWhite, 13);
+                                    }),
+                       worldDrawing("robot", "percept", "red1", [](SceneDrawing& d) {
+                         d.circle({1.7, -1.2}, 0.08, colors::kOrange, 2);
+                       })});
+    s.step();
+    s.click("fieldDrawings");
+    s.click("fieldTrails");
+    moveMouse(*s.canvas, s.at(0.2, 0.2));
+    keepPicture(s.view, "field-view");
+    QVERIFY(countNear(s.picture(), QColor(250, 90, 170), 20) > 50);
+  }
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::FieldViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "FieldViewTest.moc"

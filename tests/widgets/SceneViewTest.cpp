@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <QAction>
+#include <QApplication>
+#include <QClipboard>
+#include <QListView>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "robotlink/config/FieldDescription.h"
+#include "tests/widgets/SyntheticWorld.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/scene/SceneCanvas.h"
+#include "widgets/scene/SceneView.h"
+
+namespace widgets::test {
+namespace {
+
+using robotlink::SceneDrawing;
+using robotlink::Vector3;
+namespace colors = robotlink::colors;
+
+const Vector3 kBall(0.5, -0.4, 0.042);
+
+struct Shown {
+  SyntheticWorld world;
+  SceneView view{world.context};
+  SceneCanvas* canvas = child<SceneCanvas>(view, "sceneCanvas");
+
+  Shown() {
+    view.resize(640, 500);
+    view.show();
+    if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
+  }
+  /// Waits, at a true thread boundary, for the picture that shows what is there now.
+  bool step() {
+    world.advance();
+    view.tick();
+    return QTest::qWaitFor([this] { return canvas->upToDate(); }, 10000);
+  }
+  bool placeThings() {
+    world.pushScene();
+    world.pushPoses({-1, 0.5, 0.3}, {kBall.x(), kBall.y()});
+    return step();
+  }
+  QPoint at(const Vector3& place) const { return canvas->camera().project(canvas->size(), place)->toPoint(); }
+  QImage picture() const { return canvas->rendered(); }
+  QColor colorAt(const Vector3& place) const { return picture().pixelColor(at(place)); }
+  QColor named(const char* name) const {
+    const auto* color = world.context.field->color(name);
+    return {color->r, color->g, color->b};
+  }
+  void click(const char* button) { test::click(view, button); }
+};
+
+/// How much two pictures differ: the share of pixels that are not near.
+double difference(const QImage& a, const QImage& b) {
+  int count = 0;
+  for (int y = 0; y < a.height(); ++y) {
+    for (int x = 0; x < a.width(); ++x) count += isNear(a.pixelColor(x, y), b.pixelColor(x, y), 8) ? 0 : 1;
+  }
+  return double(count) / (a.width() * a.height());
+}
+
+}  // namespace
+
+class SceneViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    failAtWarnings();
+    const auto renderer = SceneRenderer::create();
+    if (!renderer) QSKIP(renderer.error().text.c_str());
+    qInfo("drawn by %s", renderer->device().c_str());
+  }
+
+  void theBallIsOrangeWhereItLies() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QColor ball = s.colorAt(kBall);
+    QVERIFY2(std::abs(ball.hue() - s.named("orange").hue()) < 6 && ball.saturation() > 180,
+             qPrintable(ball.name()));
+    // What lies flat has its own colour.
+    QVERIFY(isNear(s.colorAt({1.2, 0.8, 0}), s.named("green"), 8));
+    QVERIFY(isNear(s.colorAt({-1, 0.5, 0.17}), s.named("red"), 60));
+  }
+
+  void theWorldMovesWithTheTransforms() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.world.pushPoses({-1, 0.5, 0.3}, {-0.2, 0.9});
+    QVERIFY(s.step());
+    QVERIFY(isNear(s.colorAt(kBall), s.named("green"), 8));
+    QVERIFY(s.colorAt({-0.2, 0.9, 0.042}).hue() < 40);
+  }
+
+  void nothingIsDrawnAgainWhileNothingChanges() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    QSignalSpy pictures(s.canvas, &SceneCanvas::pictureShown);
+    s.world.pushPoses({-1, 0.5, 0.3}, {kBall.x(), kBall.y()});  // said again
+    QVERIFY(s.step());
+    QTest::qWait(80);
+    QCOMPARE(pictures.count(), 0);
+  }
+
+  void draggingTurnsTheCamera() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QImage before = s.picture();
+    const SceneCamera camera = s.canvas->camera();
+    drag(*s.canvas, Qt::LeftButton, {60, 60}, {120, 80});
+    QVERIFY(s.step());
+    QVERIFY(s.canvas->camera().azimuth != camera.azimuth && s.canvas->camera().elevation > camera.elevation);
+    QVERIFY(difference(before, s.picture()) > 0.1);
+    QVERIFY(s.colorAt(kBall).hue() < 40);  // it is still where the camera says
+    QVERIFY(s.world.requests.empty());
+  }
+
+  void theRightButtonMovesTheCamera() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QPoint before = s.at({0, 0, 0});
+    drag(*s.canvas, Qt::RightButton, {200, 200}, {240, 200});
+    const QPoint moved = s.at({0, 0, 0}) - before;
+    QVERIFY2(std::abs(moved.x() - 40) <= 3 && std::abs(moved.y()) <= 3,
+             qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+  }
+
+  void theWheelZoomsToTheCursor() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QPoint before = s.at({1, 0.5, 0});
+    turnWheel(*s.canvas, before, 4);
+    QVERIFY((s.at({1, 0.5, 0}) - before).manhattanLength() <= 4);
+    QVERIFY(s.canvas->camera().distance < SceneCamera().distance);
+    QTest::keyClick(s.canvas, Qt::Key_R);
+    QCOMPARE(s.canvas->camera(), SceneCamera());
+  }
+
+  void presetsLookFromAboveAndFromBehind() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.click("sceneFromAbove");
+    QVERIFY(s.canvas->camera().elevation > robotlink::radians(89));
+    s.click("sceneBehind");
+    QVERIFY(std::abs(robotlink::normalizedAngle(s.canvas->camera().azimuth - 0.3 - robotlink::kPi)) < 1e-9);
+    const QPoint robot = s.at({-1, 0.5, 0.1});
+    QVERIFY(s.canvas->rect().contains(robot));
+  }
+
+  void theCameraFollowsTheRobot() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    QTest::keyClick(s.canvas, Qt::Key_3);
+    const Vector3 before = s.canvas->camera().target;
+    s.world.pushPoses({-0.6, 0.8, 0.3}, {kBall.x(), kBall.y()});
+    QVERIFY(s.step());
+    QVERIFY((s.canvas->camera().target - before - Vector3(0.4, 0.3, 0)).norm() < 1e-9);
+  }
+
+  void wireFrameShowsEdgesOnly() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const int filled = countNear(s.picture(), s.named("green"), 10);
+    QTest::keyClick(s.canvas, Qt::Key_W);
+    QVERIFY(s.step());
+    const int edges = countNear(s.picture(), s.named("green"), 10);
+    QVERIFY2(filled > 20000 && edges < filled / 10,
+             qPrintable(QStringLiteral("%1 %2").arg(filled).arg(edges)));
+    s.click("sceneWireFrame");
+    QVERIFY(s.step());
+    QCOMPARE(countNear(s.picture(), s.named("green"), 10), filled);
+  }
+
+  void draggingTheBallPlacesIt() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const Vector3 wanted(0.9, 0.2, kBall.z());
+    drag(*s.canvas, Qt::LeftButton, s.at(kBall), s.at(wanted), [&] { s.view.tick(); });
+    QVERIFY(s.world.requests.size() >= 2);
+    const auto& place = s.world.requests.back().place_model();
+    QCOMPARE(place.model(), std::string("ball"));
+    const auto& pose = place.pose_in_field();
+    QVERIFY2(std::hypot(pose.x() - wanted.x(), pose.y() - wanted.y()) < 0.02,
+             qPrintable(QStringLiteral("%1 %2").arg(pose.x()).arg(pose.y())));
+    // The camera did not move.
+    QCOMPARE(s.canvas->camera(), SceneCamera());
+  }
+
+  void aGhostShowsWhereTheRobotIsWantedAndTheWheelTurnsIt() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QImage before = s.picture();
+    const Vector3 top(-1, 0.5, 0.17), wanted(-0.3, 0.2, 0.17);
+    moveMouse(*s.canvas, s.at(top));
+    QTest::mousePress(s.canvas, Qt::LeftButton, {}, s.at(top));
+    moveMouse(*s.canvas, s.at(wanted), Qt::LeftButton);
+    turnWheel(*s.canvas, s.at(wanted), 2);
+    QVERIFY(s.step());
+    QVERIFY(!isNear(s.colorAt(wanted), s.named("green"), 30));
+    keepPicture(s.view, "scene-drag");
+    QTest::mouseRelease(s.canvas, Qt::LeftButton, {}, s.at(wanted));
+    const auto& pose = s.world.requests.back().place_model().pose_in_field();
+    QVERIFY(std::abs(pose.heading() - 0.3 - robotlink::radians(30)) < 1e-9);
+    QVERIFY(std::hypot(pose.x() - wanted.x(), pose.y() - wanted.y()) < 0.02);
+  }
+
+  void withoutTheToolOnlyControlMoves() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.click("sceneMove");
+    drag(*s.canvas, Qt::LeftButton, s.at(kBall), s.at(kBall) + QPoint(30, 0), [&] { s.view.tick(); });
+    QVERIFY(s.world.requests.empty());
+    drag(
+        *s.canvas, Qt::LeftButton, s.at(kBall), s.at(kBall) + QPoint(30, 0), [&] { s.view.tick(); },
+        Qt::ControlModifier);
+    QVERIFY(!s.world.requests.empty());
+  }
+
+  void aRefusedPlaceIsShown() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.world.refusal = "it would stand in a wall";
+    const QImage before = s.canvas->grab().toImage();
+    drag(*s.canvas, Qt::LeftButton, s.at(kBall), s.at({1.5, 1.3, kBall.z()}), [&] { s.view.tick(); });
+    QVERIFY(s.step());
+    QVERIFY(s.step());
+    const QRect top(200, 8, 240, 20);
+    QVERIFY(before.copy(top) != s.canvas->grab().toImage().copy(top));
+  }
+
+  void drawingsAreShownInSpaceAndToggledByAClick() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.world.pushFrame({worldDrawing("field", "area", "field",
+                                    [](SceneDrawing& d) {
+                                      d.circle({1, 0.6}, 0.3, colors::kPink, 1, colors::kPink);
+                                    }),
+                       worldDrawing("robot", "post", "red1", [](SceneDrawing& d) {
+                         robotlink::Pose3 pose = robotlink::Pose3::Identity();
+                         pose.translation() = Vector3(0.6, 0, 0.2);
+                         d.box(pose, {0.1, 0.1, 0.4}, colors::kBlue);
+                       })});
+    QVERIFY(s.step());
+    QVERIFY(isNear(s.colorAt({1, 0.6, 0}), QColor(250, 90, 170)));
+    const Vector3 post(-1 + 0.6 * std::cos(0.3), 0.5 + 0.6 * std::sin(0.3), 0.2);
+    QVERIFY(s.colorAt(post).blue() > 100);
+    s.click("sceneDrawings");
+    auto* list = child<QListView>(s.view, "drawingsList");
+    QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
+                      list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
+    QVERIFY(s.step());
+    QVERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
+  }
+
+  void namesAndGridAreToggled() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QImage before = s.picture();
+    QTest::keyClick(s.canvas, Qt::Key_L);
+    QVERIFY(s.step());
+    QVERIFY(difference(before, s.picture()) > 0.0005);
+    const QImage withGrid = s.picture();
+    QTest::keyClick(s.canvas, Qt::Key_G);
+    QVERIFY(s.step());
+    QVERIFY(difference(withGrid, s.picture()) > 0.002);
+  }
+
+  void thePictureIsCopied() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.view.findChild<QAction*>(QStringLiteral("sceneCopyAction"))->trigger();
+    QCOMPARE(QApplication::clipboard()->image().pixelColor(s.at(kBall)).hue(), s.colorAt(kBall).hue());
+  }
+
+  void whatTheUserChoseSurvives() {
+    Shown a;
+    QVERIFY(a.placeThings());
+    a.click("sceneDrawings");
+    a.click("sceneWireFrame");
+    a.click("sceneGrid");
+    a.click("sceneBehind");
+    a.click("sceneFollow");
+    child<RobotChoice>(a.view, "sceneRobot")->setChoice(QStringLiteral("red1"));
+    const QJsonObject state = a.view.saveState();
+    Shown b;
+    b.view.restoreState(state);
+    QCOMPARE(b.view.saveState(), state);
+    b.view.restoreState({});  // harmless
+  }
+
+  void withoutOpenGlTheReasonIsShown() {
+    SceneCanvas canvas(
+        []() -> robotlink::Result<SceneRenderer> { return robotlink::failure("scene.no-egl", "no EGL"); });
+    canvas.resize(400, 300);
+    canvas.show();
+    const auto words = [&] {
+      return countNear(canvas.grab().toImage(), canvas.palette().color(QPalette::ToolTipBase), 2);
+    };
+    QTRY_VERIFY(words() > 1000);
+  }
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::SceneViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "SceneViewTest.moc"

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/PictureFile.h"
+
+#include <QApplication>
+#include <QClipboard>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QImage>
+#include <QMessageBox>
+#include <QSaveFile>
+
+namespace widgets {
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("widgets::PictureFile", text);
+}
+
+}  // namespace
+
+bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
+  QSaveFile out(file);
+  if (!picture.isNull() && out.open(QIODevice::WriteOnly) && picture.save(&out, "PNG") && out.commit())
+    return true;
+  const QString reason = picture.isNull() ? translated("there is no picture yet") : out.errorString();
+  QMessageBox::warning(view, translated("Save picture"),
+                       translated("Nothing was saved to %1: %2").arg(file, reason));
+  return false;
+}
+
+void savePictureAs(QWidget* view, const QImage& picture, const QString& proposal) {
+  const QString file = QFileDialog::getSaveFileName(view, translated("Save picture"), proposal,
+                                                    translated("Pictures (*.png)"));
+  if (!file.isEmpty()) savePicture(view, picture, file);
+}
+
+void copyPicture(const QImage& picture) {
+  QApplication::clipboard()->setImage(picture);
+}
+
+}  // namespace widgets

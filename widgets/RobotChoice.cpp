@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/RobotChoice.h"
+
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+
+namespace widgets {
+
+RobotChoice::RobotChoice(const char* name, QWidget* parent) : QComboBox(parent) {
+  describe(*this, {name, tr("Robot"), tr("Whose drawings are shown")});
+  setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  setMinimumContentsLength(9);
+  list({});
+  connect(this, QOverload<int>::of(&QComboBox::activated), this, [this] {
+    choice_ = currentData().toString();
+    Q_EMIT choiceChanged();
+  });
+}
+
+void RobotChoice::refresh(const robotlink::Session& session) {
+  if (session.robots() != listed_) list(session.robots());
+}
+
+void RobotChoice::list(const std::vector<std::string>& robots) {
+  listed_ = robots;
+  clear();
+  addItem(tr("Selected robot"), QString());
+  addItem(tr("All robots"), QStringLiteral("*"));
+  for (const std::string& robot : robots)
+    addItem(QString::fromStdString(robot), QString::fromStdString(robot));
+  if (findData(choice_) < 0) addItem(tr("%1 (not here)").arg(choice_), choice_);
+  setCurrentIndex(findData(choice_));
+}
+
+std::vector<std::string> RobotChoice::robots(const robotlink::Session& session) const {
+  if (choice_ == QLatin1String("*")) return session.robots();
+  return {robot(session)};
+}
+
+std::string RobotChoice::robot(const robotlink::Session& session) const {
+  const bool certain = !choice_.isEmpty() && choice_ != QLatin1String("*");
+  return certain ? choice_.toStdString() : session.selectedRobot();
+}
+
+void RobotChoice::setChoice(const QString& choice) {
+  choice_ = choice;
+  list(std::vector<std::string>(listed_));
+  Q_EMIT choiceChanged();
+}
+
+}  // namespace widgets

@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/field/FieldFigures.h"
+
+#include <QPainter>
+#include <QPainterPath>
+#include <QPalette>
+#include <cmath>
+
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+using robotlink::Pose2;
+using robotlink::Vector2;
+
+// About the outline of an ERS-210 from above.
+constexpr double kLength = 0.27, kWidth = 0.15;  // m
+
+/// The outline in the robot's frame, with the head as a nose.
+QPainterPath bodyOutline() {
+  QPainterPath path;
+  path.addRoundedRect(QRectF(-0.6 * kLength, -kWidth / 2, 0.8 * kLength, kWidth), 0.03, 0.03);
+  QPainterPath head;
+  head.addRoundedRect(QRectF(0.12 * kLength, -0.3 * kWidth, 0.36 * kLength, 0.6 * kWidth), 0.035, 0.035);
+  return path.united(head);
+}
+
+QTransform robotToWidget(const Pose2& pose, const QTransform& fieldToWidget) {
+  QTransform transform = fieldToWidget;
+  transform.translate(pose.x, pose.y);
+  transform.rotate(robotlink::degrees(pose.heading));
+  return transform;
+}
+
+QPointF map(const QTransform& transform, const Vector2& point) {
+  return transform.map(QPointF(point.x(), point.y()));
+}
+
+double scaleOf(const QTransform& transform) {
+  return std::hypot(transform.m11(), transform.m12());
+}
+
+/// Estimates are drawn on the field's green: a lighter tone of the team's colour.
+QColor estimateColor(const QColor& team) {
+  return mixed(team, Qt::white, 0.45);
+}
+
+QPen dashed(const QColor& color) {
+  QPen pen(color, 2, Qt::CustomDashLine, Qt::FlatCap);
+  pen.setDashPattern({3, 2});
+  return pen;
+}
+
+void paintTrue(QPainter& painter, const RobotBelief& belief, bool highlighted, const QTransform& toWidget) {
+  const QPainterPath outline = robotToWidget(*belief.truth, toWidget).map(bodyOutline());
+  if (belief.selected || highlighted) {
+    painter.setBrush(Qt::NoBrush);
+    painter.setPen(QPen(QColor(255, 255, 255, highlighted ? 255 : 170), highlighted ? 6 : 4));
+    painter.drawPath(outline);
+  }
+  painter.setPen(QPen(belief.team.darker(180), 1.2));
+  painter.setBrush(belief.team);
+  painter.drawPath(outline);
+}
+
+void paintEstimate(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
+  const QColor color = estimateColor(belief.team);
+  const double radius = belief.positionDeviation * scaleOf(toWidget);
+  const QPointF at = map(toWidget, belief.estimate->translation());
+  if (radius > 1) {
+    QColor area = color;
+    area.setAlphaF(0.22);
+    painter.setPen(QPen(color, 1));
+    painter.setBrush(area);
+    painter.drawEllipse(at, radius, radius);
+  }
+  painter.setPen(dashed(color));
+  painter.setBrush(Qt::NoBrush);
+  const QTransform transform = robotToWidget(*belief.estimate, toWidget);
+  painter.drawPath(transform.map(bodyOutline()));
+  painter.setPen(QPen(color, 2));
+  painter.drawLine(at, transform.map(QPointF(0.6 * kLength, 0)));
+}
+
+void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
+  const auto pose = belief.pose();
+  if (!pose) return;
+  QFont font = painter.font();
+  font.setPixelSize(11);
+  font.setBold(belief.selected);
+  painter.setFont(font);
+  const QString name = QString::fromStdString(belief.robot);
+  const QPointF below = map(toWidget, pose->translation()) + QPointF(0, 0.17 * scaleOf(toWidget) + 12);
+  QRectF box = QFontMetricsF(font).boundingRect(name).adjusted(-4, -1, 4, 1);
+  box.moveCenter(below);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 130));
+  painter.drawRoundedRect(box, 3, 3);
+  painter.setPen(Qt::white);
+  painter.drawText(box, Qt::AlignCenter, name);
+}
+
+void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
+                       const QTransform& toWidget) {
+  const QPointF at = map(toWidget, *belief.ball);
+  const double scale = scaleOf(toWidget), radius = std::max(3.0, figures.ballRadius * scale);
+  if (belief.ballDeviation * scale > radius) {
+    QColor area = figures.ballColor;
+    area.setAlphaF(0.18);
+    painter.setPen(QPen(figures.ballColor, 1));
+    painter.setBrush(area);
+    painter.drawEllipse(at, belief.ballDeviation * scale, belief.ballDeviation * scale);
+  }
+  // Which robot believes it: a thin line from its own estimate.
+  if (belief.estimate) {
+    QColor line = estimateColor(belief.team);
+    line.setAlphaF(0.6);
+    painter.setPen(QPen(line, 1, Qt::DotLine));
+    painter.drawLine(map(toWidget, belief.estimate->translation()), at);
+  }
+  painter.setBrush(Qt::NoBrush);
+  painter.setPen(dashed(mixed(figures.ballColor, Qt::white, 0.35)));
+  painter.drawEllipse(at, radius + 1.5, radius + 1.5);
+}
+
+void paintBall(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
+  if (!figures.ball) return;
+  const double radius = std::max(3.0, figures.ballRadius * scaleOf(toWidget));
+  const bool highlighted = figures.highlighted == "ball";
+  painter.setPen(highlighted ? QPen(Qt::white, 3) : QPen(figures.ballColor.darker(160), 1.2));
+  painter.setBrush(figures.ballColor);
+  painter.drawEllipse(map(toWidget, *figures.ball), radius, radius);
+}
+
+QColor trailColor(const FieldFigures& figures, const std::string& model) {
+  for (const RobotBelief& belief : figures.robots) {
+    if (belief.robot == model) return belief.team;
+  }
+  return figures.ballColor;
+}
+
+void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
+  for (const auto& [model, places] : figures.trails) {
+    QColor color = mixed(trailColor(figures, model), Qt::white, 0.25);
+    // It fades with its age.
+    for (std::size_t i = 1; i < places.size(); ++i) {
+      color.setAlphaF(0.15 + 0.75 * static_cast<double>(i) / static_cast<double>(places.size()));
+      painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::FlatCap));
+      painter.drawLine(map(toWidget, places[i - 1]), map(toWidget, places[i]));
+    }
+  }
+}
+
+}  // namespace
+
+void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget,
+                  const QPalette&) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  paintTrails(painter, figures, toWidget);
+  for (const RobotBelief& belief : figures.robots) {
+    if (belief.truth) paintTrue(painter, belief, belief.robot == figures.highlighted, toWidget);
+  }
+  paintBall(painter, figures, toWidget);
+  for (const RobotBelief& belief : figures.robots) {
+    if (belief.estimate) paintEstimate(painter, belief, toWidget);
+    if (belief.ball) paintBallEstimate(painter, figures, belief, toWidget);
+  }
+  for (const RobotBelief& belief : figures.robots) paintName(painter, belief, toWidget);
+  painter.restore();
+}
+
+void paintWanted(QPainter& painter, const WantedPlace& place, double ballRadius, const QTransform& toWidget,
+                 const QPalette& palette) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor color = place.refused ? colorOf(Meaning::kBad, palette) : QColor(Qt::white);
+  painter.setPen(QPen(color, 2));
+  QColor area = color;
+  area.setAlphaF(0.25);
+  painter.setBrush(area);
+  const QPointF at = map(toWidget, place.pose.translation());
+  if (place.isBall) {
+    const double radius = std::max(4.0, ballRadius * scaleOf(toWidget));
+    painter.drawEllipse(at, radius, radius);
+  } else {
+    painter.drawPath(robotToWidget(place.pose, toWidget).map(bodyOutline()));
+  }
+  painter.drawLine(at - QPointF(9, 0), at + QPointF(9, 0));
+  painter.drawLine(at - QPointF(0, 9), at + QPointF(0, 9));
+  painter.restore();
+}
+
+void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette&) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  QFont font = painter.font();
+  font.setPixelSize(11);
+  painter.setFont(font);
+  const QString texts[] = {QObject::tr("true", "legend of the field"),
+                           QObject::tr("estimated", "legend of the field")};
+  const QFontMetricsF metrics(font);
+  const double width = metrics.horizontalAdvance(texts[0]) + metrics.horizontalAdvance(texts[1]) + 72;
+  const QRectF box(6, widget.height() - 26, width, 20);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(QColor(0, 0, 0, 140));
+  painter.drawRoundedRect(box, 4, 4);
+  double x = box.left() + 8;
+  for (int i = 0; i < 2; ++i) {
+    const QRectF swatch(x, box.center().y() - 5, 16, 10);
+    painter.setPen(i == 0 ? QPen(QColor(220, 220, 220), 1) : dashed(QColor(240, 240, 240)));
+    painter.setBrush(i == 0 ? QBrush(QColor(200, 200, 200)) : QBrush(Qt::NoBrush));
+    painter.drawRoundedRect(swatch, 3, 3);
+    painter.setPen(Qt::white);
+    painter.drawText(QPointF(x + 21, box.center().y() + metrics.ascent() / 2 - 1), texts[i]);
+    x += 21 + metrics.horizontalAdvance(texts[i]) + 12;
+  }
+  painter.restore();
+}
+
+std::string figureAt(const FieldFigures& figures, const Vector2& place, double tolerance) {
+  for (const RobotBelief& belief : figures.robots) {
+    if (!belief.truth) continue;
+    const Vector2 inRobot = belief.truth->inverse() * place;
+    const bool inside = std::abs(inRobot.x() + 0.06 * kLength) < 0.56 * kLength + tolerance &&
+                        std::abs(inRobot.y()) < kWidth / 2 + tolerance;
+    if (inside) return belief.robot;
+  }
+  if (figures.ball && (*figures.ball - place).norm() < figures.ballRadius + tolerance) return "ball";
+  return {};
+}
+
+}  // namespace widgets

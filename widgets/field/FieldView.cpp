@@ -1,0 +1,266 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/field/FieldView.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QLabel>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/DrawingsPanel.h"
+#include "widgets/PictureFile.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/field/FieldCanvas.h"
+#include "widgets/models/DrawingsModel.h"
+#include "widgets/models/WorldDrawings.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"field", QT_TRANSLATE_NOOP("widgets::FieldView", "Field"),
+     QT_TRANSLATE_NOOP("widgets::FieldView", "The field from above: true and estimated poses, and drawings"),
+     "field", true, create<FieldView>}};
+
+constexpr char kBall[] = "ball";
+
+}  // namespace
+
+FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("fieldView"));
+  drawings_ = new DrawingsModel({QStringLiteral("field"), QStringLiteral("robot")}, this);
+  createActions();
+  createViews();
+  connectSignals();
+  connectDrag();
+  tick();
+}
+
+FieldView::~FieldView() = default;
+
+void FieldView::createActions() {
+  fit_ = makeAction(this, "fit",
+                    {"fieldFit", tr("Fit"), tr("Shows the whole field, as large as it fits"), Qt::Key_F});
+  zoomIn_ =
+      makeAction(this, "zoom-in", {"fieldZoomIn", tr("Zoom in"), tr("Enlarges the field"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out",
+                        {"fieldZoomOut", tr("Zoom out"), tr("Makes the field smaller"), Qt::Key_Minus});
+  turn_ =
+      makeAction(this, "rotate", {"fieldTurn", tr("Turn"), tr("Turns the field by 90 degrees"), Qt::Key_R});
+  move_ = makeAction(this, "grab",
+                     {"fieldMove", tr("Move robots and ball"),
+                      tr("Dragging a robot or the ball places it; otherwise only with Shift. The wheel turns "
+                         "what is dragged"),
+                      Qt::Key_M});
+  showTrails_ = makeAction(
+      this, "trail",
+      {"fieldTrails", tr("Trails"), tr("Shows where everything was in the last ten seconds"), Qt::Key_T});
+  showDrawings_ = makeAction(this, "layers",
+                             {"fieldDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  for (QAction* action : {move_, showTrails_, showDrawings_}) action->setCheckable(true);
+  move_->setChecked(true);
+  copy_ = makeAction(this, "copy",
+                     {"fieldCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+  save_ = makeAction(
+      this, "save",
+      {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+}
+
+void FieldView::createViews() {
+  canvas_ = new FieldCanvas(context().field, this);
+  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  canvas_->addActions({copy_, save_});
+  auto* panel = new DrawingsPanel(*drawings_, this);
+  panel->hide();
+  splitter_ = new QSplitter(this);
+  splitter_->setObjectName(QStringLiteral("fieldSplitter"));
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(panel);
+  splitter_->setStretchFactor(0, 1);
+  splitter_->setCollapsible(0, false);
+  splitter_->setSizes({420, 180});
+  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter_, 1);
+  layout->addWidget(createFooter());
+}
+
+QWidget* FieldView::createToolRow() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setSpacing(1);
+  robots_ = new RobotChoice("fieldRobot", row);
+  layout->addWidget(robots_);
+  layout->addStretch(1);
+  for (QAction* action : {move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_})
+    layout->addWidget(makeButton(row, action));
+  return row;
+}
+
+QWidget* FieldView::createFooter() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(6, 2, 6, 2);
+  layout->setSpacing(12);
+  const auto add = [&](const char* name, const QString& text) {
+    auto* label = new QLabel(row);
+    describe(*label, {name, text, text});
+    layout->addWidget(label);
+    return label;
+  };
+  time_ = add("fieldTime", tr("Time that is shown"));
+  layout->addStretch(1);
+  cursor_ = add("fieldCursor", tr("Place under the cursor, in the field's frame"));
+  zoom_ = add("fieldZoom", tr("Scale"));
+  return row;
+}
+
+void FieldView::connectSignals() {
+  connect(fit_, &QAction::triggered, this, [this] {
+    FieldViewport fitted;
+    fitted.quarterTurns = canvas_->viewport().quarterTurns;
+    canvas_->setViewport(fitted);
+  });
+  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
+  connect(turn_, &QAction::triggered, this, &FieldView::turn);
+  connect(move_, &QAction::toggled, this, &FieldView::tick);
+  connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
+  connect(drawings_, &DrawingsModel::shownChanged, this, &FieldView::tick);
+  connect(robots_, &RobotChoice::choiceChanged, this, &FieldView::tick);
+  connect(canvas_, &FieldCanvas::viewportChanged, this, &FieldView::updateStatus);
+  connect(canvas_, &FieldCanvas::cursorMoved, this, [this](double x, double y, bool inside) {
+    cursor_->setText(inside ? tr("x %1 m  y %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3) : QString());
+  });
+  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
+  connect(save_, &QAction::triggered, this,
+          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("field.png")); });
+}
+
+void FieldView::connectDrag() {
+  connect(canvas_, &FieldCanvas::dragStarted, this, [this](const QString& model, double x, double y) {
+    const auto pose = scene_.modelPose(model.toStdString());
+    if (pose) drag_.begin(model.toStdString(), robotlink::groundPose(*pose), {x, y});
+  });
+  connect(canvas_, &FieldCanvas::dragMoved, this, [this](double x, double y) {
+    drag_.moveTo({x, y});
+    updateWanted();
+  });
+  connect(canvas_, &FieldCanvas::dragTurned, this, [this](double angle) {
+    drag_.turn(angle);
+    updateWanted();
+  });
+  connect(canvas_, &FieldCanvas::dragEnded, this, [this] {
+    drag_.end(session());
+    updateWanted();
+  });
+}
+
+void FieldView::tick() {
+  const auto shown = session().timeline().shown();
+  scene_.update(session().store(), shown);
+  drawings_->refresh(session().store());
+  robots_->refresh(session());
+  const auto beliefs = robotBeliefs(session(), scene_, context().field.get(), shown);
+  updateTrails();
+  canvas_->setMovable(scene_.models(), move_->isChecked());
+  canvas_->setContents(figures(beliefs), worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
+                                                       drawings_->shown(), shown));
+  drag_.tick(session());
+  updateWanted();
+  updateStatus();
+}
+
+FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
+  FieldFigures figures;
+  figures.robots = beliefs;
+  figures.trails = trails_.places();
+  if (const auto ball = scene_.modelPose(kBall)) figures.ball = ball->translation().head<2>();
+  if (const auto& field = context().field) {
+    figures.ballRadius = field->ballRadius;
+    const auto* color = field->color(field->ballColor);
+    if (color != nullptr) figures.ballColor = QColor(color->r, color->g, color->b);
+  }
+  return figures;
+}
+
+void FieldView::updateTrails() {
+  if (!showTrails_->isChecked()) return trails_.clear();
+  Trails::Frames frames;
+  std::vector<std::string> models = session().robots();
+  models.emplace_back(kBall);
+  for (const std::string& model : models) {
+    const std::string frame = scene_.modelFrame(model);
+    if (!frame.empty()) frames[frame] = model;
+  }
+  trails_.update(session().store(), frames, session().timeline().shown());
+}
+
+void FieldView::updateWanted() {
+  const QString refusal = drag_.refusal();
+  canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
+  if (!drag_.active()) return canvas_->setWanted({});
+  canvas_->setWanted(WantedPlace{drag_.model(), drag_.wanted(), drag_.model() == kBall, !refusal.isEmpty()});
+}
+
+void FieldView::updateStatus() {
+  const auto& timeline = session().timeline();
+  const QString time = tr("%1 s").arg(robotlink::seconds(timeline.shown()), 0, 'f', 3);
+  time_->setText(timeline.live() ? time : tr("%1  history").arg(time));
+  const QTransform transform = canvas_->transform();
+  zoom_->setText(tr("%1 px/m").arg(qRound(std::hypot(transform.m11(), transform.m12()))));
+}
+
+void FieldView::turn() {
+  FieldViewport viewport = canvas_->viewport();
+  viewport.quarterTurns = (viewport.quarterTurns + 1) % 4;
+  canvas_->setViewport(viewport);
+}
+
+bool FieldView::savePicture(const QString& file) {
+  return widgets::savePicture(this, canvas_->rendered(), file);
+}
+
+QJsonObject FieldView::saveState() const {
+  const FieldViewport& viewport = canvas_->viewport();
+  return {{QStringLiteral("robot"), robots_->choice()},
+          {QStringLiteral("drawings"), drawings_->saveState()},
+          {QStringLiteral("panel"), showDrawings_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("move"), move_->isChecked()},
+          {QStringLiteral("trails"), showTrails_->isChecked()},
+          {QStringLiteral("fit"), viewport.fit},
+          {QStringLiteral("scale"), viewport.scale},
+          {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}},
+          {QStringLiteral("quarterTurns"), viewport.quarterTurns}};
+}
+
+void FieldView::restoreState(const QJsonObject& state) {
+  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
+  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+  move_->setChecked(state[QStringLiteral("move")].toBool(true));
+  showTrails_->setChecked(state[QStringLiteral("trails")].toBool());
+  const QJsonArray center = state[QStringLiteral("center")].toArray();
+  FieldViewport viewport;
+  viewport.fit = state[QStringLiteral("fit")].toBool(true);
+  viewport.scale = std::clamp(state[QStringLiteral("scale")].toDouble(100), FieldViewport::kMinimumScale,
+                              FieldViewport::kMaximumScale);
+  viewport.center = {center.at(0).toDouble(), center.at(1).toDouble()};
+  viewport.quarterTurns = std::clamp(state[QStringLiteral("quarterTurns")].toInt(), 0, 3);
+  canvas_->setViewport(viewport);
+  robots_->setChoice(state[QStringLiteral("robot")].toString());
+}
+
+}  // namespace widgets

@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/field/FieldViewport.h"
+
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+using robotlink::Vector2;
+
+constexpr double kFarthest = 20;  // m from the field's centre
+
+FieldViewport unfitted(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+  if (!viewport.fit) return viewport;
+  return {false, shownScale(viewport, extent, widget), Vector2::Zero(), viewport.quarterTurns};
+}
+
+}  // namespace
+
+double shownScale(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+  if (!viewport.fit || extent.isEmpty()) return viewport.scale;
+  const QSizeF turned = viewport.quarterTurns % 2 == 0 ? extent : extent.transposed();
+  const double fitting = std::min(widget.width() / turned.width(), widget.height() / turned.height());
+  return std::clamp(fitting, FieldViewport::kMinimumScale, FieldViewport::kMaximumScale);
+}
+
+QTransform fieldToWidget(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+  const FieldViewport shown = unfitted(viewport, extent, widget);
+  QTransform transform;
+  transform.translate(widget.width() / 2, widget.height() / 2);
+  transform.scale(shown.scale, -shown.scale);
+  transform.rotate(90 * shown.quarterTurns);
+  transform.translate(-shown.center.x(), -shown.center.y());
+  return transform;
+}
+
+Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at) {
+  const QPointF ground = fieldToWidget.inverted().map(at);
+  return {ground.x(), ground.y()};
+}
+
+FieldViewport zoomed(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget, double factor,
+                     const QPointF& at) {
+  FieldViewport result = unfitted(viewport, extent, widget);
+  const Vector2 before = groundAt(fieldToWidget(viewport, extent, widget), at);
+  result.scale =
+      std::clamp(result.scale * factor, FieldViewport::kMinimumScale, FieldViewport::kMaximumScale);
+  const Vector2 after = groundAt(fieldToWidget(result, extent, widget), at);
+  result.center = (result.center + before - after).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  return result;
+}
+
+FieldViewport panned(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget,
+                     const QPointF& by) {
+  FieldViewport result = unfitted(viewport, extent, widget);
+  const QTransform transform = fieldToWidget(viewport, extent, widget);
+  const Vector2 moved = groundAt(transform, by) - groundAt(transform, {0, 0});
+  result.center = (result.center - moved).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  return result;
+}
+
+}  // namespace widgets

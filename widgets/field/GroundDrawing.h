@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTransform>
+
+#include "robotlink/base/Geometry.h"
+
+class QPainter;
+namespace foxglove {
+class SceneEntity;
+}
+
+namespace widgets {
+
+/// Paints a drawing of the world as seen from above: everything is projected to the ground, in the order in
+/// which it is stored, fills first. `frameInField` is the frame that the entity's coordinates are in. Widths
+/// and font sizes that the drawing says are independent of scale are pixels of the screen. Pure.
+void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
+                    const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
+
+}  // namespace widgets

@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/image/ImagePainter.h"
+
+#include <QPainter>
+#include <QPolygonF>
+
+#include "foxglove/Image.pb.h"
+
+namespace widgets {
+namespace {
+
+using foxglove::PointsAnnotation;
+
+constexpr double kGridZoom = 12;  // from here on there is room for lines between pixels
+
+QColor qColor(const foxglove::Color& color) {
+  const auto channel = [](double value) { return std::clamp(value, 0.0, 1.0); };
+  return QColor::fromRgbF(channel(color.r()), channel(color.g()), channel(color.b()), channel(color.a()));
+}
+
+QPointF qPoint(const foxglove::Point2& point) {
+  return {point.x(), point.y()};
+}
+
+QPen screenPen(const foxglove::Color& color, double thickness) {
+  QPen pen(qColor(color), std::max(1.0, thickness), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+  if (color.a() <= 0) pen.setStyle(Qt::NoPen);
+  return pen;
+}
+
+QBrush fillBrush(const foxglove::Color& color) {
+  return color.a() > 0 ? QBrush(qColor(color)) : QBrush(Qt::NoBrush);
+}
+
+void paintCircle(QPainter& painter, const foxglove::CircleAnnotation& circle, const QTransform& toWidget) {
+  painter.setPen(screenPen(circle.outline_color(), circle.thickness()));
+  painter.setBrush(fillBrush(circle.fill_color()));
+  const double radius = circle.diameter() / 2 * toWidget.m11();
+  painter.drawEllipse(toWidget.map(qPoint(circle.position())), radius, radius);
+}
+
+/// The colour of the i-th point or segment: its own where there is one for each, else that of all.
+const foxglove::Color& colorOf(const PointsAnnotation& points, int i) {
+  return i < points.outline_colors_size() ? points.outline_colors(i) : points.outline_color();
+}
+
+void paintDots(QPainter& painter, const PointsAnnotation& points, const QPolygonF& at) {
+  const double radius = std::max(1.0, points.thickness()) / 2;
+  painter.setPen(Qt::NoPen);
+  for (int i = 0; i < at.size(); ++i) {
+    painter.setBrush(qColor(colorOf(points, i)));
+    painter.drawEllipse(at[i], radius, radius);
+  }
+}
+
+void paintSegments(QPainter& painter, const PointsAnnotation& points, const QPolygonF& at) {
+  const bool strip = points.type() == PointsAnnotation::LINE_STRIP;
+  for (int i = 0, segment = 0; i + 1 < at.size(); i += strip ? 1 : 2, ++segment) {
+    painter.setPen(screenPen(colorOf(points, segment), points.thickness()));
+    painter.drawLine(at[i], at[i + 1]);
+  }
+}
+
+void paintPoints(QPainter& painter, const PointsAnnotation& points, const QTransform& toWidget) {
+  QPolygonF at;
+  for (const auto& point : points.points()) at << toWidget.map(qPoint(point));
+  switch (points.type()) {
+    case PointsAnnotation::POINTS:
+      paintDots(painter, points, at);
+      break;
+    case PointsAnnotation::LINE_LOOP:
+      painter.setPen(screenPen(points.outline_color(), points.thickness()));
+      painter.setBrush(fillBrush(points.fill_color()));
+      painter.drawPolygon(at);
+      break;
+    case PointsAnnotation::LINE_STRIP:
+    case PointsAnnotation::LINE_LIST:
+      paintSegments(painter, points, at);
+      break;
+    default:
+      break;
+  }
+}
+
+void paintText(QPainter& painter, const foxglove::TextAnnotation& text, const QTransform& toWidget) {
+  QFont font = painter.font();
+  font.setPixelSize(std::max(6, qRound(text.font_size())));
+  painter.setFont(font);
+  const QString string = QString::fromStdString(text.text());
+  const QPointF at = toWidget.map(qPoint(text.position()));
+  if (text.background_color().a() > 0) {
+    const QRectF box = QFontMetricsF(font).boundingRect(string).translated(at).adjusted(-2, -1, 2, 1);
+    painter.fillRect(box, qColor(text.background_color()));
+  }
+  painter.setPen(qColor(text.text_color()));
+  painter.drawText(at, string);
+}
+
+void paintGrid(QPainter& painter, const QRectF& visible, const QTransform& toWidget) {
+  painter.setRenderHint(QPainter::Antialiasing, false);
+  painter.setPen(QPen(QColor(128, 128, 128, 90), 1));
+  for (double x = std::floor(visible.left()); x <= visible.right(); ++x) {
+    painter.drawLine(toWidget.map(QPointF(x, visible.top())), toWidget.map(QPointF(x, visible.bottom())));
+  }
+  for (double y = std::floor(visible.top()); y <= visible.bottom(); ++y) {
+    painter.drawLine(toWidget.map(QPointF(visible.left(), y)), toWidget.map(QPointF(visible.right(), y)));
+  }
+}
+
+void paintPixels(QPainter& painter, const QImage& pixels, const QRectF& widget, const QTransform& toWidget) {
+  const double zoom = toWidget.m11();
+  painter.setRenderHint(QPainter::SmoothPixmapTransform, zoom < 1);
+  painter.drawImage(toWidget.mapRect(QRectF(pixels.rect())), pixels);
+  if (zoom < kGridZoom) return;
+  paintGrid(painter, toWidget.inverted().mapRect(widget).intersected(QRectF(pixels.rect())), toWidget);
+}
+
+}  // namespace
+
+void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
+                      const QTransform& imageToWidget) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  for (const auto& circle : drawing.circles()) paintCircle(painter, circle, imageToWidget);
+  for (const auto& points : drawing.points()) paintPoints(painter, points, imageToWidget);
+  for (const auto& text : drawing.texts()) paintText(painter, text, imageToWidget);
+  painter.restore();
+}
+
+void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& picture,
+                  const ImageViewport& viewport) {
+  if (picture.pixels.isNull()) return;
+  const QTransform toWidget = imageToWidget(viewport, picture.pixels.size(), widget);
+  painter.save();
+  painter.setClipRect(QRectF(QPointF(), widget), Qt::IntersectClip);
+  paintPixels(painter, picture.pixels, QRectF(QPointF(), widget), toWidget);
+  for (const auto* drawing : picture.drawings) paintAnnotations(painter, *drawing, toWidget);
+  painter.restore();
+}
+
+QImage renderPicture(const ImagePicture& picture, int scale) {
+  QImage result(picture.pixels.size() * scale, QImage::Format_RGB32);
+  result.fill(Qt::black);
+  QPainter painter(&result);
+  paintPicture(painter, result.size(), picture, {});
+  return result;
+}
+
+}  // namespace widgets

@@ -1,0 +1,334 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/image/ImageView.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QLabel>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "foxglove/Image.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/DrawingsPanel.h"
+#include "widgets/PictureFile.h"
+#include "widgets/image/ImageCanvas.h"
+#include "widgets/image/ImagePixels.h"
+#include "widgets/models/DrawingsModel.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"image", QT_TRANSLATE_NOOP("widgets::ImageView", "Image"),
+     QT_TRANSLATE_NOOP("widgets::ImageView", "Images with the drawings of what the program sees in them"),
+     "image", true, create<ImageView>}};
+
+constexpr char kDefaultChoice[] = "*/camera/image";
+
+/// "*/camera/image" of "red1/camera/image".
+QString ofSelectedRobot(const QString& path) {
+  return QStringLiteral("*/") + path.section(QLatin1Char('/'), 1);
+}
+
+}  // namespace
+
+ImageView::ImageView(ViewContext& context, QWidget* parent)
+    : View(context, parent), choice_(QLatin1String(kDefaultChoice)) {
+  setObjectName(QStringLiteral("imageView"));
+  drawings_ = new DrawingsModel({QStringLiteral("image")}, this);
+  createActions();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+ImageView::~ImageView() = default;
+
+void ImageView::createActions() {
+  fit_ = makeAction(this, "fit",
+                    {"imageFit", tr("Fit"), tr("Shows the whole image, as large as it fits"), Qt::Key_F});
+  oneToOne_ = makeAction(this, "one-to-one",
+                         {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_1});
+  zoomIn_ =
+      makeAction(this, "zoom-in", {"imageZoomIn", tr("Zoom in"), tr("Enlarges the image"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out",
+                        {"imageZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
+  freeze_ = makeAction(
+      this, "lock",
+      {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_Space});
+  showDrawings_ = makeAction(this, "layers",
+                             {"imageDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  freeze_->setCheckable(true);
+  showDrawings_->setCheckable(true);
+  copy_ = makeAction(this, "copy",
+                     {"imageCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+  copyImage_ = makeAction(
+      this, "copy",
+      {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
+  save_ = makeAction(
+      this, "save",
+      {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+  saveImage_ = makeAction(this, "save",
+                          {"imageSaveImage", tr("Save image only..."),
+                           tr("Saves the image in its own size, without drawings, as PNG")});
+}
+
+void ImageView::createViews() {
+  canvas_ = new ImageCanvas(this);
+  auto* panel = new DrawingsPanel(*drawings_, this);
+  panel->hide();
+  splitter_ = new QSplitter(this);
+  splitter_->setObjectName(QStringLiteral("imageSplitter"));
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(panel);
+  splitter_->setStretchFactor(0, 1);
+  splitter_->setCollapsible(0, false);
+  splitter_->setSizes({400, 180});
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter_, 1);
+  layout->addWidget(createFooter());
+  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
+}
+
+QWidget* ImageView::createToolRow() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setSpacing(1);
+  streams_ = new QComboBox(row);
+  describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
+  streams_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  streams_->setMinimumContentsLength(14);
+  layout->addWidget(streams_, 1);
+  for (QAction* action : {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_})
+    layout->addWidget(makeButton(row, action));
+  return row;
+}
+
+QWidget* ImageView::createFooter() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(6, 2, 6, 2);
+  layout->setSpacing(12);
+  const auto add = [&](const char* name, const QString& text, int stretch) {
+    auto* label = new QLabel(row);
+    describe(*label, {name, text, text});
+    label->setTextFormat(Qt::PlainText);
+    layout->addWidget(label, stretch);
+    return label;
+  };
+  time_ = add("imageTime", tr("Time of the image"), 0);
+  state_ = add("imageState", tr("Whether the image is live, frozen or old"), 0);
+  pixel_ = add("imagePixel", tr("Pixel under the cursor"), 1);
+  zoom_ = add("imageZoom", tr("Zoom"), 0);
+  pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  pixel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  pixel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return row;
+}
+
+void ImageView::connectSignals() {
+  connect(fit_, &QAction::triggered, this, [this] { canvas_->setViewport({}); });
+  connect(oneToOne_, &QAction::triggered, this, [this] { canvas_->zoomBy(1 / canvas_->zoom()); });
+  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
+  connect(freeze_, &QAction::toggled, this, [this](bool frozen) {
+    frozenAt_ = frozen ? std::optional(session().timeline().shown()) : std::nullopt;
+    tick();
+  });
+  connect(streams_, QOverload<int>::of(&QComboBox::activated), this,
+          [this] { selectStream(streams_->currentData().toString()); });
+  connect(drawings_, &DrawingsModel::shownChanged, this, &ImageView::showMessage);
+  connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageView::updateStatus);
+  connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageView::updatePixel);
+  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
+  connect(copyImage_, &QAction::triggered, this, [this] { copyPicture(canvas_->picture().pixels); });
+  connect(save_, &QAction::triggered, this,
+          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("picture.png")); });
+  connect(saveImage_, &QAction::triggered, this,
+          [this] { savePictureAs(this, canvas_->picture().pixels, QStringLiteral("image.png")); });
+  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  canvas_->addActions({copy_, copyImage_, save_, saveImage_});
+}
+
+void ImageView::tick() {
+  refreshStreams();
+  drawings_->refresh(session().store());
+  const auto* message = session().store().latest(streamPath(), instant());
+  // What is frozen stays, even when the history no longer reaches back to it.
+  if (!frozenAt_ || message != nullptr) {
+    message_ = message == nullptr ? nullptr : message->value;
+    imageTime_ = message == nullptr ? robotlink::Instant() : message->time;
+    showMessage();
+  }
+  updateStatus();
+}
+
+void ImageView::refreshStreams() {
+  const auto& store = session().store();
+  if (store.listVersion() == listVersion_ && session().selectedRobot() == listedRobot_) return;
+  listVersion_ = store.listVersion();
+  listedRobot_ = session().selectedRobot();
+  QStringList choices, paths;
+  for (const auto* stream : store.streams()) {
+    if (stream->type != "foxglove.RawImage") continue;
+    const QString path = QString::fromStdString(stream->path);
+    paths << path;
+    if (path.startsWith(QString::fromStdString(listedRobot_) + QLatin1Char('/')))
+      choices << ofSelectedRobot(path);
+  }
+  if (!paths.contains(choice_) && !choices.contains(choice_)) choices.prepend(choice_);
+  streams_->clear();
+  for (const QString& choice : choices + paths) {
+    const QString title =
+        choice.startsWith(QLatin1Char('*')) ? tr("Selected robot: %1").arg(choice.mid(2)) : choice;
+    streams_->addItem(title, choice);
+  }
+  streams_->setCurrentIndex(streams_->findData(choice_));
+  Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streamPath())));
+}
+
+void ImageView::selectStream(const QString& choice) {
+  if (choice.isEmpty()) return;
+  choice_ = choice;
+  listVersion_ = ~0ULL;
+  freeze_->setChecked(false);
+  tick();
+}
+
+std::string ImageView::streamPath() const {
+  QString path = choice_;
+  if (path.startsWith(QLatin1Char('*')))
+    path.replace(0, 1, QString::fromStdString(session().selectedRobot()));
+  return path.toStdString();
+}
+
+std::string ImageView::robot() const {
+  return QString::fromStdString(streamPath()).section(QLatin1Char('/'), 0, 0).toStdString();
+}
+
+robotlink::Instant ImageView::instant() const {
+  return frozenAt_.value_or(session().timeline().shown());
+}
+
+void ImageView::showMessage() {
+  auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message_);
+  auto drawings = image ? currentDrawings(session(), robot(), drawings_->shown(), instant())
+                        : std::vector<CurrentDrawing>();
+  const bool same = image == image_ && drawings == shownDrawings_;
+  image_ = std::move(image);
+  canvas_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streamPath())));
+  if (same) return;
+  shownDrawings_ = std::move(drawings);
+  ImagePicture picture;
+  std::vector<robotlink::PackagePtr> keep;
+  if (image_) picture.pixels = toQImage(robotlink::imageView(*image_), classColors());
+  for (const CurrentDrawing& drawing : shownDrawings_) {
+    const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
+    if (annotations == nullptr) continue;
+    picture.drawings.push_back(annotations);
+    keep.push_back(drawing.message);
+  }
+  canvas_->setPicture(std::move(picture), std::move(keep));
+}
+
+void ImageView::updateStatus() {
+  canvas_->setFrozen(frozenAt_.has_value());
+  time_->setText(image_ ? tr("%1 s").arg(robotlink::seconds(imageTime_), 0, 'f', 3) : tr("no image yet"));
+  state_->setText(image_ ? staleText() : QString());
+  state_->setVisible(!state_->text().isEmpty());
+  zoom_->setText(image_ ? tr("%1 %").arg(qRound(canvas_->zoom() * 100)) : QString());
+}
+
+QString ImageView::staleText() const {
+  if (frozenAt_) return tr("frozen");
+  if (!session().timeline().live()) return tr("history");
+  const double age = robotlink::seconds(session().timeline().shown() - imageTime_);
+  return age > 0.5 ? tr("%1 s old").arg(age, 0, 'f', 1) : QString();
+}
+
+void ImageView::updatePixel() {
+  const auto at = canvas_->pixelUnderCursor();
+  if (!at || !image_) return pixel_->clear();
+  const auto pixel = pixelAt(robotlink::imageView(*image_), at->x(), at->y());
+  pixel_->setText(pixel ? describe(*pixel, classNameAt(at->x(), at->y())) : QString());
+}
+
+/// Of an image of classes the name of the class; of any other, that of the palette's colour if it is exactly
+/// this.
+std::string ImageView::classNameAt(int x, int y) const {
+  const auto pixel = pixelAt(robotlink::imageView(*image_), x, y);
+  if (!pixel) return {};
+  if (pixel->value) {
+    const auto names = classNames();
+    return static_cast<std::size_t>(*pixel->value) < names.size()
+               ? names[static_cast<std::size_t>(*pixel->value)]
+               : "";
+  }
+  if (pixel->ycbcr || !context().field) return {};
+  for (const auto& color : context().field->palette) {
+    if (color.rgb == pixel->rgb) return color.name;
+  }
+  return {};
+}
+
+/// The classes of a robot's segmented images, by index. Empty for an image of grey values.
+std::vector<std::string> ImageView::classNames() const {
+  if (!image_ || image_->encoding() != "mono8" || streamPath().find("/images/") == std::string::npos)
+    return {};
+  const std::string path = robot() + "/" + robotlink::kColorRegions.name;
+  const auto* regions = session().store().latestAs<robotcontrol::ColorRegions>(path, imageTime_);
+  if (regions == nullptr) return {};
+  return {regions->class_names().begin(), regions->class_names().end()};
+}
+
+std::vector<robotlink::Rgb> ImageView::classColors() const {
+  std::vector<robotlink::Rgb> colors;
+  for (const std::string& name : classNames()) {
+    const auto* color = context().field ? context().field->color(name) : nullptr;
+    colors.push_back(color != nullptr ? *color : robotlink::Rgb{});
+  }
+  return colors;
+}
+
+bool ImageView::savePicture(const QString& file, bool withDrawings) {
+  return widgets::savePicture(this, withDrawings ? canvas_->rendered() : canvas_->picture().pixels, file);
+}
+
+QJsonObject ImageView::saveState() const {
+  const ImageViewport& viewport = canvas_->viewport();
+  return {{QStringLiteral("stream"), choice_},
+          {QStringLiteral("drawings"), drawings_->saveState()},
+          {QStringLiteral("panel"), showDrawings_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("fit"), viewport.fit},
+          {QStringLiteral("zoom"), viewport.zoom},
+          {QStringLiteral("center"), QJsonArray{viewport.center.x(), viewport.center.y()}}};
+}
+
+void ImageView::restoreState(const QJsonObject& state) {
+  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
+  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+  const QJsonArray center = state[QStringLiteral("center")].toArray();
+  canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),
+                        std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,
+                                   ImageViewport::kMaximumZoom),
+                        {center.at(0).toDouble(), center.at(1).toDouble()}});
+  selectStream(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
+}
+
+}  // namespace widgets

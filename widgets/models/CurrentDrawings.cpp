@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/CurrentDrawings.h"
+
+#include <map>
+
+#include "robotlink/session/FrameDrawings.h"
+#include "robotlink/session/Session.h"
+
+namespace widgets {
+namespace {
+
+using robotlink::DrawingKind;
+
+constexpr std::pair<const char*, DrawingKind> kKinds[] = {
+    {"image/", DrawingKind::kImage}, {"field/", DrawingKind::kField}, {"robot/", DrawingKind::kRobot}};
+
+}  // namespace
+
+std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
+                                            const QStringList& ids, robotlink::Instant shown) {
+  std::map<std::string, const robotlink::StreamMessage*> byId;
+  for (const auto& [folder, kind] : kKinds) {
+    const bool wanted = std::any_of(ids.begin(), ids.end(),
+                                    [&](const QString& id) { return id.startsWith(QLatin1String(folder)); });
+    if (!wanted) continue;
+    const std::size_t prefix = robotlink::drawingPrefix(robot, kind).size();
+    for (const auto* message : robotlink::currentDrawings(session.store(), robot, kind, shown)) {
+      byId[folder + message->path.substr(prefix)] = message;
+    }
+  }
+  std::vector<CurrentDrawing> drawings;
+  for (const QString& id : ids) {
+    const auto found = byId.find(id.toStdString());
+    if (found != byId.end()) drawings.push_back({id, robot, found->second->value});
+  }
+  return drawings;
+}
+
+}  // namespace widgets

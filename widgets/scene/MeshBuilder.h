@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+
+#include "robotlink/base/Geometry.h"
+#include "widgets/scene/SceneMesh.h"
+
+namespace widgets {
+
+/// Adds primitive shapes to a mesh, each at a pose in the mesh's frame. Metres.
+class MeshBuilder {
+ public:
+  using Color = std::array<std::uint8_t, 4>;
+
+  explicit MeshBuilder(SceneMesh& to) : to_(to) {}
+
+  void box(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
+  void sphere(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
+  /// Along z; the radii at its ends are those of `size` times the scales.
+  void cylinder(const robotlink::Pose3& pose, const robotlink::Vector3& size, double bottomScale,
+                double topScale, Color color);
+  /// Three points for each triangle. `colors` has one for each triangle.
+  void triangles(std::span<const robotlink::Vector3> corners, std::span<const Color> colors);
+
+ private:
+  std::uint32_t add(const robotlink::Vector3& position, const robotlink::Vector3& normal, Color color);
+  void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  void disc(const robotlink::Pose3& pose, const robotlink::Vector3& size, double z, double scale,
+            Color color);
+
+  SceneMesh& to_;
+};
+
+}  // namespace widgets

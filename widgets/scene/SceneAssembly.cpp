@@ -1,0 +1,67 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneAssembly.h"
+
+#include "foxglove/Scene.pb.h"
+
+namespace widgets {
+
+std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
+  std::vector<SceneBody> bodies;
+  for (const auto& [id, item] : scene.items()) {
+    const auto pose = scene.framePose(item.entity->frame_id());
+    if (pose) bodies.push_back({shape(sceneShapes_, item.entity, item.keep), *pose, item.model});
+  }
+  forgetUnused(sceneShapes_);
+  return bodies;
+}
+
+std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& drawings) {
+  std::vector<SceneBody> bodies;
+  for (const WorldDrawing& drawing : drawings) {
+    bodies.push_back({shape(drawingShapes_, drawing.entity, drawing.keep), drawing.frameInField, {}});
+  }
+  forgetUnused(drawingShapes_);
+  return bodies;
+}
+
+std::vector<SceneLabel> SceneAssembly::labels(const std::vector<SceneBody>& drawings) {
+  std::vector<SceneLabel> labels;
+  for (const SceneBody& body : drawings) {
+    for (const SceneText& text : body.shape->texts) {
+      const QColor color(text.color[0], text.color[1], text.color[2], text.color[3]);
+      labels.push_back(
+          {body.inField * text.position, QString::fromStdString(text.text), color, text.size, false});
+    }
+  }
+  return labels;
+}
+
+const std::shared_ptr<const SceneShape>& SceneAssembly::shape(Shapes& shapes,
+                                                              const foxglove::SceneEntity* entity,
+                                                              const robotlink::PackagePtr& keep) {
+  const auto [found, isNew] = shapes.try_emplace(entity);
+  if (isNew) found->second = {keep, std::make_shared<const SceneShape>(shapeOf(*entity)), true};
+  found->second.used = true;
+  return found->second.shape;
+}
+
+void SceneAssembly::forgetUnused(Shapes& shapes) {
+  std::erase_if(shapes, [](const auto& entry) { return !entry.second.used; });
+  for (auto& [entity, shape] : shapes) shape.used = false;
+}
+
+std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray) {
+  std::optional<SceneHit> hit;
+  double nearest = 1e9;
+  for (const SceneBody& body : bodies) {
+    const robotlink::Pose3 fieldInBody = body.inField.inverse();
+    const auto distance =
+        distanceTo(body.shape->opaque, {fieldInBody * ray.origin, fieldInBody.linear() * ray.direction});
+    if (!distance || *distance >= nearest) continue;
+    nearest = *distance;
+    hit = SceneHit{body.model, ray.at(nearest)};
+  }
+  return hit;
+}
+
+}  // namespace widgets

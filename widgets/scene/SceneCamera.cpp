@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneCamera.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace widgets {
+namespace {
+
+using robotlink::Vector2;
+using robotlink::Vector3;
+
+constexpr double kHighest = robotlink::radians(89.9), kLowest = robotlink::radians(-5);
+constexpr double kFarthestTarget = 10;  // m
+constexpr double kFarthestPlane = 50;   // m
+
+}  // namespace
+
+std::optional<Vector3> Ray::onPlane(double height) const {
+  if (std::abs(direction.z()) < 1e-9) return std::nullopt;
+  const double distance = (height - origin.z()) / direction.z();
+  if (distance <= 0 || distance > kFarthestPlane) return std::nullopt;
+  return at(distance);
+}
+
+Vector3 SceneCamera::position() const {
+  const double level = distance * std::cos(elevation);
+  return target +
+         Vector3(level * std::cos(azimuth), level * std::sin(azimuth), distance * std::sin(elevation));
+}
+
+Eigen::Matrix4d SceneCamera::view() const {
+  const Vector3 eye = position();
+  const Vector3 forward = (target - eye).normalized();
+  const Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
+  const Vector3 up = right.cross(forward);
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Identity();
+  matrix.block<1, 3>(0, 0) = right.transpose();
+  matrix.block<1, 3>(1, 0) = up.transpose();
+  matrix.block<1, 3>(2, 0) = -forward.transpose();
+  matrix.block<3, 1>(0, 3) = -(matrix.block<3, 3>(0, 0) * eye);
+  return matrix;
+}
+
+Eigen::Matrix4d SceneCamera::projection(const QSizeF& widget) const {
+  const double near = std::max(0.02, 0.02 * distance), far = 60;
+  const double f = 1 / std::tan(kVerticalAngle / 2);
+  Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
+  matrix(0, 0) = f * widget.height() / widget.width();
+  matrix(1, 1) = f;
+  matrix(2, 2) = (far + near) / (near - far);
+  matrix(2, 3) = 2 * far * near / (near - far);
+  matrix(3, 2) = -1;
+  return matrix;
+}
+
+Ray SceneCamera::ray(const QSizeF& widget, const QPointF& at) const {
+  const double f = std::tan(kVerticalAngle / 2);
+  const Vector3 inCamera((2 * at.x() / widget.width() - 1) * f * widget.width() / widget.height(),
+                         (1 - 2 * at.y() / widget.height()) * f, -1);
+  return {position(), (view().block<3, 3>(0, 0).transpose() * inCamera).normalized()};
+}
+
+std::optional<QPointF> SceneCamera::project(const QSizeF& widget, const Vector3& point) const {
+  const Eigen::Vector4d clip = projection(widget) * view() * point.homogeneous();
+  if (clip.w() < 1e-6) return std::nullopt;
+  return QPointF((clip.x() / clip.w() + 1) / 2 * widget.width(),
+                 (1 - clip.y() / clip.w()) / 2 * widget.height());
+}
+
+void SceneCamera::orbit(const QPointF& by) {
+  constexpr double kPerPixel = robotlink::radians(0.4);
+  azimuth = robotlink::normalizedAngle(azimuth - by.x() * kPerPixel);
+  elevation = std::clamp(elevation + by.y() * kPerPixel, kLowest, kHighest);
+}
+
+void SceneCamera::pan(const QSizeF& widget, const QPointF& by) {
+  const double perPixel = 2 * distance * std::tan(kVerticalAngle / 2) / widget.height();
+  const Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
+  const Vector3 ahead(-std::cos(azimuth), -std::sin(azimuth), 0);
+  // On the ground: what is foreshortened moves further.
+  const double foreshortened = std::max(0.25, std::sin(elevation));
+  target += -by.x() * perPixel * right + by.y() * perPixel / foreshortened * ahead;
+  target = target.cwiseMax(-kFarthestTarget).cwiseMin(kFarthestTarget);
+}
+
+void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
+  const auto fixed = ray(widget, at).onPlane(target.z());
+  const double before = distance;
+  distance = std::clamp(distance / factor, kMinimumDistance, kMaximumDistance);
+  if (!fixed) return;
+  const double share = 1 - distance / before;
+  target += share * (*fixed - target);
+  target = target.cwiseMax(-kFarthestTarget).cwiseMin(kFarthestTarget);
+}
+
+SceneCamera SceneCamera::fromAbove() {
+  SceneCamera camera;
+  camera.elevation = kHighest;
+  camera.distance = 5.6;
+  return camera;
+}
+
+SceneCamera SceneCamera::behind(const robotlink::Pose2& pose) {
+  SceneCamera camera;
+  const Vector2 ahead = pose * Vector2(0.25, 0);
+  camera.target = {ahead.x(), ahead.y(), 0.1};
+  camera.azimuth = robotlink::normalizedAngle(pose.heading + robotlink::kPi);
+  camera.elevation = robotlink::radians(24);
+  camera.distance = 1.3;
+  return camera;
+}
+
+}  // namespace widgets

@@ -1,0 +1,284 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneCanvas.h"
+
+#include <QContextMenuEvent>
+#include <QKeyEvent>
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/models/Theme.h"
+#include "widgets/scene/SceneAssembly.h"
+#include "widgets/scene/SceneOverlay.h"
+
+namespace widgets {
+namespace {
+
+constexpr double kKeyStep = 24;  // pixels that an arrow key is worth
+constexpr double kTurnStep = robotlink::radians(15);
+
+}  // namespace
+
+SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("sceneCanvas"));
+  setAccessibleName(tr("Scene"));
+  setToolTip(
+      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; drag a robot or the ball "
+         "(Control: always): place it, wheel: turn it; R: reset"));
+  setToolTipDuration(4000);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setMinimumSize(120, 90);
+  // A queued call into this thread; it is dropped with this widget, which outlives the thread.
+  const auto finished = [this] {
+    QMetaObject::invokeMethod(
+        this, [this] { takePicture(); }, Qt::QueuedConnection);
+  };
+  thread_ = std::make_unique<RenderThread>(std::move(makeRenderer), finished);
+}
+
+SceneCanvas::~SceneCanvas() {
+  thread_.reset();
+}
+
+void SceneCanvas::setContents(SceneContents contents) {
+  if (contents == contents_) return;
+  contents_ = std::move(contents);
+  request();
+}
+
+void SceneCanvas::setMovable(std::vector<std::string> models, bool always) {
+  movable_ = std::move(models);
+  moveAlways_ = always;
+}
+
+void SceneCanvas::setNotice(const QString& text) {
+  if (text == notice_) return;
+  notice_ = text;
+  update();
+}
+
+void SceneCanvas::setHint(const QString& text) {
+  if (text == hint_) return;
+  hint_ = text;
+  update();
+}
+
+void SceneCanvas::setCamera(const SceneCamera& camera) {
+  if (camera == camera_) return;
+  camera_ = camera;
+  request();
+  Q_EMIT cameraMoved();
+}
+
+void SceneCanvas::zoomBy(double factor) {
+  SceneCamera camera = camera_;
+  camera.zoom(size(), factor, QRectF(rect()).center());
+  setCamera(camera);
+}
+
+void SceneCanvas::setWireFrame(bool wireFrame) {
+  wireFrame_ = wireFrame;
+  request();
+}
+
+void SceneCanvas::setGrid(bool grid) {
+  grid_ = grid;
+  request();
+}
+
+void SceneCanvas::setLabels(bool labels) {
+  labels_ = labels;
+  update();
+}
+
+SceneFrame::Colors SceneCanvas::colors() const {
+  const QColor ink = palette().color(QPalette::WindowText);
+  const QColor ghost(90, 170, 255), refused = colorOf(Meaning::kBad, palette());
+  if (isDark(palette()))
+    return {QColor(66, 76, 88), QColor(30, 34, 39), QColor(150, 165, 180), ink, Qt::white, ghost, refused};
+  return {QColor(196, 212, 226), QColor(240, 243, 246), QColor(90, 105, 120), ink, Qt::white, ghost, refused};
+}
+
+void SceneCanvas::request() {
+  if (width() < 2 || height() < 2) return;
+  auto frame = std::make_shared<SceneFrame>();
+  frame->pixelRatio = devicePixelRatioF();
+  frame->pixels = (QSizeF(size()) * frame->pixelRatio).toSize();
+  frame->camera = camera_;
+  frame->colors = colors();
+  frame->wireFrame = wireFrame_;
+  frame->grid = grid_;
+  frame->contents = contents_;
+  frame->highlighted = highlighted_;
+  frame->hurry = mode_ != Mode::kIdle;
+  requested_ = frame;
+  thread_->request(std::move(frame));
+}
+
+void SceneCanvas::takePicture() {
+  auto picture = thread_->take();
+  if (picture) shown_ = std::move(*picture);
+  update();
+  if (picture) Q_EMIT pictureShown();
+}
+
+QImage SceneCanvas::rendered() const {
+  if (shown_.image.isNull()) return {};
+  QImage picture = shown_.image;
+  QPainter painter(&picture);
+  if (labels_) paintLabels(painter, size(), shown_.frame->camera, shown_.frame->contents.labels);
+  return picture;
+}
+
+void SceneCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  if (shown_.image.isNull()) {
+    painter.fillRect(rect(), palette().window());
+  } else {
+    painter.setRenderHint(QPainter::SmoothPixmapTransform, shown_.frame->pixels != shown_.image.size());
+    painter.drawImage(QRectF(rect()), shown_.image);
+    if (labels_) paintLabels(painter, size(), shown_.frame->camera, shown_.frame->contents.labels);
+    paintAxes(painter, size(), shown_.frame->camera);
+  }
+  const QString error = QString::fromStdString(thread_->error());
+  if (!error.isEmpty()) return paintSentence(painter, tr("The scene cannot be drawn: %1").arg(error), false);
+  if (contents_.bodies.empty() && !hint_.isEmpty()) paintSentence(painter, hint_, false);
+  if (!notice_.isEmpty()) paintSentence(painter, notice_, true);
+}
+
+void SceneCanvas::paintSentence(QPainter& painter, const QString& text, bool atTop) const {
+  const QFontMetricsF metrics(painter.font());
+  QRectF box =
+      metrics.boundingRect(QRectF(0, 0, std::max(80, width() - 60), height()), Qt::TextWordWrap, text)
+          .adjusted(-12, -6, 12, 6);
+  box.moveCenter(atTop ? QPointF(width() / 2.0, box.height() / 2 + 8) : QRectF(rect()).center());
+  painter.setRenderHint(QPainter::Antialiasing);
+  painter.setPen(Qt::NoPen);
+  painter.setBrush(palette().color(QPalette::ToolTipBase));
+  painter.drawRoundedRect(box, 5, 5);
+  painter.setPen(palette().color(QPalette::ToolTipText));
+  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
+}
+
+void SceneCanvas::resizeEvent(QResizeEvent*) {
+  request();
+}
+
+void SceneCanvas::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) request();
+  QWidget::changeEvent(event);
+}
+
+std::string SceneCanvas::movableAt(const QPointF& at, Qt::KeyboardModifiers modifiers,
+                                   robotlink::Vector3* point) const {
+  if (!moveAlways_ && !modifiers.testFlag(Qt::ControlModifier)) return {};
+  const auto hit = firstHit(contents_.bodies, camera_.ray(size(), at));
+  if (!hit || std::ranges::find(movable_, hit->model) == movable_.end()) return {};
+  if (point != nullptr) *point = hit->point;
+  return hit->model;
+}
+
+void SceneCanvas::highlight(const std::string& model) {
+  if (model == highlighted_) return;
+  highlighted_ = model;
+  model.empty() ? unsetCursor() : setCursor(Qt::OpenHandCursor);
+  request();
+}
+
+bool SceneCanvas::startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers) {
+  robotlink::Vector3 point;
+  const std::string model = movableAt(at, modifiers, &point);
+  if (model.empty()) return false;
+  dragHeight_ = point.z();
+  highlight(model);
+  Q_EMIT dragStarted(QString::fromStdString(model), point.x(), point.y());
+  return true;
+}
+
+SceneCanvas::Mode SceneCanvas::modeFor(const QMouseEvent& event) {
+  if (event.button() != Qt::LeftButton || event.modifiers().testFlag(Qt::ShiftModifier))
+    return Mode::kPanning;
+  return startDrag(event.localPos(), event.modifiers()) ? Mode::kDragging : Mode::kOrbiting;
+}
+
+void SceneCanvas::mousePressEvent(QMouseEvent* event) {
+  if (mode_ != Mode::kIdle) return;
+  last_ = event->localPos();
+  moved_ = false;
+  mode_ = modeFor(*event);
+  setCursor(Qt::ClosedHandCursor);
+}
+
+void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF by = event->localPos() - last_;
+  last_ = event->localPos();
+  moved_ = moved_ || !by.isNull();
+  SceneCamera camera = camera_;
+  switch (mode_) {
+    case Mode::kIdle:
+      return highlight(movableAt(last_, event->modifiers()));
+    case Mode::kOrbiting:
+      camera.orbit(by);
+      return setCamera(camera);
+    case Mode::kPanning:
+      camera.pan(size(), by);
+      return setCamera(camera);
+    case Mode::kDragging:
+      break;
+  }
+  const auto ground = camera_.ray(size(), last_).onPlane(dragHeight_);
+  if (ground) Q_EMIT dragMoved(ground->x(), ground->y());
+}
+
+void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
+  const Mode ended = std::exchange(mode_, Mode::kIdle);
+  unsetCursor();
+  if (ended == Mode::kDragging) Q_EMIT dragEnded();
+  if (event->button() == Qt::RightButton && !moved_) {
+    Q_EMIT customContextMenuRequested(event->pos());
+  }
+  highlighted_.clear();
+  highlight(movableAt(event->localPos(), event->modifiers()));
+  request();
+}
+
+void SceneCanvas::wheelEvent(QWheelEvent* event) {
+  const double notches = event->angleDelta().y() / 120.0;
+  event->accept();
+  if (mode_ == Mode::kDragging) return Q_EMIT dragTurned(notches * kTurnStep);
+  SceneCamera camera = camera_;
+  camera.zoom(size(), std::pow(1.2, notches), event->position());
+  setCamera(camera);
+}
+
+void SceneCanvas::keyPressEvent(QKeyEvent* event) {
+  QPointF by;
+  switch (event->key()) {
+    case Qt::Key_Left:
+      by = {kKeyStep, 0};
+      break;
+    case Qt::Key_Right:
+      by = {-kKeyStep, 0};
+      break;
+    case Qt::Key_Up:
+      by = {0, kKeyStep};
+      break;
+    case Qt::Key_Down:
+      by = {0, -kKeyStep};
+      break;
+    default:
+      return QWidget::keyPressEvent(event);
+  }
+  SceneCamera camera = camera_;
+  event->modifiers().testFlag(Qt::ShiftModifier) ? camera.pan(size(), by) : camera.orbit(by);
+  setCamera(camera);
+}
+
+void SceneCanvas::leaveEvent(QEvent*) {
+  if (mode_ == Mode::kIdle) highlight({});
+}
+
+}  // namespace widgets

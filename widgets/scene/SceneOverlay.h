@@ -1,0 +1,22 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QSizeF>
+#include <vector>
+
+class QPainter;
+
+namespace widgets {
+
+struct SceneCamera;
+struct SceneLabel;
+
+// What is painted over a picture of a scene. Pure functions.
+
+/// Texts at their places; those behind the camera are left out.
+void paintLabels(QPainter& painter, const QSizeF& widget, const SceneCamera& camera,
+                 const std::vector<SceneLabel>& labels);
+/// Where x, y and z of the field point to, in the lower left corner.
+void paintAxes(QPainter& painter, const QSizeF& widget, const SceneCamera& camera);
+
+}  // namespace widgets

@@ -1,0 +1,301 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneRenderer.h"
+
+#include <epoxy/gl.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/scene/EglContext.h"
+#include "widgets/scene/GlObjects.h"
+#include "widgets/scene/SceneShaders.h"
+
+namespace widgets {
+namespace {
+
+using Eigen::Matrix4f;
+using Eigen::Vector3f;
+using Eigen::Vector4f;
+
+constexpr int kLargest = 8192;           // pixels in a row or column
+constexpr float kShadowHeight = 0.003F;  // m above the ground
+
+Vector3f lampDirection() {
+  return Vector3f(0.30F, -0.45F, 0.84F).normalized();
+}
+
+Vector3f rgb(const QColor& color) {
+  return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
+          static_cast<float>(color.blueF())};
+}
+
+/// Lines each half metre, fainter with the distance from the middle, just below the ground.
+SceneLines gridLines(const QColor& color) {
+  constexpr double kReach = 6, kStep = 0.5;
+  SceneLines lines;
+  const auto add = [&](double x0, double y0, double x1, double y1, bool main) {
+    const double fading = 1 - std::hypot(x0 + x1, y0 + y1) / 2 / kReach;
+    if (fading <= 0) return;
+    const auto point = [](double x, double y) {
+      return std::array{static_cast<float>(x), static_cast<float>(y), -0.03F};
+    };
+    const auto alpha = static_cast<std::uint8_t>((main ? 150 : 80) * fading);
+    lines.segments.push_back(
+        {point(x0, y0),
+         point(x1, y1),
+         {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
+          static_cast<std::uint8_t>(color.blue()), alpha},
+         1});
+  };
+  const int count = static_cast<int>(2 * kReach / kStep);
+  for (int i = 0; i <= count; ++i) {
+    for (int k = 0; k < count; ++k) {
+      const double at = i * kStep - kReach, from = k * kStep - kReach;
+      add(at, from, at, from + kStep, i % 2 == 0);
+      add(from, at, from + kStep, at, i % 2 == 0);
+    }
+  }
+  return lines;
+}
+
+/// Projects along the lamp's light onto the ground.
+Matrix4f shadowMatrix() {
+  const Vector3f lamp = lampDirection();
+  Matrix4f matrix = Matrix4f::Identity();
+  matrix(0, 2) = -lamp.x() / lamp.z();
+  matrix(1, 2) = -lamp.y() / lamp.z();
+  matrix(2, 2) = 0;
+  matrix(2, 3) = kShadowHeight;
+  return matrix;
+}
+
+struct GpuShape {
+  explicit GpuShape(std::shared_ptr<const SceneShape> from)
+      : shape(std::move(from)), opaque(shape->opaque), translucent(shape->translucent), lines(shape->lines) {}
+  std::shared_ptr<const SceneShape> shape;
+  GlMesh opaque, translucent;
+  GlLines lines;
+  bool used = true;
+};
+
+}  // namespace
+
+struct SceneRenderer::State {
+  State(EglContext egl, GlProgram skyProgram, GlProgram meshProgram, GlProgram shadowProgram,
+        GlProgram lineProgram)
+      : context(std::move(egl)),
+        sky(std::move(skyProgram)),
+        mesh(std::move(meshProgram)),
+        shadow(std::move(shadowProgram)),
+        line(std::move(lineProgram)) {
+    glGenVertexArrays(1, &nothing);
+  }
+
+  GpuShape& uploaded(const std::shared_ptr<const SceneShape>& shape);
+  void forgetUnused();
+  void prepare(const SceneFrame& frame);
+  void drawSky(const SceneFrame& frame);
+  void drawGrid(const SceneFrame& frame);
+  void drawOpaque(const SceneFrame& frame);
+  void drawShadows(const SceneFrame& frame);
+  void drawDrawings(const SceneFrame& frame);
+  void drawGhosts(const SceneFrame& frame);
+  void setMeshDefaults(const SceneFrame& frame);
+
+  // Members are destroyed from the last to the first: the context goes last.
+  EglContext context;
+  GlProgram sky, mesh, shadow, line;
+  unsigned nothing = 0;  // a vertex array without attributes
+  std::unique_ptr<GlTarget> target;
+  std::map<const SceneShape*, GpuShape> shapes;
+  std::unique_ptr<GlLines> grid;
+  QColor gridColor;
+  Matrix4f viewProjection;
+};
+
+robotlink::Result<SceneRenderer> SceneRenderer::create() {
+  auto context = EglContext::create();
+  if (!context) return tl::unexpected(context.error());
+  auto sky = GlProgram::build(shaders::kSkyVertex, shaders::kSkyFragment);
+  if (!sky) return tl::unexpected(sky.error());
+  auto mesh = GlProgram::build(shaders::kMeshVertex, shaders::kMeshFragment);
+  if (!mesh) return tl::unexpected(mesh.error());
+  auto shadow = GlProgram::build(shaders::kMeshVertex, shaders::kShadowFragment);
+  if (!shadow) return tl::unexpected(shadow.error());
+  auto line = GlProgram::build(shaders::kLineVertex, shaders::kLineFragment);
+  if (!line) return tl::unexpected(line.error());
+  return SceneRenderer(std::make_unique<State>(std::move(*context), std::move(*sky), std::move(*mesh),
+                                               std::move(*shadow), std::move(*line)));
+}
+
+SceneRenderer::SceneRenderer(std::unique_ptr<State> state) : state_(std::move(state)) {}
+SceneRenderer::SceneRenderer(SceneRenderer&&) noexcept = default;
+SceneRenderer::~SceneRenderer() = default;
+
+const std::string& SceneRenderer::device() const {
+  return state_->context.renderer();
+}
+bool SceneRenderer::software() const {
+  return state_->context.software();
+}
+
+QImage SceneRenderer::render(const SceneFrame& frame) {
+  if (frame.pixels.isEmpty() || frame.pixels.width() > kLargest || frame.pixels.height() > kLargest)
+    return {};
+  if (!state_->target || state_->target->size() != frame.pixels) {
+    state_->target.reset();
+    state_->target = std::make_unique<GlTarget>(frame.pixels);
+  }
+  if (!state_->target->complete()) return {};
+  state_->prepare(frame);
+  state_->drawSky(frame);
+  if (frame.grid) state_->drawGrid(frame);
+  state_->drawOpaque(frame);
+  if (!frame.wireFrame) state_->drawShadows(frame);
+  state_->drawDrawings(frame);
+  state_->drawGhosts(frame);
+  state_->forgetUnused();
+  QImage picture(frame.pixels, QImage::Format_RGB32);
+  state_->target->read(picture.bits());
+  picture.setDevicePixelRatio(frame.pixelRatio);
+  return picture;
+}
+
+GpuShape& SceneRenderer::State::uploaded(const std::shared_ptr<const SceneShape>& shape) {
+  GpuShape& gpu = shapes.try_emplace(shape.get(), shape).first->second;
+  gpu.used = true;
+  return gpu;
+}
+
+void SceneRenderer::State::forgetUnused() {
+  std::erase_if(shapes, [](const auto& entry) { return !entry.second.used; });
+  for (auto& [key, shape] : shapes) shape.used = false;
+}
+
+void SceneRenderer::State::prepare(const SceneFrame& frame) {
+  target->bind();
+  Matrix4f flip = Matrix4f::Identity();
+  flip(1, 1) = -1;
+  const QSizeF size(frame.pixels);
+  viewProjection = flip * (frame.camera.projection(size) * frame.camera.view()).cast<float>();
+  glDisable(GL_CULL_FACE);
+  glEnable(GL_BLEND);
+  glBlendFunc(GL_SRC_ALPHA, GL_ONE_MINUS_SRC_ALPHA);
+  glDepthFunc(GL_LEQUAL);
+  glDepthMask(GL_TRUE);
+  glClear(GL_DEPTH_BUFFER_BIT | GL_STENCIL_BUFFER_BIT);
+  line.use();
+  line.set("viewProjection", viewProjection);
+  line.set("viewport", Vector3f(static_cast<float>(size.width()), static_cast<float>(size.height()),
+                                static_cast<float>(frame.pixelRatio)));
+  line.set("pixelsPerMetre",
+           static_cast<float>(size.height() / 2 / std::tan(SceneCamera::kVerticalAngle / 2)));
+}
+
+void SceneRenderer::State::drawSky(const SceneFrame& frame) {
+  glDisable(GL_DEPTH_TEST);
+  glDisable(GL_BLEND);
+  sky.use();
+  sky.set("top", rgb(frame.colors.skyTop));
+  sky.set("bottom", rgb(frame.colors.skyBottom));
+  glBindVertexArray(nothing);
+  glDrawArrays(GL_TRIANGLES, 0, 3);
+  glEnable(GL_DEPTH_TEST);
+  glEnable(GL_BLEND);
+}
+
+void SceneRenderer::State::drawGrid(const SceneFrame& frame) {
+  if (!grid || gridColor != frame.colors.grid) {
+    gridColor = frame.colors.grid;
+    grid = std::make_unique<GlLines>(gridLines(gridColor));
+  }
+  line.use();
+  line.set("model", Matrix4f(Matrix4f::Identity()));
+  glDepthMask(GL_FALSE);
+  grid->draw();
+  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::State::setMeshDefaults(const SceneFrame& frame) {
+  mesh.use();
+  mesh.set("viewProjection", viewProjection);
+  mesh.set("eye", Vector3f(frame.camera.position().cast<float>()));
+  mesh.set("lamp", lampDirection());
+  mesh.set("tint", Vector4f(0, 0, 0, 0));
+  mesh.set("lit", 1.F);
+  mesh.set("opacity", 1.F);
+}
+
+void SceneRenderer::State::drawOpaque(const SceneFrame& frame) {
+  setMeshDefaults(frame);
+  glPolygonMode(GL_FRONT_AND_BACK, frame.wireFrame ? GL_LINE : GL_FILL);
+  if (frame.wireFrame) mesh.set("lit", 0.F);
+  Vector4f plain(0, 0, 0, 0), highlighted;
+  // White lines on a light sky would be lost.
+  if (frame.wireFrame) plain << rgb(frame.colors.ink), 0.35F;
+  highlighted << rgb(frame.colors.highlight), 0.35F;
+  for (const SceneBody& body : frame.contents.bodies) {
+    const bool shines = !body.model.empty() && body.model == frame.highlighted;
+    mesh.set("tint", shines ? highlighted : plain);
+    mesh.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+    uploaded(body.shape).opaque.draw();
+  }
+  glPolygonMode(GL_FRONT_AND_BACK, GL_FILL);
+}
+
+void SceneRenderer::State::drawShadows(const SceneFrame& frame) {
+  shadow.use();
+  shadow.set("viewProjection", Matrix4f(viewProjection * shadowMatrix()));
+  // Each pixel is darkened once.
+  glEnable(GL_STENCIL_TEST);
+  glStencilFunc(GL_EQUAL, 0, 0xFF);
+  glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);
+  glDepthMask(GL_FALSE);
+  for (const SceneBody& body : frame.contents.bodies) {
+    if (body.model.empty()) continue;
+    shadow.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+    uploaded(body.shape).opaque.draw();
+  }
+  glDepthMask(GL_TRUE);
+  glDisable(GL_STENCIL_TEST);
+}
+
+void SceneRenderer::State::drawDrawings(const SceneFrame& frame) {
+  setMeshDefaults(frame);
+  for (const SceneBody& drawing : frame.contents.drawings) {
+    mesh.set("model", Matrix4f(drawing.inField.matrix().cast<float>()));
+    uploaded(drawing.shape).opaque.draw();
+  }
+  glDepthMask(GL_FALSE);
+  for (const auto* bodies : {&frame.contents.bodies, &frame.contents.drawings}) {
+    for (const SceneBody& body : *bodies) {
+      if (body.shape->translucent.empty()) continue;
+      mesh.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+      uploaded(body.shape).translucent.draw();
+    }
+  }
+  line.use();
+  for (const auto* bodies : {&frame.contents.bodies, &frame.contents.drawings}) {
+    for (const SceneBody& body : *bodies) {
+      if (body.shape->lines.segments.empty()) continue;
+      line.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+      uploaded(body.shape).lines.draw();
+    }
+  }
+  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::State::drawGhosts(const SceneFrame& frame) {
+  if (frame.contents.ghosts.empty()) return;
+  setMeshDefaults(frame);
+  mesh.set("opacity", 0.55F);
+  Vector4f tint;
+  tint << rgb(frame.contents.refused ? frame.colors.refused : frame.colors.ghost), 0.6F;
+  mesh.set("tint", tint);
+  for (const SceneBody& ghost : frame.contents.ghosts) {
+    mesh.set("model", Matrix4f(ghost.inField.matrix().cast<float>()));
+    uploaded(ghost.shape).opaque.draw();
+  }
+}
+
+}  // namespace widgets

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace widgets::shaders {
+
+// GLSL 3.30. All matrices are as Eigen stores them; `projection` turns the picture upside down, so that the
+// row which is read first is the upper one.
+
+/// A triangle over everything: the sky, from top to bottom.
+inline constexpr char kSkyVertex[] = R"(#version 330 core
+out float height;
+void main() {
+  vec2 at = vec2(gl_VertexID == 1 ? 3.0 : -1.0, gl_VertexID == 2 ? 3.0 : -1.0);
+  height = 0.5 - 0.5 * at.y;
+  gl_Position = vec4(at, 0.0, 1.0);
+})";
+inline constexpr char kSkyFragment[] = R"(#version 330 core
+in float height;
+uniform vec3 top;
+uniform vec3 bottom;
+out vec4 color;
+void main() { color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0); })";
+
+inline constexpr char kMeshVertex[] = R"(#version 330 core
+layout(location = 0) in vec3 position;
+layout(location = 1) in vec3 normal;
+layout(location = 2) in vec4 color;
+uniform mat4 model;
+uniform mat4 viewProjection;
+out vec3 worldPosition;
+out vec3 worldNormal;
+out vec4 surface;
+void main() {
+  vec4 world = model * vec4(position, 1.0);
+  worldPosition = world.xyz;
+  worldNormal = mat3(model) * normal;
+  surface = color;
+  gl_Position = viewProjection * world;
+})";
+/// Soft light from the whole sky, a lamp, a little shine. What lies flat has exactly its own colour.
+inline constexpr char kMeshFragment[] = R"(#version 330 core
+in vec3 worldPosition;
+in vec3 worldNormal;
+in vec4 surface;
+uniform vec3 eye;
+uniform vec3 lamp;
+uniform vec4 tint;
+uniform float lit;
+uniform float opacity;
+out vec4 color;
+void main() {
+  vec3 toEye = normalize(eye - worldPosition);
+  vec3 n = normalize(worldNormal);
+  if (dot(n, toEye) < 0.0) n = -n;
+  float ambient = mix(0.34, 0.54, 0.5 + 0.5 * n.z);
+  float diffuse = 0.56 * max(dot(n, lamp), 0.0);
+  float shine = 0.10 * pow(max(dot(n, normalize(lamp + toEye)), 0.0), 48.0) * (1.0 - n.z * n.z * step(0.999, n.z));
+  vec3 shaded = mix(surface.rgb, surface.rgb * (ambient + diffuse) + shine, lit);
+  color = vec4(mix(shaded, tint.rgb, tint.a), surface.a * opacity);
+})";
+
+/// Flattened onto the ground along the lamp's light.
+inline constexpr char kShadowFragment[] = R"(#version 330 core
+out vec4 color;
+void main() { color = vec4(0.0, 0.0, 0.0, 0.30); })";
+
+/// Rectangles along lines, facing the camera.
+inline constexpr char kLineVertex[] = R"(#version 330 core
+layout(location = 0) in vec3 from;
+layout(location = 1) in vec3 to;
+layout(location = 2) in vec4 color;
+layout(location = 3) in float width;
+uniform mat4 model;
+uniform mat4 viewProjection;
+uniform vec3 viewport;      // pixels; z: pixels of the device for one of the user's
+uniform float pixelsPerMetre;  // at a distance of 1 m
+out vec4 surface;
+void main() {
+  vec4 a = viewProjection * model * vec4(from, 1.0);
+  vec4 b = viewProjection * model * vec4(to, 1.0);
+  const float near = 0.02;
+  if (a.w < near && b.w < near) { gl_Position = vec4(2.0, 2.0, 2.0, 1.0); surface = vec4(0.0); return; }
+  if (a.w < near) a = mix(a, b, (near - a.w) / (b.w - a.w));
+  if (b.w < near) b = mix(b, a, (near - b.w) / (a.w - b.w));
+  vec2 along = (b.xy / b.w - a.xy / a.w) * viewport.xy;
+  along = length(along) > 1e-4 ? normalize(along) : vec2(1.0, 0.0);
+  vec2 across = vec2(-along.y, along.x);
+  bool start = gl_VertexID < 2;
+  vec4 at = start ? a : b;
+  float pixels = width > 0.0 ? width * viewport.z : max(1.0, -width * pixelsPerMetre / at.w);
+  vec2 corner = across * ((gl_VertexID & 1) == 0 ? -1.0 : 1.0) + along * (start ? -0.5 : 0.5);
+  surface = color;
+  gl_Position = vec4(at.xy + corner * pixels / viewport.xy * at.w, at.z - 2e-4 * at.w, at.w);
+})";
+inline constexpr char kLineFragment[] = R"(#version 330 core
+in vec4 surface;
+out vec4 color;
+void main() { color = surface; })";
+
+}  // namespace widgets::shaders

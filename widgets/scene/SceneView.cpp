@@ -1,0 +1,311 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/scene/SceneView.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QMenu>
+#include <QSplitter>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
+
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/DrawingsPanel.h"
+#include "widgets/PictureFile.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/models/DrawingsModel.h"
+#include "widgets/models/WorldDrawings.h"
+#include "widgets/scene/SceneCanvas.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"scene", QT_TRANSLATE_NOOP("widgets::SceneView", "Scene"),
+     QT_TRANSLATE_NOOP("widgets::SceneView",
+                       "The world in three dimensions, with what the robots draw into it"),
+     "scene", true, create<SceneView>}};
+
+robotlink::Pose3 onGround(const robotlink::Pose2& pose) {
+  robotlink::Pose3 result = robotlink::Pose3::Identity();
+  result.translate(robotlink::Vector3(pose.x, pose.y, 0));
+  result.rotate(Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()));
+  return result;
+}
+
+QJsonObject cameraState(const SceneCamera& camera) {
+  return {{QStringLiteral("target"), QJsonArray{camera.target.x(), camera.target.y(), camera.target.z()}},
+          {QStringLiteral("distance"), camera.distance},
+          {QStringLiteral("azimuth"), camera.azimuth},
+          {QStringLiteral("elevation"), camera.elevation}};
+}
+
+SceneCamera cameraOf(const QJsonObject& state) {
+  SceneCamera camera;
+  const QJsonArray target = state[QStringLiteral("target")].toArray();
+  for (int i = 0; i < 3; ++i) camera.target[i] = std::clamp(target.at(i).toDouble(), -10.0, 10.0);
+  camera.distance = std::clamp(state[QStringLiteral("distance")].toDouble(camera.distance),
+                               SceneCamera::kMinimumDistance, SceneCamera::kMaximumDistance);
+  camera.azimuth = state[QStringLiteral("azimuth")].toDouble(camera.azimuth);
+  camera.elevation = state[QStringLiteral("elevation")].toDouble(camera.elevation);
+  return camera;
+}
+
+}  // namespace
+
+SceneView::SceneView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("sceneView"));
+  drawings_ = new DrawingsModel({QStringLiteral("field"), QStringLiteral("robot")}, this);
+  createActions();
+  createCameraActions();
+  createViews();
+  connectSignals();
+  connectCamera();
+  connectDrag();
+  tick();
+}
+
+SceneView::~SceneView() = default;
+
+void SceneView::createActions() {
+  wireFrame_ =
+      makeAction(this, "wireframe",
+                 {"sceneWireFrame", tr("Wire frame"), tr("Shows the edges of all triangles"), Qt::Key_W});
+  grid_ = makeAction(
+      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines each half metre beside the field"), Qt::Key_G});
+  labels_ = makeAction(
+      this, "labels",
+      {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L});
+  move_ = makeAction(this, "grab",
+                     {"sceneMove", tr("Move robots and ball"),
+                      tr("Dragging a robot or the ball places it; otherwise only with Control. The wheel "
+                         "turns what is dragged"),
+                      Qt::Key_M});
+  showDrawings_ = makeAction(this, "layers",
+                             {"sceneDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  for (QAction* action : {wireFrame_, grid_, labels_, move_, showDrawings_}) action->setCheckable(true);
+  for (QAction* action : {grid_, labels_, move_}) action->setChecked(true);
+  copy_ = makeAction(this, "copy",
+                     {"sceneCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+  save_ = makeAction(
+      this, "save",
+      {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+}
+
+void SceneView::createCameraActions() {
+  reset_ = makeAction(
+      this, "fit", {"sceneReset", tr("Reset camera"), tr("Shows the whole field from the side"), Qt::Key_R});
+  fromAbove_ = makeAction(this, "top-view",
+                          {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_1});
+  behind_ =
+      makeAction(this, "behind",
+                 {"sceneBehind", tr("Behind the robot"), tr("Looks over the robot's shoulder"), Qt::Key_2});
+  follow_ =
+      makeAction(this, "follow",
+                 {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_3});
+  follow_->setCheckable(true);
+  zoomIn_ = makeAction(this, "zoom-in", {"sceneZoomIn", tr("Zoom in"), tr("Goes nearer"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out", {"sceneZoomOut", tr("Zoom out"), tr("Goes away"), Qt::Key_Minus});
+}
+
+void SceneView::createViews() {
+  canvas_ = new SceneCanvas(SceneRenderer::create, this);
+  canvas_->setContextMenuPolicy(Qt::PreventContextMenu);
+  canvas_->setHint(tr("No scene yet: start a simulation, or connect to a robot."));
+  auto* panel = new DrawingsPanel(*drawings_, this);
+  panel->hide();
+  splitter_ = new QSplitter(this);
+  splitter_->setObjectName(QStringLiteral("sceneSplitter"));
+  splitter_->addWidget(canvas_);
+  splitter_->addWidget(panel);
+  splitter_->setStretchFactor(0, 1);
+  splitter_->setCollapsible(0, false);
+  splitter_->setSizes({600, 180});
+  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter_, 1);
+}
+
+QWidget* SceneView::createToolRow() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setSpacing(1);
+  robots_ = new RobotChoice("sceneRobot", row);
+  robots_->setToolTip(tr("Whose drawings are shown, and whom the camera follows"));
+  layout->addWidget(robots_);
+  layout->addSpacing(6);
+  for (QAction* action : {reset_, fromAbove_, behind_, follow_}) layout->addWidget(makeButton(row, action));
+  layout->addStretch(1);
+  for (QAction* action : {move_, wireFrame_, grid_, labels_, zoomOut_, zoomIn_, showDrawings_})
+    layout->addWidget(makeButton(row, action));
+  return row;
+}
+
+void SceneView::connectSignals() {
+  connect(wireFrame_, &QAction::toggled, canvas_, &SceneCanvas::setWireFrame);
+  connect(grid_, &QAction::toggled, canvas_, &SceneCanvas::setGrid);
+  connect(labels_, &QAction::toggled, canvas_, &SceneCanvas::setLabels);
+  connect(move_, &QAction::toggled, this, &SceneView::tick);
+  connect(drawings_, &DrawingsModel::shownChanged, this, &SceneView::tick);
+  connect(robots_, &RobotChoice::choiceChanged, this, [this] {
+    followed_.reset();
+    tick();
+  });
+  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
+  connect(save_, &QAction::triggered, this,
+          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("scene.png")); });
+  connect(canvas_, &QWidget::customContextMenuRequested, this, &SceneView::showContextMenu);
+}
+
+void SceneView::connectCamera() {
+  connect(reset_, &QAction::triggered, this, [this] {
+    follow_->setChecked(false);
+    canvas_->setCamera({});
+  });
+  connect(fromAbove_, &QAction::triggered, this, [this] {
+    follow_->setChecked(false);
+    canvas_->setCamera(SceneCamera::fromAbove());
+  });
+  connect(behind_, &QAction::triggered, this, &SceneView::lookFromBehind);
+  connect(follow_, &QAction::toggled, this, [this] {
+    followed_.reset();
+    tick();
+  });
+  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
+}
+
+void SceneView::connectDrag() {
+  connect(canvas_, &SceneCanvas::dragStarted, this, [this](const QString& model, double x, double y) {
+    const auto pose = scene_.modelPose(model.toStdString());
+    if (pose) drag_.begin(model.toStdString(), robotlink::groundPose(*pose), {x, y});
+  });
+  connect(canvas_, &SceneCanvas::dragMoved, this, [this](double x, double y) { drag_.moveTo({x, y}); });
+  connect(canvas_, &SceneCanvas::dragTurned, this, [this](double angle) { drag_.turn(angle); });
+  connect(canvas_, &SceneCanvas::dragEnded, this, [this] {
+    drag_.end(session());
+    tick();
+  });
+}
+
+void SceneView::tick() {
+  const auto shown = session().timeline().shown();
+  scene_.update(session().store(), shown);
+  drawings_->refresh(session().store());
+  robots_->refresh(session());
+  beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
+  drag_.tick(session());
+  const QString refusal = drag_.refusal();
+  canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
+  canvas_->setMovable(scene_.models(), move_->isChecked());
+  follow();
+  canvas_->setContents(contents(beliefs_));
+}
+
+SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
+  SceneContents contents;
+  contents.bodies = assembly_.bodies(scene_);
+  contents.drawings = assembly_.drawings(worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
+                                                       drawings_->shown(), session().timeline().shown()));
+  contents.ghosts = ghosts(contents.bodies);
+  contents.refused = !drag_.refusal().isEmpty();
+  contents.labels = SceneAssembly::labels(contents.drawings);
+  addNames(beliefs, contents.labels);
+  return contents;
+}
+
+/// The dragged model's bodies, where it is wanted.
+std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) const {
+  std::vector<SceneBody> ghosts;
+  const auto pose = drag_.active() ? scene_.modelPose(drag_.model()) : std::nullopt;
+  if (!pose) return ghosts;
+  const robotlink::Pose3 move = onGround(drag_.wanted()) * onGround(robotlink::groundPose(*pose)).inverse();
+  for (const SceneBody& body : bodies) {
+    if (body.model == drag_.model()) ghosts.push_back({body.shape, move * body.inField, {}});
+  }
+  return ghosts;
+}
+
+void SceneView::addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const {
+  constexpr double kAboveRobot = 0.34;  // m
+  for (const RobotBelief& belief : beliefs) {
+    if (!belief.truth) continue;
+    labels.push_back({{belief.truth->x, belief.truth->y, kAboveRobot},
+                      QString::fromStdString(belief.robot),
+                      Qt::white,
+                      11,
+                      true});
+  }
+}
+
+std::optional<robotlink::Pose2> SceneView::robotPose() const {
+  const auto found = std::ranges::find(beliefs_, robots_->robot(session()), &RobotBelief::robot);
+  return found == beliefs_.end() ? std::nullopt : found->pose();
+}
+
+void SceneView::follow() {
+  const auto pose = follow_->isChecked() ? robotPose() : std::nullopt;
+  if (!pose) return followed_.reset();
+  SceneCamera camera = canvas_->camera();
+  const robotlink::Vector2 from = followed_.value_or(camera.target.head<2>());
+  camera.target.head<2>() += pose->translation() - from;
+  if (!followed_) camera.distance = std::min(camera.distance, 2.5);
+  followed_ = pose->translation();
+  canvas_->setCamera(camera);
+}
+
+void SceneView::lookFromBehind() {
+  const auto pose = robotPose();
+  if (pose) canvas_->setCamera(SceneCamera::behind(*pose));
+}
+
+void SceneView::showContextMenu(const QPoint& at) {
+  auto* menu = new QMenu(this);
+  menu->setObjectName(QStringLiteral("sceneMenu"));
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->addActions({reset_, fromAbove_, behind_, follow_});
+  menu->addSeparator();
+  menu->addActions({copy_, save_});
+  menu->popup(canvas_->mapToGlobal(at));
+}
+
+bool SceneView::savePicture(const QString& file) {
+  return widgets::savePicture(this, canvas_->rendered(), file);
+}
+
+QJsonObject SceneView::saveState() const {
+  return {{QStringLiteral("robot"), robots_->choice()},
+          {QStringLiteral("drawings"), drawings_->saveState()},
+          {QStringLiteral("panel"), showDrawings_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
+          {QStringLiteral("camera"), cameraState(canvas_->camera())},
+          {QStringLiteral("follow"), follow_->isChecked()},
+          {QStringLiteral("wireFrame"), wireFrame_->isChecked()},
+          {QStringLiteral("grid"), grid_->isChecked()},
+          {QStringLiteral("labels"), labels_->isChecked()},
+          {QStringLiteral("move"), move_->isChecked()}};
+}
+
+void SceneView::restoreState(const QJsonObject& state) {
+  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
+  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+  wireFrame_->setChecked(state[QStringLiteral("wireFrame")].toBool());
+  grid_->setChecked(state[QStringLiteral("grid")].toBool(true));
+  labels_->setChecked(state[QStringLiteral("labels")].toBool(true));
+  move_->setChecked(state[QStringLiteral("move")].toBool(true));
+  robots_->setChoice(state[QStringLiteral("robot")].toString());
+  canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
+  // The camera stands where it stood to the robot.
+  follow_->setChecked(state[QStringLiteral("follow")].toBool());
+}
+
+}  // namespace widgets
