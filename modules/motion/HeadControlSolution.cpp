@@ -116,7 +116,7 @@ class HeadControlSolution : public robotlink::Solution {
     const robotlink::Vector2 gaze(std::cos(head.pan), std::sin(head.pan));
     drawing.arrow(neck, neck + 0.3 * gaze, robotlink::colors::kSkyBlue, 2);
     if (controller_.state() != HeadController::State::kTracking) return;
-    drawing.circle(ball()->position, parameters_.ball_radius(), robotlink::colors::kOrange, 2);
+    drawing.circle(ball()->position, headParameters(parameters_).ballRadius, robotlink::colors::kOrange, 2);
     drawing.line(neck, ball()->position, robotlink::colors::kOrange, 1);
   }
 

@@ -10,13 +10,17 @@ using robotlink::radians;
 using robotlink::Vector3;
 constexpr robotlink::Duration kFrame = std::chrono::milliseconds(8);
 
-HeadWish wish(HeadWish::Kind kind) { return {kind, {}}; }
+HeadWish wish(HeadWish::Kind kind) {
+  return {kind, {}};
+}
 
-/// The direction of the camera's axis and the point it passes through, in the robot's frame, for a level body.
+/// The direction of the camera's axis and the point it passes through, in the robot's frame, for a level
+/// body.
 std::pair<Vector3, Vector3> gaze(const HeadAngles& angles, const HeadParameters& parameters) {
   const RobotDimensions d;
   const auto tilt = Eigen::AngleAxisd(-angles.tilt, Vector3::UnitY());
-  const Vector3 panCentre = Vector3(d.neckX, 0, d.neckZ + parameters.bodyHeight) + tilt * Vector3(0, 0, d.neckLength);
+  const Vector3 panCentre =
+      Vector3(d.neckX, 0, d.neckZ + parameters.bodyHeight) + tilt * Vector3(0, 0, d.neckLength);
   return {panCentre, tilt * (Eigen::AngleAxisd(angles.pan, Vector3::UnitZ()) * Vector3::UnitX())};
 }
 

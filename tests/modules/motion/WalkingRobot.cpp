@@ -1,9 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "WalkingRobot.h"
 
-#include <cstdlib>
-#include <iostream>
+#include <google/protobuf/text_format.h>
 
+#include <cstdlib>
+#include <fstream>
+#include <iostream>
+#include <sstream>
+
+#include "MotionParameters.pb.h"
+#include "modules/motion/ParameterConversion.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
 
@@ -31,6 +37,20 @@ std::size_t portIndex(const Ports& ports, const std::string& path) {
 }
 
 }  // namespace
+
+GaitParameters shippedGait(const std::filesystem::path& resources, FootMode mode) {
+  const char* name = mode == FootMode::kRectangle ? "rectangle" : "half-ellipse";
+  std::ifstream file(resources / "parameters/ers210" /
+                     (std::string("motion.wheel-model-") + name + ".textproto"));
+  std::stringstream text;
+  text << file.rdbuf();
+  robotcontrol::GaitMotionParameters message;
+  if (!google::protobuf::TextFormat::ParseFromString(text.str(), &message)) {
+    loaded(robotlink::Result<int>(
+        robotlink::failure("walking.gait", std::string("the gait cannot be read: ") + name)));
+  }
+  return gaitParameters(message, mode);
+}
 
 WalkingRobot::WalkingRobot(const Options& options) {
   const auto scene = loaded(simcore::Scene::load(

@@ -10,6 +10,9 @@
 
 namespace modules {
 
+/// The gait of resources/parameters/ers210/motion.wheel-model-*.textproto.
+GaitParameters shippedGait(const std::filesystem::path& resources, FootMode mode);
+
 /// An ERS-210 in the physics of the field, moved by a MotionEngine without the robot program around it: for
 /// tests and measurements of motion. Frames of 8 ms; what cannot be loaded is a failure of the whole test
 /// program, told on stderr.
