@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/OdeWorld.h"
 
+#include "simcore/physics/Physics.h"
+
 namespace simcore {
 namespace {
 
@@ -64,11 +66,19 @@ class Builder {
     dMassSetParameters(&mass, link.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
     dBodySetMass(body.id, &mass);
     dBodySetAutoDisableFlag(body.id, 0);
-    if (link.linearDamping > 0) dBodySetLinearDamping(body.id, link.linearDamping * 0.004);
-    if (link.angularDamping > 0) dBodySetAngularDamping(body.id, link.angularDamping * 0.004);
+    setDamping(body.id, link);
     ode_.bodies.push_back(body);
     place(body, model.poseInWorld * link.poseInModel);
     for (const CollisionDescription& collision : link.collisions) addBodyGeom(body, collision, index, space);
+  }
+
+  static void setDamping(dBodyID body, const LinkDescription& link) {
+    if (link.linearDamping <= 0 && link.angularDamping <= 0) return;
+    dBodySetLinearDamping(body, link.linearDamping * Physics::kStepSeconds);
+    dBodySetAngularDamping(body, link.angularDamping * Physics::kStepSeconds);
+    // By default ODE stops damping what moves slowly, and a ball would roll for ever.
+    dBodySetLinearDampingThreshold(body, 0);
+    dBodySetAngularDampingThreshold(body, 0);
   }
 
   void addBodyGeom(const OdeBody& body, const CollisionDescription& collision, int index, dSpaceID space) {

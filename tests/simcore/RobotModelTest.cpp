@@ -4,6 +4,7 @@
 
 #include <algorithm>
 
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/Simulation.h"
@@ -56,6 +57,22 @@ TEST(RobotModel, massesSumUpToThatOfTheRobot) {
     for (const LinkDescription& link : model.type->links) sum += link.mass;
   }
   EXPECT_NEAR(sum, 1.63, 0.01);
+}
+
+TEST(BallModel, theBallIsThatOfTheField) {
+  const auto field =
+      robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml").value();
+  const auto& models = shippedScene()->implementation().world.models;
+  const auto ball =
+      std::ranges::find_if(models, [](const ModelInstance& model) { return model.type->isBall; });
+  ASSERT_NE(ball, models.end());
+  const LinkDescription& link = ball->type->links.front();
+  EXPECT_EQ(link.mass, field.ballMass);
+  EXPECT_EQ(link.collisions.front().shape.radius, field.ballRadius);
+  EXPECT_EQ(link.visuals.front().shape.radius, field.ballRadius);
+  EXPECT_EQ(link.visuals.front().color, *field.color(field.ballColor));
+  const double moment = 2.0 / 3 * field.ballMass * field.ballRadius * field.ballRadius;
+  EXPECT_NEAR(link.inertia(0, 0), moment, moment * 0.001);
 }
 
 /// The formula in the model's comment.

@@ -210,6 +210,20 @@ TEST_F(SimulationTest, aTouchOfTheBallCountsWhenItBegins) {
   EXPECT_EQ(simulation_->ballContacts(), 0U);
 }
 
+TEST_F(SimulationTest, aRollingBallComesToRest) {
+  // A fore leg swings forward and pushes it away.
+  ASSERT_TRUE(simulation_->placeModel("ball", {-0.8 + 0.0725 + 0.06, 0.066, 0}));
+  simulation_->requestAngle(servo("legFL1"), robotlink::radians(60));
+  simulation_->requestAngle(servo("legFL3"), robotlink::radians(20));
+  run(125);
+  simulation_->requestAngle(servo("legFL1"), robotlink::radians(-35));
+  run(2500);
+  const Vector3 place = position("ball");
+  run(250);
+  EXPECT_LT((position("ball") - place).norm(), 0.01);
+  EXPECT_GT((place - Vector3(-0.667, 0.066, 0.042)).norm(), 0.05);
+}
+
 TEST_F(SimulationTest, theBallLiesStillAndTheRenderSceneShowsIt) {
   run(250);
   EXPECT_LT(position("ball").head<2>().norm(), 0.001);

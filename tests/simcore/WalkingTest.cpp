@@ -4,6 +4,7 @@
 
 #include <cmath>
 
+#include "robotlink/base/Random.h"
 #include "simcore/SceneImplementation.h"
 #include "simcore/Simulation.h"
 #include "simcore/physics/Physics.h"
@@ -48,6 +49,24 @@ TEST(Walking, aTrotOfSineWavesMovesTheRobotForward) {
   EXPECT_GT(pose.translation().x(), -0.8 + 0.5);
   EXPECT_LT(std::abs(pose.translation().y()), 0.3);
   EXPECT_GT(lowest, std::cos(robotlink::radians(20))) << "it stayed upright";
+}
+
+TEST(Walking, violentRequestsDoNotBlowUpTheWorld) {
+  const auto simulation = std::move(Simulation::create(shippedScene(), {.seed = 1, .noise = true}).value());
+  robotlink::Random random(7);
+  for (int i = 0; i < 2000; ++i) {
+    for (std::size_t s = 0; i % 25 == 0 && s < simulation->servos().size(); ++s) {
+      simulation->requestAngle(
+          s, random.uniform(simulation->servos()[s].minimum, simulation->servos()[s].maximum));
+    }
+    simulation->step();
+    for (const Pose3& body : simulation->bodyPoses()) {
+      ASSERT_TRUE(body.matrix().allFinite());
+      ASSERT_LT(body.translation().norm(), 3.5) << "at step " << i;
+      ASSERT_GT(body.translation().z(), -0.02) << "at step " << i;
+      ASSERT_LT(body.translation().z(), 0.5) << "at step " << i;
+    }
+  }
 }
 
 TEST(Walking, hingesHoldTogether) {
