@@ -24,8 +24,8 @@ double turnTo(double angle, double limit) {
 }  // namespace
 
 const char* name(BallChaser::State state) {
-  static constexpr std::array<const char*, 9> kNames{"blind", "look about", "turn", "wander", "approach",
-                                                     "align", "position",   "kick", "get up"};
+  static constexpr std::array<const char*, 10> kNames{
+      "blind", "look about", "turn", "wander", "approach", "glance", "align", "position", "kick", "get up"};
   return kNames[static_cast<std::size_t>(state)];
 }
 
@@ -69,11 +69,17 @@ void BallChaser::transitChase(const Situation& now) {
     enter(State::kLookAbout, "the ball is lost", now.time);
   } else if (state_ == State::kApproach) {
     if (distance > options_.alignDistance + 0.05) return;
-    if (aligned)
+    if (!off && now.time - glancedAt_ > options_.glanceAgain)
+      enter(State::kGlance, "near the ball, but where is the goal?", now.time);
+    else if (aligned)
       enter(State::kPosition, off ? "the goal is behind the ball" : "near the ball, the goal is not known",
             now.time);
     else
       enter(State::kAlign, "near the ball, but the goal is elsewhere", now.time);
+  } else if (state_ == State::kGlance) {
+    glancedAt_ = now.time;
+    if (off || since > options_.glanceTime)
+      enter(State::kApproach, off ? "there is the goal" : "no beacon tells where the goal is", now.time);
   } else if (distance > options_.alignDistance + 0.2) {
     enter(State::kApproach, "the ball is away", now.time);
   } else if (state_ == State::kAlign) {
@@ -109,6 +115,7 @@ void BallChaser::transit(const Situation& now) {
       transitKick(now);
       break;
     case State::kApproach:
+    case State::kGlance:
     case State::kAlign:
     case State::kPosition:
       transitChase(now);
@@ -177,6 +184,9 @@ Intention BallChaser::act(const Situation& now) {
     case State::kLookAbout:
       intention.head = Intention::Head::kSearch;
       return intention;
+    case State::kGlance:
+      intention.head = Intention::Head::kLookAround;
+      return intention;
     case State::kTurn:
       intention.motion = Intention::Motion::kWalk;
       intention.turn = turnDirection_ * options_.turnSpeed;
@@ -194,7 +204,8 @@ Intention BallChaser::act(const Situation& now) {
     case State::kPosition:
       return position(now);
     case State::kKick:
-      intention.motion = Intention::Motion::kKick;
+      // Asked for until it begins: a motion that is asked for when it ends is played again.
+      intention.motion = kickBegan_ ? Intention::Motion::kStand : Intention::Motion::kKick;
       intention.head = Intention::Head::kTrack;
       return intention;
     case State::kGetUp:

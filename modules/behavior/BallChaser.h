@@ -42,7 +42,18 @@ struct Intention {
 /// Kicking: one key-frame motion, then the ball is looked for anew. A robot that fell gets up.
 class BallChaser {
  public:
-  enum class State { kBlind, kLookAbout, kTurn, kWander, kApproach, kAlign, kPosition, kKick, kGetUp };
+  enum class State {
+    kBlind,
+    kLookAbout,
+    kTurn,
+    kWander,
+    kApproach,
+    kGlance,
+    kAlign,
+    kPosition,
+    kKick,
+    kGetUp
+  };
   struct Options {
     double forwardSpeed = 0.15, sidewardSpeed = 0.10;  ///< m/s
     double turnSpeed = 0.9;                            ///< rad/s
@@ -51,7 +62,9 @@ class BallChaser {
     double wanderTime = 4;                             ///< s
     double wanderSpeed = 0.1;                          ///< m/s
     double blindAfter = 1.0;                           ///< s without the field's green
-    double lostAfter = 2.5;                            ///< s without the ball
+    double lostAfter = 4;                              ///< s without the ball
+    double glanceTime = 2.5;                           ///< s, for beacons and goals
+    double glanceAgain = 12;                           ///< s, after the last glance
     double alignDistance = 0.32;                       ///< m, from the ball's middle while circling it
     double alignTolerance = 0.35;                      ///< rad, between ball and goal
     double alignTime = 8;                              ///< s, then it kicks wherever the ball goes
@@ -94,6 +107,7 @@ class BallChaser {
   bool started_ = false;
   double fieldSeenAt_ = 0;
   bool kickBegan_ = false;
+  double glancedAt_ = -1e9;
   double turnDirection_ = 1;
   std::string reason_;
   bool changed_ = false;

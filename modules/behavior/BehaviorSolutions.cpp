@@ -96,11 +96,28 @@ class GoToBallAndKick final : public Behavior {
 
   BallChaser::Options options() const {
     const robotcontrol::GoToBallParameters& p = parameters_;
-    return {p.forward_speed(), p.sideward_speed(), p.turn_speed(),       p.look_about_time(),
-            p.turn_time(),     p.wander_time(),    p.wander_speed(),     p.blind_after(),
-            p.lost_after(),    p.align_distance(), p.align_tolerance(),  p.align_time(),
-            p.kick_x(),        p.kick_y(),         p.kick_tolerance_x(), p.kick_tolerance_y(),
-            p.position_time(), p.kick_timeout()};
+    BallChaser::Options options;
+    options.forwardSpeed = p.forward_speed();
+    options.sidewardSpeed = p.sideward_speed();
+    options.turnSpeed = p.turn_speed();
+    options.lookAboutTime = p.look_about_time();
+    options.turnTime = p.turn_time();
+    options.wanderTime = p.wander_time();
+    options.wanderSpeed = p.wander_speed();
+    options.blindAfter = p.blind_after();
+    options.lostAfter = p.lost_after();
+    options.glanceTime = p.glance_time();
+    options.glanceAgain = p.glance_again();
+    options.alignDistance = p.align_distance();
+    options.alignTolerance = p.align_tolerance();
+    options.alignTime = p.align_time();
+    options.kickX = p.kick_x();
+    options.kickY = p.kick_y();
+    options.kickToleranceX = p.kick_tolerance_x();
+    options.kickToleranceY = p.kick_tolerance_y();
+    options.positionTime = p.position_time();
+    options.kickTimeout = p.kick_timeout();
+    return options;
   }
 
   Situation situation() const {

@@ -27,13 +27,13 @@ void LandmarkLocalizer::keepOnField(Pose2& pose) const {
   pose.y = std::clamp(pose.y, -0.5 * options_.fieldWidth, 0.5 * options_.fieldWidth);
 }
 
-void LandmarkLocalizer::move(const Pose2& step) {
-  const double way = options_.walkNoise * std::hypot(step.x, step.y);
-  const double turn = options_.walkNoise * (std::abs(step.heading) + 0.5 * std::hypot(step.x, step.y));
-  const double drift = options_.driftNoise;
+void LandmarkLocalizer::move(const Pose2& step, bool shaken) {
+  const double drift = (shaken ? 10 : 1) * options_.driftNoise;
+  const double way = options_.walkNoise * std::sqrt(std::hypot(step.x, step.y)) + drift;
+  const double turn = options_.turnNoise * std::sqrt(std::abs(step.heading)) + drift;
   for (Particle& particle : particles_) {
-    const Pose2 noisy{step.x + (way + drift) * random_.normal(), step.y + (way + drift) * random_.normal(),
-                      step.heading + (turn + drift) * random_.normal()};
+    const Pose2 noisy{step.x + way * random_.normal(), step.y + way * random_.normal(),
+                      step.heading + turn * random_.normal()};
     particle.pose = particle.pose * noisy;
     keepOnField(particle.pose);
   }
@@ -53,8 +53,8 @@ void LandmarkLocalizer::weigh(std::span<const LandmarkMeasurement> seen) {
       // Bounded, so that one wrong landmark does not outvote the rest.
       squares += std::min(9.0, bearing * bearing) + std::min(9.0, distance * distance);
     }
-    particle.weight = std::exp(-0.5 * squares);
-    sum += particle.weight;
+    sum += std::exp(-0.5 * squares);
+    particle.weight *= std::exp(-0.5 * options_.evidence * squares);
   }
   const double mean = sum / static_cast<double>(particles_.size());
   const double usual = std::exp(-1.0 * static_cast<double>(seen.size()));
@@ -79,13 +79,18 @@ void LandmarkLocalizer::resample(std::span<const LandmarkMeasurement> seen) {
   for (const Particle& particle : particles_) sum += particle.weight;
   if (sum <= 0) return;
   const double fresh = fit_ < 0.5 ? options_.newShare * (1 - 2 * fit_) : 0;
+  if (fresh == 0 && effectiveParticles() > 0.5 * static_cast<double>(count)) return;
   drawn_.clear();
   double position = random_.uniform(), passed = 0;
   std::size_t at = 0;
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = (position + static_cast<double>(i)) / static_cast<double>(count) * sum;
     while (at + 1 < count && passed + particles_[at].weight < wanted) passed += particles_[at++].weight;
-    drawn_.push_back({particles_[at].pose, 1});
+    // Doubles that stay alike would make the cloud shrink whatever is seen.
+    const double rough = options_.roughening;
+    drawn_.push_back({particles_[at].pose *
+                          Pose2{rough * random_.normal(), rough * random_.normal(), rough * random_.normal()},
+                      1});
     if (fresh > 0 && random_.uniform() < fresh)
       drawn_.back().pose =
           drawFrom(seen[static_cast<std::size_t>(random_.uniform() * static_cast<double>(seen.size()))]);
@@ -93,27 +98,40 @@ void LandmarkLocalizer::resample(std::span<const LandmarkMeasurement> seen) {
   particles_.swap(drawn_);
 }
 
-void LandmarkLocalizer::summarize() {
-  double x = 0, y = 0, c = 0, s = 0;
+double LandmarkLocalizer::effectiveParticles() const {
+  double sum = 0, squares = 0;
   for (const Particle& particle : particles_) {
-    x += particle.pose.x;
-    y += particle.pose.y;
-    c += std::cos(particle.pose.heading);
-    s += std::sin(particle.pose.heading);
+    sum += particle.weight;
+    squares += particle.weight * particle.weight;
   }
-  const double n = static_cast<double>(particles_.size());
-  estimate_.robotInField = {x / n, y / n, std::atan2(s, c)};
+  return squares > 0 ? sum * sum / squares : 0;
+}
+
+void LandmarkLocalizer::summarize() {
+  double sum = 0, x = 0, y = 0, c = 0, s = 0;
+  for (const Particle& particle : particles_) {
+    sum += particle.weight;
+    x += particle.weight * particle.pose.x;
+    y += particle.weight * particle.pose.y;
+    c += particle.weight * std::cos(particle.pose.heading);
+    s += particle.weight * std::sin(particle.pose.heading);
+  }
+  if (sum <= 0) return;
+  x /= sum;
+  y /= sum;
   double squares = 0;
   for (const Particle& particle : particles_)
-    squares += std::pow(particle.pose.x - x / n, 2) + std::pow(particle.pose.y - y / n, 2);
-  estimate_.positionDeviation = std::sqrt(0.5 * squares / n);
+    squares += particle.weight * (std::pow(particle.pose.x - x, 2) + std::pow(particle.pose.y - y, 2));
+  estimate_.robotInField = {x, y, std::atan2(s, c)};
+  estimate_.positionDeviation = std::sqrt(0.5 * squares / sum);
   // The deviation of a wrapped normal distribution (Mardia 1972).
-  const double length = std::clamp(std::hypot(c, s) / n, 1e-6, 1.0);
+  const double length = std::clamp(std::hypot(c, s) / sum, 1e-6, 1.0);
   estimate_.headingDeviation = std::sqrt(-2 * std::log(length));
 }
 
-void LandmarkLocalizer::update(const Pose2& robotInOdometry, std::span<const LandmarkMeasurement> seen) {
-  if (hasOdometry_) move(odometry_.inverse() * robotInOdometry);
+void LandmarkLocalizer::update(const Pose2& robotInOdometry, bool shaken,
+                               std::span<const LandmarkMeasurement> seen) {
+  if (hasOdometry_) move(odometry_.inverse() * robotInOdometry, shaken);
   odometry_ = robotInOdometry;
   hasOdometry_ = true;
   if (!seen.empty()) {

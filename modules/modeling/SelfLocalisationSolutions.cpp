@@ -119,7 +119,10 @@ class LandmarkLocator final : public SelfLocator {
     seen_.clear();
     for (const robotcontrol::LandmarkPercept& percept : percepts_->landmarks()) addMeasurement(percept);
     localizer_.setOptions(options());
-    localizer_.update(motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{}, seen_);
+    const auto executed = motion_ ? motion_->executed().kind() : robotcontrol::MotionRequest::STAND;
+    const bool shaken = executed == robotcontrol::MotionRequest::KEY_FRAMES ||
+                        executed == robotcontrol::MotionRequest::GET_UP;
+    localizer_.update(motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{}, shaken, seen_);
     tell(localizer_.estimate(), percepts_->timestamp());
     if (debug_.on(kParticlesKey)) {
       auto drawing = debug_.fieldDrawing(kParticlesKey);
@@ -137,8 +140,11 @@ class LandmarkLocator final : public SelfLocator {
     options.bearingDeviation = parameters_.bearing_deviation();
     options.distanceDeviation = parameters_.distance_deviation();
     options.walkNoise = parameters_.walk_noise();
+    options.turnNoise = parameters_.turn_noise();
     options.driftNoise = parameters_.drift_noise();
     options.newShare = parameters_.new_share();
+    options.roughening = parameters_.roughening();
+    options.evidence = parameters_.evidence();
     return options;
   }
 

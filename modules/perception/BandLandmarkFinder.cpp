@@ -25,9 +25,12 @@ ImageBox boxOf(const Region& region) {
           static_cast<double>(region.right), static_cast<double>(region.bottom)};
 }
 
+/// Both bands. Pixels that the outer edge mixes belong to the box only in part.
 ImageBox united(const Region& a, const Region& b) {
-  return {0.5 * (a.left + b.left), static_cast<double>(std::min(a.top, b.top)), 0.5 * (a.right + b.right),
-          static_cast<double>(std::max(a.bottom, b.bottom))};
+  constexpr double kMixed = 0.3;
+  const int top = std::min(a.top, b.top), bottom = std::max(a.bottom, b.bottom);
+  const bool cut = top <= 0;
+  return {0.5 * (a.left + b.left), cut ? top : top + kMixed, 0.5 * (a.right + b.right), bottom - kMixed};
 }
 
 bool inside(const Region& region, const ImageBox& box) {

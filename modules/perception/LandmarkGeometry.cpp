@@ -41,7 +41,7 @@ std::optional<LandmarkObservation> LandmarkGeometry::locate(const FieldLandmark&
   seen.bearing = std::atan2(place.y(), place.x());
   seen.distance = place.head<2>().norm();
   seen.box = box;
-  seen.confidence = (cutVertically || cutSideways ? 0.5 : 0.9) * std::min(1.0, box.height() / 10);
+  seen.confidence = (cutVertically || cutSideways ? 0.3 : 0.9) * std::min(1.0, box.height() / 10);
   if (seen.distance > options_.maximumDistance) return std::nullopt;
   return seen;
 }

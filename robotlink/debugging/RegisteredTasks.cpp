@@ -1,7 +1,27 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+
 #include "robotlink/debugging/RobotProgram.h"
 
 namespace robotlink {
+namespace {
+
+std::vector<TaskDescription>& descriptions() {
+  static std::vector<TaskDescription> tasks;
+  return tasks;
+}
+
+}  // namespace
+
+const std::vector<TaskDescription>& describedTasks() {
+  return descriptions();
+}
+
+TaskRegistration::TaskRegistration(std::string task, std::string help) {
+  auto& tasks = descriptions();
+  const auto at = std::ranges::lower_bound(tasks, task, {}, &TaskDescription::task);
+  tasks.insert(at, {std::move(task), std::move(help)});
+}
 
 TaskCatalog registeredTasks() {
   TaskCatalog catalog;
@@ -10,6 +30,10 @@ TaskCatalog registeredTasks() {
     task.name = solution.task;
     task.solutions.push_back(
         {solution.name, solution.help, solution.required, solution.optional, solution.outputs});
+  }
+  for (const TaskDescription& described : describedTasks()) {
+    const auto task = catalog.tasks.find(described.task);
+    if (task != catalog.tasks.end()) task->second.help = described.help;
   }
   return catalog;
 }

@@ -39,8 +39,8 @@ class Input {
   const PackageSlot* slot_;
 };
 
-/// What a solution yields. What it sends is seen by the later tasks of its process at once and by other processes from
-/// then on; what it does not send in a frame stays as it was.
+/// What a solution yields. What it sends is seen by the later tasks of its process at once and by other
+/// processes from then on; what it does not send in a frame stays as it was.
 template <typename T>
 class Output {
  public:
@@ -60,7 +60,8 @@ struct RobotSetup {
   std::shared_ptr<const FieldDescription> field;
 };
 
-/// What the constructor of a solution is given: its inputs and outputs, its parameters, its process's debug context.
+/// What the constructor of a solution is given: its inputs and outputs, its parameters, its process's debug
+/// context.
 class SolutionContext {
  public:
   virtual ~SolutionContext() = default;
@@ -89,8 +90,8 @@ class SolutionContext {
   virtual const google::protobuf::Message& parameterMessage() = 0;
 };
 
-/// One way to do a task. Constructed when it is switched on, destroyed when it is switched off, so that it always starts from
-/// the same state. Runs in its process's thread. What it throws stops its process.
+/// One way to do a task. Constructed when it is switched on, destroyed when it is switched off, so that it
+/// always starts from the same state. Runs in its process's thread. What it throws stops its process.
 class Solution {
  public:
   virtual ~Solution() = default;
@@ -105,7 +106,7 @@ struct SolutionDescription {
   std::vector<std::string> required;
   std::vector<std::string> optional;
   std::vector<std::string> outputs;
-  std::vector<int> keys;  ///< indices of its debug keys
+  std::vector<int> keys;                                  ///< indices of its debug keys
   const google::protobuf::Message* parameters = nullptr;  ///< prototype; null if it has none
   std::function<std::unique_ptr<Solution>(SolutionContext&)> create;
 };
@@ -113,7 +114,8 @@ struct SolutionDescription {
 /// Registers a solution: one line beside its class, at namespace scope.
 ///
 ///     const SolutionRegistration kRegistration =
-///         SolutionBuilder<ScanLineBallPerceptor>("ball-percept", "scan-lines", "Fits a circle to the ball's edge.")
+///         SolutionBuilder<ScanLineBallPerceptor>("ball-percept", "scan-lines", "Fits a circle to the ball's
+///         edge.")
 ///             .needs(kCameraImage).needs(kCameraPose).uses(kOracleWorld).yields(kBallPercept)
 ///             .keys({&kCircleKey, &kEdgeKey}).parameters<robotcontrol::ScanLineBallParameters>();
 template <typename S>
@@ -172,6 +174,20 @@ class SolutionRegistration {
   template <typename S>
   SolutionRegistration(const SolutionBuilder<S>& builder)  // NOLINT: the same
       : SolutionRegistration(SolutionDescription(builder)) {}
+};
+
+/// What a task is for, in a sentence; one line in the file that lists the program's tasks.
+struct TaskDescription {
+  std::string task;
+  std::string help;
+};
+
+/// The tasks that were described, by name. Filled before main() starts, read-only after.
+const std::vector<TaskDescription>& describedTasks();
+
+class TaskRegistration {
+ public:
+  TaskRegistration(std::string task, std::string help);
 };
 
 }  // namespace robotlink

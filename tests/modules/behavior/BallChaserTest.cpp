@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
+#include <vector>
+
 namespace modules {
 namespace {
 
@@ -85,6 +88,13 @@ TEST_F(BallChaserTest, kicksTowardsTheGoalIfItKnowsWhereThatIs) {
   }
 }
 
+TEST_F(BallChaserTest, looksForTheGoalWhenItIsNearTheBallAndKicksAnywayIfItFindsNone) {
+  run(40);
+  EXPECT_TRUE(visited(State::kGlance));
+  EXPECT_EQ(std::ranges::count(visited_, State::kGlance), 1);
+  EXPECT_EQ(kicks_, 1);
+}
+
 TEST_F(BallChaserTest, standsStillWhileItIsBlind) {
   blind_ = true;
   for (int i = 0; i < 1500; ++i) EXPECT_EQ(step().motion, Motion::kStand);
@@ -135,7 +145,7 @@ TEST_F(BallChaserTest, saysWhyItChanges) {
 
 TEST_F(BallChaserTest, givesUpAKickThatNeverEnds) {
   ball_ = {0.155, 0};
-  run(3);
+  run(6);
   ASSERT_EQ(kicks_, 1);
   kickEnds_ = 1000;
   for (int i = 0; i < 200; ++i) step();

@@ -1,0 +1,26 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the tasks of the robot program are for. Their solutions register themselves, each beside its class.
+#include "robotlink/debugging/Solution.h"
+
+namespace modules {
+namespace {
+
+using robotlink::TaskRegistration;
+
+const TaskRegistration kSegmentation("segmentation",
+                                     "Finds the areas of the field's colours in the camera's image.");
+const TaskRegistration kCameraPose("camera-pose", "Tells where the camera was when it took the image.");
+const TaskRegistration kBallPercept("ball-percept",
+                                    "Finds the ball in the image, and its place on the ground.");
+const TaskRegistration kLandmarkPercepts("landmark-percepts", "Finds beacons and goals in the image.");
+const TaskRegistration kRobotPercepts("robot-percepts", "Finds other robots in the image.");
+const TaskRegistration kBallModel("ball-model", "Tells where the ball is, seen or not, and how it rolls.");
+const TaskRegistration kSelfLocalisation("self-localisation", "Tells where the robot is on the field.");
+const TaskRegistration kPlayersModel("players-model", "Tells where the other robots are on the field.");
+const TaskRegistration kBehavior("behavior", "Decides what the robot does: where it goes, looks and kicks.");
+const TaskRegistration kHeadControl("head-control",
+                                    "Turns the head to where the behaviour wants it to look.");
+const TaskRegistration kMotion("motion", "Moves the joints: stands, walks, kicks and gets up.");
+
+}  // namespace
+}  // namespace modules
