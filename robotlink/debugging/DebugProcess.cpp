@@ -34,9 +34,9 @@ std::string wrongWith(const robotcontrol::KeyMode& mode) {
 }  // namespace
 
 struct DebugProcess::Implementation {
-  Implementation(DebugProcess& owner, const Clock& clock, const DebugRoutes& given)
+  Implementation(DebugProcess& owner, const Clock& clock, DebugRoutes given)
       : process(owner),
-        routes(given),
+        routes(std::move(given)),
         debug(owner.name(), clock, {}),
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo) {
     for (const auto& list : routes.processes) {

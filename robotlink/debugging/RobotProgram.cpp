@@ -22,6 +22,12 @@ AnyReceiver* receiverOf(const Process& process, const std::string& package) {
   return found == all.end() ? nullptr : *found;
 }
 
+void connectPackage(const std::string& package, const Process& from, const Process& to) {
+  AnySender* sender = senderOf(from, package);
+  AnyReceiver* receiver = receiverOf(to, package);
+  if (sender != nullptr && receiver != nullptr) connectUnchecked(*sender, *receiver);
+}
+
 PlatformPackages packagesOf(const Platform& platform) {
   PlatformPackages packages;
   for (const AnySender* sender : platform.senders()) packages.offers.push_back(sender->package());
@@ -103,21 +109,17 @@ Process* RobotProgram::Implementation::find(const std::string& name) const {
 
 void RobotProgram::Implementation::connectPackages(Platform& platform, const PlatformPackages& packages) {
   for (const LayoutLink& link : layoutLinks(layout, catalog, packages)) {
-    const Process& from = link.from.empty() ? platform : *find(link.from);
-    const Process& to = link.to.empty() ? platform : *find(link.to);
-    AnySender* sender = senderOf(from, link.package);
-    AnyReceiver* receiver = receiverOf(to, link.package);
-    if (sender != nullptr && receiver != nullptr) connectUnchecked(*sender, *receiver);
+    const Process* from = link.from.empty() ? &platform : find(link.from);
+    const Process* to = link.to.empty() ? &platform : find(link.to);
+    if (from != nullptr && to != nullptr) connectPackage(link.package, *from, *to);
   }
 }
 
 void RobotProgram::Implementation::connectDebugging() {
   for (const Process* process : processes) {
     if (process == debugProcess) continue;
-    const std::string queue = "debug/queue/" + process->name();
-    const std::string requests = "debug/requests/" + process->name();
-    connectUnchecked(*senderOf(*process, queue), *receiverOf(*debugProcess, queue));
-    connectUnchecked(*senderOf(*debugProcess, requests), *receiverOf(*process, requests));
+    connectPackage("debug/queue/" + process->name(), *process, *debugProcess);
+    connectPackage("debug/requests/" + process->name(), *debugProcess, *process);
   }
 }
 

@@ -271,7 +271,7 @@ Result<void> TaskProcess::Implementation::select(const std::string& task, const 
     if (!reason.empty())
       return refused("solution.unavailable", "solution " + solution + " of " + task + " is " + reason);
   }
-  const auto selected = found->select(solution);
+  auto selected = found->select(solution);
   if (selected) keysChanged = solutionsChanged = true;
   return selected;
 }

@@ -143,10 +143,10 @@ void Checker::checkOutputs() {
       if (index_.debugOffers(package)) other = "the debug process";
       if (first != &place) other = "task " + first->entry->task + " (" + line(first->entry->where) + ")";
       if (other.empty()) continue;
-      add(place.entry->where, "output-twice",
-          "task " + place.entry->task + " yields " + package + ", which " + other +
-              " yields, too; remove one of them",
-          {place.entry->task, package});
+      std::string text = "task " + place.entry->task;
+      text.append(" yields ").append(package).append(", which ").append(other);
+      text += " yields, too; remove one of them";
+      add(place.entry->where, "output-twice", std::move(text), {place.entry->task, package});
     }
   }
 }
