@@ -4,6 +4,8 @@
 // turn, in one run, so that what else the machine does hits both alike; "ratio" is the median of their
 // quotients.
 #include <benchmark/benchmark.h>
+#include <pthread.h>
+#include <sched.h>
 
 #include <algorithm>
 #include <condition_variable>
@@ -18,6 +20,22 @@ namespace {
 constexpr int kRounds = 2000;
 using Clock = std::chrono::steady_clock;
 
+/// Keeps the calling thread on the n-th of the processors that the program may use.
+void keepOnProcessor(int n) {
+  static const cpu_set_t kAllowed = [] {
+    cpu_set_t set;
+    ::sched_getaffinity(0, sizeof(set), &set);
+    return set;
+  }();
+  const int wanted = n % CPU_COUNT(&kAllowed);
+  cpu_set_t one;
+  CPU_ZERO(&one);
+  for (std::size_t cpu = 0, seen = 0; cpu < CPU_SETSIZE; ++cpu) {
+    if (CPU_ISSET(cpu, &kAllowed) && static_cast<int>(seen++) == wanted) CPU_SET(cpu, &one);
+  }
+  ::pthread_setaffinity_np(::pthread_self(), sizeof(one), &one);
+}
+
 /// Seconds for a number to go there and back kRounds times, by hand.
 double bareRounds() {
   std::mutex mutex;
@@ -25,6 +43,7 @@ double bareRounds() {
   int there = 0;
   int back = 0;
   std::thread answering([&] {
+    keepOnProcessor(1);
     for (int i = 1; i <= kRounds; ++i) {
       std::unique_lock lock(mutex);
       changed.wait(lock, [&] { return there == i; });
@@ -63,6 +82,7 @@ double processRounds() {
   from.body = [&] { there.send(package); };
   to.body = [&] { back.send(package); };
   std::thread answering([&] {
+    keepOnProcessor(1);
     while (to.waitForFrame(std::chrono::seconds(1))) to.runFrame();
   });
   const auto start = Clock::now();
@@ -85,6 +105,7 @@ void handOverBetweenProcesses(benchmark::State& state) {
   std::vector<double> bare;
   std::vector<double> processes;
   std::vector<double> ratios;
+  keepOnProcessor(0);
   for (auto unused : state) {
     static_cast<void>(unused);
     const double bareSeconds = bareRounds();
