@@ -33,10 +33,13 @@ struct GaitParameters {
   std::array<double, 4> legPhase{0, 0.5, 0.5, 0};  ///< a trot: the diagonal legs together
 
   /// Paws are moved by this factor faster than the robot shall go: what slipping and slow servos cost.
-  double factorX = 0.995, factorBackward = 0.995, factorY = 1.053, factorRotation = 1.003;
+  double factorX = 0.995, factorBackward = 1, factorY = 1.053, factorRotation = 1.003;
   /// rad/s of turning for each m/s to the front and to the left: against the robot's drift.
   double counterRotationX = 0, counterRotationY = 1.29;
-  double maximumX = 0.18, maximumBackward = 0.12, maximumY = 0.16,
+  /// How far the hind paws come to the front for each m/s of walking backward, so that they go on bearing
+  /// their share.
+  double hindShiftBackward = 0.19;
+  double maximumX = 0.18, maximumBackward = 0.16, maximumY = 0.16,
          maximumRotation = 1.2;  ///< the corners of an ellipsoid of speeds
   double maximumChangeX = 0.4, maximumChangeY = 0.4, maximumChangeRotation = 3.0;  ///< a second
   double maximumStepX = 0.060, maximumStepY = 0.060;  ///< length of a paw's way on the ground

@@ -51,6 +51,7 @@ void readSpeeds(GaitParameters& to, const robotcontrol::GaitParameters& from) {
   if (from.has_counter_rotation_y()) to.counterRotationY = from.counter_rotation_y();
   if (from.maximum_x() > 0) to.maximumX = from.maximum_x();
   if (from.maximum_backward() > 0) to.maximumBackward = from.maximum_backward();
+  if (from.has_hind_shift_backward()) to.hindShiftBackward = from.hind_shift_backward();
   if (from.maximum_y() > 0) to.maximumY = from.maximum_y();
   if (from.maximum_rotation() > 0) to.maximumRotation = from.maximum_rotation();
   if (from.maximum_change_x() > 0) to.maximumChangeX = from.maximum_change_x();

@@ -74,8 +74,9 @@ bool WheelModelGait::onGround(Leg leg) const {
 Vector3 WheelModelGait::standInHip(Leg leg) const {
   const GaitParameters& p = parameters_;
   const double side = (isFore(leg) ? p.foreWidth : p.hindWidth) - kinematics_.dimensions().hipY;
-  return {isFore(leg) ? p.foreCenterX : p.hindCenterX, isLeft(leg) ? side : -side,
-          -(isFore(leg) ? p.foreHeight : p.hindHeight)};
+  const double x =
+      isFore(leg) ? p.foreCenterX : p.hindCenterX + p.hindShiftBackward * std::max(0.0, -speed_.x);
+  return {x, isLeft(leg) ? side : -side, -(isFore(leg) ? p.foreHeight : p.hindHeight)};
 }
 
 Vector3 WheelModelGait::stepVector(Leg leg) const {

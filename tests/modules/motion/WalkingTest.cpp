@@ -47,10 +47,10 @@ INSTANTIATE_TEST_SUITE_P(
     testing::Combine(testing::Values(FootMode::kRectangle, FootMode::kHalfEllipse),
                      testing::Values(SpeedCase{"slow", {0.05, 0, 0}}, SpeedCase{"forward", {0.1, 0, 0}},
                                      SpeedCase{"fast", {0.15, 0, 0}}, SpeedCase{"backward", {-0.1, 0, 0}},
-                                     SpeedCase{"left", {0, 0.1, 0}}, SpeedCase{"farLeft", {0, 0.15, 0}},
-                                     SpeedCase{"right", {0, -0.1, 0}}, SpeedCase{"turnSlowly", {0, 0, 0.3}},
-                                     SpeedCase{"turn", {0, 0, 1}}, SpeedCase{"turnRight", {0, 0, -1}},
-                                     SpeedCase{"curve", {0.08, 0, 0.5}},
+                                     SpeedCase{"fastBackward", {-0.15, 0, 0}}, SpeedCase{"left", {0, 0.1, 0}},
+                                     SpeedCase{"farLeft", {0, 0.15, 0}}, SpeedCase{"right", {0, -0.1, 0}},
+                                     SpeedCase{"turnSlowly", {0, 0, 0.3}}, SpeedCase{"turn", {0, 0, 1}},
+                                     SpeedCase{"turnRight", {0, 0, -1}}, SpeedCase{"curve", {0.08, 0, 0.5}},
                                      SpeedCase{"everything", {0.06, -0.05, 0.4}})),
     [](const auto& test) {
       const bool rectangle = std::get<0>(test.param) == FootMode::kRectangle;

@@ -28,7 +28,7 @@ WheelModelGait levelGait() {
   parameters.foreCenterX = 0.03;
   parameters.hindCenterX = -0.03;
   parameters.factorX = parameters.factorBackward = parameters.factorY = parameters.factorRotation = 1;
-  parameters.counterRotationX = parameters.counterRotationY = 0;
+  parameters.counterRotationX = parameters.counterRotationY = parameters.hindShiftBackward = 0;
   return WheelModelGait(parameters);
 }
 
