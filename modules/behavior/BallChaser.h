@@ -16,7 +16,7 @@ struct Situation {
   double ballAge = 0;                                    ///< s since it was seen
   /// Where the opponent's goal is; none while the robot does not know where it is itself.
   std::optional<robotlink::Vector2> goal;
-  bool fieldSeen = false;  ///< the camera shows the field's green: it is not blind
+  bool fieldSeen = false;  ///< the camera shows colours of the field: it is not blind
   bool fallen = false;
   bool kicking = false;  ///< motion plays key frames
   bool stable = true;    ///< the motion can be left now
@@ -61,7 +61,7 @@ class BallChaser {
     double turnTime = 9;                               ///< s, for a bit more than a whole turn
     double wanderTime = 4;                             ///< s
     double wanderSpeed = 0.1;                          ///< m/s
-    double blindAfter = 1.0;                           ///< s without the field's green
+    double blindAfter = 1.0;                           ///< s without the field's colours
     double lostAfter = 4;                              ///< s without the ball
     double glanceTime = 2.5;                           ///< s, for beacons and goals
     double glanceAgain = 12;                           ///< s, after the last glance

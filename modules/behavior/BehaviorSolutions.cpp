@@ -62,7 +62,6 @@ class GoToBallAndKick final : public Behavior {
       : Behavior(context),
         parameters_(context.parameters<robotcontrol::GoToBallParameters>()),
         goalInField_(opponentGoal(context.robot())),
-        green_(context.robot().field->surfaceColor),
         ball_(context.input(robotlink::kBallModel)),
         pose_(context.input(robotlink::kRobotPose)),
         regions_(context.input(robotlink::kColorRegions)),
@@ -142,15 +141,14 @@ class GoToBallAndKick final : public Behavior {
     return now;
   }
 
+  /// A blind camera shows no colour at all; before a wall or in a goal there is no green, but white or the
+  /// goal's colour.
   bool seesField() const {
     // Without regions nobody can tell; the ball model alone decides then.
     if (!regions_) return ball_ && ball_->known();
-    double green = 0;
-    for (const robotcontrol::ColorRegion& region : regions_->regions())
-      if (static_cast<int>(region.color_class()) < regions_->class_names_size() &&
-          regions_->class_names(static_cast<int>(region.color_class())) == green_)
-        green += region.area();
-    return green >= parameters_.minimum_green() * regions_->width() * regions_->height() && green > 0;
+    double colored = 0;
+    for (const robotcontrol::ColorRegion& region : regions_->regions()) colored += region.area();
+    return colored > parameters_.minimum_colored() * regions_->width() * regions_->height();
   }
 
   void fill(MotionRequest& motion, const Intention& intention) const {
@@ -187,7 +185,6 @@ class GoToBallAndKick final : public Behavior {
 
   const robotcontrol::GoToBallParameters& parameters_;
   Vector2 goalInField_;
-  std::string green_;
   robotlink::Input<robotcontrol::BallModel> ball_;
   robotlink::Input<robotcontrol::RobotPose> pose_;
   robotlink::Input<robotcontrol::ColorRegions> regions_;

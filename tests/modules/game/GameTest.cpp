@@ -3,7 +3,6 @@
 #include <gmock/gmock.h>
 
 #include "PlayedGame.h"
-#include "robotlink/debugging/Solution.h"
 
 namespace modules {
 namespace {
@@ -55,19 +54,6 @@ TEST(GameWithOtherSolutions, touchesTheBallToo) {
                                         {"self-localisation", "odometry"}});
   game.placeBall({-0.1, 0.3});
   EXPECT_TRUE(touches(game, 40));
-}
-
-TEST(RegisteredSolutions, offerTwoWaysToDoEachTaskAndSayWhatTheyDo) {
-  std::map<std::string, int> counts;
-  for (const auto& solution : robotlink::SolutionRegistry::all()) {
-    ++counts[solution.task];
-    EXPECT_TRUE(solution.help.ends_with(".")) << solution.task << "/" << solution.name;
-  }
-  for (const auto& described : robotlink::describedTasks()) {
-    EXPECT_GE(counts[described.task], 2) << described.task;
-    EXPECT_FALSE(described.help.empty());
-  }
-  EXPECT_EQ(counts.size(), robotlink::describedTasks().size());
 }
 
 }  // namespace

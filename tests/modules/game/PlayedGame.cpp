@@ -78,8 +78,12 @@ void PlayedGame::run(double seconds) {
 
 void PlayedGame::show(const std::string& package, Listener listener) {
   listeners_[package] = std::move(listener);
+  tell(robotlink::packageKey(package));
+}
+
+void PlayedGame::tell(const std::string& key) {
   robotcontrol::Request request = requestTo(kRobot);
-  request.mutable_set_key()->set_name(robotlink::packageKey(package));
+  request.mutable_set_key()->set_name(key);
   request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
   if (!run_->request(request)) throw std::runtime_error("request refused");
 }
@@ -93,6 +97,7 @@ void PlayedGame::select(const std::string& task, const std::string& solution) {
 
 void PlayedGame::receive(const robotcontrol::DebugQueue& queue) {
   for (const robotcontrol::DebugMessage& message : queue.messages()) {
+    paths_.insert(message.path());
     if (message.has_text()) texts_.push_back(message.text().name() + ": " + message.text().message());
     const auto listener = listeners_.find(message.path());
     const auto truth = truths_.find(robotlink::instant(message.timestamp()));

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -40,6 +41,10 @@ class PlayedGame {
     });
   }
   void select(const std::string& task, const std::string& solution);
+  /// Turns a debug key on.
+  void tell(const std::string& key);
+  /// Of all debug messages that came: "drawings/image/ball-percept/disc".
+  const std::set<std::string>& paths() const { return paths_; }
 
   double time() const;
   Truth truth() const;
@@ -57,6 +62,7 @@ class PlayedGame {
   std::map<std::string, Listener> listeners_;
   std::map<robotlink::Instant, Truth> truths_;
   std::vector<std::string> texts_;
+  std::set<std::string> paths_;
 };
 
 }  // namespace modules

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What holds for all registered solutions of the robot program.
+#include <gmock/gmock.h>
+#include <google/protobuf/message.h>
+#include <google/protobuf/text_format.h>
+
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+
+#include "PlayedGame.h"
+#include "robotlink/debugging/Solution.h"
+
+namespace modules {
+namespace {
+
+using robotlink::SolutionDescription;
+using robotlink::SolutionRegistry;
+
+TEST(Solutions, offerTwoWaysToDoEachTaskAndSayWhatTheyDo) {
+  std::map<std::string, int> counts;
+  for (const SolutionDescription& solution : SolutionRegistry::all()) {
+    ++counts[solution.task];
+    EXPECT_TRUE(solution.help.ends_with(".")) << solution.task << "/" << solution.name;
+  }
+  for (const auto& described : robotlink::describedTasks()) {
+    EXPECT_GE(counts[described.task], 2) << described.task;
+    EXPECT_FALSE(described.help.empty());
+  }
+  EXPECT_EQ(counts.size(), robotlink::describedTasks().size());
+}
+
+TEST(Solutions, haveDefaultsForAllTheirParameters) {
+  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/parameters/ers210";
+  for (const SolutionDescription& solution : SolutionRegistry::all()) {
+    if (solution.parameters == nullptr) continue;
+    const std::filesystem::path file = folder / (solution.task + "." + solution.name + ".textproto");
+    std::ifstream stream(file);
+    ASSERT_TRUE(stream) << file;
+    std::stringstream text;
+    text << stream.rdbuf();
+    const std::unique_ptr<google::protobuf::Message> parameters(solution.parameters->New());
+    EXPECT_TRUE(google::protobuf::TextFormat::ParseFromString(text.str(), parameters.get())) << file;
+  }
+}
+
+/// Plays with these solutions and all their debug keys on, and returns the keys that never told anything.
+std::vector<std::string> silentKeys(PlayedGame::Solutions solutions) {
+  PlayedGame game(solutions);
+  std::set<std::string> keys;
+  for (const auto& [task, name] : solutions)
+    for (const int key : SolutionRegistry::find(task, name)->keys)
+      keys.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
+  for (const std::string& key : keys) game.tell(key);
+  game.placeBall({-0.1, 0.2});
+  game.run(3);
+  std::vector<std::string> silent;
+  for (const std::string& key : keys) {
+    const auto tells = [&](const std::string& path) { return path.find("/" + key) != std::string::npos; };
+    if (std::ranges::none_of(game.paths(), tells)) silent.push_back(key);
+  }
+  return silent;
+}
+
+TEST(Solutions, tellSomethingUnderEachOfTheirKeys) {
+  EXPECT_THAT(silentKeys({{"segmentation", "scan-lines"},
+                          {"camera-pose", "kinematic"},
+                          {"ball-percept", "circle-fit"},
+                          {"landmark-percepts", "color-bands"},
+                          {"ball-model", "filtered"},
+                          {"self-localisation", "landmarks"},
+                          {"behavior", "go-to-ball-and-kick"}}),
+              testing::IsEmpty());
+}
+
+TEST(Solutions, ofTheOtherKindTellSomethingToo) {
+  EXPECT_THAT(silentKeys({{"segmentation", "whole-image"},
+                          {"camera-pose", "fixed-stance"},
+                          {"ball-percept", "region"},
+                          {"landmark-percepts", "horizon-scan"},
+                          {"ball-model", "last-percept"},
+                          {"self-localisation", "odometry"}}),
+              testing::IsEmpty());
+}
+
+TEST(Solutions, canBeSwitchedWhileTheRobotPlays) {
+  PlayedGame game;
+  game.placeBall({0.3, 0.3});
+  for (const char* solution : {"circle-fit", "region", "circle-fit"}) {
+    game.select("ball-percept", solution);
+    game.run(1);
+  }
+  game.select("segmentation", "whole-image");
+  game.select("self-localisation", "oracle");
+  while (game.ballContacts() == 0 && game.time() < 40) game.run(0.5);
+  EXPECT_GT(game.ballContacts(), 0U);
+}
+
+}  // namespace
+}  // namespace modules
