@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "robotlink/config/FieldDescription.h"
+#include "widgets/Sentence.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/models/Theme.h"
@@ -108,20 +109,7 @@ void FieldCanvas::paintContents(QPainter& painter) const {
 void FieldCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
   paintContents(painter);
-  if (!notice_.isEmpty()) paintNotice(painter);
-}
-
-void FieldCanvas::paintNotice(QPainter& painter) const {
-  const QFontMetricsF metrics(painter.font());
-  QRectF box = metrics.boundingRect(QRectF(0, 0, width() - 40, height()), Qt::TextWordWrap, notice_)
-                   .adjusted(-10, -4, 10, 4);
-  box.moveCenter(QPointF(width() / 2.0, box.height() / 2 + 8));
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette().color(QPalette::ToolTipBase));
-  painter.drawRoundedRect(box, 4, 4);
-  painter.setPen(palette().color(QPalette::ToolTipText));
-  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, notice_);
+  if (!notice_.isEmpty()) paintSentence(painter, *this, notice_, SentencePlace::kTop);
 }
 
 std::string FieldCanvas::modelAt(const QPointF& at, Qt::KeyboardModifiers modifiers) const {

@@ -62,7 +62,6 @@ class FieldCanvas final : public QWidget {
   enum class Mode : std::uint8_t { kIdle, kPanning, kDragging };
   QSizeF extent() const;
   void paintContents(QPainter& painter) const;
-  void paintNotice(QPainter& painter) const;
   /// The model that a drag would move from here; empty: none.
   std::string modelAt(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
   void updateHighlight(const QPointF& at, Qt::KeyboardModifiers modifiers);

@@ -6,6 +6,7 @@
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "widgets/models/MessageColors.h"
 
 namespace widgets {
 namespace {
@@ -13,11 +14,6 @@ namespace {
 using foxglove::LinePrimitive;
 using robotlink::Pose3;
 using robotlink::Vector3;
-
-QColor qColor(const foxglove::Color& color) {
-  const auto channel = [](double value) { return std::clamp(value, 0.0, 1.0); };
-  return QColor::fromRgbF(channel(color.r()), channel(color.g()), channel(color.b()), channel(color.a()));
-}
 
 /// Paints the primitives of one entity.
 class AbovePainter {

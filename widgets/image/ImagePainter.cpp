@@ -5,6 +5,7 @@
 #include <QPolygonF>
 
 #include "foxglove/Image.pb.h"
+#include "widgets/models/MessageColors.h"
 
 namespace widgets {
 namespace {
@@ -12,11 +13,6 @@ namespace {
 using foxglove::PointsAnnotation;
 
 constexpr double kGridZoom = 12;  // from here on there is room for lines between pixels
-
-QColor qColor(const foxglove::Color& color) {
-  const auto channel = [](double value) { return std::clamp(value, 0.0, 1.0); };
-  return QColor::fromRgbF(channel(color.r()), channel(color.g()), channel(color.b()), channel(color.a()));
-}
 
 QPointF qPoint(const foxglove::Point2& point) {
   return {point.x(), point.y()};

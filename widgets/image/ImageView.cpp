@@ -2,7 +2,6 @@
 #include "widgets/image/ImageView.h"
 
 #include <QAction>
-#include <QComboBox>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QJsonArray>
@@ -12,16 +11,15 @@
 #include <QVBoxLayout>
 
 #include "foxglove/Image.pb.h"
-#include "robotcontrol/Perception.pb.h"
-#include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
-#include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/image/ImageCanvas.h"
+#include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
+#include "widgets/image/StreamChoice.h"
 #include "widgets/models/DrawingsModel.h"
 
 namespace widgets {
@@ -34,15 +32,9 @@ const ViewRegistration kRegistration{
 
 constexpr char kDefaultChoice[] = "*/camera/image";
 
-/// "*/camera/image" of "red1/camera/image".
-QString ofSelectedRobot(const QString& path) {
-  return QStringLiteral("*/") + path.section(QLatin1Char('/'), 1);
-}
-
 }  // namespace
 
-ImageView::ImageView(ViewContext& context, QWidget* parent)
-    : View(context, parent), choice_(QLatin1String(kDefaultChoice)) {
+ImageView::ImageView(ViewContext& context, QWidget* parent) : View(context, parent) {
   setObjectName(QStringLiteral("imageView"));
   drawings_ = new DrawingsModel({QStringLiteral("image")}, this);
   createActions();
@@ -108,10 +100,8 @@ QWidget* ImageView::createToolRow() {
   auto* layout = new QHBoxLayout(row);
   layout->setContentsMargins(2, 2, 2, 2);
   layout->setSpacing(1);
-  streams_ = new QComboBox(row);
+  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row);
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
-  streams_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
-  streams_->setMinimumContentsLength(14);
   layout->addWidget(streams_, 1);
   for (QAction* action : {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_})
     layout->addWidget(makeButton(row, action));
@@ -149,8 +139,10 @@ void ImageView::connectSignals() {
     frozenAt_ = frozen ? std::optional(session().timeline().shown()) : std::nullopt;
     tick();
   });
-  connect(streams_, QOverload<int>::of(&QComboBox::activated), this,
-          [this] { selectStream(streams_->currentData().toString()); });
+  connect(streams_, &StreamChoice::choiceChanged, this, [this] {
+    freeze_->setChecked(false);
+    tick();
+  });
   connect(drawings_, &DrawingsModel::shownChanged, this, &ImageView::showMessage);
   connect(canvas_, &ImageCanvas::viewportChanged, this, &ImageView::updateStatus);
   connect(canvas_, &ImageCanvas::pixelChanged, this, &ImageView::updatePixel);
@@ -165,9 +157,10 @@ void ImageView::connectSignals() {
 }
 
 void ImageView::tick() {
-  refreshStreams();
+  const bool listed = streams_->refresh(session());
+  if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
   drawings_->refresh(session().store());
-  const auto* message = session().store().latest(streamPath(), instant());
+  const auto* message = session().store().latest(streams_->path(session()), instant());
   // What is frozen stays, even when the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {
     message_ = message == nullptr ? nullptr : message->value;
@@ -177,47 +170,8 @@ void ImageView::tick() {
   updateStatus();
 }
 
-void ImageView::refreshStreams() {
-  const auto& store = session().store();
-  if (store.listVersion() == listVersion_ && session().selectedRobot() == listedRobot_) return;
-  listVersion_ = store.listVersion();
-  listedRobot_ = session().selectedRobot();
-  QStringList choices, paths;
-  for (const auto* stream : store.streams()) {
-    if (stream->type != "foxglove.RawImage") continue;
-    const QString path = QString::fromStdString(stream->path);
-    paths << path;
-    if (path.startsWith(QString::fromStdString(listedRobot_) + QLatin1Char('/')))
-      choices << ofSelectedRobot(path);
-  }
-  if (!paths.contains(choice_) && !choices.contains(choice_)) choices.prepend(choice_);
-  streams_->clear();
-  for (const QString& choice : choices + paths) {
-    const QString title =
-        choice.startsWith(QLatin1Char('*')) ? tr("Selected robot: %1").arg(choice.mid(2)) : choice;
-    streams_->addItem(title, choice);
-  }
-  streams_->setCurrentIndex(streams_->findData(choice_));
-  Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streamPath())));
-}
-
-void ImageView::selectStream(const QString& choice) {
-  if (choice.isEmpty()) return;
-  choice_ = choice;
-  listVersion_ = ~0ULL;
-  freeze_->setChecked(false);
-  tick();
-}
-
-std::string ImageView::streamPath() const {
-  QString path = choice_;
-  if (path.startsWith(QLatin1Char('*')))
-    path.replace(0, 1, QString::fromStdString(session().selectedRobot()));
-  return path.toStdString();
-}
-
 std::string ImageView::robot() const {
-  return QString::fromStdString(streamPath()).section(QLatin1Char('/'), 0, 0).toStdString();
+  return QString::fromStdString(streams_->path(session())).section(QLatin1Char('/'), 0, 0).toStdString();
 }
 
 robotlink::Instant ImageView::instant() const {
@@ -230,12 +184,13 @@ void ImageView::showMessage() {
                         : std::vector<CurrentDrawing>();
   const bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
-  canvas_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streamPath())));
+  canvas_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
   if (same) return;
   shownDrawings_ = std::move(drawings);
   ImagePicture picture;
   std::vector<robotlink::PackagePtr> keep;
-  if (image_) picture.pixels = toQImage(robotlink::imageView(*image_), classColors());
+  if (image_)
+    picture.pixels = toQImage(robotlink::imageView(*image_), classColors(classes(), context().field.get()));
   for (const CurrentDrawing& drawing : shownDrawings_) {
     const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
     if (annotations == nullptr) continue;
@@ -264,44 +219,13 @@ void ImageView::updatePixel() {
   const auto at = canvas_->pixelUnderCursor();
   if (!at || !image_) return pixel_->clear();
   const auto pixel = pixelAt(robotlink::imageView(*image_), at->x(), at->y());
-  pixel_->setText(pixel ? describe(*pixel, classNameAt(at->x(), at->y())) : QString());
+  pixel_->setText(pixel ? describe(*pixel, classNameOf(*pixel, classes(), context().field.get()))
+                        : QString());
 }
 
-/// Of an image of classes the name of the class; of any other, that of the palette's colour if it is exactly
-/// this.
-std::string ImageView::classNameAt(int x, int y) const {
-  const auto pixel = pixelAt(robotlink::imageView(*image_), x, y);
-  if (!pixel) return {};
-  if (pixel->value) {
-    const auto names = classNames();
-    return static_cast<std::size_t>(*pixel->value) < names.size()
-               ? names[static_cast<std::size_t>(*pixel->value)]
-               : "";
-  }
-  if (pixel->ycbcr || !context().field) return {};
-  for (const auto& color : context().field->palette) {
-    if (color.rgb == pixel->rgb) return color.name;
-  }
-  return {};
-}
-
-/// The classes of a robot's segmented images, by index. Empty for an image of grey values.
-std::vector<std::string> ImageView::classNames() const {
-  if (!image_ || image_->encoding() != "mono8" || streamPath().find("/images/") == std::string::npos)
-    return {};
-  const std::string path = robot() + "/" + robotlink::kColorRegions.name;
-  const auto* regions = session().store().latestAs<robotcontrol::ColorRegions>(path, imageTime_);
-  if (regions == nullptr) return {};
-  return {regions->class_names().begin(), regions->class_names().end()};
-}
-
-std::vector<robotlink::Rgb> ImageView::classColors() const {
-  std::vector<robotlink::Rgb> colors;
-  for (const std::string& name : classNames()) {
-    const auto* color = context().field ? context().field->color(name) : nullptr;
-    colors.push_back(color != nullptr ? *color : robotlink::Rgb{});
-  }
-  return colors;
+std::vector<std::string> ImageView::classes() const {
+  return image_ ? classNames(session().store(), streams_->path(session()), *image_, imageTime_)
+                : std::vector<std::string>();
 }
 
 bool ImageView::savePicture(const QString& file, bool withDrawings) {
@@ -310,7 +234,7 @@ bool ImageView::savePicture(const QString& file, bool withDrawings) {
 
 QJsonObject ImageView::saveState() const {
   const ImageViewport& viewport = canvas_->viewport();
-  return {{QStringLiteral("stream"), choice_},
+  return {{QStringLiteral("stream"), streams_->choice()},
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
           {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
@@ -328,7 +252,7 @@ void ImageView::restoreState(const QJsonObject& state) {
                         std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,
                                    ImageViewport::kMaximumZoom),
                         {center.at(0).toDouble(), center.at(1).toDouble()}});
-  selectStream(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
+  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
 }
 
 }  // namespace widgets

@@ -6,13 +6,11 @@
 #include <vector>
 
 #include "robotlink/base/Clock.h"
-#include "robotlink/base/Image.h"
 #include "robotlink/process/Link.h"
 #include "widgets/View.h"
 #include "widgets/models/CurrentDrawings.h"
 
 class QAction;
-class QComboBox;
 class QLabel;
 class QSplitter;
 class QToolBar;
@@ -24,6 +22,7 @@ namespace widgets {
 
 class DrawingsModel;
 class ImageCanvas;
+class StreamChoice;
 
 /// Shows any stream of images with the drawings that belong to it, chosen by name. Zoom, pan, colour of the
 /// pixel under the cursor; the picture can be frozen, copied and saved. Follows the session's time line.
@@ -50,33 +49,24 @@ class ImageView final : public View {
   QWidget* createFooter();
   void connectSignals();
 
-  void refreshStreams();
-  void selectStream(const QString& choice);
-  /// The path of the chosen stream, the selected robot's name in place of "*".
-  std::string streamPath() const;
   std::string robot() const;
   robotlink::Instant instant() const;
   void showMessage();
   void updateStatus();
   void updatePixel();
   QString staleText() const;
-  std::string classNameAt(int x, int y) const;
-  std::vector<robotlink::Rgb> classColors() const;
-  std::vector<std::string> classNames() const;
+  /// The names of the classes that the image consists of, if it does.
+  std::vector<std::string> classes() const;
 
   DrawingsModel* drawings_ = nullptr;
   ImageCanvas* canvas_ = nullptr;
-  QComboBox* streams_ = nullptr;
+  StreamChoice* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *pixel_ = nullptr, *state_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
   QAction *freeze_ = nullptr, *showDrawings_ = nullptr;
   QAction *copy_ = nullptr, *copyImage_ = nullptr, *save_ = nullptr, *saveImage_ = nullptr;
 
-  QString choice_;
-  quint64 listVersion_ = ~0ULL;
-  std::string listedRobot_;
-  std::string shownPath_;
   robotlink::PackagePtr message_;  ///< the image that is shown
   std::shared_ptr<const foxglove::RawImage> image_;
   robotlink::Instant imageTime_;

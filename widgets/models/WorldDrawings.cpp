@@ -13,22 +13,22 @@ namespace {
 
 using robotlink::Pose3;
 
-Pose3 onGround(const robotlink::Pose2& pose) {
-  Pose3 result = Pose3::Identity();
-  result.translation() = robotlink::Vector3(pose.x, pose.y, 0);
-  result.linear() = Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()).toRotationMatrix();
-  return result;
-}
-
 std::optional<Pose3> poseOfFrame(const std::string& frame, const SceneState& scene,
                                  const std::vector<RobotBelief>& beliefs) {
   if (const auto pose = scene.framePose(frame)) return pose;
   const auto belief = std::ranges::find(beliefs, frame, &RobotBelief::robot);
   if (belief == beliefs.end() || !belief->pose()) return std::nullopt;
-  return onGround(*belief->pose());
+  return poseOnGround(*belief->pose());
 }
 
 }  // namespace
+
+Pose3 poseOnGround(const robotlink::Pose2& pose) {
+  Pose3 result = Pose3::Identity();
+  result.translate(robotlink::Vector3(pose.x, pose.y, 0));
+  result.rotate(Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()));
+  return result;
+}
 
 std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
                                         const std::vector<RobotBelief>& beliefs,

@@ -28,6 +28,9 @@ struct WorldDrawing {
   robotlink::PackagePtr keep;
 };
 
+/// The inverse of robotlink::groundPose() for what stands upright on the ground.
+robotlink::Pose3 poseOnGround(const robotlink::Pose2& pose);
+
 /// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first. Those that are
 /// relative to a robot lie at its true pose or, where that is not known, at its estimated one; without either
 /// they are left out.

@@ -6,11 +6,17 @@
 #include <epoxy/gl.h>
 
 #include <cstdio>
+#include <cstdlib>
 #include <cstring>
 #include <utility>
 
 namespace widgets {
 namespace {
+
+// Before main(), while there is one thread: Mesa's software shall draw in the thread that asks, so that the
+// other cores stay with the simulation, and what a picture costs can be measured. Who sets it has his
+// reasons.
+[[maybe_unused]] const int kSoftwareThreads = setenv("LP_NUM_THREADS", "0", 0);
 
 std::string eglErrorText(const char* what) {
   char code[16];
@@ -104,11 +110,6 @@ EglContext::~EglContext() {
   if (context_ == nullptr) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);
   eglDestroyContext(display_, context_);
-}
-
-bool EglContext::software() const {
-  return renderer_.find("llvmpipe") != std::string::npos || renderer_.find("softpipe") != std::string::npos ||
-         renderer_.find("SWR") != std::string::npos;
 }
 
 }  // namespace widgets

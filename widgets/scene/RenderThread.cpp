@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/RenderThread.h"
 
+#include <time.h>
+
 #include <algorithm>
 #include <utility>
 
@@ -16,6 +18,14 @@ constexpr double kShareOfCore = 0.4, kShareInHurry = 0.9;
 std::chrono::duration<double> interval(std::chrono::duration<double> cost, bool hurry) {
   return std::max<std::chrono::duration<double>>(kShortestInterval,
                                                  cost / (hurry ? kShareInHurry : kShareOfCore));
+}
+
+/// What this thread has used of the processor. Software draws in this very thread (EglContext).
+std::chrono::duration<double> threadTime() {
+  timespec time{};
+  clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);
+  return std::chrono::duration<double>(static_cast<double>(time.tv_sec) +
+                                       1e-9 * static_cast<double>(time.tv_nsec));
 }
 
 }  // namespace
@@ -55,7 +65,8 @@ std::string RenderThread::device() const {
   return device_;
 }
 
-std::shared_ptr<const SceneFrame> RenderThread::next(Clock::time_point start, Clock::duration cost) {
+std::shared_ptr<const SceneFrame> RenderThread::next(Clock::time_point start,
+                                                     std::chrono::duration<double> cost) {
   std::unique_lock lock(mutex_);
   while (!ending_) {
     if (!wanted_) {
@@ -80,14 +91,13 @@ void RenderThread::run() {
     }
   }
   if (!renderer) return finished_();
-  // Mesa's software draws with several threads: count a picture's time for each of up to two.
-  const auto cores = renderer->software() ? std::clamp(std::thread::hardware_concurrency(), 1U, 2U) : 1U;
   Clock::time_point start;
-  Clock::duration cost{};
+  std::chrono::duration<double> cost{};
   while (auto frame = next(start, cost)) {
     start = Clock::now();
+    const auto before = threadTime();
     Picture picture{renderer->render(*frame), frame};
-    cost = (Clock::now() - start) * cores;
+    cost = threadTime() - before;
     {
       const std::lock_guard lock(mutex_);
       picture_ = std::move(picture);

@@ -52,7 +52,7 @@ class RenderThread {
   void run();
   /// Null when the thread shall end. Waits for a request, and until the last picture, begun at `start`, has
   /// been paid for.
-  std::shared_ptr<const SceneFrame> next(Clock::time_point start, Clock::duration cost);
+  std::shared_ptr<const SceneFrame> next(Clock::time_point start, std::chrono::duration<double> cost);
 
   MakeRenderer makeRenderer_;
   std::function<void()> finished_;

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/SceneCamera.h"
 
+#include <QJsonArray>
+#include <QRectF>
 #include <algorithm>
 #include <cmath>
 
@@ -94,10 +96,39 @@ void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
   target = target.cwiseMax(-kFarthestTarget).cwiseMin(kFarthestTarget);
 }
 
-SceneCamera SceneCamera::fromAbove() {
+void SceneCamera::fit(const QSizeF& widget, const Vector3& extent) {
+  constexpr double kMargin = 0.03;  // of the widget
+  const QRectF room(kMargin * widget.width(), kMargin * widget.height(), (1 - 2 * kMargin) * widget.width(),
+                    (1 - 2 * kMargin) * widget.height());
+  const auto allSeen = [&] {
+    for (int corner = 0; corner < 8; ++corner) {
+      const Vector3 place((corner & 1 ? 0.5 : -0.5) * extent.x(), (corner & 2 ? 0.5 : -0.5) * extent.y(),
+                          corner & 4 ? extent.z() : 0);
+      const auto at = project(widget, place);
+      if (!at || !room.contains(*at)) return false;
+    }
+    return true;
+  };
+  double nearest = kMinimumDistance, farthest = kMaximumDistance;
+  for (int i = 0; i < 24; ++i) {
+    distance = (nearest + farthest) / 2;
+    (allSeen() ? farthest : nearest) = distance;
+  }
+  distance = farthest;
+}
+
+SceneCamera SceneCamera::overview(const QSizeF& widget, const Vector3& extent) {
+  SceneCamera camera;
+  // A little nearer to the viewer than the centre: what is near looks larger.
+  camera.target = {0, -0.06 * extent.y(), 0};
+  camera.fit(widget, extent);
+  return camera;
+}
+
+SceneCamera SceneCamera::fromAbove(const QSizeF& widget, const Vector3& extent) {
   SceneCamera camera;
   camera.elevation = kHighest;
-  camera.distance = 5.6;
+  camera.fit(widget, extent);
   return camera;
 }
 
@@ -108,6 +139,25 @@ SceneCamera SceneCamera::behind(const robotlink::Pose2& pose) {
   camera.azimuth = robotlink::normalizedAngle(pose.heading + robotlink::kPi);
   camera.elevation = robotlink::radians(24);
   camera.distance = 1.3;
+  return camera;
+}
+
+QJsonObject stateOf(const SceneCamera& camera) {
+  return {{QStringLiteral("target"), QJsonArray{camera.target.x(), camera.target.y(), camera.target.z()}},
+          {QStringLiteral("distance"), camera.distance},
+          {QStringLiteral("azimuth"), camera.azimuth},
+          {QStringLiteral("elevation"), camera.elevation}};
+}
+
+SceneCamera cameraOf(const QJsonObject& state) {
+  SceneCamera camera;
+  const QJsonArray target = state[QStringLiteral("target")].toArray();
+  for (int i = 0; i < 3; ++i) camera.target[i] = std::clamp(target.at(i).toDouble(), -10.0, 10.0);
+  camera.distance = std::clamp(state[QStringLiteral("distance")].toDouble(camera.distance),
+                               SceneCamera::kMinimumDistance, SceneCamera::kMaximumDistance);
+  camera.azimuth = state[QStringLiteral("azimuth")].toDouble(camera.azimuth);
+  camera.elevation =
+      std::clamp(state[QStringLiteral("elevation")].toDouble(camera.elevation), kLowest, kHighest);
   return camera;
 }
 

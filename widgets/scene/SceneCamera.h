@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QJsonObject>
 #include <QPointF>
 #include <QSizeF>
 #include <optional>
@@ -45,10 +46,18 @@ struct SceneCamera {
   void pan(const QSizeF& widget, const QPointF& by);
   /// Nearer by `factor` above 1; what lies on the ground under `at` stays there.
   void zoom(const QSizeF& widget, double factor, const QPointF& at);
+  /// As near as possible while all of the box is seen.
+  void fit(const QSizeF& widget, const robotlink::Vector3& extent);
 
-  static SceneCamera fromAbove();
+  /// So that all of a box around the field's centre is seen: `extent` is its length, width and height.
+  static SceneCamera overview(const QSizeF& widget, const robotlink::Vector3& extent);
+  static SceneCamera fromAbove(const QSizeF& widget, const robotlink::Vector3& extent);
   /// Over the shoulder of what stands at a pose.
   static SceneCamera behind(const robotlink::Pose2& pose);
 };
+
+/// For saved window layouts. What is missing is as in a new camera, what is out of range is brought back.
+QJsonObject stateOf(const SceneCamera& camera);
+SceneCamera cameraOf(const QJsonObject& state);
 
 }  // namespace widgets

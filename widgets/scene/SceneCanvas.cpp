@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/Sentence.h"
 #include "widgets/models/Theme.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneOverlay.h"
@@ -69,8 +70,14 @@ void SceneCanvas::setHint(const QString& text) {
 void SceneCanvas::setCamera(const SceneCamera& camera) {
   if (camera == camera_) return;
   camera_ = camera;
+  overview_.reset();
   request();
   Q_EMIT cameraMoved();
+}
+
+void SceneCanvas::setOverview(const robotlink::Vector3& extent) {
+  setCamera(SceneCamera::overview(size(), extent));
+  overview_ = extent;
 }
 
 void SceneCanvas::zoomBy(double factor) {
@@ -144,26 +151,21 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
     paintAxes(painter, size(), shown_.frame->camera);
   }
   const QString error = QString::fromStdString(thread_->error());
-  if (!error.isEmpty()) return paintSentence(painter, tr("The scene cannot be drawn: %1").arg(error), false);
-  if (contents_.bodies.empty() && !hint_.isEmpty()) paintSentence(painter, hint_, false);
-  if (!notice_.isEmpty()) paintSentence(painter, notice_, true);
-}
-
-void SceneCanvas::paintSentence(QPainter& painter, const QString& text, bool atTop) const {
-  const QFontMetricsF metrics(painter.font());
-  QRectF box =
-      metrics.boundingRect(QRectF(0, 0, std::max(80, width() - 60), height()), Qt::TextWordWrap, text)
-          .adjusted(-12, -6, 12, 6);
-  box.moveCenter(atTop ? QPointF(width() / 2.0, box.height() / 2 + 8) : QRectF(rect()).center());
-  painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(Qt::NoPen);
-  painter.setBrush(palette().color(QPalette::ToolTipBase));
-  painter.drawRoundedRect(box, 5, 5);
-  painter.setPen(palette().color(QPalette::ToolTipText));
-  painter.drawText(box, Qt::AlignCenter | Qt::TextWordWrap, text);
+  if (!error.isEmpty()) {
+    const QString text = tr("The scene cannot be drawn: %1").arg(error);
+    return paintSentence(painter, *this, text, SentencePlace::kMiddle);
+  }
+  if (contents_.bodies.empty() && !hint_.isEmpty())
+    paintSentence(painter, *this, hint_, SentencePlace::kMiddle);
+  if (!notice_.isEmpty()) paintSentence(painter, *this, notice_, SentencePlace::kTop);
 }
 
 void SceneCanvas::resizeEvent(QResizeEvent*) {
+  if (overview_) setOverview(robotlink::Vector3(*overview_));
+  request();
+}
+
+void SceneCanvas::showEvent(QShowEvent*) {
   request();
 }
 

@@ -3,6 +3,7 @@
 
 #include <QWidget>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -29,6 +30,10 @@ class SceneCanvas final : public QWidget {
 
   const SceneCamera& camera() const { return camera_; }
   void setCamera(const SceneCamera& camera);
+  /// Shows all of the field, also when this changes its size, until the camera is moved. The extent is that
+  /// of a box around the field's centre.
+  void setOverview(const robotlink::Vector3& extent);
+  bool overview() const { return overview_.has_value(); }
   void zoomBy(double factor);
   bool wireFrame() const { return wireFrame_; }
   void setWireFrame(bool wireFrame);
@@ -55,6 +60,7 @@ class SceneCanvas final : public QWidget {
  protected:
   void paintEvent(QPaintEvent* event) override;
   void resizeEvent(QResizeEvent* event) override;
+  void showEvent(QShowEvent* event) override;
   void changeEvent(QEvent* event) override;
   void mousePressEvent(QMouseEvent* event) override;
   void mouseMoveEvent(QMouseEvent* event) override;
@@ -69,7 +75,6 @@ class SceneCanvas final : public QWidget {
   void request();
   void takePicture();
   SceneFrame::Colors colors() const;
-  void paintSentence(QPainter& painter, const QString& text, bool atTop) const;
   Mode modeFor(const QMouseEvent& event);
   bool startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void highlight(const std::string& model);
@@ -82,6 +87,7 @@ class SceneCanvas final : public QWidget {
   bool moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
   QString notice_, hint_;
   SceneCamera camera_;
+  std::optional<robotlink::Vector3> overview_;
   std::string highlighted_;
   Mode mode_ = Mode::kIdle;
   bool moved_ = false;

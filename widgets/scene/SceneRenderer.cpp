@@ -8,6 +8,7 @@
 
 #include "widgets/scene/EglContext.h"
 #include "widgets/scene/GlObjects.h"
+#include "widgets/scene/SceneGrid.h"
 #include "widgets/scene/SceneShaders.h"
 
 namespace widgets {
@@ -27,35 +28,6 @@ Vector3f lampDirection() {
 Vector3f rgb(const QColor& color) {
   return {static_cast<float>(color.redF()), static_cast<float>(color.greenF()),
           static_cast<float>(color.blueF())};
-}
-
-/// Lines each half metre, fainter with the distance from the middle, just below the ground.
-SceneLines gridLines(const QColor& color) {
-  constexpr double kReach = 6, kStep = 0.5;
-  SceneLines lines;
-  const auto add = [&](double x0, double y0, double x1, double y1, bool main) {
-    const double fading = 1 - std::hypot(x0 + x1, y0 + y1) / 2 / kReach;
-    if (fading <= 0) return;
-    const auto point = [](double x, double y) {
-      return std::array{static_cast<float>(x), static_cast<float>(y), -0.03F};
-    };
-    const auto alpha = static_cast<std::uint8_t>((main ? 150 : 80) * fading);
-    lines.segments.push_back(
-        {point(x0, y0),
-         point(x1, y1),
-         {static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
-          static_cast<std::uint8_t>(color.blue()), alpha},
-         1});
-  };
-  const int count = static_cast<int>(2 * kReach / kStep);
-  for (int i = 0; i <= count; ++i) {
-    for (int k = 0; k < count; ++k) {
-      const double at = i * kStep - kReach, from = k * kStep - kReach;
-      add(at, from, at, from + kStep, i % 2 == 0);
-      add(from, at, from + kStep, at, i % 2 == 0);
-    }
-  }
-  return lines;
 }
 
 /// Projects along the lamp's light onto the ground.
@@ -135,10 +107,6 @@ SceneRenderer::~SceneRenderer() = default;
 const std::string& SceneRenderer::device() const {
   return state_->context.renderer();
 }
-bool SceneRenderer::software() const {
-  return state_->context.software();
-}
-
 QImage SceneRenderer::render(const SceneFrame& frame) {
   if (frame.pixels.isEmpty() || frame.pixels.width() > kLargest || frame.pixels.height() > kLargest)
     return {};

@@ -26,8 +26,6 @@ class SceneRenderer {
   QImage render(const SceneFrame& frame);
   /// "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& device() const;
-  /// The processor draws, with about as many threads as it has cores.
-  bool software() const;
 
  private:
   struct State;

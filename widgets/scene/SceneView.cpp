@@ -11,11 +11,13 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/field/FieldPainter.h"
 #include "widgets/models/DrawingsModel.h"
 #include "widgets/models/WorldDrawings.h"
 #include "widgets/scene/SceneCanvas.h"
@@ -29,31 +31,6 @@ const ViewRegistration kRegistration{
                        "The world in three dimensions, with what the robots draw into it"),
      "scene", true, create<SceneView>}};
 
-robotlink::Pose3 onGround(const robotlink::Pose2& pose) {
-  robotlink::Pose3 result = robotlink::Pose3::Identity();
-  result.translate(robotlink::Vector3(pose.x, pose.y, 0));
-  result.rotate(Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()));
-  return result;
-}
-
-QJsonObject cameraState(const SceneCamera& camera) {
-  return {{QStringLiteral("target"), QJsonArray{camera.target.x(), camera.target.y(), camera.target.z()}},
-          {QStringLiteral("distance"), camera.distance},
-          {QStringLiteral("azimuth"), camera.azimuth},
-          {QStringLiteral("elevation"), camera.elevation}};
-}
-
-SceneCamera cameraOf(const QJsonObject& state) {
-  SceneCamera camera;
-  const QJsonArray target = state[QStringLiteral("target")].toArray();
-  for (int i = 0; i < 3; ++i) camera.target[i] = std::clamp(target.at(i).toDouble(), -10.0, 10.0);
-  camera.distance = std::clamp(state[QStringLiteral("distance")].toDouble(camera.distance),
-                               SceneCamera::kMinimumDistance, SceneCamera::kMaximumDistance);
-  camera.azimuth = state[QStringLiteral("azimuth")].toDouble(camera.azimuth);
-  camera.elevation = state[QStringLiteral("elevation")].toDouble(camera.elevation);
-  return camera;
-}
-
 }  // namespace
 
 SceneView::SceneView(ViewContext& context, QWidget* parent) : View(context, parent) {
@@ -65,6 +42,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent) : View(context, pare
   connectSignals();
   connectCamera();
   connectDrag();
+  canvas_->setOverview(extent());
   tick();
 }
 
@@ -168,11 +146,11 @@ void SceneView::connectSignals() {
 void SceneView::connectCamera() {
   connect(reset_, &QAction::triggered, this, [this] {
     follow_->setChecked(false);
-    canvas_->setCamera({});
+    canvas_->setOverview(extent());
   });
   connect(fromAbove_, &QAction::triggered, this, [this] {
     follow_->setChecked(false);
-    canvas_->setCamera(SceneCamera::fromAbove());
+    canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), extent()));
   });
   connect(behind_, &QAction::triggered, this, &SceneView::lookFromBehind);
   connect(follow_, &QAction::toggled, this, [this] {
@@ -227,7 +205,8 @@ std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) c
   std::vector<SceneBody> ghosts;
   const auto pose = drag_.active() ? scene_.modelPose(drag_.model()) : std::nullopt;
   if (!pose) return ghosts;
-  const robotlink::Pose3 move = onGround(drag_.wanted()) * onGround(robotlink::groundPose(*pose)).inverse();
+  const robotlink::Pose3 move =
+      poseOnGround(drag_.wanted()) * poseOnGround(robotlink::groundPose(*pose)).inverse();
   for (const SceneBody& body : bodies) {
     if (body.model == drag_.model()) ghosts.push_back({body.shape, move * body.inField, {}});
   }
@@ -262,6 +241,14 @@ void SceneView::follow() {
   canvas_->setCamera(camera);
 }
 
+/// Of all that belongs to the field.
+robotlink::Vector3 SceneView::extent() const {
+  const auto& field = context().field;
+  if (!field) return {4.6, 3.1, 0.4};
+  const QSizeF ground = fieldExtent(*field);
+  return {ground.width(), ground.height(), field->beaconBaseHeight + 2 * field->beaconBandHeight};
+}
+
 void SceneView::lookFromBehind() {
   const auto pose = robotPose();
   if (pose) canvas_->setCamera(SceneCamera::behind(*pose));
@@ -286,7 +273,8 @@ QJsonObject SceneView::saveState() const {
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
           {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
-          {QStringLiteral("camera"), cameraState(canvas_->camera())},
+          {QStringLiteral("overview"), canvas_->overview()},
+          {QStringLiteral("camera"), stateOf(canvas_->camera())},
           {QStringLiteral("follow"), follow_->isChecked()},
           {QStringLiteral("wireFrame"), wireFrame_->isChecked()},
           {QStringLiteral("grid"), grid_->isChecked()},
@@ -304,6 +292,7 @@ void SceneView::restoreState(const QJsonObject& state) {
   move_->setChecked(state[QStringLiteral("move")].toBool(true));
   robots_->setChoice(state[QStringLiteral("robot")].toString());
   canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
+  if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(extent());
   // The camera stands where it stood to the robot.
   follow_->setChecked(state[QStringLiteral("follow")].toBool());
 }

@@ -50,6 +50,7 @@ class SceneView final : public View {
   /// Moves the camera as far as the robot moved since the last tick.
   void follow();
   std::optional<robotlink::Pose2> robotPose() const;
+  robotlink::Vector3 extent() const;
   void lookFromBehind();
   void showContextMenu(const QPoint& at);
 
