@@ -150,7 +150,7 @@ Intention BallChaser::approach(const Situation& now) {
   }
   target_ = place;
   const double direction = bearing(distance > 0.6 ? place : now.ball);
-  Intention intention = walk(place * 1.5, turnTo(direction, options_.turnSpeed), 1);
+  Intention intention = walk(place * 3, turnTo(direction, options_.turnSpeed), 1);
   // First turn, then go: a trot that turns and walks at once does neither well.
   const double share = std::clamp(1.5 - std::abs(bearing(now.ball)) / 0.6, 0.0, 1.0);
   intention.forward *= share;
