@@ -146,7 +146,7 @@ void SimulatedRun::step() {
 void SimulatedRun::stepThreads() {
   for (Robot& robot : robots_) {
     robot.platform->tryBeginFrame();
-    robot.platform->actuate();
+    robot.platform->guard([&] { robot.platform->actuate(); });
   }
   world_->advance();
   for (Robot& robot : robots_) robot.platform->runFrame();

@@ -60,7 +60,7 @@ class BallPerceptor : public robotlink::Solution {
     using robotlink::colors::kOrange;
     if (debug_.on(kDiscKey)) {
       auto drawing = debug_.imageDrawing(kDiscKey);
-      drawing.circle(ball.centerInImage, ball.radiusInImage, kOrange, 1);
+      drawing.circle(ball.centerInImage, ball.radiusInImage, robotlink::colors::kPink, 2);
       drawing.dot(ball.centerInImage, robotlink::colors::kBlack);
     }
     if (debug_.on(kPlaceKey))

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The whole workbench as a person uses it: mouse and keys on a window in which a robot plays.
+#include <QAction>
+#include <QComboBox>
+#include <QLabel>
+#include <QMenu>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeView>
+#include <QtTest>
+#include <fstream>
+#include <optional>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "foxglove/Geometry.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "tests/widgets/Bench.h"
+
+namespace {
+
+constexpr int kWaitMs = 20000;
+
+/// A workbench with its window, on a home of its own. Closing and making another one is a restart.
+class Desk {
+ public:
+  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
+    window.resize(1600, 1000);
+    window.show();
+    workbench.load(app::Workbench::defaultOptions());
+  }
+
+  bool loaded() { return workbench.loaded() != nullptr && status() != nullptr; }
+  const robotcontrol::SimulationStatus* status() {
+    return workbench.session().store().latestAs<robotcontrol::SimulationStatus>("simulation",
+                                                                               workbench.session().timeline().newest());
+  }
+  /// Where the robot truly is.
+  std::optional<robotlink::Vector3> robot() {
+    const auto* message = workbench.session().store().latestAs<foxglove::FrameTransforms>(
+        "transforms", workbench.session().timeline().newest());
+    if (message == nullptr) return std::nullopt;
+    for (const auto& transform : message->transforms()) {
+      if (transform.child_frame_id() == "red1") return robotlink::vector3(transform.translation());
+    }
+    return std::nullopt;
+  }
+  template <typename W>
+  W& find(const char* name) {
+    auto* widget = window.findChild<W*>(QLatin1String(name));
+    if (widget == nullptr) qFatal("there is no %s", name);
+    return *widget;
+  }
+  void click(const char* action) {
+    auto* button = qobject_cast<QToolButton*>(find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
+    if (button == nullptr) qFatal("there is no button for %s", action);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+
+  app::Workbench workbench;
+  app::MainWindow window;
+};
+
+QModelIndex entry(const QTreeView& tree, const char* text, int column = 0) {
+  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, QLatin1String(text), 1,
+                                        Qt::MatchExactly | Qt::MatchRecursive);
+  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
+}
+
+/// Pixels of the colour that the disc around the ball is drawn in; nothing at the start of a game looks like that.
+int discPixels(QWidget& widget) {
+  const QImage image = widget.grab().toImage();
+  int count = 0;
+  for (int y = 0; y < image.height(); ++y) {
+    for (int x = 0; x < image.width(); ++x) {
+      const QColor color = image.pixelColor(x, y);
+      count += color == QColor(250, 90, 170) ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+}  // namespace
+
+class WorkbenchGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void theSimulationIsStartedPausedSteppedAndResetByTheToolBar() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(!desk.status()->running());
+    desk.click("simulation.start");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->running() && desk.status()->time() > 0.2, kWaitMs);
+    desk.click("simulation.pause");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.status()->running(), kWaitMs);
+    const auto steps = desk.status()->steps();
+    desk.click("simulation.step");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->steps(), steps + 2, kWaitMs);
+    QVERIFY(desk.find<QLabel>("statusTime").text().contains(QString::number(desk.status()->time(), 'f', 3)));
+    desk.click("simulation.reset");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->steps(), 0U, kWaitMs);
+  }
+
+  void theSpeedIsChosenInItsBoxAndStopIsAKey() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& speed = desk.find<QComboBox>("speedBox");
+    speed.setFocus();
+    QTest::keyClick(&speed, Qt::Key_Down);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->requested_speed(), 2.0, kWaitMs);
+    QTest::keyClick(&desk.window, Qt::Key_Escape, Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 1, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QToolButton>("stopButton").isChecked(), kWaitMs);
+    QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 0, kWaitMs);
+  }
+
+  void aDebugKeyThatIsSwitchedOnDrawsIntoTheImage() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.click("simulation.start");
+    auto& tree = desk.find<QTreeView>("keysTree");
+    auto& canvas = desk.find<QWidget>("imageCanvas");
+    QTRY_VERIFY_WITH_TIMEOUT(entry(tree, "disc").isValid(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) > 20, kWaitMs);  // It is one of those that are on at the first start.
+    tree.setCurrentIndex(entry(tree, "disc"));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) < 5, kWaitMs);
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) > 20, kWaitMs);
+  }
+
+  void aSolutionIsSwitchedByAClickWhileTheRobotPlays() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.click("simulation.start");
+    auto& tree = desk.find<QTreeView>("solutionsTree");
+    QTRY_VERIFY_WITH_TIMEOUT(entry(tree, "circle-fit").isValid(), kWaitMs);
+    QCOMPARE(entry(tree, "ball-percept", 2).data().toString(), QStringLiteral("region"));
+    const QModelIndex choice = entry(tree, "circle-fit");
+    tree.scrollTo(choice);
+    QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(choice).center());
+    QTRY_COMPARE_WITH_TIMEOUT(entry(tree, "ball-percept", 2).data().toString(), QStringLiteral("circle-fit"), kWaitMs);
+  }
+
+  void theMotionTesterTakesOverAndDrives() {
+    Desk desk(home_);
+    desk.window.showPerspective(QStringLiteral("Motion"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.click("simulation.start");
+    auto& take = desk.find<QToolButton>("motionTakeOver");
+    QTRY_VERIFY_WITH_TIMEOUT(take.isEnabled(), kWaitMs);
+    QTest::mouseClick(&take, Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(take.isChecked(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.robot().has_value(), kWaitMs);
+    auto& pad = desk.find<QWidget>("walkPad");
+    QTRY_VERIFY_WITH_TIMEOUT(pad.isEnabled(), kWaitMs);
+    const robotlink::Vector3 start = *desk.robot();
+    QTest::mousePress(&pad, Qt::LeftButton, {}, QPoint(pad.width() / 2, pad.height() / 5));
+    QTRY_VERIFY_WITH_TIMEOUT((*desk.robot() - start).norm() > 0.1, kWaitMs);
+    QTest::mouseRelease(&pad, Qt::LeftButton, {}, QPoint(pad.width() / 2, pad.height() / 10));
+  }
+
+  void aPerspectiveIsSavedAndFoundAgainAfterARestart() {
+    const auto home = home_ / "restart";
+    {
+      Desk desk(home);
+      desk.window.showPerspective(QStringLiteral("Processes"));
+      QVERIFY(desk.window.docks().docks(QStringLiteral("scene")).empty());
+      desk.find<QAction>("view.image").trigger();
+      desk.window.close();
+    }
+    Desk desk(home);
+    QVERIFY(desk.find<QAction>("perspective.Processes").isChecked());
+    QVERIFY(desk.window.docks().docks(QStringLiteral("scene")).empty());
+    QCOMPARE(desk.window.docks().docks(QStringLiteral("image")).size(), std::size_t{1});
+    desk.window.showPerspective(QStringLiteral("Play"));
+    QCOMPARE(desk.window.docks().docks(QStringLiteral("scene")).size(), std::size_t{1});
+  }
+
+  void aBrokenWindowFileIsSetAsideAndReported() {
+    const auto home = home_ / "broken";
+    std::filesystem::create_directories(home);
+    { std::ofstream(home / "window.json") << "{ this is no JSON"; }
+    Desk desk(home);
+    QVERIFY(desk.find<QLabel>("errorText").isVisible());
+    QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("window.json")));
+    QVERIFY(std::filesystem::exists(home / "window.json.broken"));
+    QTest::mouseClick(&desk.find<QToolButton>("dismissErrors"), Qt::LeftButton);
+    QVERIFY(!desk.find<QLabel>("errorText").isVisible());
+  }
+
+  void aBadSceneIsShownWithItsPlaceAndTheOldOneGoesOn() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.click("simulation.start");
+    const auto file = home_ / "bad.sdf";
+    { std::ofstream(file) << "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <nonsense/>\n  </world>\n</sdf>\n"; }
+    QVERIFY(desk.workbench.commands().runLine("simulation.open " + file.string()));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("errorText").isVisible(), kWaitMs);
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QStringLiteral("bad.sdf:3")),
+             qPrintable(desk.find<QLabel>("errorText").text()));
+    const double time = desk.status()->time();
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->time() > time, kWaitMs);
+  }
+
+  void everyViewOfTheMenuOpens() {
+    Desk desk(home_ / "views");
+    for (const auto& type : widgets::ViewRegistry::all()) {
+      desk.find<QAction>((std::string("view.") + type.id).c_str()).trigger();
+      QVERIFY2(!desk.window.docks().docks(QLatin1String(type.id)).empty(), type.id);
+    }
+    QVERIFY(widgets::ViewRegistry::all().size() >= 7);
+    desk.window.tick();
+  }
+
+  void withinAMinuteOfItsTimeTheRobotHasKickedTheBall() {
+    Desk desk(home_ / "minute");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(desk.workbench.commands().runLine("simulation.speed 0"));
+    desk.click("simulation.start");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->ball_contacts() > 0, 60000);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->time() >= 60, 60000);
+    QVERIFY(desk.find<QLabel>("statusContacts").text() != QStringLiteral("0 ball contact(s)"));
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(WorkbenchGuiTest)
+#include "WorkbenchGuiTest.moc"
