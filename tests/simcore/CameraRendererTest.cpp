@@ -3,7 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cstdlib>
+#include <thread>
 
 #include "CameraScenes.h"
 #include "ReferenceCamera.h"
@@ -124,6 +126,20 @@ TEST(CameraRenderer, theSameInputsGiveTheSameBytesWhateverWasDrawnBefore) {
   renderer.setPoses(scene.poses);
   renderer.render(scene.cameras[4], {}, PixelFormat::kYuyv, {2.0, 1, 1, 7}, again);
   EXPECT_EQ(first, again);
+}
+
+TEST(CameraRenderer, severalThreadsMayShareAScene) {
+  const CameraScene scene = tableScene();
+  const Image expected = drawn(scene, {}, scene.cameras[0]);
+  std::array<Image, 3> images;
+  std::vector<std::thread> threads;
+  for (Image& image : images) {
+    threads.emplace_back([&scene, &image] {
+      for (int i = 0; i < 3; ++i) image = drawn(scene, {}, scene.cameras[0]);
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  for (const Image& image : images) EXPECT_EQ(image, expected);
 }
 
 TEST(CameraRenderer, anEmptySceneShowsItsBackground) {

@@ -5,6 +5,7 @@
 
 #include <array>
 #include <limits>
+#include <thread>
 
 #include "CameraScenes.h"
 
@@ -93,6 +94,24 @@ TEST(RayCaster, bodiesAreWhereTheyWerePutLast) {
   EXPECT_NEAR(caster.firstHit({-1, 0, 0.5}, {1, 0, 0}, kFar)->distance, 1.1, 2e-4);
   const std::array excluded = {2};
   EXPECT_NEAR(caster.firstHit({-1, 0, 0.5}, {1, 0, 0}, kFar, excluded)->distance, 2.5 - std::sqrt(0.5), 1e-5);
+}
+
+TEST(RayCaster, severalThreadsMayAskAtOnce) {
+  const Room room;
+  RayCaster caster(room.scene);
+  caster.setPoses(room.poses);
+  std::array<int, 3> wrong{};
+  std::vector<std::thread> threads;
+  for (int& count : wrong) {
+    threads.emplace_back([&caster, &count] {
+      for (int i = 0; i < 500; ++i) {
+        const auto hit = caster.firstHit({-1, 0, 0.5}, {1, 0, 0}, kFar);
+        if (!hit || hit->body != 2) ++count;
+      }
+    });
+  }
+  for (std::thread& thread : threads) thread.join();
+  EXPECT_EQ(wrong, (std::array<int, 3>{}));
 }
 
 TEST(RayCaster, surfacesAreHitFromInsideToo) {
