@@ -8,8 +8,9 @@
 
 namespace simcore {
 
-/// A pinhole camera without distortion. It looks along its frame's x-axis; y is to the left, z up. The optical axis
-/// pierces the image at its centre (width / 2, height / 2), with pixel (0, 0) covering [0, 1) x [0, 1).
+/// A pinhole camera without distortion. It looks along its frame's x-axis; y is to the left, z up. The
+/// optical axis pierces the image at its centre (width / 2, height / 2), with pixel (0, 0) covering [0, 1) x
+/// [0, 1).
 struct CameraModel {
   int width = 176;
   int height = 144;
@@ -17,7 +18,8 @@ struct CameraModel {
   double verticalAngle = robotlink::radians(47.8);
 };
 
-/// Noise added to every channel of every pixel: counter-based, so the same (seed, stream, frame) gives the same bytes.
+/// Noise added to every channel of every pixel: counter-based, so the same (seed, stream, frame) gives the
+/// same bytes.
 struct ImageNoise {
   double sigma = 0;  ///< standard deviation, grey values
   std::uint64_t seed = 0;
@@ -25,16 +27,18 @@ struct ImageNoise {
   std::uint64_t frame = 0;
 };
 
-/// Draws a RenderScene on the CPU: a visibility buffer (AVX2 where the processor has it, the same arithmetic without),
-/// lighting per pixel, shadows by Embree rays. No GPU, no display. The same inputs give the same bytes.
+/// Draws a RenderScene on the CPU: a visibility buffer (AVX2 where the processor has it, the same arithmetic
+/// without), lighting per pixel, shadows by Embree rays. No GPU, no display. The same inputs give the same
+/// bytes.
 ///
-/// Triangles are seen from their outer sides only, so a camera inside of a closed mesh looks out of it. There is no near
-/// plane. Coplanar surfaces of different instances must be 1 mm or more apart. A point on a triangle that faces away
-/// from a lamp is in its own shadow; other casters shade it where they cut the line to the lamp, up to 0.02 % of
-/// its length before the point.
+/// Triangles are seen from their outer sides only, so a camera inside of a closed mesh looks out of it. There
+/// is no near plane. Coplanar surfaces of different instances must be 1 mm or more apart. A point on a
+/// triangle that faces away from a lamp is in its own shadow; other casters shade it where they cut the line
+/// to the lamp, up to 0.02 % of its length before the point. Where the shadow rays of four neighbouring
+/// pixels agree, those between take their word, so that a shadow narrower than two pixels may have gaps.
 ///
-/// One thread at a time may use a renderer; several renderers may share a scene. Nothing is allocated by render() once
-/// it has drawn an image of the same size.
+/// One thread at a time may use a renderer; several renderers may share a scene. Nothing is allocated by
+/// render() once it has drawn an image of the same size.
 class CameraRenderer {
  public:
   enum class Arithmetic {
@@ -50,12 +54,14 @@ class CameraRenderer {
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
 
-  /// Where the bodies are now, by body index; at first all are at the origin. The world, body 0, stays there. What
-  /// follows from the poses is worked out once, by the next render(), for all images until the next call.
+  /// Where the bodies are now, by body index; at first all are at the origin. The world, body 0, stays there.
+  /// What follows from the poses is worked out once, by the next render(), for all images until the next
+  /// call.
   void setPoses(std::span<const Pose3> bodyInWorld);
 
-  /// Draws into `image`, whose size and format (kYuyv or kRgb8) are made those of `camera` and `format`. Chroma is the
-  /// mean of a pair's; a Yuyv image of odd width lacks the last column, as such images have none.
+  /// Draws into `image`, whose size and format (kYuyv or kRgb8) are made those of `camera` and `format`.
+  /// Chroma is the mean of a pair's; a Yuyv image of odd width lacks the last column, as such images have
+  /// none.
   void render(const Pose3& cameraInWorld, const CameraModel& camera, robotlink::PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
 

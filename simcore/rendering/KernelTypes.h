@@ -63,9 +63,12 @@ struct VisibilityBuffer {
 struct LampCell {
   float nearest = 0;
   float second = 0;
-  std::int32_t nearestInstance = -1;
-  std::int32_t secondInstance = -1;
+  /// Of the nearest, in the low half of the third word, and of the second. Numbers too large for it are -1,
+  /// which is never left out.
+  std::int16_t nearestInstance = -1;
+  std::int16_t secondInstance = -1;
 };
+static_assert(sizeof(LampCell) == 12);
 
 /// Eight pixels of a strip's row, some of which see a lamp unless a ray says otherwise.
 struct UnsureGroup {

@@ -2,6 +2,7 @@
 #include "simcore/rendering/LampGrid.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
 #include <span>
@@ -41,7 +42,12 @@ int cellOf(double slope, double margin) {
   return std::clamp(static_cast<int>(std::floor((slope + 1) * kSize / 2 + margin)), 0, kSize - 1);
 }
 
-void insert(LampCell& cell, int instance, float distance) {
+std::int16_t shortIndex(int instance) {
+  return instance <= std::numeric_limits<std::int16_t>::max() ? static_cast<std::int16_t>(instance)
+                                                              : std::int16_t{-1};
+}
+
+void insert(LampCell& cell, std::int16_t instance, float distance) {
   if (instance == cell.nearestInstance) {
     cell.nearest = std::min(cell.nearest, distance);
   } else if (distance < cell.nearest) {
@@ -55,24 +61,19 @@ void insert(LampCell& cell, int instance, float distance) {
   }
 }
 
-/// How near a plane (points p with normal * p = offset) comes to the lamp within a cell, squared; infinite if
-/// it does not pass. 1 / distance is linear in the directions, so that the corners tell, but for the cell
-/// right below the lamp.
-double squaredPlaneDistance(const Eigen::Vector3d& normal, double offset, int face, int u, int v) {
-  constexpr double kMargin = 0.02;
+/// Squared distances from the lamp to a plane (points p with normal * p = offset) in the directions of a row
+/// of cells' corners, from u0 to u1; infinite where it is not met.
+void planeDistances(const Eigen::Vector3d& normal, double offset, int face, int u0, int u1, int v,
+                    double* distances) {
   const int axis = face / 2;
-  double nearest = std::numeric_limits<double>::infinity();
-  for (const double cu : {u - kMargin, u + 1 + kMargin}) {
-    for (const double cv : {v - kMargin, v + 1 + kMargin}) {
-      Eigen::Vector3d direction;
-      direction[axis] = face % 2 == 0 ? 1 : -1;
-      direction[kU[axis]] = 2 * cu / kSize - 1;
-      direction[kV[axis]] = 2 * cv / kSize - 1;
-      const double t = offset / normal.dot(direction);
-      if (t >= 0) nearest = std::min(nearest, t * t * direction.squaredNorm());
-    }
+  Eigen::Vector3d direction;
+  direction[axis] = face % 2 == 0 ? 1 : -1;
+  direction[kV[axis]] = 2.0 * v / kSize - 1;
+  for (int u = u0; u <= u1; ++u) {
+    direction[kU[axis]] = 2.0 * u / kSize - 1;
+    const double t = offset / normal.dot(direction);
+    *distances++ = t >= 0 ? t * t * direction.squaredNorm() : std::numeric_limits<double>::infinity();
   }
-  return nearest;
 }
 
 }  // namespace
@@ -119,12 +120,19 @@ void LampGrid::addPiece(const Triangle& t, int instance) {
   Rectangle rectangles[6];
   const std::size_t count = rectanglesAround(center, radius, rectangles);
   for (const Rectangle& r : std::span(rectangles, count)) {
+    // 1 / distance to a plane is linear in the directions, so that a cell's corners tell how near it comes
+    // there.
+    std::array<double, kSize + 1> above{}, below{};
+    planeDistances(normal, normal.dot(center), r.face, r.u0, r.u1 + 1, r.v0, below.data());
     for (int v = r.v0; v <= r.v1; ++v) {
+      above = below;
+      planeDistances(normal, normal.dot(center), r.face, r.u0, r.u1 + 1, v + 1, below.data());
+      LampCell* const row = static_.data() + static_cast<std::ptrdiff_t>(r.face * kSize + v) * kSize;
       for (int u = r.u0; u <= r.u1; ++u) {
-        const double plane = squaredPlaneDistance(normal, normal.dot(center), r.face, u, v);
-        LampCell& cell = static_[static_cast<std::size_t>((r.face * kSize + v) * kSize + u)];
+        const auto i = static_cast<std::size_t>(u - r.u0);
+        const double plane = std::min({above[i], above[i + 1], below[i], below[i + 1]});
         if (std::isfinite(plane))
-          insert(cell, instance, static_cast<float>(std::max(sphere, plane) * kCaution));
+          insert(row[u], shortIndex(instance), static_cast<float>(std::max(sphere, plane) * kCaution));
       }
     }
   }
@@ -151,7 +159,7 @@ void LampGrid::addMoving(const Sphere& sphereInWorld, int instance) {
   for (const Rectangle& r : std::span(rectangles, count)) {
     for (int v = r.v0; v <= r.v1; ++v) {
       LampCell* const row = cells_.data() + static_cast<std::ptrdiff_t>(r.face * kSize + v) * kSize;
-      for (int u = r.u0; u <= r.u1; ++u) insert(row[u], instance, bound);
+      for (int u = r.u0; u <= r.u1; ++u) insert(row[u], shortIndex(instance), bound);
     }
     touched_.push_back(r);
   }

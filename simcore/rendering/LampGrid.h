@@ -17,7 +17,7 @@ namespace simcore::rendering {
 /// components, in the order x, y, z, divided by the largest. One thread at a time.
 class LampGrid {
  public:
-  static constexpr int kSize = 128;
+  static constexpr int kSize = 96;
 
   explicit LampGrid(const Eigen::Vector3d& lampInWorld);
 

@@ -77,10 +77,10 @@ SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
 SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Float8 squaredDistance,
                                 Int8 lanes) {
   const auto* base = reinterpret_cast<const float*>(cells);
-  const Int8 at = cell * 4;
+  const Int8 at = cell * 3;
   const Int8 behind = lanes & (gathered(base, at) < squaredDistance);
   if (bits(behind) == 0) return behind;
-  const auto nearest = reinterpret_cast<Int8>(gathered(base, at + 2));
+  const Int8 nearest = reinterpret_cast<Int8>(gathered(base, at + 2)) << 16 >> 16;
   const Int8 own = (nearest == self) & (self >= splatInt(0));
   return behind & (~own | (gathered(base, at + 1) < squaredDistance));
 }
