@@ -61,6 +61,10 @@ QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {
   return field;
 }
 
+int textWidth(const QWidget& widget, const QString& text) {
+  return widget.fontMetrics().horizontalAdvance(text) + 14;
+}
+
 void styleTree(QTreeView& tree) {
   tree.setUniformRowHeights(true);
   tree.setAlternatingRowColors(true);

@@ -30,6 +30,8 @@ QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
 QToolButton* makeButton(QWidget* parent, QAction* action);
 /// A search field with its icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);
+/// How wide a column must be to show this text, in the widget's font.
+int textWidth(const QWidget& widget, const QString& text);
 /// What all trees of this program look like: even rows, no focus frame, no edit on a mere click.
 void styleTree(QTreeView& tree);
 

@@ -74,8 +74,8 @@ void DebugKeysView::createViews() {
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   tree_->header()->setStretchLastSection(false);
   tree_->header()->setSectionResizeMode(KeyTreeModel::kName, QHeaderView::Stretch);
-  tree_->header()->resizeSection(KeyTreeModel::kMode, 104);
-  tree_->header()->resizeSection(KeyTreeModel::kNumber, 76);
+  tree_->header()->resizeSection(KeyTreeModel::kMode, textWidth(*tree_, tr("every n-th.")));
+  tree_->header()->resizeSection(KeyTreeModel::kNumber, textWidth(*tree_, tr("1000 ms")));
   hint_ = new EmptyHint(tree_);
   state_ = new QLabel(this);
   describe(*state_, {"keysState", tr("State of the debug keys"), {}});

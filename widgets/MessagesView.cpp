@@ -131,8 +131,12 @@ void MessagesView::createViews() {
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
-  const int widths[] = {72, 84, 60, 190};
-  for (int column = 0; column < LogModel::kText; ++column) table_->setColumnWidth(column, widths[column]);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  const QString samples[] = {tr("Time [s].."), tr("    warning"), tr("Robot...."),
+                             tr("cognition/ball-percept")};
+  for (int column = 0; column < LogModel::kText; ++column) {
+    table_->setColumnWidth(column, textWidth(*table_, samples[column]));
+  }
   hint_ = new EmptyHint(table_);
   state_ = new QLabel(this);
   describe(*state_, {"messagesState", tr("Number of messages"), {}});

@@ -94,6 +94,7 @@ QWidget* MotionView::createBody() {
   gamepadState_ = new QLabel(body);
   describe(*gamepadState_,
            {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
+  gamepadState_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   speed_ = new SpeedPanel(body);
   head_ = new HeadPanel(body);
   motions_ = new MotionButtons(body);

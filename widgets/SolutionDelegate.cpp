@@ -2,6 +2,7 @@
 #include "widgets/SolutionDelegate.h"
 
 #include <QPainter>
+#include <QTreeView>
 
 #include "widgets/models/SolutionModel.h"
 #include "widgets/models/Theme.h"
@@ -36,11 +37,16 @@ void paintRadio(QPainter& painter, const QRect& rect, SolutionModel::Choice choi
 void SolutionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& option,
                              const QModelIndex& index) const {
   const QVariant choice = index.data(SolutionModel::kChoiceRole);
+  QStyleOptionViewItem text = option;
   if (!choice.isValid() || index.column() != SolutionModel::kName) {
-    QStyledItemDelegate::paint(painter, option, index);
+    // A solution has no process of its own: its help or its reason may use that room.
+    const auto* tree = qobject_cast<const QTreeView*>(option.widget);
+    if (choice.isValid() && index.column() == SolutionModel::kState && tree != nullptr) {
+      text.rect.setLeft(option.rect.left() - tree->columnWidth(SolutionModel::kProcess));
+    }
+    QStyledItemDelegate::paint(painter, text, index);
     return;
   }
-  QStyleOptionViewItem text = option;
   text.rect.setLeft(option.rect.left() + kRadioSpace);
   QStyledItemDelegate::paint(painter, text, index);
   const QRect radio(option.rect.left(), option.rect.top(), kRadioSpace, option.rect.height());

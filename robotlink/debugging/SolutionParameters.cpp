@@ -81,7 +81,8 @@ void addWithImports(const pb::FileDescriptor& file, pb::FileDescriptorSet& to, s
 
 }  // namespace
 
-SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> message) : message_(std::move(message)) {}
+SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> message)
+    : message_(std::move(message)), defaults_(message_ ? message_->SerializeAsString() : std::string()) {}
 SolutionParameters::SolutionParameters(SolutionParameters&&) noexcept = default;
 SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept = default;
 SolutionParameters::~SolutionParameters() = default;
@@ -131,6 +132,8 @@ void SolutionParameters::describe(robotcontrol::ParameterValues& to) const {
   if (!message_) return;
   to.mutable_value()->set_type(message_->GetDescriptor()->full_name());
   message_->SerializeToString(to.mutable_value()->mutable_data());
+  to.mutable_defaults()->set_type(to.value().type());
+  to.mutable_defaults()->set_data(defaults_);
   pb::FileDescriptorSet files;
   std::set<std::string> seen;
   addWithImports(*message_->GetDescriptor()->file(), files, seen);

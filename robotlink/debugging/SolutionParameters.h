@@ -36,12 +36,13 @@ class SolutionParameters {
   const google::protobuf::Message* message() const { return message_.get(); }
   /// Fails, and changes nothing, if it has none, or if the value is of another type, damaged, or not finite.
   Result<void> set(const robotcontrol::PackageCopy& value);
-  /// The value with its type's description.
+  /// The value with its type's description, and what it was when it was loaded as the default.
   void describe(robotcontrol::ParameterValues& to) const;
 
  private:
   explicit SolutionParameters(std::unique_ptr<google::protobuf::Message> message);
   std::unique_ptr<google::protobuf::Message> message_;
+  std::string defaults_;  // serialised
 };
 
 }  // namespace robotlink

@@ -36,6 +36,20 @@ void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const Deb
   }
 }
 
+namespace {
+
+std::string defaultSolution(const Layout& layout, const std::string& process, const std::string& task) {
+  for (const Layout::Process& candidate : layout.processes) {
+    if (candidate.name != process) continue;
+    for (const Layout::Task& known : candidate.tasks) {
+      if (known.task == task) return known.solution;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
                        const TaskCatalog& catalog, const PlatformPackages& platform,
                        robotcontrol::SolutionTable& to) {
@@ -44,6 +58,7 @@ void fillSolutionTable(const std::string& process, const TaskRunners& tasks, con
     row.set_name(task->task());
     row.set_process(process);
     row.set_active(task->active());
+    row.set_default_solution(defaultSolution(layout, process, task->task()));
     if (const TaskCatalog::Task* known = catalog.find(task->task())) row.set_help(known->help);
     for (const SolutionDescription* solution : task->solutions()) {
       auto& cell = *row.add_solutions();

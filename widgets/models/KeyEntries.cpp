@@ -42,7 +42,7 @@ QString kindName(KeyValue::Kind kind) {
     case KeyValue::Kind::kTimes:
       return text("n times");
     case KeyValue::Kind::kEveryNth:
-      return text("every n-th time");
+      return text("every n-th");
     case KeyValue::Kind::kEveryMs:
       return text("every n ms");
   }

@@ -214,7 +214,7 @@ QVariant KeyTreeModel::data(const QModelIndex& index, int role) const {
     case Qt::FontRole: {
       QFont font;
       font.setItalic(wishes_.count(key->name) > 0);
-      font.setBold(index.column() != kName && value.kind != KeyValue::Kind::kOff);
+      font.setBold(index.column() == kName && value.kind != KeyValue::Kind::kOff);
       return font;
     }
     default:

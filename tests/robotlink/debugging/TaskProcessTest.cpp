@@ -86,6 +86,10 @@ TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
   EXPECT_EQ("unavailable because nobody offers oracle/world", table.tasks(1).solutions(1).unavailable());
   EXPECT_EQ("", table.tasks(1).solutions(0).unavailable());
   EXPECT_TRUE(table.tasks(0).solutions(1).has_parameters());
+  for (const auto& task : table.tasks()) {
+    if (task.name() == "behavior") EXPECT_EQ("go", task.default_solution()) << "what its layout says";
+    EXPECT_NE("", task.default_solution());
+  }
 }
 
 TEST(TaskProcessTest, anUnavailableOrUnknownSolutionIsRefusedWithTheReason) {
@@ -221,6 +225,10 @@ TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
   google::protobuf::FileDescriptorSet files;
   ASSERT_TRUE(files.ParseFromString(told[0]->parameters().descriptors()));
   EXPECT_EQ("robotcontrol/Sensing.proto", files.file(files.file_size() - 1).name());
+  EXPECT_TRUE(robot.ask(setParameters("region", velocity(5000))).accepted());
+  const auto later = robot.on("parameters/ball-percept/region").back()->parameters();
+  EXPECT_EQ(told[0]->parameters().value().data(), later.defaults().data());
+  EXPECT_NE(later.value().data(), later.defaults().data());
   request.mutable_get_parameters()->set_solution("broken");
   EXPECT_EQ("solution broken of ball-percept has no parameters", robot.ask(request).reason());
 }

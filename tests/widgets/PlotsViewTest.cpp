@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/PlotsView.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QImage>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "robotcontrol/Motion.pb.h"
+#include "tests/widgets/Bench.h"
+#include "widgets/PlotCanvas.h"
+
+namespace {
+
+void pushPlot(Bench& bench, double time, double value) {
+  robotcontrol::PlotValue plot;
+  plot.set_value(value);
+  plot.set_unit("m");
+  bench.push("red1/plots/ball-model/position/x", plot, time);
+}
+
+void pushStatus(Bench& bench, double time, double x) {
+  robotcontrol::MotionStatus status;
+  status.mutable_velocity()->set_x(x);
+  bench.push("red1/motion/status", status, time);
+}
+
+QModelIndex find(const QTreeView& tree, const QString& text) {
+  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
+                                        Qt::MatchExactly | Qt::MatchRecursive);
+  return hits.isEmpty() ? QModelIndex() : hits.first();
+}
+
+/// Draws what is pending: queued replots run in the event loop.
+QImage picture(Bench& bench, widgets::PlotsView& view) {
+  for (int i = 0; i < 6; ++i) bench.tick(view);
+  QCoreApplication::processEvents();
+  return child<QWidget>(view, "plotCanvas").grab().toImage();
+}
+
+constexpr char kPlot[] = "red1/plots/ball-model/position/x";
+
+}  // namespace
+
+class PlotsViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void plotValuesAndNumbersOfAllStreamsCanBeFoundAndAdded() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    pushStatus(bench, 1, 0.12);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QTest::keyClicks(&child<QLineEdit>(*view, "plotsSearch"), QStringLiteral("velocity.x"));
+    QVERIFY(!find(tree, QStringLiteral("ball-model")).isValid());
+    tree.setCurrentIndex(find(tree, QStringLiteral("velocity.x")));
+    QTest::keyClick(&tree, Qt::Key_Return);
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    QCOMPARE(legend.model()->rowCount(), 1);
+    QCOMPARE(legend.model()->index(0, 0).data().toString(), QStringLiteral("red1/motion/status: velocity.x"));
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("0.12"));
+    child<QLineEdit>(*view, "plotsSearch").clear();
+    tree.setCurrentIndex(find(tree, QStringLiteral("x")));
+    click(child<QToolButton>(*view, "plotsAdd"));
+    QCOMPARE(legend.model()->rowCount(), 2);
+    QCOMPARE(legend.model()->index(1, 2).data().toString(), QStringLiteral("m"));
+  }
+
+  void aCurveIsDrawnAndNewValuesChangeThePicture() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    const QImage empty = picture(bench, *view);
+    pushPlot(bench, 1, 0.5);
+    pushPlot(bench, 2, 0.7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage two = picture(bench, *view);
+    QVERIFY(two != empty);
+    pushPlot(bench, 3, -0.5);
+    QVERIFY(picture(bench, *view) != two);
+  }
+
+  void pauseHoldsThePictureAndNothingIsLost() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage before = picture(bench, *view);
+    click(child<QToolButton>(*view, "plotsPause"));
+    pushPlot(bench, 2, 0.9);
+    QVERIFY(picture(bench, *view) == before);
+    click(child<QToolButton>(*view, "plotsPause"));
+    QVERIFY(picture(bench, *view) != before);
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 1).data().toString(),
+             QStringLiteral("0.9"));
+  }
+
+  void aPackageThatIsNotToldYetIsAskedForAndThatIsSaid() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    robotcontrol::ProcessTable processes;
+    auto& port = *processes.add_processes()->add_senders();
+    port.set_package("motion/status");
+    port.set_type("robotcontrol.MotionStatus");
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("package/motion/status");
+    bench.push("red1/tables/processes", processes, 1);
+    bench.push("red1/tables/keys", keys, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("velocity.y")));
+    QVERIFY(tree.currentIndex().isValid());
+    click(child<QToolButton>(*view, "plotsAdd"));
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
+    QVERIFY(child<QLabel>(*view, "plotsState").text().contains(QStringLiteral("package/motion/status")));
+  }
+
+  void aValueIsDroppedIntoThePlot() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    const QModelIndex value = find(tree, QStringLiteral("x"));
+    QVERIFY(value.flags().testFlag(Qt::ItemIsDragEnabled));
+    std::unique_ptr<QMimeData> data(tree.model()->mimeData({value}));
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &drop);
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->rowCount(), 1);
+  }
+
+  void zoomingEndsFollowingAndFollowBringsTheNewestBack() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage before = picture(bench, *view);
+    auto& plots = *view->findChild<widgets::PlotCanvas*>();
+    QCOMPARE(plots.shownTimes().first, -0.1);
+    QCOMPARE(plots.shownTimes().second, 9.9);
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    QWheelEvent wheel(QPointF(canvas.rect().center()), canvas.mapToGlobal(canvas.rect().center()), {},
+                      {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&canvas, &wheel);
+    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
+    QVERIFY(picture(bench, *view) != before);
+    QVERIFY(plots.shownTimes().first > 0 && plots.shownTimes().second < 9.9);
+    click(child<QToolButton>(*view, "plotsFit"));
+    QCOMPARE(plots.shownTimes().first, 0.0);
+    click(child<QToolButton>(*view, "plotsFollow"));
+    picture(bench, *view);
+    QCOMPARE(plots.shownTimes().first, -0.1);
+    child<QComboBox>(*view, "plotsWindow").setCurrentIndex(1);
+    picture(bench, *view);
+    QCOMPARE(plots.shownTimes().first, 7.9);
+    QCOMPARE(plots.shownTimes().second, 9.9);
+  }
+
+  void curvesAreRemoved() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.tick(*view);
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    legend.setCurrentIndex(legend.model()->index(0, 0));
+    click(child<QToolButton>(*view, "plotsRemove"));
+    QCOMPARE(legend.model()->rowCount(), 0);
+  }
+
+  void pointsAndPictureAreExported() {
+    Bench bench;
+    QTemporaryDir folder;
+    auto view = bench.open<widgets::PlotsView>();
+    view->setFileQuestion([&](const QString&, const QString& suffix) {
+      return folder.filePath(QStringLiteral("out.") + suffix);
+    });
+    pushPlot(bench, 1, 0.5);
+    pushStatus(bench, 2, 0.25);
+    view->addCurve(QString::fromLatin1(kPlot));
+    view->addCurve(QStringLiteral("red1/motion/status: velocity.x"));
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "plotsCsv"));
+    QFile csv(folder.filePath(QStringLiteral("out.csv")));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readAll(),
+             QByteArray("time_s,\"red1/plots/ball-model/position/x\",\"red1/motion/status: velocity.x\"\n"
+                        "1.000000,0.5,\n2.000000,,0.25\n"));
+    click(child<QToolButton>(*view, "plotsPng"));
+    QVERIFY(!QImage(folder.filePath(QStringLiteral("out.png"))).isNull());
+  }
+
+  void curvesComeBackEvenBeforeTheirData() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    view->addCurve(QString::fromLatin1(kPlot));
+    auto again = bench.open<widgets::PlotsView>();
+    again->restoreState(view->saveState());
+    auto& legend = child<QTreeView>(*again, "plotsLegend");
+    QCOMPARE(legend.model()->rowCount(), 1);
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("–"));
+    pushPlot(bench, 1, 0.5);
+    picture(bench, *again);
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("0.5"));
+  }
+};
+
+QTEST_MAIN(PlotsViewTest)
+#include "PlotsViewTest.moc"

@@ -1,0 +1,168 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/ProcessesView.h"
+
+#include <QAbstractItemModelTester>
+#include <QHelpEvent>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+#include <QToolTip>
+
+#include "tests/widgets/Bench.h"
+#include "widgets/ProcessGraphWidget.h"
+
+using robotcontrol::ProcessTable;
+using widgets::ProcessGraph;
+
+namespace {
+
+ProcessTable::Process& addProcess(ProcessTable& table, const char* name, std::uint64_t frames) {
+  auto& process = *table.add_processes();
+  process.set_name(name);
+  process.set_state("running");
+  process.set_frames(frames);
+  if (std::string(name) != "platform") process.add_tasks(std::string(name) + "-task");
+  return process;
+}
+
+void link(ProcessTable& table, int from, int to, const char* package, std::uint64_t count, bool blocking,
+          std::uint64_t missed = 0) {
+  auto& sender = *table.mutable_processes(from)->add_senders();
+  sender.set_package(package);
+  sender.set_count(count);
+  auto& receiver = *table.mutable_processes(to)->add_receivers();
+  receiver.set_package(package);
+  receiver.set_count(count - missed);
+  receiver.set_missed(missed);
+  receiver.set_blocking(blocking);
+  receiver.set_peer(table.processes(from).name());
+}
+
+/// platform -> cognition -> motion -> platform, and a debug process.
+ProcessTable someProcesses(std::uint64_t n) {
+  ProcessTable table;
+  addProcess(table, "platform", 5 * n);
+  addProcess(table, "cognition", n);
+  addProcess(table, "motion", 5 * n);
+  addProcess(table, "debug", n);
+  link(table, 0, 1, "camera/image", n, true);
+  link(table, 1, 2, "behavior/motion", n, false, n / 5);
+  link(table, 2, 0, "joints/request", 5 * n, false);
+  link(table, 1, 3, "debug/queue/cognition", n, false);
+  return table;
+}
+
+}  // namespace
+
+class ProcessesViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void dataFlowFromLeftToRightAndCyclesAreTurned() {
+    const ProcessGraph graph = widgets::processGraph(someProcesses(10), nullptr, {}, {});
+    const auto rect = [&](const char* name) {
+      return graph.nodes[static_cast<std::size_t>(graph.find(QString::fromLatin1(name)))].rect;
+    };
+    QVERIFY(rect("platform").right() < rect("cognition").left());
+    QVERIFY(rect("cognition").right() < rect("motion").left());
+    QCOMPARE(graph.edges.size(), std::size_t{3});
+    QCOMPARE(
+        std::count_if(graph.edges.begin(), graph.edges.end(), [](const auto& edge) { return edge.back; }), 1);
+    for (std::size_t a = 0; a < graph.nodes.size(); ++a) {
+      for (std::size_t b = 0; b < a; ++b) QVERIFY(!graph.nodes[a].rect.intersects(graph.nodes[b].rect));
+    }
+  }
+
+  void ratesFollowFromTwoTables() {
+    const ProcessGraph graph = widgets::processGraph(someProcesses(60),
+                                                     [] {
+                                                       static const auto before = someProcesses(10);
+                                                       return &before;
+                                                     }(),
+                                                     std::chrono::seconds(2), {});
+    const auto& cognition = graph.nodes[static_cast<std::size_t>(graph.find(QStringLiteral("cognition")))];
+    QCOMPARE(cognition.rate, 25.0);
+    QCOMPARE(cognition.inputs[0].rate, 25.0);
+    const auto& motion = graph.nodes[static_cast<std::size_t>(graph.find(QStringLiteral("motion")))];
+    QCOMPARE(motion.inputs[0].missedRate, 5.0);
+    QCOMPARE(motion.missed(), quint64{12});
+  }
+
+  void theTableAndTheGraphChooseTheSameProcess() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    bench.push("red1/tables/processes", someProcesses(10), 1);
+    bench.push("red1/tables/processes", someProcesses(60), 3);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "processesTable");
+    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(table.model()->index(1, widgets::ProcessTableModel::kRate).data().toString(),
+             QStringLiteral("25.0"));
+    auto& graph = child<widgets::ProcessGraphWidget>(*view, "processGraph");
+    QTest::mouseClick(&graph, Qt::LeftButton, {},
+                      graph.nodeRect(QStringLiteral("motion")).center().toPoint());
+    QCOMPARE(table.currentIndex().row(), 2);
+    const QImage before = graph.grab().toImage();
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {},
+                      table.visualRect(table.model()->index(1, 0)).center());
+    QVERIFY(graph.grab().toImage() != before);
+  }
+
+  void zoomPanAndFit() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    bench.push("red1/tables/processes", someProcesses(10), 1);
+    bench.tick(*view);
+    auto& graph = child<widgets::ProcessGraphWidget>(*view, "processGraph");
+    const double fitted = graph.scale();
+    click(child<QToolButton>(*view, "processesZoomIn"));
+    QVERIFY(graph.scale() > fitted);
+    const QRectF before = graph.nodeRect(QStringLiteral("motion"));
+    QTest::mousePress(&graph, Qt::MiddleButton, {}, {100, 100});
+    QMouseEvent move(QEvent::MouseMove, QPointF(130, 90), Qt::NoButton, Qt::MiddleButton, {});
+    QCoreApplication::sendEvent(&graph, &move);
+    QCOMPARE(graph.nodeRect(QStringLiteral("motion")).topLeft() - before.topLeft(), QPointF(30, -10));
+    QTest::keyClick(&graph, Qt::Key_F);
+    QCOMPARE(graph.scale(), fitted);
+  }
+
+  void aFailedProcessIsRedAndItsRowSaysWhy() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    ProcessTable table = someProcesses(10);
+    bench.push("red1/tables/processes", table, 1);
+    bench.tick(*view);
+    auto& graph = child<widgets::ProcessGraphWidget>(*view, "processGraph");
+    const QImage before = graph.grab().toImage();
+    table.mutable_processes(1)->set_state("failed: division by zero");
+    bench.push("red1/tables/processes", table, 2);
+    bench.tick(*view);
+    QVERIFY(graph.grab().toImage() != before);
+    auto& rows = child<QTableView>(*view, "processesTable");
+    QCOMPARE(rows.model()->index(1, widgets::ProcessTableModel::kState).data().toString(),
+             QStringLiteral("failed: division by zero"));
+    const QPoint at = graph.nodeRect(QStringLiteral("cognition")).topLeft().toPoint() + QPoint(20, 8);
+    QHelpEvent help(QEvent::ToolTip, at, graph.mapToGlobal(at));
+    QCoreApplication::sendEvent(&graph, &help);
+    QVERIFY(QToolTip::text().contains(QStringLiteral("division by zero")));
+    QToolTip::hideText();
+  }
+
+  void debugLinksAreShownOnWish() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    bench.push("red1/tables/processes", someProcesses(10), 1);
+    bench.tick(*view);
+    auto& graph = child<widgets::ProcessGraphWidget>(*view, "processGraph");
+    QCOMPARE(graph.graph().edges.size(), std::size_t{3});
+    click(child<QToolButton>(*view, "processesDebugLinks"));
+    QCOMPARE(graph.graph().edges.size(), std::size_t{4});
+    click(child<QToolButton>(*view, "processesRefresh"));
+    QVERIFY(bench.requests.back().has_send_tables());
+  }
+};
+
+QTEST_MAIN(ProcessesViewTest)
+#include "ProcessesViewTest.moc"

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/TimingView.h"
+
+#include <QAbstractItemModelTester>
+#include <QClipboard>
+#include <QHeaderView>
+#include <QLabel>
+#include <QTableView>
+#include <QToolButton>
+
+#include "tests/widgets/Bench.h"
+
+using robotcontrol::KeyMode;
+
+namespace {
+
+robotcontrol::StopwatchTimes times(double ball, double pose) {
+  robotcontrol::StopwatchTimes result;
+  auto add = [&](const char* task, const char* solution, double seconds) {
+    auto& entry = *result.add_entries();
+    entry.set_task(task);
+    entry.set_solution(solution);
+    entry.set_seconds(seconds);
+  };
+  add("ball-percept", "scan-lines", ball);
+  add("pose", "particles", pose);
+  add("", "", ball + pose);
+  return result;
+}
+
+QString cell(const QTableView& table, const QString& task, int column) {
+  for (int row = 0; row < table.model()->rowCount(); ++row) {
+    if (table.model()->index(row, widgets::TimingModel::kTask).data().toString() == task) {
+      return table.model()->index(row, column).data().toString();
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+class TimingViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void showsMinimumMeanMaximumRateAndShare() {
+    Bench bench;
+    auto view = bench.open<widgets::TimingView>();
+    auto& table = child<QTableView>(*view, "timingTable");
+    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    bench.push("red1/stopwatches/cognition", times(0.001, 0.003), 1.0);
+    bench.push("red1/stopwatches/cognition", times(0.003, 0.005), 1.04);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 3);
+    using Model = widgets::TimingModel;
+    const QString ball = QStringLiteral("ball-percept");
+    QCOMPARE(cell(table, ball, Model::kProcess), QStringLiteral("cognition"));
+    QCOMPARE(cell(table, ball, Model::kSolution), QStringLiteral("scan-lines"));
+    QCOMPARE(cell(table, ball, Model::kLast), QStringLiteral("3.000"));
+    QCOMPARE(cell(table, ball, Model::kMean), QStringLiteral("2.000"));
+    QCOMPARE(cell(table, ball, Model::kMinimum), QStringLiteral("1.000"));
+    QCOMPARE(cell(table, ball, Model::kMaximum), QStringLiteral("3.000"));
+    QCOMPARE(cell(table, ball, Model::kRate), QStringLiteral("25.0"));
+    QCOMPARE(cell(table, ball, Model::kShare), QStringLiteral("33.3 %"));
+    QCOMPARE(cell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
+  }
+
+  void asksForTimesAndStopsAskingOnWish() {
+    Bench bench;
+    auto view = bench.open<widgets::TimingView>();
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("timing/tasks"));
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::ALWAYS);
+    click(child<QToolButton>(*view, "timingMeasure"));
+    QCOMPARE(bench.requests.back().set_key().mode().kind(), KeyMode::OFF);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "emptyHint").text().contains(QStringLiteral("does not measure")));
+  }
+
+  void resetBeginsAnewAndTheTableIsCopied() {
+    Bench bench;
+    auto view = bench.open<widgets::TimingView>();
+    bench.push("red1/stopwatches/cognition", times(0.5, 0.5), 1.0);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "timingReset"));
+    bench.push("red1/stopwatches/cognition", times(0.001, 0.003), 1.04);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "timingTable");
+    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMaximum), QStringLiteral("3.000"));
+    click(child<QToolButton>(*view, "timingCopy"));
+    QVERIFY(QApplication::clipboard()->text().contains(
+        QStringLiteral("cognition,pose,particles,3,3,3,3,0,0.75")));
+  }
+
+  void aClickOnAHeaderSorts() {
+    Bench bench;
+    auto view = bench.open<widgets::TimingView>();
+    bench.push("red1/stopwatches/cognition", times(0.010, 0.009), 1.0);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "timingTable");
+    auto& header = *table.horizontalHeader();
+    const int x = header.sectionViewportPosition(widgets::TimingModel::kMean) + 10;
+    QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, {x, header.height() / 2});
+    const auto first = [&] { return table.model()->index(0, widgets::TimingModel::kTask).data().toString(); };
+    const QString ascending = first();
+    QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, {x, header.height() / 2});
+    QCOMPARE(QSet<QString>({ascending, first()}),
+             QSet<QString>({QStringLiteral("pose"), QStringLiteral("frame")}));
+  }
+};
+
+QTEST_MAIN(TimingViewTest)
+#include "TimingViewTest.moc"

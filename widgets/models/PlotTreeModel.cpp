@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/models/PlotTreeModel.h"
+
+#include <QMimeData>
+#include <map>
+
+namespace widgets {
+namespace {
+
+QStandardItem* addItem(QStandardItem* parent, const QString& text) {
+  auto* item = new QStandardItem(text);
+  item->setEditable(false);
+  item->setDropEnabled(false);
+  item->setDragEnabled(false);
+  parent->appendRow(item);
+  return item;
+}
+
+/// The folders of a path, made where they are missing.
+class Folders {
+ public:
+  explicit Folders(QStandardItem* root) { items_[std::string()] = root; }
+  QStandardItem* at(const std::string& path) {
+    const auto known = items_.find(path);
+    if (known != items_.end()) return known->second;
+    const std::size_t slash = path.rfind('/');
+    QStandardItem* parent = at(slash == std::string::npos ? std::string() : path.substr(0, slash));
+    return items_[path] = addItem(parent, QString::fromStdString(lastPart(path)));
+  }
+
+ private:
+  std::map<std::string, QStandardItem*> items_;
+};
+
+}  // namespace
+
+void PlotTreeModel::setSources(const std::vector<PlotSource>& sources) {
+  clear();
+  setColumnCount(1);
+  Folders folders(invisibleRootItem());
+  for (const PlotSource& source : sources) {
+    QStandardItem* item = folders.at(source.stream);
+    if (!source.field.empty()) item = addItem(item, QString::fromStdString(source.field));
+    item->setData(source.text(), kSourceRole);
+    item->setToolTip(source.text());
+    item->setDragEnabled(true);
+  }
+}
+
+QStringList PlotTreeModel::mimeTypes() const {
+  return {QString::fromLatin1(kMimeType)};
+}
+
+QMimeData* PlotTreeModel::mimeData(const QModelIndexList& indexes) const {
+  QStringList lines;
+  for (const QModelIndex& index : indexes) {
+    const QString source = index.data(kSourceRole).toString();
+    if (!source.isEmpty()) lines << source;
+  }
+  auto* data = new QMimeData;
+  data->setData(QString::fromLatin1(kMimeType), lines.join(QLatin1Char('\n')).toUtf8());
+  data->setText(lines.join(QLatin1Char('\n')));
+  return data;
+}
+
+}  // namespace widgets
