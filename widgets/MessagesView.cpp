@@ -55,7 +55,7 @@ MessagesView::MessagesView(ViewContext& context, QWidget* parent)
 void MessagesView::createActions() {
   regex_ = makeAction(this, "debug",
                       {"messagesRegex", tr("Regular expression"),
-                       tr("Reads the filter as a regular expression"), tr("Alt+R")});
+                       tr("Reads the filter as a regular expression"), tr("Ctrl+Shift+E")});
   regex_->setIcon({});
   regex_->setIconText(QStringLiteral(".*"));
   regex_->setCheckable(true);

@@ -53,12 +53,12 @@ void ParameterPanel::createActions() {
                            {"parametersRedo", tr("Redo"), tr("Makes the edit again"), QKeySequence::Redo});
   reset_ = makeAction(this, "reset",
                       {"parametersReset", tr("Reset to default"),
-                       tr("Gives the current parameter, or group, its default"), tr("Ctrl+R")});
+                       tr("Gives the current parameter, or group, its default"), tr("Ctrl+Backspace")});
   resetAll_ = makeAction(this, "clear",
                          {"parametersResetAll", tr("Reset all"), tr("Gives every parameter its default")});
-  refresh_ =
-      makeAction(this, "refresh",
-                 {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("F5")});
+  refresh_ = makeAction(
+      this, "refresh",
+      {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("Shift+F5")});
 }
 
 void ParameterPanel::createViews() {

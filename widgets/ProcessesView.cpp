@@ -50,8 +50,9 @@ void ProcessesView::createActions() {
                  {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")});
   details_->setCheckable(true);
   details_->setChecked(true);
-  refresh_ = makeAction(this, "refresh",
-                        {"processesRefresh", tr("Ask again"), tr("Asks the robot for its tables"), tr("F5")});
+  refresh_ =
+      makeAction(this, "refresh",
+                 {"processesRefresh", tr("Ask again"), tr("Asks the robot for its tables"), tr("Shift+F5")});
 }
 
 void ProcessesView::createViews() {

@@ -42,8 +42,8 @@ void TimingView::createActions() {
                          tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+M")});
   measure_->setCheckable(true);
   measure_->setChecked(true);
-  reset_ =
-      makeAction(this, "reset", {"timingReset", tr("Reset"), tr("Begins the statistics anew"), tr("Ctrl+R")});
+  reset_ = makeAction(this, "reset",
+                      {"timingReset", tr("Reset"), tr("Begins the statistics anew"), tr("Ctrl+Backspace")});
   copy_ =
       makeAction(this, "copy",
                  {"timingCopy", tr("Copy as CSV"), tr("Copies the whole table as CSV"), QKeySequence::Copy});

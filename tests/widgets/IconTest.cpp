@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QDir>
 #include <QImage>
+#include <QPainter>
 #include <QPalette>
 #include <QTest>
 
@@ -46,6 +47,28 @@ class IconTest : public QObject {
     for (const QString& file : files) {
       QVERIFY2(lightness(widgets::icon(QString(file).remove(QStringLiteral(".svg")))) >= 0, qPrintable(file));
     }
+  }
+
+  /// With ROBOTCONTROL_LOOKS=FOLDER: all icons on one sheet, to be looked at.
+  void iconsFitTheirSquare() {
+    const QDir folder(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/icons"));
+    const QStringList files = folder.entryList({QStringLiteral("*.svg")});
+    QImage sheet(11 * 64, (files.size() / 11 + 1) * 64, QImage::Format_RGB32);
+    sheet.fill(QApplication::palette().color(QPalette::Window));
+    QPainter painter(&sheet);
+    for (int i = 0; i < files.size(); ++i) {
+      const QPixmap large = widgets::icon(QString(files[i]).remove(QStringLiteral(".svg"))).pixmap(48, 48);
+      painter.drawPixmap(i % 11 * 64 + 8, i / 11 * 64 + 8, large);
+      const QImage image = large.toImage();
+      for (int k = 0; k < 48; ++k) {  // strokes that are cut off touch the border
+        const bool touches = image.pixelColor(k, 0).alpha() > 128 || image.pixelColor(0, k).alpha() > 128 ||
+                             image.pixelColor(k, 47).alpha() > 128 || image.pixelColor(47, k).alpha() > 128;
+        QVERIFY2(!touches, qPrintable(files[i]));
+      }
+    }
+    painter.end();
+    const QString looks = QString::fromLocal8Bit(qgetenv("ROBOTCONTROL_LOOKS"));
+    if (!looks.isEmpty()) QVERIFY(sheet.save(looks + QStringLiteral("/icons.png")));
   }
 
   void everyViewHasItsIcon() {

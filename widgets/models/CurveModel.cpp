@@ -54,8 +54,8 @@ bool CurveModel::update(const robotlink::StreamStore& store) {
     if (added.points.empty() && !added.restarted) continue;
     news = true;
     curve->points.insert(curve->points.end(), added.points.begin(), added.points.end());
-    while (curve->points.size() > kMaxPoints ||
-           curve->points.back().time - curve->points.front().time > kHistory) {
+    while (curve->points.size() > 1 && (curve->points.size() > kMaxPoints ||
+                                        curve->points.back().time - curve->points.front().time > kHistory)) {
       curve->points.pop_front();
       if (curve->taken > 0) --curve->taken;
     }
