@@ -89,6 +89,7 @@ void MessagesView::createFilters() {
   robot_ = new QComboBox(this);
   describe(*robot_, {"messagesRobot", tr("Robot"), tr("Shows what one robot says, or all")});
   robot_->addItem(tr("all robots"), QString());
+  robot_->hide();
   pattern_ = makeSearchField(
       this, {"messagesFilter", tr("Filter"), tr("Shows only messages whose text or source holds this")});
   search_ = makeSearchField(this, {"messagesSearch", tr("Search"),
@@ -222,6 +223,7 @@ void MessagesView::listRobots() {
     same = robot_->itemData(i).toString().toStdString() == robots[static_cast<std::size_t>(i) - 1];
   }
   if (same) return;
+  robot_->setVisible(robots.size() > 1);  // a choice of one would only take the filter's room
   const QString chosen = robot_->currentData().toString();
   const QSignalBlocker quiet(robot_);
   robot_->clear();

@@ -45,7 +45,6 @@ void SolutionsView::createActions() {
                                {"solutionsParameters", tr("Parameters"),
                                 tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
   showParameters_->setCheckable(true);
-  showParameters_->setChecked(true);
 }
 
 void SolutionsView::createViews() {
@@ -66,13 +65,16 @@ void SolutionsView::createViews() {
   splitter_->setStretchFactor(0, 2);
   splitter_->setStretchFactor(1, 1);
   splitter_->setChildrenCollapsible(false);
+  parameters_->hide();
   state_ = new QLabel(this);
   describe(*state_, {"solutionsState", tr("Last answer"), {}});
   state_->setWordWrap(true);
   auto* top = new QHBoxLayout;
   top->addWidget(state_, 1);
   top->addWidget(makeButton(this, defaults_));
-  top->addWidget(makeButton(this, showParameters_));
+  auto* parametersButton = makeButton(this, showParameters_);
+  parametersButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  top->addWidget(parametersButton);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 4, 4, 4);
   layout->setSpacing(4);
@@ -86,7 +88,11 @@ void SolutionsView::connectSignals() {
   connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
-  connect(showParameters_, &QAction::toggled, parameters_, &QWidget::setVisible);
+  connect(showParameters_, &QAction::toggled, this, [this](bool on) {
+    parameters_->setVisible(on);
+    if (on) splitter_->setSizes({splitter_->height() * 3 / 5, splitter_->height() * 2 / 5});
+    showCurrent(tree_->currentIndex());
+  });
 }
 
 void SolutionsView::tick() {
@@ -150,6 +156,7 @@ void SolutionsView::selectDefaults() {
 }
 
 void SolutionsView::showCurrent(const QModelIndex& index) {
+  if (!showParameters_->isChecked()) return;  // nobody looks: nothing is asked for
   const QVariant solution = index.data(SolutionModel::kSolutionRole);
   parameters_->show(robot_, index.data(SolutionModel::kTaskRole).toString().toStdString(),
                     solution.toString().toStdString(), index.data(SolutionModel::kParametersRole).toBool());
@@ -181,7 +188,7 @@ QJsonObject SolutionsView::saveState() const {
 }
 
 void SolutionsView::restoreState(const QJsonObject& state) {
-  showParameters_->setChecked(state.value(QStringLiteral("parameters")).toBool(true));
+  showParameters_->setChecked(state.value(QStringLiteral("parameters")).toBool());
   const QString sizes = state.value(QStringLiteral("splitter")).toString();
   if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
 }

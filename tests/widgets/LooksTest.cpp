@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <QStyleFactory>
+#include <QToolButton>
 #include <QTreeView>
 #include <cmath>
 
@@ -246,6 +247,7 @@ class LooksTest : public QObject {
   void debugKeysFollowThePalette() { compareLooks<widgets::DebugKeysView>("keys", {380, 460}); }
   void solutionsFollowThePalette() {
     compareLooks<widgets::SolutionsView>("solutions", {460, 560}, [](widgets::SolutionsView& view) {
+      click(child<QToolButton>(view, "solutionsParameters"));
       auto& tree = child<QTreeView>(view, "solutionsTree");
       tree.setCurrentIndex(tree.model()->index(0, 0, tree.model()->index(0, 0)));
     });

@@ -145,6 +145,8 @@ class SolutionsViewTest : public QObject {
     bench.tick(*view);
     auto& tree = child<QTreeView>(*view, "solutionsTree");
     clickCell(tree, find(tree, QStringLiteral("scan-lines")));
+    QVERIFY2(bench.requests.empty(), "nothing is asked for before somebody looks");
+    click(child<QToolButton>(*view, "solutionsParameters"));
     QCOMPARE(bench.requests.back().get_parameters().solution(), std::string("scan-lines"));
     bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
     bench.tick(*view);
@@ -173,6 +175,7 @@ class SolutionsViewTest : public QObject {
     auto view = bench.open<widgets::SolutionsView>();
     bench.push("red1/tables/solutions", someTasks(), 1);
     bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
     clickCell(child<QTreeView>(*view, "solutionsTree"),
               find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
     bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
@@ -193,6 +196,7 @@ class SolutionsViewTest : public QObject {
     auto view = bench.open<widgets::SolutionsView>();
     bench.push("red1/tables/solutions", someTasks(), 1);
     bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
     clickCell(child<QTreeView>(*view, "solutionsTree"),
               find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
     bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
