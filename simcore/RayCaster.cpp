@@ -103,7 +103,7 @@ class RayCaster::Implementation {
   std::vector<Target> targets_;
 };
 
-RayCaster::RayCaster(std::shared_ptr<const RenderScene> scene)
+RayCaster::RayCaster(const std::shared_ptr<const RenderScene>& scene)
     : implementation_(std::make_unique<Implementation>(*scene)) {}
 RayCaster::~RayCaster() = default;
 

@@ -23,7 +23,8 @@ class RayCaster {
     int body = 0;  ///< index in RenderScene::bodies
   };
 
-  explicit RayCaster(std::shared_ptr<const RenderScene> scene);
+  /// Copies what it needs of the scene.
+  explicit RayCaster(const std::shared_ptr<const RenderScene>& scene);
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;

@@ -12,10 +12,9 @@ using Matrix34 = std::array<float, 12>;
 /// Column by column, as Embree takes it.
 Matrix34 columns(const Pose3& pose) {
   Matrix34 result;
+  auto* out = result.begin();
   for (int column = 0; column < 4; ++column) {
-    for (int row = 0; row < 3; ++row) {
-      result[static_cast<std::size_t>(column * 3 + row)] = static_cast<float>(pose.matrix()(row, column));
-    }
+    for (int row = 0; row < 3; ++row) *out++ = static_cast<float>(pose.matrix()(row, column));
   }
   return result;
 }

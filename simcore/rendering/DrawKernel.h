@@ -31,9 +31,9 @@ SIMCORE_INLINE int collectFrontFaces(const DrawJob& job, std::int32_t* candidate
   int count = 0;
   for (int group = 0; group < mesh.triangleGroups; ++group) {
     const int at = group * 8;
-    const Float8 height = load<Float8>(mesh.plane[0] + at) * camera.x +
-                          load<Float8>(mesh.plane[1] + at) * camera.y +
-                          load<Float8>(mesh.plane[2] + at) * camera.z - load<Float8>(mesh.plane[3] + at);
+    const auto height = load<Float8>(mesh.plane[0] + at) * camera.x +
+                        load<Float8>(mesh.plane[1] + at) * camera.y +
+                        load<Float8>(mesh.plane[2] + at) * camera.z - load<Float8>(mesh.plane[3] + at);
     for (unsigned left = bits(height > splat(0)); left != 0; left &= left - 1) {
       candidates[count++] = at + __builtin_ctz(left);
     }
@@ -58,13 +58,13 @@ SIMCORE_INLINE void transformVertices(const DrawJob& job, float* positions, floa
   }
   for (int group = 0; group < mesh.vertexGroups; ++group) {
     const int at = group * 8;
-    const Float8 x = load<Float8>(mesh.position[0] + at), y = load<Float8>(mesh.position[1] + at),
-                 z = load<Float8>(mesh.position[2] + at);
+    const auto x = load<Float8>(mesh.position[0] + at), y = load<Float8>(mesh.position[1] + at),
+               z = load<Float8>(mesh.position[2] + at);
     storeTransposed(positions + 4 * at, m[0][0] * x + m[0][1] * y + m[0][2] * z + m[0][3],
                     m[1][0] * x + m[1][1] * y + m[1][2] * z + m[1][3],
                     m[2][0] * x + m[2][1] * y + m[2][2] * z + m[2][3]);
-    const Float8 nx = load<Float8>(mesh.normal[0] + at), ny = load<Float8>(mesh.normal[1] + at),
-                 nz = load<Float8>(mesh.normal[2] + at);
+    const auto nx = load<Float8>(mesh.normal[0] + at), ny = load<Float8>(mesh.normal[1] + at),
+               nz = load<Float8>(mesh.normal[2] + at);
     storeTransposed(normals + 4 * at, m[0][0] * nx + m[0][1] * ny + m[0][2] * nz,
                     m[1][0] * nx + m[1][1] * ny + m[1][2] * nz, m[2][0] * nx + m[2][1] * ny + m[2][2] * nz);
   }
@@ -173,9 +173,9 @@ SIMCORE_INLINE Edges selectLane(const Setup& setup, int lane, std::int32_t id) {
 /// Eight pixels of a row from x on; `base` are the edge functions, `depth` 1 / depth, at column 0.
 SIMCORE_INLINE unsigned drawEight(const Edges& e, const float (&base)[3], float depth,
                                   const VisibilityBuffer& buffer, std::ptrdiff_t rowStart, int x) {
-  const Float8 column = load<Float8>(buffer.column + x);
+  const auto column = load<Float8>(buffer.column + x);
   float* const depths = buffer.inverseDepth + rowStart + x;
-  const Float8 old = load<Float8>(depths);
+  const auto old = load<Float8>(depths);
   const Float8 now = splat(depth) + splat(e.plane[1]) * column;
   const Int8 mask = (splat(base[0]) + splat(e.y[0]) * column > splat(e.threshold[0])) &
                     (splat(base[1]) + splat(e.y[1]) * column > splat(e.threshold[1])) &

@@ -6,6 +6,7 @@
 #include <cmath>
 #include <limits>
 #include <span>
+#include <utility>
 
 namespace simcore::rendering {
 namespace {
@@ -78,7 +79,7 @@ void planeDistances(const Eigen::Vector3d& normal, double offset, int face, int 
 
 }  // namespace
 
-LampGrid::LampGrid(const Eigen::Vector3d& lampInWorld) : lamp_(lampInWorld) {
+LampGrid::LampGrid(Eigen::Vector3d lampInWorld) : lamp_(std::move(lampInWorld)) {
   constexpr float kNever = std::numeric_limits<float>::infinity();
   static_.assign(6 * kFaceCells, LampCell{kNever, kNever, -1, -1});
   cells_ = static_;
@@ -187,7 +188,7 @@ double LampGrid::nearest(const Eigen::Vector3d& pointInWorld, int withoutInstanc
   const double largest = std::max(direction.cwiseAbs().maxCoeff(&axis), 1e-30);
   const int face = static_cast<int>(axis) * 2 + (direction[axis] < 0 ? 1 : 0);
   const int u = cellOf(direction[kU[axis]] / largest, 0), v = cellOf(direction[kV[axis]] / largest, 0);
-  const LampCell& cell = cells_[static_cast<std::size_t>((face * kSize + v) * kSize + u)];
+  const LampCell& cell = cells_.data()[(face * kSize + v) * kSize + u];
   return cell.nearestInstance == withoutInstance && withoutInstance >= 0 ? cell.second : cell.nearest;
 }
 

@@ -19,7 +19,7 @@ class LampGrid {
  public:
   static constexpr int kSize = 96;
 
-  explicit LampGrid(const Eigen::Vector3d& lampInWorld);
+  explicit LampGrid(Eigen::Vector3d lampInWorld);
 
   /// A caster that never moves, by its triangles; before the first call of beginMoving().
   void addStatic(const Mesh& mesh, const Pose3& meshInWorld, int instance);

@@ -17,7 +17,7 @@ void writeYuyv(const float* light, const float* const color[3], int width, std::
   for (int x = 0; x < width; x += 8) {
     const Float8 share = minimum(load<Float8>(light + x), splat(1));
     const Int8 luma = toBytes(load<Float8>(color[0] + x) * share);
-    const Float8 blue = load<Float8>(color[1] + x) * share, red = load<Float8>(color[2] + x) * share;
+    const auto blue = load<Float8>(color[1] + x) * share, red = load<Float8>(color[2] + x) * share;
     // Pairs' means: lanes 0 to 3 blue, 4 to 7 red.
     const Float8 even = __builtin_shufflevector(blue, red, 0, 2, 4, 6, 8, 10, 12, 14);
     const Float8 odd = __builtin_shufflevector(blue, red, 1, 3, 5, 7, 9, 11, 13, 15);

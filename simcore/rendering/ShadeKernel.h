@@ -122,7 +122,7 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
 SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffer, int x, int y,
                                std::int32_t firstPixel) {
   const std::int32_t* ids = buffer.triangle + static_cast<std::ptrdiff_t>(y) * buffer.stride + x;
-  const Float8 column = load<Float8>(buffer.column + x);
+  const auto column = load<Float8>(buffer.column + x);
   const float row = buffer.row[y];
   const bool same = bits(load<Int8>(ids) == splatInt(ids[0])) == 0xFF;
   const Surface surface =
@@ -130,7 +130,7 @@ SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffe
   store(strip.color[0] + firstPixel, surface.color.x);
   store(strip.color[1] + firstPixel, surface.color.y);
   store(strip.color[2] + firstPixel, surface.color.z);
-  const Int8 drawn = load<Int8>(ids) != splatInt(0);
+  const auto drawn = load<Int8>(ids) != splatInt(0);
   Float8 light = splat(1);
   if (bits(drawn) != 0) {
     const Float8 depth = splat(1) / (drawn ? surface.inverseDepth : splat(1));
@@ -160,12 +160,12 @@ void shade(const Strip& strip, const VisibilityBuffer& buffer) {
 SIMCORE_INLINE Int8 neighboursSay(const std::int32_t* seen, int stride, bool oddRow) {
   const Int8 zero = splatInt(0);
   if (!oddRow) {
-    const Int8 left = load<Int8>(seen - 1);
+    const auto left = load<Int8>(seen - 1);
     return left == load<Int8>(seen + 1) ? left : zero;
   }
   const std::int32_t* const above = seen - stride;
   const std::int32_t* const below = seen + stride;
-  const Int8 up = load<Int8>(above), corner = load<Int8>(above - 1);
+  const auto up = load<Int8>(above), corner = load<Int8>(above - 1);
   const Int8 vertical = up == load<Int8>(below) ? up : zero;
   const Int8 cornersAgree = (corner == load<Int8>(above + 1)) & (corner == load<Int8>(below - 1)) &
                             (corner == load<Int8>(below + 1));
