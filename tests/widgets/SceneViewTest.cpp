@@ -5,6 +5,7 @@
 #include <QListView>
 #include <QSignalSpy>
 #include <QTest>
+#include <set>
 
 #include "robotlink/config/FieldDescription.h"
 #include "tests/widgets/SyntheticWorld.h"
@@ -96,11 +97,29 @@ class SceneViewTest : public QObject {
   void nothingIsDrawnAgainWhileNothingChanges() {
     Shown s;
     QVERIFY(s.placeThings());
+    QVERIFY(s.step());  // what stands still is drawn once more, smoothly
     QSignalSpy pictures(s.canvas, &SceneCanvas::pictureShown);
     s.world.pushPoses({-1, 0.5, 0.3}, {kBall.x(), kBall.y()});  // said again
     QVERIFY(s.step());
     QTest::qWait(80);
     QCOMPARE(pictures.count(), 0);
+  }
+
+  void whatStandsStillIsDrawnWithSmoothEdges() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const auto colorsAlongTheEdge = [&] {
+      std::set<QRgb> colors;
+      const QImage picture = s.picture();
+      for (int i = 0; i < 60; ++i) {
+        const QPoint edge = s.at({-2.1, -1.0 + i * 0.02, 0});
+        for (int x = -2; x <= 2; ++x) colors.insert(picture.pixel(edge.x() + x, edge.y()));
+      }
+      return colors.size();
+    };
+    const auto rough = colorsAlongTheEdge();
+    QVERIFY(s.step());
+    QVERIFY(colorsAlongTheEdge() > rough);
   }
 
   void draggingTurnsTheCamera() {

@@ -106,6 +106,10 @@ EglContext::EglContext(EglContext&& other) noexcept
       context_(std::exchange(other.context_, nullptr)),
       renderer_(std::move(other.renderer_)) {}
 
+bool EglContext::software() const {
+  return renderer_.find("llvmpipe") != std::string::npos || renderer_.find("softpipe") != std::string::npos;
+}
+
 EglContext::~EglContext() {
   if (context_ == nullptr) return;
   eglMakeCurrent(display_, EGL_NO_SURFACE, EGL_NO_SURFACE, EGL_NO_CONTEXT);

@@ -23,6 +23,8 @@ class EglContext {
 
   /// "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
+  /// No GPU: the processor draws.
+  bool software() const;
 
  private:
   EglContext(void* display, void* context, std::string renderer);

@@ -9,8 +9,6 @@
 namespace widgets {
 namespace {
 
-constexpr int kSamples = 4;
-
 const void* offset(std::size_t bytes) {
   return reinterpret_cast<const void*>(bytes);
 }
@@ -139,15 +137,15 @@ void GlLines::draw() const {
   glDrawArraysInstanced(GL_TRIANGLE_STRIP, 0, 4, count_);
 }
 
-GlTarget::GlTarget(QSize size) : size_(size) {
+GlTarget::GlTarget(QSize size, int samples) : size_(size) {
   glGenFramebuffers(2, frames_);
   glGenRenderbuffers(3, buffers_);
-  const auto storage = [&](GLuint buffer, int samples, GLenum format) {
+  const auto storage = [&](GLuint buffer, int samplesHere, GLenum format) {
     glBindRenderbuffer(GL_RENDERBUFFER, buffer);
-    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samples, format, size.width(), size.height());
+    glRenderbufferStorageMultisample(GL_RENDERBUFFER, samplesHere, format, size.width(), size.height());
   };
-  storage(buffers_[0], kSamples, GL_RGBA8);
-  storage(buffers_[1], kSamples, GL_DEPTH24_STENCIL8);
+  storage(buffers_[0], samples, GL_RGBA8);
+  storage(buffers_[1], samples, GL_DEPTH24_STENCIL8);
   storage(buffers_[2], 0, GL_RGBA8);
   glBindFramebuffer(GL_FRAMEBUFFER, frames_[1]);
   glFramebufferRenderbuffer(GL_FRAMEBUFFER, GL_COLOR_ATTACHMENT0, GL_RENDERBUFFER, buffers_[2]);

@@ -66,10 +66,11 @@ class GlLines {
   int count_ = 0;
 };
 
-/// Four samples a pixel with depth and stencil, to be drawn into, and plain pixels to be read from.
+/// Pixels with depth and stencil to be drawn into, with one sample each or several, and plain pixels to be
+/// read from.
 class GlTarget {
  public:
-  explicit GlTarget(QSize size);
+  GlTarget(QSize size, int samples);
   ~GlTarget();
   GlTarget(const GlTarget&) = delete;
   GlTarget& operator=(const GlTarget&) = delete;

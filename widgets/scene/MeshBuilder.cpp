@@ -3,6 +3,7 @@
 
 #include <cmath>
 #include <map>
+#include <tuple>
 
 namespace widgets {
 namespace {
@@ -127,6 +128,8 @@ void MeshBuilder::triangles(std::span<const Vector3> corners, std::span<const Co
     for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner)
       meeting[gridPlace(corners[corner])].push_back(i);
   }
+  // Corners that look the same are one vertex.
+  std::map<std::tuple<std::array<std::int64_t, 3>, std::array<std::int64_t, 3>, Color>, std::uint32_t> made;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3 own = unitNormal(normals[i]);
     for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner) {
@@ -134,7 +137,11 @@ void MeshBuilder::triangles(std::span<const Vector3> corners, std::span<const Co
       for (const std::size_t other : meeting[gridPlace(corners[corner])]) {
         if (unitNormal(normals[other]).dot(own) > std::cos(kSmoothAngle)) sum += normals[other];
       }
-      to_.indices.push_back(add(corners[corner], unitNormal(sum), colors[i]));
+      const Vector3 normal = unitNormal(sum);
+      const auto [found, isNew] =
+          made.try_emplace({gridPlace(corners[corner]), gridPlace(normal), colors[i]}, 0);
+      if (isNew) found->second = add(corners[corner], normal, colors[i]);
+      to_.indices.push_back(found->second);
     }
   }
 }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/RenderThread.h"
 
+#include <pthread.h>
 #include <time.h>
 
 #include <algorithm>
@@ -81,6 +82,7 @@ std::shared_ptr<const SceneFrame> RenderThread::next(Clock::time_point start,
 }
 
 void RenderThread::run() {
+  pthread_setname_np(pthread_self(), "scene-renderer");
   auto renderer = makeRenderer_();
   {
     const std::lock_guard lock(mutex_);

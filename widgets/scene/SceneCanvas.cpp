@@ -45,9 +45,14 @@ SceneCanvas::~SceneCanvas() {
 }
 
 void SceneCanvas::setContents(SceneContents contents) {
-  if (contents == contents_) return;
+  if (contents == contents_) return smoothen();
   contents_ = std::move(contents);
   request();
+}
+
+void SceneCanvas::smoothen() {
+  if (mode_ != Mode::kIdle || !upToDate() || shown_.frame->smooth) return;
+  request(true);
 }
 
 void SceneCanvas::setMovable(std::vector<std::string> models, bool always) {
@@ -109,7 +114,7 @@ SceneFrame::Colors SceneCanvas::colors() const {
   return {QColor(196, 212, 226), QColor(240, 243, 246), QColor(90, 105, 120), ink, Qt::white, ghost, refused};
 }
 
-void SceneCanvas::request() {
+void SceneCanvas::request(bool smooth) {
   if (width() < 2 || height() < 2) return;
   auto frame = std::make_shared<SceneFrame>();
   frame->pixelRatio = devicePixelRatioF();
@@ -121,6 +126,7 @@ void SceneCanvas::request() {
   frame->contents = contents_;
   frame->highlighted = highlighted_;
   frame->hurry = mode_ != Mode::kIdle;
+  frame->smooth = smooth;
   requested_ = frame;
   thread_->request(std::move(frame));
 }

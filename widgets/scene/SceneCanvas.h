@@ -21,6 +21,7 @@ class SceneCanvas final : public QWidget {
                        QWidget* parent = nullptr);
   ~SceneCanvas() override;
 
+  /// To be called 30 times a second, also when nothing changed.
   void setContents(SceneContents contents);
   /// The models that dragging moves; without `always` only with the Control key.
   void setMovable(std::vector<std::string> models, bool always);
@@ -72,7 +73,9 @@ class SceneCanvas final : public QWidget {
  private:
   enum class Mode : std::uint8_t { kIdle, kOrbiting, kPanning, kDragging };
 
-  void request();
+  void request(bool smooth = false);
+  /// Once nothing changes any more, the picture is worth some effort.
+  void smoothen();
   void takePicture();
   SceneFrame::Colors colors() const;
   Mode modeFor(const QMouseEvent& event);

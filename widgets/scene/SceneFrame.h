@@ -65,6 +65,7 @@ struct SceneFrame {
   bool grid = true;
   SceneContents contents;
   std::string highlighted;  ///< a model
+  bool smooth = false;      ///< without jagged edges, which costs a processor more than three times as much
   bool hurry = false;       ///< somebody moves the camera or a model: be quick rather than thrifty
 };
 

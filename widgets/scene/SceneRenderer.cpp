@@ -63,6 +63,8 @@ struct SceneRenderer::State {
     glGenVertexArrays(1, &nothing);
   }
 
+  /// Whether there is one of this size.
+  bool chooseTarget(const SceneFrame& frame);
   GpuShape& uploaded(const std::shared_ptr<const SceneShape>& shape);
   void forgetUnused();
   void prepare(const SceneFrame& frame);
@@ -78,7 +80,8 @@ struct SceneRenderer::State {
   EglContext context;
   GlProgram sky, mesh, shadow, line;
   unsigned nothing = 0;  // a vertex array without attributes
-  std::unique_ptr<GlTarget> target;
+  std::unique_ptr<GlTarget> plainTarget, smoothTarget;
+  GlTarget* target = nullptr;  // that of the frame
   std::map<const SceneShape*, GpuShape> shapes;
   std::unique_ptr<GlLines> grid;
   QColor gridColor;
@@ -90,11 +93,11 @@ robotlink::Result<SceneRenderer> SceneRenderer::create() {
   if (!context) return tl::unexpected(context.error());
   auto sky = GlProgram::build(shaders::kSkyVertex, shaders::kSkyFragment);
   if (!sky) return tl::unexpected(sky.error());
-  auto mesh = GlProgram::build(shaders::kMeshVertex, shaders::kMeshFragment);
+  auto mesh = GlProgram::build(shaders::kMeshVertex, shaders::kPlainFragment);
   if (!mesh) return tl::unexpected(mesh.error());
-  auto shadow = GlProgram::build(shaders::kMeshVertex, shaders::kShadowFragment);
+  auto shadow = GlProgram::build(shaders::kShadowVertex, shaders::kShadowFragment);
   if (!shadow) return tl::unexpected(shadow.error());
-  auto line = GlProgram::build(shaders::kLineVertex, shaders::kLineFragment);
+  auto line = GlProgram::build(shaders::kLineVertex, shaders::kPlainFragment);
   if (!line) return tl::unexpected(line.error());
   return SceneRenderer(std::make_unique<State>(std::move(*context), std::move(*sky), std::move(*mesh),
                                                std::move(*shadow), std::move(*line)));
@@ -110,11 +113,7 @@ const std::string& SceneRenderer::device() const {
 QImage SceneRenderer::render(const SceneFrame& frame) {
   if (frame.pixels.isEmpty() || frame.pixels.width() > kLargest || frame.pixels.height() > kLargest)
     return {};
-  if (!state_->target || state_->target->size() != frame.pixels) {
-    state_->target.reset();
-    state_->target = std::make_unique<GlTarget>(frame.pixels);
-  }
-  if (!state_->target->complete()) return {};
+  if (!state_->chooseTarget(frame)) return {};
   state_->prepare(frame);
   state_->drawSky(frame);
   if (frame.grid) state_->drawGrid(frame);
@@ -127,6 +126,17 @@ QImage SceneRenderer::render(const SceneFrame& frame) {
   state_->target->read(picture.bits());
   picture.setDevicePixelRatio(frame.pixelRatio);
   return picture;
+}
+
+bool SceneRenderer::State::chooseTarget(const SceneFrame& frame) {
+  constexpr int kSamples = 4;
+  auto& chosen = frame.smooth || !context.software() ? smoothTarget : plainTarget;
+  if (!chosen || chosen->size() != frame.pixels) {
+    chosen.reset();
+    chosen = std::make_unique<GlTarget>(frame.pixels, &chosen == &smoothTarget ? kSamples : 0);
+  }
+  target = chosen.get();
+  return target->complete();
 }
 
 GpuShape& SceneRenderer::State::uploaded(const std::shared_ptr<const SceneShape>& shape) {

@@ -21,45 +21,43 @@ uniform vec3 bottom;
 out vec4 color;
 void main() { color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0); })";
 
+/// Soft light from the whole sky, a lamp, a little shine. What lies flat has exactly its own colour. Light is
+/// calculated at the corners: on a processor, pixels are what costs.
 inline constexpr char kMeshVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
 layout(location = 2) in vec4 color;
 uniform mat4 model;
 uniform mat4 viewProjection;
-out vec3 worldPosition;
-out vec3 worldNormal;
-out vec4 surface;
-void main() {
-  vec4 world = model * vec4(position, 1.0);
-  worldPosition = world.xyz;
-  worldNormal = mat3(model) * normal;
-  surface = color;
-  gl_Position = viewProjection * world;
-})";
-/// Soft light from the whole sky, a lamp, a little shine. What lies flat has exactly its own colour.
-inline constexpr char kMeshFragment[] = R"(#version 330 core
-in vec3 worldPosition;
-in vec3 worldNormal;
-in vec4 surface;
 uniform vec3 eye;
 uniform vec3 lamp;
 uniform vec4 tint;
 uniform float lit;
 uniform float opacity;
-out vec4 color;
+out vec4 surface;
 void main() {
-  vec3 toEye = normalize(eye - worldPosition);
-  vec3 n = normalize(worldNormal);
+  vec4 world = model * vec4(position, 1.0);
+  vec3 toEye = normalize(eye - world.xyz);
+  vec3 n = mat3(model) * normal;
   if (dot(n, toEye) < 0.0) n = -n;
   float ambient = mix(0.34, 0.54, 0.5 + 0.5 * n.z);
   float diffuse = 0.56 * max(dot(n, lamp), 0.0);
-  float shine = 0.10 * pow(max(dot(n, normalize(lamp + toEye)), 0.0), 48.0) * (1.0 - n.z * n.z * step(0.999, n.z));
-  vec3 shaded = mix(surface.rgb, surface.rgb * (ambient + diffuse) + shine, lit);
-  color = vec4(mix(shaded, tint.rgb, tint.a), surface.a * opacity);
+  float shine = n.z > 0.999 ? 0.0 : 0.12 * pow(max(dot(n, normalize(lamp + toEye)), 0.0), 40.0);
+  vec3 shaded = mix(color.rgb, color.rgb * (ambient + diffuse) + shine, lit);
+  surface = vec4(mix(shaded, tint.rgb, tint.a), color.a * opacity);
+  gl_Position = viewProjection * world;
 })";
+inline constexpr char kPlainFragment[] = R"(#version 330 core
+in vec4 surface;
+out vec4 color;
+void main() { color = surface; })";
 
 /// Flattened onto the ground along the lamp's light.
+inline constexpr char kShadowVertex[] = R"(#version 330 core
+layout(location = 0) in vec3 position;
+uniform mat4 model;
+uniform mat4 viewProjection;
+void main() { gl_Position = viewProjection * model * vec4(position, 1.0); })";
 inline constexpr char kShadowFragment[] = R"(#version 330 core
 out vec4 color;
 void main() { color = vec4(0.0, 0.0, 0.0, 0.30); })";
@@ -92,9 +90,5 @@ void main() {
   surface = color;
   gl_Position = vec4(at.xy + corner * pixels / viewport.xy * at.w, at.z - 2e-4 * at.w, at.w);
 })";
-inline constexpr char kLineFragment[] = R"(#version 330 core
-in vec4 surface;
-out vec4 color;
-void main() { color = surface; })";
 
 }  // namespace widgets::shaders
