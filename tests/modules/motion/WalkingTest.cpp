@@ -125,6 +125,23 @@ INSTANTIATE_TEST_SUITE_P(Kicks, KickTest,
                                          KickCase{"kick-left", {0.165, 0.065}},
                                          KickCase{"kick-right", {0.165, -0.065}}));
 
+/// The head looks down at a ball before the paws; a kick that did not raise it first would topple over it.
+TEST(KickPostureTest, aKickThatBeginsWithTheHeadDownEndsOnFourPaws) {
+  for (const double pan : {0.0, -1.2}) {
+    WalkingRobot robot(options());
+    robot.head() = {-1.2, pan, 0, 0};
+    robot.run({MotionWish::Kind::kWalk, {0.05, 0.02, 0}, {}}, 1.5);
+    robot.placeBall({0.155, 0});
+    robot.run(keyFrames("kick-forward"), 1);
+    double least = 1;
+    for (int i = 0; i < 500; ++i) {
+      robot.frame({MotionWish::Kind::kWalk, {0.1, 0, 0}, {}});
+      least = std::min(least, robot.upright());
+    }
+    EXPECT_GT(least, 0.85);
+  }
+}
+
 struct FallCase {
   const char* name;
   double roll, pitch;  // degrees
