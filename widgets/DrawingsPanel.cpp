@@ -35,6 +35,7 @@ void DrawingsPanel::createViews() {
   list_->setUniformItemSizes(true);
   list_->setFrameShape(QFrame::NoFrame);
   list_->setTextElideMode(Qt::ElideMiddle);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* hint = new EmptyHint(list_);
   const auto update = [this, hint] {
     hint->setHint(model_.rowCount() == 0

@@ -323,6 +323,29 @@ class SceneViewTest : public QObject {
     b.view.restoreState({});  // harmless
   }
 
+  void showsAWholePicture() {
+    Shown s;
+    s.view.resize(800, 600);
+    QVERIFY(s.placeThings());
+    s.world.pushFrame({worldDrawing("field", "plan", "field",
+                                    [](SceneDrawing& d) {
+                                      d.arrow({-1, 0.5}, {0.4, -0.35}, colors::kPink, 3);
+                                      d.circle({0.5, -0.4}, 0.15, colors::kYellow, 2, {{240, 210, 40}, 0.3});
+                                      d.text({0.5, -0.6}, "go to ball", colors::kWhite, 13);
+                                    }),
+                       worldDrawing("robot", "axes", "red1", [](SceneDrawing& d) {
+                         d.axes(robotlink::Pose3::Identity(), 0.4);
+                         d.sphere({0.5, 0.3, 0.2}, 0.06, {{90, 200, 240}, 0.6});
+                       })});
+    QVERIFY(s.step());
+    s.click("sceneDrawings");
+    QVERIFY(s.step());
+    QVERIFY(s.step());
+    keepPicture(s.view, "scene-view");
+    QVERIFY(countNear(s.picture(), QColor(250, 90, 170), 25) > 50);
+    QVERIFY(countNear(s.picture(), QColor(220, 40, 40), 60) > 20);
+  }
+
   void withoutOpenGlTheReasonIsShown() {
     SceneCanvas canvas(
         []() -> robotlink::Result<SceneRenderer> { return robotlink::failure("scene.no-egl", "no EGL"); });

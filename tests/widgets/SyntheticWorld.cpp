@@ -6,6 +6,7 @@
 #include <QDir>
 #include <QImage>
 #include <QMouseEvent>
+#include <QPalette>
 #include <QPixmap>
 #include <QTest>
 #include <QWheelEvent>
@@ -232,7 +233,14 @@ void keepPicture(QWidget& widget, const char* name) {
   const QString folder = qEnvironmentVariable("ROBOTCONTROL_TEST_PICTURES");
   if (folder.isEmpty()) return;
   QDir().mkpath(folder);
-  widget.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
+  const QString file = folder + QLatin1Char('/') + QLatin1String(name);
+  QApplication::processEvents();
+  widget.grab().save(file + QStringLiteral(".png"));
+  const QPalette light = QApplication::palette();
+  QApplication::setPalette(QPalette(QColor(53, 58, 64), QColor(40, 44, 50)));
+  QTest::qWait(400);  // pictures that are drawn elsewhere follow
+  widget.grab().save(file + QStringLiteral("-dark.png"));
+  QApplication::setPalette(light);
 }
 
 }  // namespace widgets::test

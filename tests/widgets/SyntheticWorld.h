@@ -66,7 +66,8 @@ void failAtWarnings();
 bool isNear(const QColor& a, const QColor& b, int tolerance = 12);
 /// How many pixels of a picture are near a colour.
 int countNear(const QImage& picture, const QColor& color, int tolerance = 12);
-/// Writes a picture of the widget where ROBOTCONTROL_TEST_PICTURES says, for people to look at.
+/// Writes pictures of the widget, in light and dark, where ROBOTCONTROL_TEST_PICTURES says, for people to
+/// look at; does nothing otherwise.
 void keepPicture(QWidget& widget, const char* name);
 
 // What a person does with a mouse; whatever is still to be laid out is laid out first.

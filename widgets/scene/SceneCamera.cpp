@@ -9,6 +9,7 @@
 namespace widgets {
 namespace {
 
+using robotlink::radians;
 using robotlink::Vector2;
 using robotlink::Vector3;
 
@@ -119,6 +120,9 @@ void SceneCamera::fit(const QSizeF& widget, const Vector3& extent) {
 
 SceneCamera SceneCamera::overview(const QSizeF& widget, const Vector3& extent) {
   SceneCamera camera;
+  // A tall picture is filled better from higher up.
+  const double aspect = widget.width() / std::max(1.0, widget.height());
+  camera.elevation = std::clamp(radians(70 - 18 * aspect), radians(28), radians(58));
   // A little nearer to the viewer than the centre: what is near looks larger.
   camera.target = {0, -0.06 * extent.y(), 0};
   camera.fit(widget, extent);

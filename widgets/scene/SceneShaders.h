@@ -40,8 +40,9 @@ void main() {
   vec3 toEye = normalize(eye - world.xyz);
   vec3 n = mat3(model) * normal;
   if (dot(n, toEye) < 0.0) n = -n;
-  float ambient = mix(0.34, 0.54, 0.5 + 0.5 * n.z);
-  float diffuse = 0.56 * max(dot(n, lamp), 0.0);
+  float ambient = mix(0.38, 0.48, 0.5 + 0.5 * n.z);
+  float fill = 0.16 * max(dot(n, vec3(-0.53, 0.79, 0.30)), 0.0);  // from behind the lamp, so that no side is lost
+  float diffuse = 0.56 * max(dot(n, lamp), 0.0) + fill;
   float shine = n.z > 0.999 ? 0.0 : 0.12 * pow(max(dot(n, normalize(lamp + toEye)), 0.0), 40.0);
   vec3 shaded = mix(color.rgb, color.rgb * (ambient + diffuse) + shine, lit);
   surface = vec4(mix(shaded, tint.rgb, tint.a), color.a * opacity);
