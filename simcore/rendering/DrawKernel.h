@@ -86,8 +86,9 @@ SIMCORE_INLINE Int8 boundPixels(const Vector8 (&v)[3], const VisibilityBuffer& b
   const auto width = static_cast<float>(buffer.width), height = static_cast<float>(buffer.height);
   Float8 px[3], py[3];
   for (int i = 0; i < 3; ++i) {
-    px[i] = splat(width / 2) - splat(buffer.focalX) * v[i].y / v[i].x;
-    py[i] = splat(height / 2) - splat(buffer.focalY) * v[i].z / v[i].x;
+    const Float8 inverse = 1.0F / v[i].x;
+    px[i] = width / 2 - buffer.focalX * v[i].y * inverse;
+    py[i] = height / 2 - buffer.focalY * v[i].z * inverse;
   }
   Float8 left = minimum(px[0], px[1], px[2]), right = maximum(px[0], px[1], px[2]);
   Float8 top = minimum(py[0], py[1], py[2]), bottom = maximum(py[0], py[1], py[2]);
@@ -139,7 +140,8 @@ SIMCORE_INLINE unsigned setUp(const DrawJob& job, const VisibilityBuffer& buffer
   if (bits(covers) == 0) return 0;
   const Vector8 inward = cross(v[2] - v[0], v[1] - v[0]);
   const Float8 volume = dot(inward, v[0]);
-  storeVector(setup.plane, {inward.x / volume, inward.y / volume, inward.z / volume});
+  const Float8 inverse = 1.0F / volume;
+  storeVector(setup.plane, {inward.x * inverse, inward.y * inverse, inward.z * inverse});
   const Vector8 edges[3] = {edgeBetween(v[2], v[1]), edgeBetween(v[0], v[2]), edgeBetween(v[1], v[0])};
   for (int i = 0; i < 3; ++i) {
     storeVector(setup.edge[i], edges[i]);
@@ -171,8 +173,8 @@ SIMCORE_INLINE Edges selectLane(const Setup& setup, int lane, std::int32_t id) {
 }
 
 /// Eight pixels of a row from x on; `base` are the edge functions, `depth` 1 / depth, at column 0.
-SIMCORE_INLINE unsigned drawEight(const Edges& e, const float (&base)[3], float depth,
-                                  const VisibilityBuffer& buffer, std::ptrdiff_t rowStart, int x) {
+SIMCORE_INLINE Int8 drawEight(const Edges& e, const float (&base)[3], float depth,
+                              const VisibilityBuffer& buffer, std::ptrdiff_t rowStart, int x) {
   const auto column = load<Float8>(buffer.column + x);
   float* const depths = buffer.inverseDepth + rowStart + x;
   const auto old = load<Float8>(depths);
@@ -180,13 +182,11 @@ SIMCORE_INLINE unsigned drawEight(const Edges& e, const float (&base)[3], float 
   const Int8 mask = (splat(base[0]) + splat(e.y[0]) * column > splat(e.threshold[0])) &
                     (splat(base[1]) + splat(e.y[1]) * column > splat(e.threshold[1])) &
                     (splat(base[2]) + splat(e.y[2]) * column > splat(e.threshold[2])) & (now > old);
-  const unsigned drawn = bits(mask);
-  if (drawn != 0) {
-    store(depths, mask ? now : old);
-    std::int32_t* const ids = buffer.triangle + rowStart + x;
-    store(ids, mask ? splatInt(e.id) : load<Int8>(ids));
-  }
-  return drawn;
+  // Without a branch, which could hardly be foretold.
+  store(depths, mask ? now : old);
+  std::int32_t* const ids = buffer.triangle + rowStart + x;
+  store(ids, mask ? splatInt(e.id) : load<Int8>(ids));
+  return mask;
 }
 
 /// Narrows [from, to] to the pixels of a row that an edge function leaves, with a pixel to spare.
@@ -212,8 +212,8 @@ struct RowStart {
         pixel(static_cast<std::ptrdiff_t>(y) * buffer.stride) {}
 };
 
-SIMCORE_INLINE unsigned drawNarrow(const Edges& e, const VisibilityBuffer& buffer, int x0, int y0, int y1) {
-  unsigned any = 0;
+SIMCORE_INLINE Int8 drawNarrow(const Edges& e, const VisibilityBuffer& buffer, int x0, int y0, int y1) {
+  Int8 any = splatInt(0);
   for (int y = y0; y <= y1; ++y) {
     const RowStart start(e, buffer, y);
     any |= drawEight(e, start.edge, start.depth, buffer, start.pixel, x0);
@@ -221,11 +221,10 @@ SIMCORE_INLINE unsigned drawNarrow(const Edges& e, const VisibilityBuffer& buffe
   return any;
 }
 
-SIMCORE_INLINE unsigned drawWide(const Edges& e, const VisibilityBuffer& buffer, int x0, int x1, int y0,
-                                 int y1) {
+SIMCORE_INLINE Int8 drawWide(const Edges& e, const VisibilityBuffer& buffer, int x0, int x1, int y0, int y1) {
   const float center = static_cast<float>(buffer.width) / 2 - 0.5F;
   const float slope[3] = {buffer.focalX / e.y[0], buffer.focalX / e.y[1], buffer.focalX / e.y[2]};
-  unsigned any = 0;
+  Int8 any = splatInt(0);
   for (int y = y0; y <= y1; ++y) {
     const RowStart start(e, buffer, y);
     auto from = static_cast<float>(x0), to = static_cast<float>(x1);
@@ -238,10 +237,11 @@ SIMCORE_INLINE unsigned drawWide(const Edges& e, const VisibilityBuffer& buffer,
   return any;
 }
 
-SIMCORE_INLINE unsigned drawTriangle(const Edges& e, const Setup& setup, int lane,
-                                     const VisibilityBuffer& buffer) {
+/// Whether it has any pixel.
+SIMCORE_INLINE bool drawTriangle(const Edges& e, const Setup& setup, int lane,
+                                 const VisibilityBuffer& buffer) {
   const int x0 = setup.x0[lane], x1 = setup.x1[lane], y0 = setup.y0[lane], y1 = setup.y1[lane];
-  return x1 - x0 < 8 ? drawNarrow(e, buffer, x0, y0, y1) : drawWide(e, buffer, x0, x1, y0, y1);
+  return bits(x1 - x0 < 8 ? drawNarrow(e, buffer, x0, y0, y1) : drawWide(e, buffer, x0, x1, y0, y1)) != 0;
 }
 
 SIMCORE_INLINE void writeRecord(const DrawJob& job, const VisibilityBuffer& buffer, const Edges& e,
@@ -272,7 +272,7 @@ void draw(const DrawJob& job, VisibilityBuffer& buffer) {
     for (; lanes != 0; lanes &= lanes - 1) {
       const int lane = __builtin_ctz(lanes);
       const Edges edges = selectLane(setup, lane, buffer.recordCount);
-      if (drawTriangle(edges, setup, lane, buffer) == 0) continue;
+      if (!drawTriangle(edges, setup, lane, buffer)) continue;
       writeRecord(job, buffer, edges, setup.triangle[lane]);
       ++buffer.recordCount;
     }
