@@ -15,9 +15,9 @@ void RegionFinder::beginImage() {
 
 void RegionFinder::addLine(int line, const std::uint8_t* pixels, int count, std::ptrdiff_t stride) {
   for (int begin = 0; begin < count;) {
-    const std::uint8_t colorClass = pixels[begin * stride];
+    const std::uint8_t colorClass = pixels[static_cast<std::ptrdiff_t>(begin) * stride];
     int end = begin + 1;
-    while (end < count && pixels[end * stride] == colorClass) ++end;
+    while (end < count && pixels[static_cast<std::ptrdiff_t>(end) * stride] == colorClass) ++end;
     if (colorClass != ColorClasses::kNone)
       runs_.push_back({line, begin, end, static_cast<int>(runs_.size()), colorClass});
     begin = end;
@@ -65,7 +65,8 @@ const std::vector<Region>& RegionFinder::findInColumns(const ImageView& classes,
   std::size_t previous = 0;
   for (int line = 0; !classes.empty() && line * spacing + spacing / 2 < classes.width; ++line) {
     const std::size_t begin = runs_.size();
-    addLine(line, classes.data + line * spacing + spacing / 2, classes.height, classes.step);
+    const int column = line * spacing + spacing / 2;
+    addLine(line, classes.data + column, classes.height, classes.step);
     connectLines(previous, begin);
     previous = begin;
   }

@@ -117,7 +117,7 @@ class CircleFitBallPerceptor final : public BallPerceptor {
                         parameters_.color_difference(), parameters_.tolerance(),
                         parameters_.minimum_inliers(),
                         ballGeometry(parameters_.geometry(), field_->ballRadius)});
-    const BallObservation ball = finder_.find(robotlink::imageView(*image_), orange, view);
+    BallObservation ball = finder_.find(robotlink::imageView(*image_), orange, view);
     if (debug_.on(kEdgeKey)) drawEdge();
     return ball;
   }
