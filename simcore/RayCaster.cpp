@@ -64,8 +64,9 @@ void trace(const Target& target, const Eigen::Vector3d& origin, const Eigen::Vec
 class RayCaster::Implementation {
  public:
   explicit Implementation(const RenderScene& scene) : device_(rendering::newRayDevice()) {
+    rendering::BodyTrees trees(device_, scene, rendering::Contents::kEverything);
     for (int body = 0; body < rendering::bodyCount(scene); ++body) {
-      const RTCScene tree = rendering::newBodyScene(device_, scene, body, rendering::Contents::kEverything);
+      const RTCScene tree = trees.treeOf(body);
       if (tree == nullptr) continue;
       const rendering::Sphere bound = boundOf(tree);
       targets_.push_back({body, tree, bound, Pose3::Identity(), bound.center});

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <utility>
 
 namespace simcore::rendering {
 namespace {
@@ -17,10 +18,6 @@ Matrix34 columns(const Pose3& pose) {
     for (int row = 0; row < 3; ++row) *out++ = static_cast<float>(pose.matrix()(row, column));
   }
   return result;
-}
-
-bool isWanted(const RenderInstance& instance, Contents contents, int body) {
-  return instance.body == body && (instance.castsShadow || contents == Contents::kEverything);
 }
 
 /// Attaches a copy of an instance's mesh, in the body's frame.
@@ -52,18 +49,45 @@ RTCDevice newRayDevice() {
   return rtcNewDevice("threads=1,set_affinity=0,isa=avx2");
 }
 
-RTCScene newBodyScene(RTCDevice device, const RenderScene& scene, int body, Contents contents) {
-  RTCScene inner = nullptr;
-  for (const RenderInstance& instance : scene.instances) {
-    if (!isWanted(instance, contents, body)) continue;
-    if (inner == nullptr) inner = rtcNewScene(device);
-    // A measuring ray must not slip through an edge; among the thousands that make a shadow, one may.
-    if (contents == Contents::kEverything) rtcSetSceneFlags(inner, RTC_SCENE_FLAG_ROBUST);
-    attachMesh(device, inner, scene.meshes[static_cast<std::size_t>(instance.mesh)], instance.meshInBody);
+BodyTrees::~BodyTrees() {
+  for (const Tree& tree : trees_) rtcReleaseScene(tree.scene);
+}
+
+bool BodyTrees::isWanted(const RenderInstance& instance, int body) const {
+  return instance.body == body && (instance.castsShadow || contents_ == Contents::kEverything);
+}
+
+BodyTrees::Content BodyTrees::contentOf(int body) const {
+  Content content;
+  for (const RenderInstance& instance : scene_.instances) {
+    if (!isWanted(instance, body)) continue;
+    content.push_back(instance.mesh);
+    const double* const pose = instance.meshInBody.matrix().data();
+    content.insert(content.end(), pose, pose + 16);
   }
-  if (inner == nullptr) return nullptr;
-  rtcCommitScene(inner);
-  return inner;
+  return content;
+}
+
+RTCScene BodyTrees::treeOf(int body) {
+  Content content = contentOf(body);
+  if (content.empty()) return nullptr;
+  auto found =
+      std::find_if(trees_.begin(), trees_.end(), [&](const Tree& tree) { return tree.content == content; });
+  if (found == trees_.end()) found = trees_.insert(trees_.end(), Tree{std::move(content), build(body)});
+  rtcRetainScene(found->scene);
+  return found->scene;
+}
+
+RTCScene BodyTrees::build(int body) const {
+  const RTCScene tree = rtcNewScene(device_);
+  // A measuring ray must not slip through an edge; among the thousands that make a shadow, one may.
+  if (contents_ == Contents::kEverything) rtcSetSceneFlags(tree, RTC_SCENE_FLAG_ROBUST);
+  for (const RenderInstance& instance : scene_.instances) {
+    if (!isWanted(instance, body)) continue;
+    attachMesh(device_, tree, scene_.meshes[static_cast<std::size_t>(instance.mesh)], instance.meshInBody);
+  }
+  rtcCommitScene(tree);
+  return tree;
 }
 
 int bodyCount(const RenderScene& scene) {
@@ -73,7 +97,8 @@ int bodyCount(const RenderScene& scene) {
 }
 
 BodyTree::BodyTree(const RenderScene& scene) : device_(newRayDevice()), scene_(rtcNewScene(device_)) {
-  for (int body = 0; body < bodyCount(scene); ++body) addBody(scene, body);
+  BodyTrees trees(device_, scene, Contents::kCasters);
+  for (int body = 0; body < bodyCount(scene); ++body) addBody(trees, body);
 }
 
 BodyTree::~BodyTree() {
@@ -82,8 +107,8 @@ BodyTree::~BodyTree() {
   rtcReleaseDevice(device_);
 }
 
-void BodyTree::addBody(const RenderScene& scene, int body) {
-  const RTCScene inner = newBodyScene(device_, scene, body, Contents::kCasters);
+void BodyTree::addBody(BodyTrees& trees, int body) {
+  const RTCScene inner = trees.treeOf(body);
   if (inner == nullptr) return;
   const RTCGeometry geometry = rtcNewGeometry(device_, RTC_GEOMETRY_TYPE_INSTANCE);
   rtcSetGeometryInstancedScene(geometry, inner);

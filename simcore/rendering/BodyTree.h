@@ -19,9 +19,37 @@ enum class Contents {
   kEverything,
 };
 
-/// A tree over the wanted instances of a body, in the body's frame, or null if there are none. The caller
-/// releases it.
-RTCScene newBodyScene(RTCDevice device, const RenderScene& scene, int body, Contents contents);
+/// Makes trees over the wanted instances of bodies, each in its body's frame. Bodies that look alike, as the
+/// same parts of several robots do, share one tree, so that it stays in the processor's cache. Device and
+/// scene must outlive it.
+class BodyTrees {
+ public:
+  BodyTrees(RTCDevice device, const RenderScene& scene, Contents contents)
+      : device_(device), scene_(scene), contents_(contents) {}
+  ~BodyTrees();
+  BodyTrees(const BodyTrees&) = delete;
+  BodyTrees& operator=(const BodyTrees&) = delete;
+
+  /// The tree of a body, or null if nothing of it is wanted. The caller releases it, whether it is shared or
+  /// not.
+  RTCScene treeOf(int body);
+
+ private:
+  /// What is on a body: mesh and pose of each instance, one after the other.
+  using Content = std::vector<double>;
+  struct Tree {
+    Content content;
+    RTCScene scene;
+  };
+  bool isWanted(const RenderInstance& instance, int body) const;
+  Content contentOf(int body) const;
+  RTCScene build(int body) const;
+
+  RTCDevice device_;
+  const RenderScene& scene_;
+  Contents contents_;
+  std::vector<Tree> trees_;
+};
 
 /// One more than the largest index of a body that the scene names or uses.
 int bodyCount(const RenderScene& scene);
@@ -48,7 +76,7 @@ class BodyTree {
     RTCGeometry geometry = nullptr;
     int index = 0;
   };
-  void addBody(const RenderScene& scene, int body);
+  void addBody(BodyTrees& trees, int body);
 
   RTCDevice device_ = nullptr;
   RTCScene scene_ = nullptr;
