@@ -12,6 +12,7 @@
 #include <QTreeView>
 #include <algorithm>
 
+#include "robotlink/debugging/Streams.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/KeyDelegate.h"
@@ -27,7 +28,6 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
      false, create<DebugKeysView>}};
 
-constexpr char kTable[] = "robotcontrol.KeyTable";
 
 }  // namespace
 
@@ -124,14 +124,14 @@ void DebugKeysView::connectSignals() {
 
 void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
-  const auto tables = latestOfType(session().store(), robot, kTable, session().timeline().shown());
+  const auto tables = latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
   auto values = valuesOf(tables);
   if (robot == robot_ && values == shown_) return;
-  const bool first = model_.rowCount() == 0 || robot != robot_;
+  const std::size_t before = robot == robot_ ? model_.keys().size() : 0;
   robot_ = robot;
   shown_ = std::move(values);
   model_.setKeys(robot.empty() ? std::vector<KeyEntry>() : mergeKeys(tables));
-  if (first || filter_->filters()) tree_->expandAll();
+  if (model_.keys().size() != before || filter_->filters()) tree_->expandAll();
   showState();
 }
 

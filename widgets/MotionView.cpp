@@ -149,7 +149,7 @@ void MotionView::followRobot() {
     head_->setRobot(description == context().robots.end() ? nullptr : description->second.get());
   }
   const auto tables =
-      latestOfType(session().store(), robot, "robotcontrol.SolutionTable", session().timeline().newest());
+      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
   auto values = valuesOf(tables);
   if (values != tables_) {
     tables_ = std::move(values);

@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <QTreeView>
 
+#include "robotlink/debugging/Streams.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/ParameterPanel.h"
@@ -26,7 +27,6 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
      "solutions", false, create<SolutionsView>}};
 
-constexpr char kTable[] = "robotcontrol.SolutionTable";
 
 }  // namespace
 
@@ -97,14 +97,14 @@ void SolutionsView::connectSignals() {
 
 void SolutionsView::tick() {
   const std::string& robot = session().selectedRobot();
-  const auto tables = latestOfType(session().store(), robot, kTable, session().timeline().shown());
+  const auto tables = latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().shown());
   auto values = valuesOf(tables);
   if (robot != robot_ || values != shown_) {
-    const bool first = model_.rowCount() == 0 || robot != robot_;
+    const int before = robot == robot_ ? model_.rowCount() : 0;
     robot_ = robot;
     shown_ = std::move(values);
     model_.setTasks(robot.empty() ? std::vector<TaskEntry>() : tasksOf(tables));
-    if (first) {
+    if (model_.rowCount() != before) {  // Processes tell their tasks one after the other.
       tree_->expandAll();
       tree_->resizeColumnToContents(SolutionModel::kName);
       tree_->resizeColumnToContents(SolutionModel::kProcess);

@@ -2,6 +2,7 @@
 #include "app/robotcontrol/Perspectives.h"
 
 #include <QJsonDocument>
+#include <QSplitter>
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
@@ -15,17 +16,28 @@ namespace {
 using Place = ViewDocks::Place;
 constexpr int kVersion = 1;
 
-/// Puts `sizes` into the splitter that holds a dock.
+/// Sizes of the neighbours in the splitter that holds a dock, from the left or the top.
 void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
   if (dock == nullptr || dock->dockAreaWidget() == nullptr) return;
   dock->dockManager()->setSplitterSizes(dock->dockAreaWidget(), sizes);
+}
+
+/// Sizes of the columns of the whole window, from the left.
+void setColumns(ads::CDockWidget* dock, const QList<int>& sizes) {
+  if (dock == nullptr) return;
+  QSplitter* outermost = nullptr;
+  for (QWidget* parent = dock->dockAreaWidget(); parent != nullptr && parent != dock->dockManager();
+       parent = parent->parentWidget()) {
+    if (auto* splitter = qobject_cast<QSplitter*>(parent)) outermost = splitter;
+  }
+  if (outermost != nullptr) outermost->setSizes(sizes);
 }
 
 void buildPlay(ViewDocks& docks) {
   ads::CDockWidget* scene = docks.add(QStringLiteral("scene"), Place::kLeft);
   ads::CDockWidget* keys = docks.add(QStringLiteral("debug-keys"), Place::kLeft);
   ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kRight);
-  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, keys);
+  docks.add(QStringLiteral("solutions"), Place::kBottom, keys);
   ads::CDockWidget* field = docks.add(QStringLiteral("field"), Place::kBottom, image);
   ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, scene);
   for (const char* id : {"plots", "timing", "processes"}) docks.add(QLatin1String(id), Place::kTab, messages);
@@ -36,7 +48,7 @@ void buildPlay(ViewDocks& docks) {
   setSizes(scene, {680, 280});
   setSizes(keys, {520, 440});
   setSizes(image, {430, 530});
-  (void)solutions;
+  setColumns(scene, {340, 760, 500});
 }
 
 void buildMotion(ViewDocks& docks) {
@@ -45,6 +57,7 @@ void buildMotion(ViewDocks& docks) {
   docks.add(QStringLiteral("plots"), Place::kBottom, scene);
   docks.add(QStringLiteral("field"), Place::kBottom, motion);
   setSizes(motion, {640, 360});
+  setColumns(motion, {820, 780});
 }
 
 void buildProcesses(ViewDocks& docks) {
@@ -52,6 +65,8 @@ void buildProcesses(ViewDocks& docks) {
   docks.add(QStringLiteral("timing"), Place::kBottom, processes);
   ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kRight);
   docks.add(QStringLiteral("messages"), Place::kBottom, solutions);
+  setSizes(solutions, {600, 360});
+  setColumns(processes, {950, 650});
 }
 
 struct Shipped {

@@ -218,7 +218,7 @@ class WorkbenchGuiTest : public QObject {
       desk.find<QAction>((std::string("view.") + type.id).c_str()).trigger();
       QVERIFY2(!desk.window.docks().docks(QLatin1String(type.id)).empty(), type.id);
     }
-    QVERIFY(widgets::ViewRegistry::all().size() >= 7);
+    QVERIFY(widgets::ViewRegistry::all().size() >= 10);
     desk.window.tick();
   }
 

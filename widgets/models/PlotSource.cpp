@@ -8,6 +8,7 @@
 #include <map>
 #include <set>
 
+#include "robotlink/debugging/Streams.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/Numbers.h"
 
@@ -90,7 +91,7 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
   const std::string below = source.stream.substr(robot.size() + 1);
   const bool plot = below.starts_with("plots/");
   std::string found;
-  for (const auto* message : latestOfType(store, robot, "robotcontrol.KeyTable", time)) {
+  for (const auto* message : latestTable(store, robot, robotlink::streams::kKeys, time)) {
     if (message == nullptr) continue;
     for (const auto& key : static_cast<const robotcontrol::KeyTable&>(*message->value).keys()) {
       const std::string path = plot ? "plots/" + key.name() : key.name();

@@ -22,6 +22,13 @@ std::vector<const robotlink::StreamMessage*> latestOfType(const robotlink::Strea
   return messages;
 }
 
+std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store, const std::string& robot,
+                                                         const char* path, robotlink::Instant time) {
+  const auto* table = store.latest(robot + '/' + path, time);
+  if (table == nullptr) return {};
+  return {table};
+}
+
 std::vector<const void*> valuesOf(const std::vector<const robotlink::StreamMessage*>& messages) {
   std::vector<const void*> values;
   values.reserve(messages.size());

@@ -87,7 +87,9 @@ TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
   EXPECT_EQ("", table.tasks(1).solutions(0).unavailable());
   EXPECT_TRUE(table.tasks(0).solutions(1).has_parameters());
   for (const auto& task : table.tasks()) {
-    if (task.name() == "behavior") EXPECT_EQ("go", task.default_solution()) << "what its layout says";
+    if (task.name() == "behavior") {
+      EXPECT_EQ("go", task.default_solution()) << "what its layout says";
+    }
     EXPECT_NE("", task.default_solution());
   }
 }
