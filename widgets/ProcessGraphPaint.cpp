@@ -57,19 +57,17 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
   const QRectF row = port.rect.adjusted(kMargin, 0, -kMargin, 0);
-  QString figures = rateText(port.rate);
-  if (!output && port.missed > 0) {
-    figures = ProcessGraphWidget::tr("%1 missed").arg(port.missed) +
-              (figures.isEmpty() ? QString() : QStringLiteral(" · ")) + figures;
-  }
+  // Where packages were missed, that is what one wants to know; the rate stands at the sender and in the tool
+  // tip.
+  const bool lossy = !output && port.missed > 0;
+  const QString figures = lossy ? ProcessGraphWidget::tr("%1 missed").arg(port.missed) : rateText(port.rate);
   const double width = painter.fontMetrics().horizontalAdvance(figures);
   const QRectF name = output ? row.adjusted(width + 6, 0, 0, 0) : row.adjusted(0, 0, -width - 6, 0);
   painter.setPen(palette.color(QPalette::Text));
   painter.drawText(
       name, (output ? Qt::AlignRight : Qt::AlignLeft) | Qt::AlignVCenter,
       painter.fontMetrics().elidedText(port.package, Qt::ElideMiddle, static_cast<int>(name.width())));
-  painter.setPen(port.missed > 0 && !output ? colorOf(Meaning::kWarning, palette)
-                                            : colorOf(Meaning::kMuted, palette));
+  painter.setPen(lossy ? colorOf(Meaning::kWarning, palette) : colorOf(Meaning::kMuted, palette));
   painter.drawText(row, (output ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, figures);
 }
 

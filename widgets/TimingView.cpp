@@ -67,8 +67,14 @@ void TimingView::createViews() {
   table_->horizontalHeader()->setStretchLastSection(true);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("cognition.."), tr("ball-percept.."), tr("scan-lines.."), tr("Last ms."),
-                             tr("Mean ms."),    tr("Min ms."),        tr("Max ms."),      tr("100.0")};
+  const QString samples[] = {tr("cognition.."),
+                             tr("landmark-percepts."),
+                             tr("go-to-ball-and-kick"),
+                             tr("Last ms."),
+                             tr("Mean ms."),
+                             tr("Min ms."),
+                             tr("Max ms."),
+                             tr("100.0")};
   for (int column = 0; column < TimingModel::kShare; ++column) {
     table_->setColumnWidth(column, textWidth(*table_, samples[column]));
   }

@@ -75,6 +75,16 @@ class ProcessesViewTest : public QObject {
     }
   }
 
+  void whatDoesNotBlockFollowsTheOrderOfTheLayout() {
+    ProcessTable table;
+    addProcess(table, "cognition", 1);
+    addProcess(table, "motion", 1);
+    link(table, 1, 0, "motion/status", 1, false);
+    link(table, 0, 1, "behavior/motion", 1, false);
+    const ProcessGraph graph = widgets::processGraph(table, nullptr, {}, {});
+    QVERIFY(graph.nodes[0].rect.right() < graph.nodes[1].rect.left());
+  }
+
   void ratesFollowFromTwoTables() {
     const ProcessGraph graph = widgets::processGraph(someProcesses(60),
                                                      [] {

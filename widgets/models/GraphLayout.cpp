@@ -28,14 +28,16 @@ bool reaches(const ProcessGraph& graph, const std::vector<int>& kept, int from, 
   return false;
 }
 
-/// Marks the edges that would close a cycle as going back. What blocks its receiver is kept first, what ends
-/// at the platform (a node without tasks) last, so that data flow from the sensors to the actuators.
+/// Marks the edges that would close a cycle as going back. What blocks its receiver is kept first, then what
+/// follows the order of the layout; what ends at the platform (a node without tasks) comes last, so that data
+/// flow from the sensors to the actuators.
 void turnCycles(ProcessGraph& graph) {
   std::vector<int> order(graph.edges.size()), kept;
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);
   const auto rank = [&](int index) {
     const auto& edge = graph.edges[at(index)];
-    return graph.nodes[at(edge.to)].tasks.isEmpty() ? 2 : graph.input(edge).blocking ? 0 : 1;
+    if (graph.nodes[at(edge.to)].tasks.isEmpty()) return 3;
+    return graph.input(edge).blocking ? 0 : edge.from < edge.to ? 1 : 2;
   };
   std::stable_sort(order.begin(), order.end(), [&](int a, int b) { return rank(a) < rank(b); });
   for (const int index : order) {

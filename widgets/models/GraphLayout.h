@@ -7,7 +7,7 @@ namespace widgets {
 
 /// Sizes of the picture, in pixels at zoom 1.
 struct GraphSizes {
-  static constexpr double kNodeWidth = 208;
+  static constexpr double kNodeWidth = 220;
   static constexpr double kHeader = 40;
   static constexpr double kRow = 18;
   static constexpr double kColumnGap = 76;
