@@ -4,9 +4,11 @@
 install_missing_packages() {
   local wanted missing=() package
   wanted=$(grep -v '^#' packages.txt)
-  # shellcheck disable=SC2086
   local installed
-  installed=$(dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null | awk '$2 == "installed" {print $1}')
+  # It fails where it does not know a package, which is what we want to find out.
+  # shellcheck disable=SC2086
+  installed=$({ dpkg-query -W -f='${Package} ${db:Status-Status}\n' $wanted 2>/dev/null || true; } |
+    awk '$2 == "installed" {print $1}')
   for package in $wanted; do
     grep -qx "$package" <<<"$installed" || missing+=("$package")
   done
