@@ -120,6 +120,14 @@ class FieldViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(0.5, 0.8), QColor(250, 90, 170)));
   }
 
+  void aDamagedDrawingHarmsNothing() {
+    Shown s;
+    s.placeThings();
+    s.world.pushFrame({damagedDrawing("damaged", "field"), damagedDrawing("lost", "nowhere")});
+    s.step();
+    QVERIFY(isNear(s.colorAt(0.5, -0.4), s.named("orange"), 2));
+  }
+
   void zoomPanTurnAndFit() {
     Shown s;
     const QPoint before = s.at(1, 0.5);

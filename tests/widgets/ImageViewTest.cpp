@@ -23,7 +23,6 @@ namespace {
 using robotlink::ImageDrawing;
 using robotlink::Rgb;
 using robotlink::toRgb;
-using robotlink::toYCbCr;
 using robotlink::YCbCr;
 namespace colors = robotlink::colors;
 

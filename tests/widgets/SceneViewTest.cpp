@@ -287,6 +287,14 @@ class SceneViewTest : public QObject {
     QVERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
   }
 
+  void aDamagedDrawingHarmsNothing() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.world.pushFrame({damagedDrawing("damaged", "field"), damagedDrawing("lost", "nowhere")});
+    QVERIFY(s.step());
+    QVERIFY(s.colorAt(kBall).hue() < 40);
+  }
+
   void namesAndGridAreToggled() {
     Shown s;
     QVERIFY(s.placeThings());

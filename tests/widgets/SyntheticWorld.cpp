@@ -10,6 +10,7 @@
 #include <QPixmap>
 #include <QTest>
 #include <QWheelEvent>
+#include <cmath>
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Scene.pb.h"
@@ -106,8 +107,8 @@ void SyntheticWorld::pushImage(const std::string& path, QSize size, robotlink::Y
     image.data[i + 3] = color.cr;
   }
   if (spotColor != robotlink::YCbCr()) {
-    std::uint8_t* pair = image.row(spot.y()) + (spot.x() & ~1) * 2;
-    pair[(spot.x() & 1) * 2] = spotColor.y;
+    std::uint8_t* pair = image.row(spot.y()) + std::ptrdiff_t{2} * (spot.x() & ~1);
+    pair[spot.x() % 2 == 0 ? 0 : 2] = spotColor.y;
     pair[1] = spotColor.cb;
     pair[3] = spotColor.cr;
   }
@@ -158,6 +159,27 @@ void SyntheticWorld::pushEstimates(const Pose2& robot, const Vector2& ballInRobo
   robotlink::assign(*ball->mutable_position_in_robot(), ballInRobot);
   ball->set_standard_deviation(0.08);
   push("red1/models/ball", ball);
+}
+
+SyntheticWorld::FramePart damagedDrawing(const std::string& key, const std::string& frame) {
+  return [=](robotcontrol::DebugQueue& queue) {
+    auto& message = *queue.add_messages();
+    message.set_path("drawings/field/" + key);
+    auto& entity = *message.mutable_scene_drawing()->add_entities();
+    entity.set_frame_id(frame);
+    auto& lines = *entity.add_lines();
+    auto& triangles = *entity.add_triangles();
+    for (const double x : {0.0, std::nan(""), 1.0}) {
+      lines.add_points()->set_x(x);
+      triangles.add_points()->set_x(x);
+    }
+    for (const std::uint32_t index : {0U, 1U, 7U, 0xFFFFFFFFU, 2U}) {
+      lines.add_indices(index);
+      triangles.add_indices(index);
+    }
+    entity.add_texts()->set_font_size(std::nan(""));
+    entity.add_spheres()->mutable_size()->set_x(std::nan(""));
+  };
 }
 
 SyntheticWorld::FramePart imageDrawing(const std::string& key,

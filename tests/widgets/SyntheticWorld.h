@@ -59,6 +59,9 @@ SyntheticWorld::FramePart worldDrawing(const std::string& kind, const std::strin
                                        const std::string& frame,
                                        const std::function<void(robotlink::SceneDrawing&)>& draw);
 
+/// A drawing of the field that no honest program makes: indices past the end, numbers that are none.
+SyntheticWorld::FramePart damagedDrawing(const std::string& key, const std::string& frame);
+
 /// Fails the running test at any Qt warning but those of the offscreen platform about what it cannot do. For
 /// initTestCase().
 void failAtWarnings();

@@ -4,6 +4,8 @@
 #include <QPainter>
 #include <QPainterPath>
 #include <QPalette>
+#include <QtMath>
+#include <algorithm>
 #include <cmath>
 
 #include "robotlink/config/FieldDescription.h"
@@ -126,10 +128,12 @@ void paintGroundGrid(QPainter& painter, const QSizeF& widget, const QTransform& 
   QColor color = palette.color(QPalette::WindowText);
   color.setAlphaF(0.12);
   painter.setPen(QPen(color, 1));
-  for (double x = std::ceil(seen.left() / kStep) * kStep; x <= seen.right(); x += kStep) {
+  for (int i = qCeil(seen.left() / kStep); i <= qFloor(seen.right() / kStep); ++i) {
+    const double x = i * kStep;
     painter.drawLine(fieldToWidget.map(QLineF(x, seen.top(), x, seen.bottom())));
   }
-  for (double y = std::ceil(seen.top() / kStep) * kStep; y <= seen.bottom(); y += kStep) {
+  for (int i = qCeil(seen.top() / kStep); i <= qFloor(seen.bottom() / kStep); ++i) {
+    const double y = i * kStep;
     painter.drawLine(fieldToWidget.map(QLineF(seen.left(), y, seen.right(), y)));
   }
   color.setAlphaF(0.4);

@@ -2,11 +2,13 @@
 #include "widgets/field/GroundDrawing.h"
 
 #include <QPainter>
+#include <algorithm>
 #include <cmath>
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/models/MessageColors.h"
+#include "widgets/models/MessageFonts.h"
 
 namespace widgets {
 namespace {
@@ -58,7 +60,7 @@ class AbovePainter {
       QPolygonF corners;
       for (int corner = i; corner < i + 3; ++corner) {
         const int at = triangles.indices_size() > 0 ? static_cast<int>(triangles.indices(corner)) : corner;
-        if (at < triangles.points_size()) corners << project(pose, triangles.points(at));
+        if (at >= 0 && at < triangles.points_size()) corners << project(pose, triangles.points(at));
       }
       fill(i < triangles.colors_size() ? triangles.colors(i) : triangles.color());
       painter_.drawConvexPolygon(corners);
@@ -101,14 +103,14 @@ class AbovePainter {
 
   QPen penFor(const LinePrimitive& lines, const foxglove::Color& color) const {
     const double width = lines.scale_invariant() ? lines.thickness() : lines.thickness() * scale_;
-    return QPen(qColor(color), std::max(1.0, width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin);
+    return {qColor(color), std::max(1.0, width), Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin};
   }
 
   void paintLines(const LinePrimitive& lines) {
     const Pose3 pose = robotlink::pose3(lines.pose());
     QPolygonF points;
     const auto add = [&](int i) {
-      if (i < lines.points_size()) points << project(pose, lines.points(i));
+      if (i >= 0 && i < lines.points_size()) points << project(pose, lines.points(i));
     };
     for (const auto index : lines.indices()) add(static_cast<int>(index));
     for (int i = 0; lines.indices_size() == 0 && i < lines.points_size(); ++i) add(i);
@@ -140,8 +142,7 @@ class AbovePainter {
 
   void paintText(const foxglove::TextPrimitive& text) {
     QFont font = painter_.font();
-    font.setPixelSize(
-        std::max(6, qRound(text.scale_invariant() ? text.font_size() : text.font_size() * scale_)));
+    font.setPixelSize(fontPixels(text.scale_invariant() ? text.font_size() : text.font_size() * scale_));
     painter_.setFont(font);
     painter_.setPen(qColor(text.color()));
     painter_.drawText(project(robotlink::pose3(text.pose()), Vector3::Zero()),

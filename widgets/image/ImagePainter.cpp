@@ -3,9 +3,12 @@
 
 #include <QPainter>
 #include <QPolygonF>
+#include <QtMath>
+#include <algorithm>
 
 #include "foxglove/Image.pb.h"
 #include "widgets/models/MessageColors.h"
+#include "widgets/models/MessageFonts.h"
 
 namespace widgets {
 namespace {
@@ -80,7 +83,7 @@ void paintPoints(QPainter& painter, const PointsAnnotation& points, const QTrans
 
 void paintText(QPainter& painter, const foxglove::TextAnnotation& text, const QTransform& toWidget) {
   QFont font = painter.font();
-  font.setPixelSize(std::max(6, qRound(text.font_size())));
+  font.setPixelSize(fontPixels(text.font_size()));
   painter.setFont(font);
   const QString string = QString::fromStdString(text.text());
   const QPointF at = toWidget.map(qPoint(text.position()));
@@ -95,10 +98,10 @@ void paintText(QPainter& painter, const foxglove::TextAnnotation& text, const QT
 void paintGrid(QPainter& painter, const QRectF& visible, const QTransform& toWidget) {
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.setPen(QPen(QColor(128, 128, 128, 90), 1));
-  for (double x = std::floor(visible.left()); x <= visible.right(); ++x) {
+  for (int x = qFloor(visible.left()); x <= visible.right(); ++x) {
     painter.drawLine(toWidget.map(QPointF(x, visible.top())), toWidget.map(QPointF(x, visible.bottom())));
   }
-  for (double y = std::floor(visible.top()); y <= visible.bottom(); ++y) {
+  for (int y = qFloor(visible.top()); y <= visible.bottom(); ++y) {
     painter.drawLine(toWidget.map(QPointF(visible.left(), y)), toWidget.map(QPointF(visible.right(), y)));
   }
 }

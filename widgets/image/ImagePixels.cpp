@@ -35,7 +35,8 @@ struct ChromaTables {
     }
   }
   std::uint8_t clamp(int fixed) const {
-    return clamped[static_cast<std::size_t>(((fixed + (1 << (kFraction - 1))) >> kFraction) + 384)];
+    const int index = ((fixed + (1 << (kFraction - 1))) >> kFraction) + 384;
+    return clamped[static_cast<std::size_t>(index)];
   }
 };
 constexpr ChromaTables kChroma;

@@ -9,6 +9,8 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
+#include <cmath>
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"

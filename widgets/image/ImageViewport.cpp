@@ -2,6 +2,7 @@
 #include "widgets/image/ImageViewport.h"
 
 #include <algorithm>
+#include <cmath>
 
 namespace widgets {
 namespace {
@@ -29,7 +30,7 @@ QTransform imageToWidget(const ImageViewport& viewport, const QSizeF& image, con
   // Whole pixels, so that the pixels of the image are equally large.
   const double left = std::round(widget.width() / 2 - shown.center.x() * shown.zoom);
   const double top = std::round(widget.height() / 2 - shown.center.y() * shown.zoom);
-  return QTransform(shown.zoom, 0, 0, shown.zoom, left, top);
+  return {shown.zoom, 0, 0, shown.zoom, left, top};
 }
 
 ImageViewport zoomed(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget, double factor,

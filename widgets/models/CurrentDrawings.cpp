@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/CurrentDrawings.h"
 
+#include <algorithm>
 #include <map>
 
 #include "robotlink/session/FrameDrawings.h"
@@ -11,7 +12,11 @@ namespace {
 
 using robotlink::DrawingKind;
 
-constexpr std::pair<const char*, DrawingKind> kKinds[] = {
+struct Kind {
+  const char* folder;
+  DrawingKind kind;
+};
+constexpr Kind kKinds[] = {
     {"image/", DrawingKind::kImage}, {"field/", DrawingKind::kField}, {"robot/", DrawingKind::kRobot}};
 
 }  // namespace
@@ -19,13 +24,13 @@ constexpr std::pair<const char*, DrawingKind> kKinds[] = {
 std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
                                             const QStringList& ids, robotlink::Instant shown) {
   std::map<std::string, const robotlink::StreamMessage*> byId;
-  for (const auto& [folder, kind] : kKinds) {
-    const bool wanted = std::any_of(ids.begin(), ids.end(),
-                                    [&](const QString& id) { return id.startsWith(QLatin1String(folder)); });
-    if (!wanted) continue;
-    const std::size_t prefix = robotlink::drawingPrefix(robot, kind).size();
-    for (const auto* message : robotlink::currentDrawings(session.store(), robot, kind, shown)) {
-      byId[folder + message->path.substr(prefix)] = message;
+  for (const Kind& kind : kKinds) {
+    const QLatin1String folder(kind.folder);
+    const auto isOfKind = [&](const QString& id) { return id.startsWith(folder); };
+    if (std::none_of(ids.begin(), ids.end(), isOfKind)) continue;
+    const std::size_t prefix = robotlink::drawingPrefix(robot, kind.kind).size();
+    for (const auto* message : robotlink::currentDrawings(session.store(), robot, kind.kind, shown)) {
+      byId[kind.folder + message->path.substr(prefix)] = message;
     }
   }
   std::vector<CurrentDrawing> drawings;

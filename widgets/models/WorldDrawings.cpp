@@ -15,7 +15,7 @@ using robotlink::Pose3;
 
 std::optional<Pose3> poseOfFrame(const std::string& frame, const SceneState& scene,
                                  const std::vector<RobotBelief>& beliefs) {
-  if (const auto pose = scene.framePose(frame)) return pose;
+  if (auto pose = scene.framePose(frame)) return pose;
   const auto belief = std::ranges::find(beliefs, frame, &RobotBelief::robot);
   if (belief == beliefs.end() || !belief->pose()) return std::nullopt;
   return poseOnGround(*belief->pose());

@@ -10,7 +10,7 @@ namespace widgets {
 namespace {
 
 const void* offset(std::size_t bytes) {
-  return reinterpret_cast<const void*>(bytes);
+  return reinterpret_cast<const void*>(bytes);  // NOLINT(performance-no-int-to-ptr): OpenGL takes it so
 }
 
 robotlink::Result<GLuint> compiled(GLenum kind, const char* source) {

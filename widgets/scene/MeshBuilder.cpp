@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/scene/MeshBuilder.h"
 
+#include <algorithm>
 #include <cmath>
 #include <map>
 #include <tuple>

@@ -2,9 +2,9 @@
 #include "widgets/scene/RenderThread.h"
 
 #include <pthread.h>
-#include <time.h>
 
 #include <algorithm>
+#include <ctime>
 #include <utility>
 
 namespace widgets {

@@ -17,6 +17,7 @@ std::vector<SceneBody> SceneAssembly::bodies(const SceneState& scene) {
 
 std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& drawings) {
   std::vector<SceneBody> bodies;
+  bodies.reserve(drawings.size());
   for (const WorldDrawing& drawing : drawings) {
     bodies.push_back({shape(drawingShapes_, drawing.entity, drawing.keep), drawing.frameInField, {}});
   }

@@ -2,6 +2,7 @@
 #include "widgets/scene/SceneMesh.h"
 
 #include <algorithm>
+#include <cmath>
 #include <limits>
 
 #include "foxglove/Scene.pb.h"
@@ -19,7 +20,7 @@ using Color = MeshBuilder::Color;
 
 Color packed(const foxglove::Color& color) {
   const auto channel = [](double value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.0, 1.0) * 255 + 0.5);
+    return static_cast<std::uint8_t>(std::lround(std::min(std::max(0.0, value), 1.0) * 255));
   };
   return {channel(color.r()), channel(color.g()), channel(color.b()), channel(color.a())};
 }

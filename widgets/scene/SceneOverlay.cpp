@@ -7,6 +7,7 @@
 #include <array>
 #include <cmath>
 
+#include "widgets/models/MessageFonts.h"
 #include "widgets/scene/SceneFrame.h"
 
 namespace widgets {
@@ -47,9 +48,9 @@ void paintLabels(QPainter& painter, const QSizeF& widget, const SceneCamera& cam
   for (const SceneLabel& label : labels) {
     const auto at = camera.project(widget, label.inField);
     const double size = pixelSize(label, widget, camera);
-    if (!at || size < 4) continue;
+    if (!at || !(size >= 4)) continue;
     QFont font = painter.font();
-    font.setPixelSize(std::min(200, qRound(size)));
+    font.setPixelSize(fontPixels(size));
     painter.setFont(font);
     label.boxed ? paintPlate(painter, *at, label) : paintPlain(painter, *at, label);
   }
