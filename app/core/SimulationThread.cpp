@@ -68,7 +68,7 @@ void SimulationThread::runLoop() {
 }
 
 SimulationThread::Clock::time_point SimulationThread::nextStepAt() const {
-  if (speed_ <= 0) return Clock::time_point::min();
+  if (speed_ <= 0) return paceStart_;  // As fast as possible: it is always late.
   const double simulated = robotlink::seconds(run_->world().clock().now() - paceStartTime_);
   return paceStart_ + std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double>(simulated / speed_));
 }

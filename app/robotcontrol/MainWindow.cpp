@@ -153,10 +153,10 @@ void MainWindow::showPerspective(const QString& name) {
 void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
   resize(1600, 1000);
+  setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   perspectives_.show(perspectives_.current(), *docks_);
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
-  setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   fillPerspectiveMenu();
 }
 

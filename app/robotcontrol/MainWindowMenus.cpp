@@ -138,6 +138,8 @@ void MainWindow::savePerspectiveAs() {
 void MainWindow::setAppearance(Appearance appearance) {
   appearance_ = appearance;
   app::apply(appearance, *qApp);
+  // Docks that are there keep the palette that they were made with: they are made anew.
+  if (!docks_->empty()) docks_->restore(docks_->save());
   if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance))) action->setChecked(true);
 }
 

@@ -30,6 +30,7 @@ class ViewDocks : public QObject {
   /// A new dock at a place; for default perspectives. Null if there is no such kind.
   ads::CDockWidget* add(const QString& id, Place place, ads::CDockWidget* beside = nullptr);
   void closeAll();
+  bool empty() const { return docks_.empty(); }
 
   /// Lets all visible views take in what is new.
   void tick();

@@ -59,6 +59,15 @@ function(robotcontrol_library name)
   endif()
 endfunction()
 
+# What GoogleTest programs include most, compiled once for all of them.
+function(robotcontrol_precompile_tests)
+  file(WRITE ${CMAKE_BINARY_DIR}/tests_precompiled.cpp "// Carries the precompiled headers of the tests.\n")
+  add_executable(tests_precompiled EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/tests_precompiled.cpp)
+  target_link_libraries(tests_precompiled PRIVATE robotcontrol_options Eigen3::Eigen protobuf::libprotobuf GTest::gmock_main)
+  target_precompile_headers(tests_precompiled PRIVATE
+    <gtest/gtest.h> <Eigen/Geometry> <google/protobuf/message.h> <functional> <map> <memory> <string> <vector>)
+endfunction()
+
 # robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
 # One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
 function(robotcontrol_test name)
@@ -74,6 +83,7 @@ function(robotcontrol_test name)
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} Qt5::Test)
   else()
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} GTest::gmock_main)
+    target_precompile_headers(${name} REUSE_FROM tests_precompiled)
   endif()
   add_test(NAME ${name} COMMAND ${name})
   set_tests_properties(${name} PROPERTIES TIMEOUT ${ARG_TIMEOUT} LABELS "${ARG_LABELS}"

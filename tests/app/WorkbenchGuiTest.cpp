@@ -212,6 +212,15 @@ class WorkbenchGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(desk.status()->time() > time, kWaitMs);
   }
 
+  void lightAndDarkReachEveryView() {
+    Desk desk(home_ / "appearance");
+    const auto lightness = [&desk] { return desk.find<QTreeView>("keysTree").palette().color(QPalette::Base).lightness(); };
+    desk.find<QAction>("appearance.dark").trigger();
+    QVERIFY(lightness() < 100);
+    desk.find<QAction>("appearance.light").trigger();
+    QVERIFY(lightness() > 200);
+  }
+
   void everyViewOfTheMenuOpens() {
     Desk desk(home_ / "views");
     for (const auto& type : widgets::ViewRegistry::all()) {
