@@ -154,6 +154,8 @@ void SimulatedRun::stepThreads() {
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
+  // Whether the programs can be made anew is tried before anything is given up: a file may have been broken meanwhile.
+  if (auto tried = makePrograms(options_.layout); !tried) return tried.error();
   stopPrograms();  // Their processes must not read a clock that jumps.
   world_->reset(seed);
   options_.world.seed = seed;

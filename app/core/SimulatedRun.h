@@ -56,6 +56,7 @@ class SimulatedRun {
   /// One step of the platforms, and of all processes that it lets run.
   void step();
   /// World and programs as they were at the start, with another seed; debug keys and solutions stay as they were chosen.
+  /// If the programs cannot be made anew, all goes on as before.
   robotlink::Errors reset(std::uint64_t seed);
   /// Starts the programs anew in another layout, with its solutions, while the world stays as it is. If that is not possible, all
   /// goes on as before.

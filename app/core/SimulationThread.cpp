@@ -182,13 +182,11 @@ robotlink::Result<void> SimulationThread::control(const robotcontrol::ControlSim
 
 robotlink::Result<void> SimulationThread::resetRun() {
   stepsWanted_ = 0;
-  const robotlink::Errors errors = run_->reset(run_->options().world.seed);
-  restartPacing();
-  publishScene();
-  if (!errors.empty()) {
-    running_ = false;
+  if (const robotlink::Errors errors = run_->reset(run_->options().world.seed); !errors.empty()) {
     return tl::unexpected(errors.front());
   }
+  restartPacing();
+  publishScene();
   return {};
 }
 

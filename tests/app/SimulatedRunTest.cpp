@@ -104,6 +104,19 @@ TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {
   EXPECT_EQ(run->world().digest(), digestAfter(options(), 0.5));
 }
 
+TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "soon-broken-layout.yaml";
+  RunOptions chosen = options();
+  std::filesystem::copy_file(chosen.layout, file, std::filesystem::copy_options::overwrite_existing);
+  chosen.layout = file;
+  const auto run = makeRun(chosen);
+  play(*run, 0.8);
+  std::ofstream(file) << "version: 1\nname: [broken\n";
+  EXPECT_FALSE(run->reset(2).empty());
+  play(*run, 0.2);
+  EXPECT_EQ(run->world().digest(), digestAfter(options(), 1));
+}
+
 TEST(SimulatedRun, allShippedLayoutsPlayWithoutTrouble) {
   for (const auto& layout : Workbench::layouts()) {
     Ears ears;

@@ -123,6 +123,39 @@ class WorkbenchGuiTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 0, kWaitMs);
   }
 
+  void theLayoutIsChosenInItsBox() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& layout = desk.find<QComboBox>("layoutBox");
+    QCOMPARE(layout.currentText(), QStringLiteral("compact"));
+    layout.setFocus();
+    QTest::keyClick(&layout, Qt::Key_Down);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->options.layout.stem().string(), std::string("parallel"), kWaitMs);
+    QCOMPARE(layout.currentText(), QStringLiteral("parallel"));
+  }
+
+  void aSceneWithTwoRobotsLetsOneBeChosen() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QFile scene(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf"));
+    QVERIFY(scene.open(QIODevice::ReadOnly));
+    QByteArray text = scene.readAll();
+    text.replace("</world>", "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 3.14</pose></include></world>");
+    std::filesystem::create_directories(home_);
+    const QString file = QString::fromStdString((home_ / "two.sdf").string());
+    QFile two(file);
+    QVERIFY(two.open(QIODevice::WriteOnly) && two.write(text) == text.size());
+    two.close();
+    QVERIFY(desk.workbench.commands().runLine("simulation.open " + file.toStdString()));
+    auto& robot = desk.find<QComboBox>("robotBox");
+    QTRY_COMPARE_WITH_TIMEOUT(robot.count(), 2, kWaitMs);
+    const std::string before = desk.workbench.session().selectedRobot();
+    robot.setFocus();
+    QTest::keyClick(&robot, robot.currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
+    QVERIFY(desk.workbench.session().selectedRobot() != before);
+    QTRY_COMPARE_WITH_TIMEOUT(robot.currentText().toStdString(), desk.workbench.session().selectedRobot(), kWaitMs);
+  }
+
   void aDebugKeyThatIsSwitchedOnDrawsIntoTheImage() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
