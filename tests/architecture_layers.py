@@ -43,6 +43,8 @@ OUTSIDE = {
     r"^embree3/": ["simcore"],
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "widgets/models", "app/robotcontrol"],
+    r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
+    r"^(jpeglib|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],
 }
 INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')

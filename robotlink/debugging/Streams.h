@@ -22,10 +22,17 @@ inline constexpr char kFieldDrawings[] =
     "drawings/field/";  ///< + key: foxglove.SceneUpdate in the frame "field"
 inline constexpr char kRobotDrawings[] =
     "drawings/robot/";  ///< + key: foxglove.SceneUpdate in the robot's frame
+inline constexpr char kProgram[] = "program";    ///< ProgramSetup
+inline constexpr char kRequests[] = "requests";  ///< Request, as it was handed in
+/// + package: as it was logged, where it is recomputed from a log
+inline constexpr char kLogged[] = "logged/";
 
 // What belongs to the whole world, with no robot before it.
 inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
 inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
+inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
+inline constexpr char kReplay[] = "replay";          ///< ReplayStatus
+inline constexpr char kBookmarks[] = "bookmarks";    ///< foxglove.Event, in log files
 
 }  // namespace robotlink::streams

@@ -12,6 +12,7 @@ class BallPercept;
 class BodySensors;
 class CameraPose;
 class ColorRegions;
+class ColorTable;
 class HeadMode;
 class HeadRequest;
 class JointRequest;
@@ -43,6 +44,7 @@ inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/reque
 
 // What the debug process offers: a person's wishes.
 inline constexpr Package<robotcontrol::RemoteMotion> kRemoteMotion{"remote/motion"};
+inline constexpr Package<robotcontrol::ColorTable> kColorTable{"colors/table"};
 
 // What the tasks of the robot program exchange.
 inline constexpr Package<robotcontrol::CameraPose> kCameraPose{"camera/pose"};

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <memory>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "logplayer/mcap/Reader.h"
+#include "robotlink/base/Error.h"
+#include "robotlink/session/StreamMessage.h"
+
+namespace logplayer {
+
+/// A log file as streams of messages, read lazily. Types that the program does not know are built from the
+/// file's own schemas; messages keep what they need alive.
+///
+/// Files of older formats (see LogImport.h) are converted into a temporary file first, and are read-only. If
+/// a recorder was killed, what its last frames lack is not shown: a frame is complete or absent.
+///
+/// Thread-safe; a call may wait for another one's disk access.
+class LogFile {
+ public:
+  /// The share done in [0, 1]; false: give up.
+  using Progress = std::function<bool(double)>;
+  struct Options {
+    std::size_t cacheBytes = 64U << 20U;
+    Progress progress;
+  };
+  struct Stream {
+    std::string path;
+    std::string type;  ///< of the newest channel, if there are several
+    std::uint64_t count = 0;
+    std::uint64_t bytes = 0;  ///< of its messages, uncompressed; 0 until counted
+    robotlink::Instant first, last;
+  };
+  /// A place between messages, in order of time; the same as long as the file is open.
+  using Position = mcap::MessagePosition;
+
+  static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, Options options);
+  ~LogFile();
+
+  const std::filesystem::path& path() const;
+  bool readOnly() const;
+  /// By path.
+  const std::vector<Stream>& streams() const;
+  /// Counts Stream::bytes by reading what is needed. Empty: given up by progress.
+  std::vector<Stream> countBytes(const Progress& progress);
+  std::vector<std::string> robots() const;
+  /// Of the first and the last message of what the robot told; equal if there is none.
+  robotlink::Instant begin() const;
+  robotlink::Instant end() const;
+  bool complete() const;
+  std::vector<mcap::Damage> damage() const;
+  /// "12 messages could not be read ..."; empty if nothing is wrong.
+  std::string damageText() const;
+
+  /// The newest message of a stream not later than `time`; nothing if there is none. Damaged ones are skipped
+  /// and counted in damage().
+  std::optional<robotlink::StreamMessage> latest(const std::string& stream, robotlink::Instant time);
+  /// The first message of a stream later than `time`, or the last before it.
+  std::optional<robotlink::Instant> timeAfter(const std::string& stream, robotlink::Instant time);
+  std::optional<robotlink::Instant> timeBefore(const std::string& stream, robotlink::Instant time);
+  /// The times of all its messages, sorted.
+  std::vector<robotlink::Instant> times(const std::string& stream);
+
+  /// Goes over the messages of some streams (empty: all) in order of time; equal times in the order of the file.
+  class Cursor {
+   public:
+    Cursor(std::shared_ptr<LogFile> file, std::vector<std::string> streams);
+    ~Cursor();
+    Cursor(Cursor&&) noexcept;
+    /// Before the first message that is not earlier than `time`.
+    void seek(robotlink::Instant time);
+    /// The time of the message that next() yields; nothing at the end.
+    std::optional<robotlink::Instant> nextTime();
+    /// Nothing at the end. Damaged messages are left out.
+    std::optional<robotlink::StreamMessage> next();
+
+   private:
+    struct Implementation;
+    std::unique_ptr<Implementation> implementation_;
+  };
+
+ private:
+  friend class Cursor;
+  struct Implementation;
+  explicit LogFile(std::unique_ptr<Implementation> implementation);
+  std::unique_ptr<Implementation> implementation_;
+};
+
+}  // namespace logplayer
