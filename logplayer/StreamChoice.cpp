@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/StreamChoice.h"
+
+#include <algorithm>
+#include <array>
+
+#include "robotlink/debugging/Streams.h"
+
+namespace logplayer {
+
+bool fits(std::string_view path, std::string_view pattern) {
+  // Greedy, with one place to go back to: the last "*" and how much of the path it took.
+  std::size_t at = 0, next = 0;
+  std::size_t star = std::string_view::npos, taken = 0;
+  while (at < path.size()) {
+    if (next < pattern.size() && pattern[next] == '*') {
+      star = next++;
+      taken = at;
+    } else if (next < pattern.size() && pattern[next] == path[at]) {
+      ++next;
+      ++at;
+    } else if (star != std::string_view::npos) {
+      next = star + 1;
+      at = ++taken;
+    } else {
+      return false;
+    }
+  }
+  return pattern.find_first_not_of('*', next) == std::string_view::npos;
+}
+
+bool StreamChoice::has(std::string_view path) const {
+  const auto fitsPath = [path](const std::string& pattern) { return fits(path, pattern); };
+  return (include.empty() || std::any_of(include.begin(), include.end(), fitsPath)) &&
+         std::none_of(exclude.begin(), exclude.end(), fitsPath);
+}
+
+bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
+  constexpr std::array<std::string_view, 6> kTypes{"robotcontrol.ColorTable",      "robotcontrol.KeyTable",
+                                                   "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",
+                                                   "robotcontrol.ProgramSetup",    "robotcontrol.SolutionTable"};
+  return path == robotlink::streams::kScene || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+}  // namespace logplayer
