@@ -77,6 +77,14 @@ struct Session::Inbox {
     batches.pop_front();
   }
 
+  void forget() {
+    batches.clear();
+    tables.clear();
+    messageCount = 0;
+    bytes = 0;
+    lastTime = Instant{};
+  }
+
   void countDropped(const std::string& process, std::uint64_t count) {
     if (robotDropped.size() >= kMaxTables && !robotDropped.contains(process)) return;
     auto& [before, since] = robotDropped[process];
@@ -96,6 +104,8 @@ struct Session::Inbox {
       robotDropped;                 // by process: before restarts, since
   std::set<std::uint64_t> awaited;  // ids of requests
   std::vector<ResultPtr> results;
+  bool restarted = false;  // the history is older than what waits here, and is to be forgotten
+  bool held = false;       // what waits here is not yet complete
 };
 
 struct Session::Pending {
@@ -116,6 +126,19 @@ void Session::push(StreamMessage message) {
   Batch batch;
   batch.bytes = message.bytes;
   batch.messages.push_back(std::move(message));
+  const std::lock_guard lock(inbox_->mutex);
+  inbox_->add(std::move(batch));
+}
+
+void Session::push(std::vector<StreamMessage> messages) {
+  std::erase_if(messages, [](const StreamMessage& message) { return !message.value || message.path.empty(); });
+  if (messages.empty()) return;
+  for (StreamMessage& message : messages) {
+    if (message.bytes == 0) message.bytes = sizeOf(message);
+  }
+  Batch batch;
+  batch.bytes = bytesOf(messages);
+  batch.messages = std::move(messages);
   const std::lock_guard lock(inbox_->mutex);
   inbox_->add(std::move(batch));
 }
@@ -151,13 +174,21 @@ void Session::tick() {
   std::deque<Batch> batches;
   std::map<std::string, StreamMessage> tables;
   std::vector<ResultPtr> results;
+  bool restarted = false;
   {
     const std::lock_guard lock(inbox_->mutex);
-    batches.swap(inbox_->batches);
-    tables.swap(inbox_->tables);
     results.swap(inbox_->results);
-    inbox_->messageCount = 0;
-    inbox_->bytes = 0;
+    if (!inbox_->held) {
+      batches.swap(inbox_->batches);
+      tables.swap(inbox_->tables);
+      restarted = std::exchange(inbox_->restarted, false);
+      inbox_->messageCount = 0;
+      inbox_->bytes = 0;
+    }
+  }
+  if (restarted) {
+    store_.clear();
+    timeline_.goLive();
   }
   for (auto& [path, message] : tables) store_.add(std::move(message));
   for (Batch& batch : batches) {
@@ -214,18 +245,16 @@ std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onRe
   return id;
 }
 
-void Session::clear() {
+void Session::restart(const std::function<void()>& tell) {
   {
     const std::lock_guard lock(inbox_->mutex);
-    inbox_->batches.clear();
-    inbox_->tables.clear();
-    inbox_->messageCount = 0;
-    inbox_->bytes = 0;
-    inbox_->lastTime = Instant{};
+    inbox_->forget();
+    inbox_->restarted = true;
+    inbox_->held = true;
   }
-  store_.clear();
-  timeline_.setNewest(store_.newest());
-  timeline_.goLive();
+  if (tell) tell();
+  const std::lock_guard lock(inbox_->mutex);
+  inbox_->held = false;
 }
 
 }  // namespace robotlink

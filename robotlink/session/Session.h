@@ -51,11 +51,19 @@ class Session {
 
   // Producers, any thread.
   void push(StreamMessage message);
+  /// Messages that belong together, such as those of a logged frame: they are kept or dropped as a whole.
+  void push(std::vector<StreamMessage> messages);
   /// Its messages become messages of streams without being copied; copies of packages are read into the types
   /// they have. What makes no sense (no path, no contents) is dropped and counted; what has no valid time has
   /// that of its neighbours.
   void pushQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
   void pushResult(const robotcontrol::RequestResult& result);
+  /// Forgets what was told, also what still waits: what is pushed from now on is a new telling, of another
+  /// platform or from another place of a log. The timeline goes live. Answers to requests are not touched.
+  ///
+  /// What is pushed while `tell` runs is taken in by one tick as a whole, and until then the history stays as
+  /// it was, so that no view ever sees half of it. One thread at a time.
+  void restart(const std::function<void()>& tell = {});
 
   // The GUI's thread.
   /// Takes what was pushed into the history and moves the timeline; then calls the result handlers. Called at
@@ -78,9 +86,6 @@ class Session {
   /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer
   /// comes; the oldest of very many unanswered ones are given up. Without a sink the answer is a refusal.
   std::uint64_t request(robotcontrol::Request request, ResultHandler onResult = {});
-
-  /// Forgets the history (another scene was loaded).
-  void clear();
 
  private:
   struct Inbox;
