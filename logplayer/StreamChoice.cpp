@@ -2,9 +2,6 @@
 #include "logplayer/StreamChoice.h"
 
 #include <algorithm>
-#include <array>
-
-#include "robotlink/debugging/Streams.h"
 
 namespace logplayer {
 
@@ -33,13 +30,6 @@ bool StreamChoice::has(std::string_view path) const {
   const auto fitsPath = [path](const std::string& pattern) { return fits(path, pattern); };
   return (include.empty() || std::any_of(include.begin(), include.end(), fitsPath)) &&
          std::none_of(exclude.begin(), exclude.end(), fitsPath);
-}
-
-bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
-  constexpr std::array<std::string_view, 6> kTypes{"robotcontrol.ColorTable",      "robotcontrol.KeyTable",
-                                                   "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",
-                                                   "robotcontrol.ProgramSetup",    "robotcontrol.SolutionTable"};
-  return path == robotlink::streams::kScene || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 }  // namespace logplayer

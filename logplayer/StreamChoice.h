@@ -5,6 +5,8 @@
 #include <string_view>
 #include <vector>
 
+#include "robotlink/session/HeldMessages.h"
+
 namespace logplayer {
 
 /// Whether a path fits a pattern, in which "*" stands for any text, slashes too: "*/camera/image", "red1/*".
@@ -19,9 +21,6 @@ struct StreamChoice {
   bool operator==(const StreamChoice&) const = default;
 };
 
-/// Whether messages of a stream hold until they are told anew (tables, parameters, colour tables, the scene,
-/// set-ups of programs), so that the newest of each process belongs at the start of whatever begins later.
-/// `type` is the full name of the message's type.
-bool holdsUntilToldAnew(std::string_view path, std::string_view type);
+using robotlink::holdsUntilToldAnew;
 
 }  // namespace logplayer

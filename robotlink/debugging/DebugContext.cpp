@@ -213,10 +213,12 @@ void DebugContext::text(Level level, std::string_view source, std::string text) 
   log.set_name(process_ + "/" + std::string(source));
 }
 
-void DebugContext::package(const std::string& path, const google::protobuf::Message& package) {
-  auto& copy = *add(path).mutable_package();
+DebugMessage& DebugContext::package(const std::string& path, const google::protobuf::Message& package) {
+  DebugMessage& message = add(path);
+  auto& copy = *message.mutable_package();
   copy.set_type(package.GetDescriptor()->full_name());
   package.SerializeToString(copy.mutable_data());
+  return message;
 }
 
 }  // namespace robotlink

@@ -74,7 +74,7 @@ class DebugContext {
   /// A text from `source` ("ball-percept"); always sent.
   void text(Level level, std::string_view source, std::string text);
   /// A package under the key's stream, serialised.
-  void package(const std::string& path, const google::protobuf::Message& package);
+  robotcontrol::DebugMessage& package(const std::string& path, const google::protobuf::Message& package);
 
   // The rest is for the process that owns the context.
   void setRobot(std::string robot) { robot_ = std::move(robot); }

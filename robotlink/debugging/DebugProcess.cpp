@@ -140,6 +140,9 @@ void DebugProcess::Implementation::route(const Request& request) {
       sendToAll(request);
       processTableDue.reset();
       return answer(request, "");
+    case Request::kRecordPackages:
+      sendToAll(request);
+      return answer(request, "");
     case Request::kMotion:
       return sendMotion(request);
     default:
@@ -223,7 +226,7 @@ void DebugProcess::Implementation::noticeStopped() {
   for (const auto& channel : channels) {
     if (known.count(channel->process()) == 0) continue;
     for (const Request& request : channel->takePending()) {
-      const bool answered = request.has_send_tables() ||
+      const bool answered = request.has_send_tables() || request.has_record_packages() ||
                             (request.has_set_key() && packageOfKey(request.set_key().name()).empty());
       if (!answered) answer(request, stoppedText(*watchedProcess(channel->process())));
     }

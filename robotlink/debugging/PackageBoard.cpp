@@ -37,13 +37,21 @@ void PackageBoard::send(Entry& entry, PackagePtr package) {
 void PackageBoard::put(Entry& entry, PackagePtr package) {
   entry.value = std::move(package);
   ++entry.arrivals;
-  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF || !entry.mode.due(process_.frameTime())) return;
-  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF) modeChanged_ = true;
+  const bool asked = askedFor(entry);
+  if (!asked && !entry.recorded) return;
   if (const auto* image = dynamic_cast<const foxglove::RawImage*>(entry.value.get())) {
-    *debug_.add(entry.name).mutable_image() = *image;
+    robotcontrol::DebugMessage& message = debug_.add(entry.name);
+    *message.mutable_image() = *image;
+    message.set_only_recorded(!asked);
   } else {
-    debug_.package(entry.name, *entry.value);
+    debug_.package(entry.name, *entry.value).set_only_recorded(!asked);
   }
+}
+
+bool PackageBoard::askedFor(Entry& entry) {
+  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF || !entry.mode.due(process_.frameTime())) return false;
+  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF) modeChanged_ = true;
+  return true;
 }
 
 bool PackageBoard::show(const std::string& package, const robotcontrol::KeyMode& mode) {
@@ -51,6 +59,10 @@ bool PackageBoard::show(const std::string& package, const robotcontrol::KeyMode&
   if (found == entries_.end() || !found->second.shown) return false;
   found->second.mode.set(mode);
   return true;
+}
+
+void PackageBoard::record(const std::set<std::string>& packages) {
+  for (auto& [name, entry] : entries_) entry.recorded = entry.shown && packages.contains(name);
 }
 
 std::vector<const PackageBoard::Entry*> PackageBoard::shown() const {

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -25,6 +26,7 @@ class PackageBoard {
     std::unique_ptr<AnySender> sender;
     bool shown = false;  // this process shows it on request
     ModeCounter mode;
+    bool recorded = false;  // told whatever the mode
   };
 
   PackageBoard(Process& process, DebugContext& debug) : process_(process), debug_(debug) {}
@@ -40,6 +42,8 @@ class PackageBoard {
 
   /// False if this process does not show the package.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
+  /// From now on these of the shown packages are told whatever their modes, and no others.
+  void record(const std::set<std::string>& packages);
   /// What this process shows on request, by name.
   std::vector<const Entry*> shown() const;
   /// Whether a mode of a package has run out since the last call.
@@ -47,6 +51,7 @@ class PackageBoard {
 
  private:
   void put(Entry& entry, PackagePtr package);
+  bool askedFor(Entry& entry);
 
   Process& process_;
   DebugContext& debug_;

@@ -136,6 +136,34 @@ DebugProcess& RobotProgram::debugProcess() {
   return *implementation_->debugProcess;
 }
 
+std::vector<std::string> RobotProgram::yieldedPackages() const {
+  std::set<std::string> packages;
+  for (const Layout::Process& process : implementation_->layout.processes) {
+    for (const Layout::Task& task : process.tasks) {
+      const TaskCatalog::Task* known = implementation_->catalog.find(task.task);
+      if (known == nullptr) continue;
+      for (const auto& solution : known->solutions) packages.insert(solution.outputs.begin(), solution.outputs.end());
+    }
+  }
+  return {packages.begin(), packages.end()};
+}
+
+void RobotProgram::recordPackages(const std::set<std::string>& packages) {
+  for (Process* process : implementation_->processes) {
+    if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->recordPackages(packages);
+  }
+}
+
+std::vector<robotcontrol::ParameterValues> RobotProgram::parameters() const {
+  std::vector<robotcontrol::ParameterValues> result;
+  for (const Process* process : implementation_->processes) {
+    const auto* tasks = dynamic_cast<const TaskProcess*>(process);
+    if (tasks == nullptr) continue;
+    for (auto& values : tasks->parameters()) result.push_back(std::move(values));
+  }
+  return result;
+}
+
 void RobotProgram::stop() {
   if (!implementation_) return;
   for (Process* process : implementation_->processes) process->stop();

@@ -2,6 +2,8 @@
 #pragma once
 
 #include <memory>
+#include <set>
+#include <string>
 #include <vector>
 
 #include "robotlink/debugging/DebugProcess.h"
@@ -32,6 +34,13 @@ class RobotProgram {
   /// In the order of the layout, the debug process among them.
   const std::vector<Process*>& processes() const;
   DebugProcess& debugProcess();
+
+  /// The packages that its tasks yield: those of the platform and of the debug process are told by these.
+  std::vector<std::string> yieldedPackages() const;
+  /// Before it runs: as if all processes had been asked by RecordPackages, from the first frame on.
+  void recordPackages(const std::set<std::string>& packages);
+  /// What the solutions of all tasks have for parameters. Before it runs.
+  std::vector<robotcontrol::ParameterValues> parameters() const;
 
   /// Stops all processes; their links to the platform never hold it back from now on. Idempotent.
   void stop();

@@ -1,16 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/SolutionParameters.h"
 
-#include <google/protobuf/descriptor.pb.h>
+#include <google/protobuf/descriptor.h>
 #include <google/protobuf/io/tokenizer.h>
 #include <google/protobuf/text_format.h>
 
 #include <cmath>
-#include <set>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Schema.h"
 
 namespace robotlink {
 namespace {
@@ -73,12 +73,6 @@ bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field)
   return true;
 }
 
-void addWithImports(const pb::FileDescriptor& file, pb::FileDescriptorSet& to, std::set<std::string>& seen) {
-  if (!seen.insert(file.name()).second) return;
-  for (int i = 0; i < file.dependency_count(); ++i) addWithImports(*file.dependency(i), to, seen);
-  file.CopyTo(to.add_file());
-}
-
 }  // namespace
 
 SolutionParameters::SolutionParameters(std::unique_ptr<pb::Message> message)
@@ -134,10 +128,7 @@ void SolutionParameters::describe(robotcontrol::ParameterValues& to) const {
   message_->SerializeToString(to.mutable_value()->mutable_data());
   to.mutable_defaults()->set_type(to.value().type());
   to.mutable_defaults()->set_data(defaults_);
-  pb::FileDescriptorSet files;
-  std::set<std::string> seen;
-  addWithImports(*message_->GetDescriptor()->file(), files, seen);
-  files.SerializeToString(to.mutable_descriptors());
+  to.set_descriptors(schemaOf(*message_->GetDescriptor()));
 }
 
 }  // namespace robotlink

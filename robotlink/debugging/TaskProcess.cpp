@@ -139,6 +139,25 @@ DebugContext& TaskProcess::debug() {
   return implementation_->debug;
 }
 
+void TaskProcess::recordPackages(const std::set<std::string>& packages) {
+  implementation_->board.record(packages);
+}
+
+std::vector<robotcontrol::ParameterValues> TaskProcess::parameters() const {
+  std::vector<robotcontrol::ParameterValues> result;
+  for (const auto& task : implementation_->tasks) {
+    for (const SolutionDescription* solution : task->solutions()) {
+      const SolutionParameters* values = task->parameters(solution->name);
+      if (values == nullptr || values->message() == nullptr) continue;
+      auto& described = result.emplace_back();
+      described.set_task(task->task());
+      described.set_solution(solution->name);
+      values->describe(described);
+    }
+  }
+  return result;
+}
+
 std::string TaskProcess::activeSolution(const std::string& task) const {
   const TaskRunner* found = implementation_->runner(task);
   return found != nullptr ? found->active() : std::string();
@@ -239,6 +258,10 @@ void TaskProcess::Implementation::handle(const Request& request) {
                     getParameters(request.get_parameters().task(), request.get_parameters().solution()));
     case Request::kSetParameters:
       return answer(request, setParameters(request.set_parameters()));
+    case Request::kRecordPackages: {
+      const auto& packages = request.record_packages().packages();
+      return board.record({packages.begin(), packages.end()});
+    }
     case Request::kSendTables:
       keysChanged = solutionsChanged = true;
       return;

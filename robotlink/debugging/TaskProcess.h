@@ -3,9 +3,11 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/process/Layout.h"
 #include "robotlink/process/Process.h"
@@ -33,6 +35,10 @@ class TaskProcess final : public Process {
   ~TaskProcess() override;
 
   DebugContext& debug();
+  /// Before it runs: as if it had been asked by RecordPackages, from the first frame on.
+  void recordPackages(const std::set<std::string>& packages);
+  /// What all of its solutions have for parameters. Before it runs.
+  std::vector<robotcontrol::ParameterValues> parameters() const;
   /// Which solution a task uses now. Only while the process does not run, or from its own thread.
   std::string activeSolution(const std::string& task) const;
 

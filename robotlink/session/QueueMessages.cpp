@@ -79,12 +79,14 @@ PackagePtr contents(const QueuePtr& queue, const DebugMessage& message) {
 
 }  // namespace
 
-QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instant lastTime) {
+QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instant lastTime,
+                         QueueReader reader) {
   QueueMessages result;
   result.messages.reserve(static_cast<std::size_t>(queue->messages_size()));
   std::size_t frameBegin = 0;
   for (const DebugMessage& message : queue->messages()) {
     lastTime = timeOf(message).value_or(lastTime);
+    if (message.only_recorded() && reader == QueueReader::kViews) continue;
     if (message.has_result()) {
       result.results.emplace_back(queue, &message.result());
       continue;

@@ -24,8 +24,12 @@ struct QueueMessages {
   std::uint64_t senseless = 0;
 };
 
+/// Who reads a queue: a recorder is told more than anybody asked to see.
+enum class QueueReader : bool { kViews, kRecorder };
+
 /// `lastTime`: what messages before the first valid time in the queue have.
 QueueMessages messagesOf(const std::string& robot,
-                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime);
+                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime,
+                         QueueReader reader = QueueReader::kViews);
 
 }  // namespace robotlink

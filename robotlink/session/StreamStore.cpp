@@ -4,9 +4,8 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
-#include <array>
 
-#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/HeldMessages.h"
 
 namespace robotlink {
 namespace {
@@ -16,14 +15,6 @@ constexpr Duration kSweepPeriod = std::chrono::milliseconds(100);
 
 bool earlier(Instant time, const StreamMessage& message) {
   return time < message.time;
-}
-
-// What is true until it is told anew, also after the platform's clock was set back.
-bool holds(const StreamStore::Stream& stream) {
-  constexpr std::array<const char*, 4> kTypes{"robotcontrol.KeyTable", "robotcontrol.SolutionTable",
-                                              "robotcontrol.ProcessTable", "robotcontrol.ParameterValues"};
-  return stream.path == streams::kScene ||
-         std::find(kTypes.begin(), kTypes.end(), stream.type) != kTypes.end();
 }
 
 // Messages in the last second, or since the stream began if that is less.
@@ -99,7 +90,7 @@ void StreamStore::forgetAfter(Instant time) {
     while (!messages.empty() && messages.back().time > time) {
       bytes_ -= messages.back().bytes;
       stream.bytes -= messages.back().bytes;
-      if (!kept.value && holds(stream)) kept = std::move(messages.back());
+      if (!kept.value && holdsUntilToldAnew(path, stream.type)) kept = std::move(messages.back());
       messages.pop_back();
     }
     stream.since = std::min(stream.since, time);

@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/HeldMessages.h"
+
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+#include <array>
+#include <memory>
+
+#include "robotlink/debugging/Streams.h"
+
+namespace robotlink {
+
+bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
+  constexpr std::array<std::string_view, 6> kTypes{"robotcontrol.ColorTable",      "robotcontrol.KeyTable",
+                                                   "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",
+                                                   "robotcontrol.ProgramSetup",    "robotcontrol.SolutionTable"};
+  return path == streams::kScene || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+}
+
+bool holdsUntilToldAnew(const StreamMessage& message) {
+  return message.value && holdsUntilToldAnew(message.path, message.value->GetDescriptor()->full_name());
+}
+
+void HeldMessages::take(const StreamMessage& message) {
+  if (!holdsUntilToldAnew(message)) return;
+  const std::pair key(message.path, message.process);
+  if (messages_.size() >= kMaxStreams && !messages_.contains(key)) return;
+  const std::shared_ptr<google::protobuf::Message> copy(message.value->New());
+  copy->CopyFrom(*message.value);
+  StreamMessage& held = messages_[key];
+  held = message;
+  held.value = copy;
+}
+
+void HeldMessages::forget(const std::string& robot) {
+  const std::string prefix = robot + "/";
+  std::erase_if(messages_, [&](const auto& entry) { return entry.first.first.starts_with(prefix); });
+}
+
+std::vector<StreamMessage> HeldMessages::all() const {
+  std::vector<StreamMessage> result;
+  for (const auto& [key, message] : messages_) result.push_back(message);
+  return result;
+}
+
+}  // namespace robotlink

@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/session/HeldMessages.h"
+
+#include <google/protobuf/descriptor.pb.h>
+#include <gtest/gtest.h>
+
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotlink/packages/Schema.h"
+
+using namespace robotlink;
+
+namespace {
+
+StreamMessage message(const std::string& path, PackagePtr value, int ms, const std::string& process = {}) {
+  return {path, Instant(std::chrono::milliseconds(ms)), std::move(value), process};
+}
+
+std::vector<std::string> paths(const HeldMessages& held) {
+  std::vector<std::string> result;
+  for (const StreamMessage& each : held.all()) result.push_back(each.path);
+  return result;
+}
+
+}  // namespace
+
+TEST(HeldMessages, keepTheNewestOfEachStreamAndProcessThatHolds) {
+  HeldMessages held;
+  held.take(message("scene", std::make_shared<foxglove::SceneUpdate>(), 1));
+  held.take(message("red1/drawings/field/ball", std::make_shared<foxglove::SceneUpdate>(), 1));
+  held.take(message("red1/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
+  held.take(message("red1/colors/table", std::make_shared<robotcontrol::ColorTable>(), 1));
+  held.take(message("red1/plots/x", std::make_shared<robotcontrol::PlotValue>(), 1));
+  held.take(message("red1/tables/keys", std::make_shared<robotcontrol::KeyTable>(), 1, "debug"));
+  held.take(message("red1/tables/keys", std::make_shared<robotcontrol::KeyTable>(), 7, "debug"));
+  held.take(message("red1/tables/keys", nullptr, 9, "debug"));
+  EXPECT_EQ(paths(held),
+            (std::vector<std::string>{"red1/colors/table", "red1/program", "red1/tables/keys", "scene"}));
+  EXPECT_EQ(held.all()[2].time, Instant(std::chrono::milliseconds(7)));
+}
+
+TEST(HeldMessages, forgetARobotWhoseProgramStartsAnew) {
+  HeldMessages held;
+  held.take(message("scene", std::make_shared<foxglove::SceneUpdate>(), 1));
+  held.take(message("red1/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
+  held.take(message("red10/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
+  held.forget("red1");
+  EXPECT_EQ(paths(held), (std::vector<std::string>{"red10/program", "scene"}));
+}
+
+TEST(HeldMessages, doNotKeepTheQueueAliveInWhichTheyCame) {
+  const auto queue = std::make_shared<robotcontrol::DebugQueue>();
+  const auto& table = queue->add_messages()->keys();
+  HeldMessages held;
+  held.take(message("red1/tables/keys", PackagePtr(queue, &table), 1));
+  EXPECT_EQ(queue.use_count(), 1);
+}
+
+TEST(Schema, holdsATypeWithAllThatItImportsFirst) {
+  google::protobuf::FileDescriptorSet files;
+  ASSERT_TRUE(files.ParseFromString(schemaOf(*robotcontrol::ProgramSetup::descriptor())));
+  google::protobuf::DescriptorPool pool;
+  for (const auto& file : files.file()) ASSERT_NE(pool.BuildFile(file), nullptr) << file.name();
+  EXPECT_NE(pool.FindMessageTypeByName("robotcontrol.ProgramSetup"), nullptr);
+  EXPECT_NE(pool.FindMessageTypeByName("foxglove.RawImage"), nullptr);
+}
