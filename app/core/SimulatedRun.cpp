@@ -79,8 +79,8 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
   if (!platform) return tl::unexpected(Errors{platform.error()});
   if (robot.platform) (*platform)->engageStop(robot.platform->stopEngaged());
   const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_};
-  auto program = robotlink::RobotProgram::create(setup, layout, **platform,
-                                                 robotlink::resource("parameters/" + robot.description->name));
+  auto program = robotlink::RobotProgram::create(
+      setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});
   if (!program) return tl::unexpected(program.error());
   (*program)->debugProcess().setListener([this, name = robot.name](auto queue) {
     if (listeners_.queue) listeners_.queue(name, std::move(queue));

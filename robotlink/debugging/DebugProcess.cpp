@@ -11,6 +11,7 @@
 #include "robotlink/debugging/ProcessChannel.h"
 #include "robotlink/debugging/ProcessTable.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/debugging/TaskTables.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 
@@ -38,7 +39,8 @@ struct DebugProcess::Implementation {
       : process(owner),
         routes(std::move(given)),
         debug(owner.name(), clock, {}),
-        remoteMotion(owner, kRemoteMotion.name, Blocking::kNo) {
+        remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
+        solutionsDue(!routes.absent.empty()) {
     for (const auto& list : routes.processes) {
       names.push_back(list.process);
       channels.push_back(std::make_unique<ProcessChannel>(owner, list.process));
@@ -51,6 +53,7 @@ struct DebugProcess::Implementation {
   void setKey(const Request& request);
   void sendMotion(const Request& request);
   void sendTo(const std::string& name, const std::string& what, const Request& request);
+  std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
   void answer(const Request& request, const std::string& refusal);
   void noticeStopped();
@@ -70,6 +73,7 @@ struct DebugProcess::Implementation {
   std::map<std::string, std::uint64_t> dropped;
   JoinedTables tables;
   std::optional<Instant> processTableDue;
+  bool solutionsDue = false;  // told although no process has told its own
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 };
@@ -139,6 +143,7 @@ void DebugProcess::Implementation::route(const Request& request) {
     case Request::kSendTables:
       sendToAll(request);
       processTableDue.reset();
+      solutionsDue = !routes.absent.empty();
       return answer(request, "");
     case Request::kRecordPackages:
       sendToAll(request);
@@ -182,10 +187,17 @@ void DebugProcess::Implementation::sendTo(const std::string& name, const std::st
                                           const Request& request) {
   const auto channel = std::find_if(channels.begin(), channels.end(),
                                     [&](const auto& entry) { return entry->process() == name; });
-  if (channel == channels.end()) return answer(request, "no process of this layout has '" + what + "'");
+  if (channel == channels.end()) return answer(request, whyNobodyHas(what));
   const Process* target = watchedProcess(name);
   if (target != nullptr && target->stopped()) return answer(request, stoppedText(*target));
   (*channel)->add(request);
+}
+
+std::string DebugProcess::Implementation::whyNobodyHas(const std::string& what) const {
+  for (const Layout::Absence& absence : routes.absent) {
+    if (absence.task == what) return "task " + what + " does not run because " + absence.reason;
+  }
+  return "no process of this layout has '" + what + "'";
 }
 
 void DebugProcess::Implementation::sendToAll(const Request& request) {
@@ -235,8 +247,12 @@ void DebugProcess::Implementation::noticeStopped() {
 
 void DebugProcess::Implementation::sendTables() {
   if (tables.takeKeysChanged()) tables.fillKeys(*debug.add(streams::kKeys).mutable_keys());
-  if (tables.takeSolutionsChanged())
-    tables.fillSolutions(names, *debug.add(streams::kSolutions).mutable_solutions());
+  if (tables.takeSolutionsChanged() || solutionsDue) {
+    solutionsDue = false;
+    auto& table = *debug.add(streams::kSolutions).mutable_solutions();
+    tables.fillSolutions(names, table);
+    addAbsentTasks(routes.absent, table);
+  }
   const Instant now = process.frameTime();
   const bool due =
       !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;

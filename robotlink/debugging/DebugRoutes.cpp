@@ -28,6 +28,7 @@ std::string DebugRoutes::processOf(const std::string& task) const {
 
 DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform) {
   DebugRoutes routes;
+  routes.absent = layout.absent;
   for (const Layout::Process& process : layout.processes) {
     if (process.debug) continue;
     auto& list = routes.processes.emplace_back(DebugRoutes::TaskList{process.name, {}});
@@ -36,7 +37,9 @@ DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const 
       const TaskCatalog::Task* known = catalog.find(task.task);
       if (known == nullptr) continue;
       for (const TaskCatalog::Solution& solution : known->solutions) {
-        for (const std::string& output : solution.outputs) routes.packages.emplace(output, process.name);
+        for (const std::string& output : solution.outputs) {
+          if (!layout.withheld.contains(output)) routes.packages.emplace(output, process.name);
+        }
       }
     }
   }

@@ -16,6 +16,7 @@ struct DebugRoutes {
     std::vector<std::string> tasks;
   };
   std::vector<TaskList> processes;              ///< without the debug process, in the layout's order
+  std::vector<Layout::Absence> absent;          ///< tasks that no process does
   std::map<std::string, std::string> packages;  ///< package: the process that shows it on request
 
   /// The process that does a task; empty if none does.

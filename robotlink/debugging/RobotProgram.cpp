@@ -42,8 +42,7 @@ struct RobotProgram::Implementation {
   Implementation(RobotSetup givenRobot, Layout givenLayout)
       : robot(std::move(givenRobot)), layout(std::move(givenLayout)) {}
 
-  Errors build(const PlatformPackages& packages, const Clock& clock,
-               const std::filesystem::path& parameterFolder);
+  Errors build(const PlatformPackages& packages, const Clock& clock, const ParameterSource& parameters);
   void connectPackages(Platform& platform, const PlatformPackages& packages);
   void connectDebugging();
   Process* find(const std::string& name) const;
@@ -63,13 +62,13 @@ RobotProgram::~RobotProgram() {
 }
 
 tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
-    RobotSetup robot, Layout layout, Platform& platform, const std::filesystem::path& parameterFolder) {
+    RobotSetup robot, Layout layout, Platform& platform, const ParameterSource& parameters) {
   std::unique_ptr<RobotProgram> program(new RobotProgram);
   program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout));
   Implementation& made = *program->implementation_;
   const PlatformPackages packages = packagesOf(platform);
   Errors errors = checkLayout(made.layout, made.catalog, packages);
-  if (errors.empty()) errors = made.build(packages, platform.clock(), parameterFolder);
+  if (errors.empty()) errors = made.build(packages, platform.clock(), parameters);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   // Nothing has touched the platform so far, so that another program on it goes on if this one is refused.
   made.connectPackages(platform, packages);
@@ -80,7 +79,7 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
 }
 
 Errors RobotProgram::Implementation::build(const PlatformPackages& packages, const Clock& clock,
-                                           const std::filesystem::path& parameterFolder) {
+                                           const ParameterSource& parameters) {
   Errors errors;
   for (const Layout::Process& description : layout.processes) {
     if (description.debug) {
@@ -91,7 +90,7 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
       debugProcess = made.get();
       owned.push_back(std::move(made));
     } else if (auto made =
-                   TaskProcess::create({robot, layout, description, packages, parameterFolder}, clock)) {
+                   TaskProcess::create({robot, layout, description, packages, parameters}, clock)) {
       owned.push_back(std::move(*made));
     } else {
       errors.insert(errors.end(), made.error().begin(), made.error().end());

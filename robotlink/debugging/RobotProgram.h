@@ -26,7 +26,7 @@ namespace robotlink {
 class RobotProgram {
  public:
   static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(
-      RobotSetup robot, Layout layout, Platform& platform, const std::filesystem::path& parameterFolder);
+      RobotSetup robot, Layout layout, Platform& platform, const ParameterSource& parameters);
   ~RobotProgram();
 
   const RobotSetup& robot() const;

@@ -4,20 +4,21 @@
 #include <filesystem>
 #include <memory>
 #include <string>
+#include <vector>
 
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Error.h"
-
-namespace google::protobuf {
-class Message;
-}
-namespace robotcontrol {
-class PackageCopy;
-class ParameterValues;
-}  // namespace robotcontrol
 
 namespace robotlink {
 
 struct SolutionDescription;
+
+/// Where the parameters of a program come from: files <task>.<solution>.textproto of a folder
+/// (resources/parameters/<robot>; it may be missing), and over them what was recorded.
+struct ParameterSource {
+  std::filesystem::path folder = {};
+  std::vector<robotcontrol::ParameterValues> recorded = {};  ///< of solutions that are unknown: ignored
+};
 
 /// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in
 /// protobuf's text format if there is one. They are kept while the solution is switched off. The message's

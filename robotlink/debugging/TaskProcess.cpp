@@ -107,8 +107,8 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
   Errors errors;
   for (const Layout::Task& task : setup.process.tasks) {
     auto& runner = *tasks.emplace_back(
-        std::make_unique<TaskRunner>(task.task, TaskRunner::Environment{setup.robot, clock, debug, board}));
-    const Errors wrong = runner.loadParameters(setup.parameterFolder);
+        std::make_unique<TaskRunner>(task.task, TaskRunner::Environment{setup.robot, clock, debug, board, setup.layout.withheld}));
+    const Errors wrong = runner.loadParameters(setup.parameters);
     errors.insert(errors.end(), wrong.begin(), wrong.end());
     if (!wrong.empty()) continue;
     if (auto selected = runner.select(task.solution); !selected) {
@@ -127,7 +127,9 @@ void TaskProcess::Implementation::connectPackages() {
   }
   for (const Layout::Task& task : setup.process.tasks) {
     for (const TaskCatalog::Solution& solution : catalog.tasks[task.task].solutions) {
-      for (const std::string& package : solution.outputs) board.addSender(package);
+      for (const std::string& package : solution.outputs) {
+        if (!setup.layout.withheld.contains(package)) board.addSender(package);
+      }
     }
   }
   for (const auto& [package, owner] : debugRoutes(setup.layout, catalog, setup.platform).packages) {

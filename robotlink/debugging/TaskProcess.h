@@ -9,6 +9,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Solution.h"
+#include "robotlink/debugging/SolutionParameters.h"
 #include "robotlink/process/Layout.h"
 #include "robotlink/process/Process.h"
 
@@ -26,7 +27,7 @@ class TaskProcess final : public Process {
     const Layout& layout;
     const Layout::Process& process;
     PlatformPackages platform;
-    std::filesystem::path parameterFolder;  ///< resources/parameters/<robot>: <task>.<solution>.textproto
+    const ParameterSource& parameters;  ///< looked at only while it is made
   };
 
   /// Creates the default solutions of its tasks; fails if one cannot be created or its parameters cannot be

@@ -40,6 +40,7 @@ class TaskRunner::Context final : public SolutionContext {
   }
   std::function<void(PackagePtr)> outputSend(const char* package) override {
     if (!contains(solution_.outputs, package)) undeclared(solution_, std::string("the output ") + package);
+    if (runner_.environment_.withheld.contains(package)) return [](const PackagePtr&) {};
     PackageBoard& board = runner_.environment_.board;
     PackageBoard::Entry& entry = board.entry(package);
     return [&board, &entry](PackagePtr value) { board.send(entry, std::move(value)); };
@@ -74,17 +75,26 @@ SolutionParameters* TaskRunner::parameters(const std::string& solution) {
   return found == parameters_.end() ? nullptr : &found->second;
 }
 
-Errors TaskRunner::loadParameters(const std::filesystem::path& folder) {
-  Errors errors = filesOfNoSolution(folder);
+Errors TaskRunner::loadParameters(const ParameterSource& source) {
+  Errors errors = filesOfNoSolution(source.folder);
   for (const SolutionDescription* solution : solutions_) {
-    auto loaded = SolutionParameters::load(*solution, folder);
+    auto loaded = SolutionParameters::load(*solution, source.folder);
     if (loaded) {
       parameters_.emplace(solution->name, std::move(*loaded));
     } else {
       errors.insert(errors.end(), loaded.error().begin(), loaded.error().end());
     }
   }
+  takeRecorded(source);
   return errors;
+}
+
+/// What a log holds of solutions or types that are gone does not matter any more.
+void TaskRunner::takeRecorded(const ParameterSource& source) {
+  for (const robotcontrol::ParameterValues& values : source.recorded) {
+    SolutionParameters* known = values.task() == task_ ? parameters(values.solution()) : nullptr;
+    if (known != nullptr) (void)known->set(values.value());
+  }
 }
 
 /// A misspelt file would else never be read.

@@ -3,6 +3,7 @@
 
 #include <map>
 #include <memory>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -21,6 +22,7 @@ class TaskRunner {
     const Clock& clock;
     DebugContext& debug;
     PackageBoard& board;
+    const std::set<std::string>& withheld;  // packages that its solutions keep to themselves
   };
 
   TaskRunner(std::string task, const Environment& environment);
@@ -34,7 +36,7 @@ class TaskRunner {
   /// Null if there is no such solution.
   SolutionParameters* parameters(const std::string& solution);
 
-  Errors loadParameters(const std::filesystem::path& folder);
+  Errors loadParameters(const ParameterSource& source);
   /// Makes a new object of the solution and only then destroys the one before; if its constructor throws,
   /// nothing changes.
   Result<void> select(const std::string& solution);
@@ -48,6 +50,7 @@ class TaskRunner {
   };
   class Context;
 
+  void takeRecorded(const ParameterSource& source);
   void refreshInputs();
   Errors filesOfNoSolution(const std::filesystem::path& folder) const;
 

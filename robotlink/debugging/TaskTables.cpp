@@ -70,4 +70,23 @@ void fillSolutionTable(const std::string& process, const TaskRunners& tasks, con
   }
 }
 
+void addAbsentTasks(const std::vector<Layout::Absence>& absent, robotcontrol::SolutionTable& to) {
+  for (const Layout::Absence& absence : absent) {
+    auto& row = *to.add_tasks();
+    row.set_name(absence.task);
+    row.set_process(absence.process);
+    for (const TaskDescription& described : describedTasks()) {
+      if (described.task == absence.task) row.set_help(described.help);
+    }
+    for (const SolutionDescription& solution : SolutionRegistry::all()) {
+      if (solution.task != absence.task) continue;
+      auto& cell = *row.add_solutions();
+      cell.set_name(solution.name);
+      cell.set_help(solution.help);
+      cell.set_unavailable("unavailable because " + absence.reason);
+      cell.set_has_parameters(solution.parameters != nullptr);
+    }
+  }
+}
+
 }  // namespace robotlink

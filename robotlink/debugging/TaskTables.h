@@ -30,4 +30,7 @@ void fillSolutionTable(const std::string& process, const TaskRunners& tasks, con
                        const TaskCatalog& catalog, const PlatformPackages& platform,
                        robotcontrol::SolutionTable& to);
 
+/// Tasks that no process does, with all their solutions and why none can be chosen.
+void addAbsentTasks(const std::vector<Layout::Absence>& absent, robotcontrol::SolutionTable& to);
+
 }  // namespace robotlink

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,6 +24,7 @@ struct Layout {
   struct Input {
     std::string package;
     FilePosition where;
+    bool paceOnly = false;  ///< none of its tasks needs to read it: it only says when to run
   };
   struct Process {
     std::string name;
@@ -33,10 +35,21 @@ struct Layout {
     std::vector<Input> blocking;  ///< packages from other processes that it waits for
     FilePosition where;
   };
+  /// A task that does not run although whoever made the layout has it, for people to see.
+  struct Absence {
+    std::string process;
+    std::string task;
+    std::string reason;  ///< "nobody offers joints/states"
+  };
   std::string name;
   std::string help;
   std::string file;
   std::vector<Process> processes;  ///< in the order of their execution in lockstep
+
+  // Not in files: what remains of a layout that is put on less than it was made for, such as a log.
+  std::vector<Absence> absent;
+  /// Packages that its tasks keep to themselves, because something else offers them.
+  std::set<std::string> withheld;
 };
 
 /// What the layout is put on: the packages that the platform offers and takes

@@ -35,7 +35,10 @@ void LayoutIndex::findOffers() {
     std::set<std::string> still;
     for (const Place& place : places_) {
       for (const TaskCatalog::Solution& solution : place.task->solutions) {
-        if (obstacle(place, solution).empty()) still.insert(solution.outputs.begin(), solution.outputs.end());
+        if (!obstacle(place, solution).empty()) continue;
+        for (const std::string& output : solution.outputs) {
+          if (!layout_.withheld.contains(output)) still.insert(output);
+        }
       }
     }
     yielded_ = std::move(still);
@@ -86,11 +89,12 @@ std::string LayoutIndex::obstacle(const Place& place, const TaskCatalog::Solutio
   return {};
 }
 
-std::set<std::string> LayoutIndex::outputsOf(const TaskCatalog::Task& task) {
+std::set<std::string> LayoutIndex::outputsOf(const TaskCatalog::Task& task) const {
   std::set<std::string> outputs;
   for (const TaskCatalog::Solution& solution : task.solutions) {
     outputs.insert(solution.outputs.begin(), solution.outputs.end());
   }
+  for (const std::string& package : layout_.withheld) outputs.erase(package);
   return outputs;
 }
 

@@ -43,7 +43,8 @@ class LayoutIndex {
   /// Why a solution cannot run in its place: its first obstacle's reason.
   std::string obstacle(const Place& place, const TaskCatalog::Solution& solution) const;
 
-  static std::set<std::string> outputsOf(const TaskCatalog::Task& task);
+  /// What other tasks get of it: without what the layout withholds.
+  std::set<std::string> outputsOf(const TaskCatalog::Task& task) const;
   static bool reads(const TaskCatalog::Solution& solution, const std::string& package);
   static bool needs(const TaskCatalog::Solution& solution, const std::string& package);
 

@@ -6,7 +6,7 @@
 namespace robotlink {
 namespace {
 
-/// What the tasks of a process read, in their order; true where some solution requires it.
+/// What the tasks of a process read, in their order, and what only sets its pace; true where it is required.
 std::vector<std::pair<std::string, bool>> packagesRead(const LayoutIndex& index,
                                                        const Layout::Process& process) {
   std::vector<std::pair<std::string, bool>> read;
@@ -25,6 +25,9 @@ std::vector<std::pair<std::string, bool>> packagesRead(const LayoutIndex& index,
       for (const std::string& package : solution.required) add(package, true);
       for (const std::string& package : solution.optional) add(package, false);
     }
+  }
+  for (const Layout::Input& input : process.blocking) {
+    if (input.paceOnly) add(input.package, true);
   }
   return read;
 }

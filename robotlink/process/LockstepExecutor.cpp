@@ -11,6 +11,11 @@ void LockstepExecutor::clear() {
 }
 
 void LockstepExecutor::step() {
+  runProcesses();
+  stepPlatforms();
+}
+
+void LockstepExecutor::runProcesses() {
   if (platforms_.empty()) return;
   const Instant now = platforms_.front().process->clock().now();
   runUntilNoneCan(now);
@@ -18,7 +23,6 @@ void LockstepExecutor::step() {
     reportFailure(entry);
     reportStarvation(entry, now);
   }
-  stepPlatforms();
 }
 
 void LockstepExecutor::runUntilNoneCan(Instant now) {

@@ -36,6 +36,10 @@ class LockstepExecutor {
   void clear();
 
   void step();
+  /// The first half of a step: processes, until none can run.
+  void runProcesses();
+  /// The second half. Whoever begins with it, as a log does, sees what the processes made of the new instant.
+  void stepPlatforms();
 
  private:
   struct Entry {
@@ -47,7 +51,6 @@ class LockstepExecutor {
     bool failureReported = false;
   };
   void runUntilNoneCan(Instant now);
-  void stepPlatforms();
   void reportStarvation(Entry& entry, Instant now);
   void reportFailure(Entry& entry);
 

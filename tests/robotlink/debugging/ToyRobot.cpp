@@ -263,7 +263,7 @@ Errors ToyRobot::load(const std::string& layout) {
   RobotSetup setup;
   setup.name = "red1";
   setup.team = "red";
-  auto made = RobotProgram::create(setup, std::move(*parsed), platform, parameterFolder);
+  auto made = RobotProgram::create(setup, std::move(*parsed), platform, {.folder = parameterFolder});
   if (!made) return made.error();
   executor.clear();
   program = std::move(*made);
