@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <functional>
 #include <memory>
@@ -17,8 +18,9 @@ namespace logplayer {
 /// A log file as streams of messages, read lazily. Types that the program does not know are built from the
 /// file's own schemas; messages keep what they need alive.
 ///
-/// Files of older formats (see LogImport.h) are converted into a temporary file first, and are read-only. If
-/// a recorder was killed, what its last frames lack is not shown: a frame is complete or absent.
+/// Files of older formats (see LogImport.h) are converted into a temporary file first, which is removed in the
+/// end, and are read-only. If a recorder was killed, what its last frames lack is not shown: a frame is
+/// complete or absent.
 ///
 /// Thread-safe; a call may wait for another one's disk access.
 class LogFile {
@@ -36,9 +38,6 @@ class LogFile {
     std::uint64_t bytes = 0;  ///< of its messages, uncompressed; 0 until counted
     robotlink::Instant first, last;
   };
-  /// A place between messages, in order of time; the same as long as the file is open.
-  using Position = mcap::MessagePosition;
-
   static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, Options options);
   ~LogFile();
 
@@ -49,7 +48,8 @@ class LogFile {
   /// Counts Stream::bytes by reading what is needed. Empty: given up by progress.
   std::vector<Stream> countBytes(const Progress& progress);
   std::vector<std::string> robots() const;
-  /// Of the first and the last message of what the robot told; equal if there is none.
+  /// Of the first and the last message of what robots told, apart from what holds until it is told anew, which
+  /// may be older than the recording; equal if there is none.
   robotlink::Instant begin() const;
   robotlink::Instant end() const;
   bool complete() const;
@@ -72,6 +72,7 @@ class LogFile {
     Cursor(std::shared_ptr<LogFile> file, std::vector<std::string> streams);
     ~Cursor();
     Cursor(Cursor&&) noexcept;
+    Cursor& operator=(Cursor&&) noexcept;
     /// Before the first message that is not earlier than `time`.
     void seek(robotlink::Instant time);
     /// The time of the message that next() yields; nothing at the end.

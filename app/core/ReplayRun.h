@@ -58,7 +58,8 @@ struct ReplayOptions {
 class ReplayRun {
  public:
   struct Listeners {
-    /// What the logs hold, as time goes over it, complete frames.
+    /// What the logs hold, as time goes over it, complete frames; after a jump the newest message of every stream, also
+    /// of what programs told on the way there.
     std::function<void(std::vector<robotlink::StreamMessage>)> logged;
     /// What a program tells.
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
@@ -79,6 +80,10 @@ class ReplayRun {
   /// newest message of every stream up to `time` is told, in order of time, also of what was recomputed on the way.
   robotlink::Errors jump(robotlink::Instant time);
 
+  /// The process by whose frames one steps: "<robot>/<process>"; at first the one that takes the images. False: there is none
+  /// of that name.
+  bool setStepProcess(const std::string& process);
+  const std::string& stepProcess() const;
   /// When frame `count` frames on (negative: back) from now() of "<robot>/<process>" begins; the last or first if there are fewer.
   std::optional<robotlink::Instant> frameTime(const std::string& process, int count) const;
   std::optional<robotlink::Instant> timeOfFrame(const std::string& process, std::uint64_t frame) const;
@@ -88,10 +93,12 @@ class ReplayRun {
   robotlink::Errors choosePackages(const std::map<std::string, robotcontrol::ControlReplay::PackageSource>& packages);
   robotlink::Errors setLayout(const std::filesystem::path& file);
   void setOffset(const std::filesystem::path& log, robotlink::Duration offset);
-  /// To a robot's program. A solution that is chosen stays so over jumps; keys do, too.
+  /// To a robot's program. A solution that is chosen stays so over jumps; keys do, too, and a colour table. What it changed
+  /// is seen at once after jump(now()).
   robotlink::Result<void> request(const robotcontrol::Request& request);
 
-  /// What ReplayStatus says of logs, processes, packages, differences, tasks, begin, end, time and frame.
+  /// What ReplayStatus says of logs, processes, packages, differences, tasks, begin, end, time, and frames of the
+  /// step process.
   void describe(robotcontrol::ReplayStatus& status) const;
   const ReplayOptions& options() const;
   std::vector<std::string> robots() const;
