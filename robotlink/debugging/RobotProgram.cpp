@@ -144,6 +144,7 @@ std::vector<std::string> RobotProgram::yieldedPackages() const {
       for (const auto& solution : known->solutions) packages.insert(solution.outputs.begin(), solution.outputs.end());
     }
   }
+  for (const std::string& package : implementation_->layout.withheld) packages.erase(package);
   return {packages.begin(), packages.end()};
 }
 
