@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "app/core/LogCommands.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/session/KeyPresets.h"
@@ -35,15 +37,21 @@ std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shippe
 
 }  // namespace
 
-Workbench::Workbench(std::filesystem::path userFolder) : userFolder_(std::move(userFolder)), simulation_(session_) {
-  session_.setRequestSink([this](const robotcontrol::Request& request) { simulation_.request(request); });
-  addCommands();
+Workbench::Workbench(std::filesystem::path userFolder)
+    : userFolder_(std::move(userFolder)), lastSimulation_(defaultOptions()), platform_(session_) {
+  session_.setRequestSink([this](const robotcontrol::Request& request) { platform_.request(request); });
+  addSimulationCommands();
+  addLayoutCommand();
+  addRobotCommands();
+  addLogCommands(*this);
 }
 
 Workbench::~Workbench() { session_.setRequestSink({}); }
 
 std::vector<std::filesystem::path> Workbench::scenes() { return filesIn("scenes", ".sdf"); }
 std::vector<std::filesystem::path> Workbench::layouts() { return filesIn("layouts", ".yaml"); }
+
+std::filesystem::path Workbench::layoutNamed(const std::string& name) { return shippedOr(layouts(), name); }
 
 RunOptions Workbench::defaultOptions() {
   RunOptions options;
@@ -52,14 +60,31 @@ RunOptions Workbench::defaultOptions() {
   return options;
 }
 
-void Workbench::load(RunOptions options) {
+PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
   ++loading_;
-  simulation_.load(std::move(options), [this](const Outcome& outcome) { outcomes_.push(outcome); });
+  // What was on stays on in the next platform.
+  if (change == Change::kPlatform) {
+    if (const auto kept = keepKeys(); !kept) tell({kept.error()});
+  }
+  return [this, change](const auto& loaded) { outcomes_.push({change, loaded}); };
 }
 
-void Workbench::setLayout(const std::filesystem::path& file) {
-  ++loading_;
-  simulation_.setLayout(file, [this](const Outcome& outcome) { outcomes_.push(outcome); });
+void Workbench::load(RunOptions options) { platform_.load(std::move(options), outcomeOf(Change::kPlatform)); }
+
+void Workbench::openLogs(std::vector<ReplayLog> logs) {
+  ReplayOptions options;
+  options.logs = std::move(logs);
+  platform_.open(std::move(options), outcomeOf(Change::kPlatform));
+}
+
+void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), outcomeOf(Change::kPlatform)); }
+void Workbench::close() { platform_.close(outcomeOf(Change::kPlatform)); }
+void Workbench::setLayout(const std::filesystem::path& file) { platform_.setLayout(file, outcomeOf(Change::kLayout)); }
+
+void Workbench::ask(robotcontrol::Request request) {
+  session_.request(std::move(request), [this](const robotcontrol::RequestResult& result) {
+    if (!result.accepted()) tell({{"request.refused", result.reason(), {}, {}}});
+  });
 }
 
 void Workbench::tick() {
@@ -67,18 +92,20 @@ void Workbench::tick() {
   session_.tick();
 }
 
+void Workbench::tell(const robotlink::Errors& errors) {
+  if (onErrors_) onErrors_(errors);
+}
+
 void Workbench::takeIn(Outcome outcome) {
   --loading_;
-  if (!outcome) {
-    if (onErrors_) onErrors_(outcome.error());
-    return;
-  }
-  loaded_ = std::move(*outcome);
+  if (!outcome.loaded) return tell(outcome.loaded.error());
+  loaded_ = std::move(*outcome.loaded);
+  if (loaded_->simulation) lastSimulation_ = *loaded_->simulation;
   std::vector<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
   session_.setRobots(robots);
-  for (const std::string& robot : robots) {
-    if (switchedOn_.insert(robot).second) switchKeysOn(robot);
+  if (outcome.change == Change::kPlatform) {
+    for (const std::string& robot : robots) switchKeysOn(robot);
   }
   if (onLoaded_) onLoaded_(*loaded_);
 }
@@ -109,13 +136,8 @@ robotlink::Result<void> Workbench::control(int action, double speed) {
   robotcontrol::Request request;
   request.mutable_control_simulation()->set_action(static_cast<Control::Action>(action));
   request.mutable_control_simulation()->set_speed(speed);
-  session_.request(request);
+  ask(std::move(request));
   return {};
-}
-
-void Workbench::addCommands() {
-  addSimulationCommands();
-  addRobotCommands();
 }
 
 void Workbench::addSimulationCommands() {
@@ -140,16 +162,19 @@ void Workbench::addSimulationCommands() {
                  "Opens a scene, by its path or the name of a shipped one",
                  {{"scene", CommandTable::Type::kText, "an SDFormat file"}},
                  [this](const Values& values) -> robotlink::Result<void> {
-                   RunOptions options = loaded_ ? loaded_->options : defaultOptions();
+                   RunOptions options = lastSimulation_;
                    options.scene = shippedOr(scenes(), std::get<std::string>(values[0]));
                    load(std::move(options));
                    return {};
                  }});
+}
+
+void Workbench::addLayoutCommand() {
   commands_.add({"layout.open",
                  "Starts the robots' programs anew in another process layout, by its path or the name of a shipped one",
                  {{"layout", CommandTable::Type::kText, "a layout file"}},
                  [this](const Values& values) -> robotlink::Result<void> {
-                   setLayout(shippedOr(layouts(), std::get<std::string>(values[0])));
+                   setLayout(layoutNamed(std::get<std::string>(values[0])));
                    return {};
                  }});
 }

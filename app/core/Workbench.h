@@ -3,22 +3,18 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
-#include <memory>
 #include <optional>
-#include <set>
-#include <string>
 #include <vector>
 
-#include "app/core/SimulationThread.h"
+#include "app/core/PlatformThread.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 
 namespace app {
 
-/// All of the workbench that is not its window: a session, the simulation that feeds it, and the commands that both offer. The
-/// thread that owns it calls tick() at 30 Hz.
+/// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs), and the commands
+/// that all of them offer. The thread that owns it calls tick() at 30 Hz.
 class Workbench {
  public:
   /// Debug keys that were on at the end of the last session are kept below `userFolder`.
@@ -28,19 +24,29 @@ class Workbench {
   robotlink::Session& session() { return session_; }
   robotlink::CommandTable& commands() { return commands_; }
 
-  /// Starts loading; the outcome arrives in a later tick().
+  /// Starts loading a simulation; the outcome arrives in a later tick().
   void load(RunOptions options);
+  /// The same for logs.
+  void openLogs(std::vector<ReplayLog> logs);
+  /// One more to those that are open.
+  void addLog(ReplayLog log);
+  /// Ends what runs.
+  void close();
   void setLayout(const std::filesystem::path& file);
+
+  /// Asks what runs for something; a refusal arrives at the handler of errors.
+  void ask(robotcontrol::Request request);
 
   /// Takes in what is new; calls the handlers below.
   void tick();
-  /// A scene or layout was loaded: what runs now.
-  void onLoaded(std::function<void(const SimulationThread::Loaded&)> handler) { onLoaded_ = std::move(handler); }
-  /// A scene or layout could not be loaded; what ran before goes on.
+  /// A scene, log or layout was loaded, or all was closed: what runs now.
+  void onLoaded(std::function<void(const LoadedPlatform&)> handler) { onLoaded_ = std::move(handler); }
+  /// Something could not be loaded, and what ran before goes on; or a request was refused.
   void onErrors(std::function<void(const robotlink::Errors&)> handler) { onErrors_ = std::move(handler); }
 
-  const SimulationThread::Loaded* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
-  /// Is a scene being loaded now?
+  /// Null before the first that could be loaded.
+  const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
+  /// Is something being loaded now?
   bool loading() const { return loading_ > 0; }
 
   /// Keeps the debug keys that are on, for the next start.
@@ -49,27 +55,35 @@ class Workbench {
   /// The shipped ones.
   static std::vector<std::filesystem::path> scenes();
   static std::vector<std::filesystem::path> layouts();
+  /// A shipped layout by its name ("compact"), or any by its path.
+  static std::filesystem::path layoutNamed(const std::string& name);
   static RunOptions defaultOptions();
 
  private:
-  using Outcome = tl::expected<SimulationThread::Loaded, robotlink::Errors>;
-  void addCommands();
+  enum class Change { kPlatform, kLayout };
+  struct Outcome {
+    Change change;
+    tl::expected<LoadedPlatform, robotlink::Errors> loaded;
+  };
   void addSimulationCommands();
   void addRobotCommands();
+  void addLayoutCommand();
+  PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);
+  void tell(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
   robotlink::Result<void> control(int action, double speed = -1);
 
   std::filesystem::path userFolder_;
-  std::set<std::string> switchedOn_;  ///< robots whose keys were set at the start
   robotlink::Session session_;
   robotlink::CommandTable commands_;
   robotlink::BoundedQueue<Outcome> outcomes_{64};
-  std::optional<SimulationThread::Loaded> loaded_;
-  std::function<void(const SimulationThread::Loaded&)> onLoaded_;
+  std::optional<LoadedPlatform> loaded_;
+  RunOptions lastSimulation_;  ///< another scene is opened with its layout
+  std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   int loading_ = 0;
-  SimulationThread simulation_;  // last: it uses the others
+  PlatformThread platform_;  // last: it uses the others
 };
 
 }  // namespace app

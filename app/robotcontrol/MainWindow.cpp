@@ -106,7 +106,7 @@ void MainWindow::connectSignals() {
   connect(actions_, &CommandActions::refused, this, [this](const QString& reason) {
     showErrors({{"command.refused", reason.toStdString(), {}, {}}});
   });
-  workbench_.onLoaded([this](const SimulationThread::Loaded&) { onLoaded(); });
+  workbench_.onLoaded([this](const LoadedPlatform&) { onLoaded(); });
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
     toolBar_->showLoaded();
@@ -122,7 +122,8 @@ void MainWindow::onLoaded() {
   context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();
-  setWindowTitle(tr("%1 – RobotControl").arg(QString::fromStdString(loaded->options.scene.stem().string())));
+  const QString name = QString::fromStdString(loaded->name());
+  setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
 }
 
 void MainWindow::showErrors(const robotlink::Errors& errors) {

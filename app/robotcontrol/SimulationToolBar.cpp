@@ -30,8 +30,9 @@ void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
   }
 }
 
-/// Shows a file, as an item of its own if it is none of the shipped ones.
+/// Shows a file, as an item of its own if it is none of the shipped ones; no file: the box's placeholder.
 void selectFile(QComboBox* box, const std::filesystem::path& file) {
+  if (file.empty()) return box->setCurrentIndex(-1);
   const QString path = QString::fromStdString(file.string());
   int index = box->findText(QString::fromStdString(file.stem().string()));
   if (index < 0) {
@@ -122,8 +123,8 @@ void SimulationToolBar::connectSignals() {
 void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
-  selectFile(scene_, loaded->options.scene);
-  selectFile(layout_, loaded->options.layout);
+  selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
+  selectFile(layout_, loaded->layout);
   robot_->clear();
   for (const std::string& robot : workbench_.session().robots()) robot_->addItem(QString::fromStdString(robot));
   robot_->setEnabled(robot_->count() > 0);

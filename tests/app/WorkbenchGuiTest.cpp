@@ -130,7 +130,7 @@ class WorkbenchGuiTest : public QObject {
     QCOMPARE(layout.currentText(), QStringLiteral("compact"));
     layout.setFocus();
     QTest::keyClick(&layout, Qt::Key_Down);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->options.layout.stem().string(), std::string("parallel"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->layout.stem().string(), std::string("parallel"), kWaitMs);
     QCOMPARE(layout.currentText(), QStringLiteral("parallel"));
   }
 

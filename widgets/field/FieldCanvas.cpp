@@ -38,6 +38,13 @@ FieldCanvas::FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> fiel
   setToolTipDuration(4000);
 }
 
+void FieldCanvas::setField(std::shared_ptr<const robotlink::FieldDescription> field) {
+  if (field == field_) return;
+  field_ = std::move(field);
+  update();
+  Q_EMIT viewportChanged();
+}
+
 void FieldCanvas::setContents(FieldFigures figures, std::vector<WorldDrawing> drawings) {
   figures.highlighted = figures_.highlighted;
   figures_ = std::move(figures);

@@ -25,6 +25,8 @@ class FieldCanvas final : public QWidget {
  public:
   explicit FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> field, QWidget* parent = nullptr);
 
+  /// Null: none is known, and nothing is painted below the figures.
+  void setField(std::shared_ptr<const robotlink::FieldDescription> field);
   void setContents(FieldFigures figures, std::vector<WorldDrawing> drawings);
   const FieldFigures& figures() const { return figures_; }
   void setWanted(std::optional<WantedPlace> place);

@@ -175,6 +175,7 @@ void FieldView::tick() {
   robots_->refresh(session());
   const auto beliefs = robotBeliefs(session(), scene_, context().field.get(), shown);
   updateTrails();
+  canvas_->setField(context().field);
   canvas_->setMovable(scene_.models(), move_->isChecked());
   canvas_->setContents(figures(beliefs), worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
                                                        drawings_->shown(), shown));

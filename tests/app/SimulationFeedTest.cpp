@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/SimulationThread.h"
+#include "app/core/SimulationFeed.h"
 
 #include <gtest/gtest.h>
 
@@ -13,9 +13,9 @@ using robotcontrol::SimulationStatus;
 namespace {
 
 /// A workbench that is ticked until something holds.
-class SimulationThreadTest : public testing::Test {
+class SimulationFeedTest : public testing::Test {
  protected:
-  SimulationThreadTest() : workbench(std::filesystem::path(testing::TempDir()) / "workbench") {
+  SimulationFeedTest() : workbench(std::filesystem::path(testing::TempDir()) / "workbench") {
     workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
     workbench.load(Workbench::defaultOptions());
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; }));
@@ -45,7 +45,7 @@ class SimulationThreadTest : public testing::Test {
 
 }  // namespace
 
-TEST_F(SimulationThreadTest, aLoadedSceneWaitsAtItsStart) {
+TEST_F(SimulationFeedTest, aLoadedSceneWaitsAtItsStart) {
   EXPECT_FALSE(status()->running());
   EXPECT_EQ(status()->steps(), 0U);
   const auto* scene = workbench.session().store().latest("scene", workbench.session().timeline().newest());
@@ -54,7 +54,7 @@ TEST_F(SimulationThreadTest, aLoadedSceneWaitsAtItsStart) {
   EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"red1"});
 }
 
-TEST_F(SimulationThreadTest, aStepIsEightMillisecondsAndResetGoesBack) {
+TEST_F(SimulationFeedTest, aStepIsEightMillisecondsAndResetGoesBack) {
   run("simulation.step");
   EXPECT_TRUE(waitFor([this] { return status()->steps() == 2; }));
   EXPECT_NEAR(status()->time(), 0.008, 1e-9);
@@ -62,7 +62,7 @@ TEST_F(SimulationThreadTest, aStepIsEightMillisecondsAndResetGoesBack) {
   EXPECT_TRUE(waitFor([this] { return status()->steps() == 0; }));
 }
 
-TEST_F(SimulationThreadTest, itRunsAtTheChosenSpeedUntilItIsPaused) {
+TEST_F(SimulationFeedTest, itRunsAtTheChosenSpeedUntilItIsPaused) {
   run("simulation.speed 0.5");
   run("simulation.start");
   ASSERT_TRUE(waitFor([this] { return status()->time() > 0.1; }));
@@ -79,7 +79,7 @@ TEST_F(SimulationThreadTest, itRunsAtTheChosenSpeedUntilItIsPaused) {
   EXPECT_EQ(status()->steps(), steps);
 }
 
-TEST_F(SimulationThreadTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
+TEST_F(SimulationFeedTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
   run("simulation.start");
   run("simulation.open /no/such/scene.sdf");
   ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
@@ -88,7 +88,7 @@ TEST_F(SimulationThreadTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
   EXPECT_TRUE(waitFor([&] { return status()->time() > time; }));
 }
 
-TEST_F(SimulationThreadTest, aModelIsPlacedWhileTheSimulationIsPaused) {
+TEST_F(SimulationFeedTest, aModelIsPlacedWhileTheSimulationIsPaused) {
   robotcontrol::Request request;
   request.mutable_place_model()->set_model("ball");
   request.mutable_place_model()->mutable_pose_in_field()->set_x(0.5);
@@ -98,7 +98,7 @@ TEST_F(SimulationThreadTest, aModelIsPlacedWhileTheSimulationIsPaused) {
   EXPECT_TRUE(waitFor([&] { return accepted; }));
 }
 
-TEST_F(SimulationThreadTest, whatCannotBeDoneIsRefusedWithAReason) {
+TEST_F(SimulationFeedTest, whatCannotBeDoneIsRefusedWithAReason) {
   EXPECT_FALSE(workbench.commands().runLine("simulation.speed -3").has_value());
   EXPECT_FALSE(workbench.commands().runLine("robot.select nobody").has_value());
   std::string reason;

@@ -1,0 +1,272 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/LogCommands.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "app/core/Workbench.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+namespace {
+
+using robotcontrol::ControlReplay;
+using robotcontrol::ReplayStatus;
+using robotlink::CommandTable;
+using robotlink::failure;
+using robotlink::Result;
+using Type = CommandTable::Type;
+using Values = std::vector<CommandTable::Value>;
+
+constexpr double kSlowest = 0.05, kFastest = 50;  // times real time
+
+/// What the commands are about: the open logs, if there are some.
+class Logs {
+ public:
+  explicit Logs(Workbench& workbench) : workbench_(&workbench) {}
+
+  Workbench& workbench() const { return *workbench_; }
+  /// As last told.
+  Result<const ReplayStatus*> status() const {
+    auto& session = workbench_->session();
+    const auto* status =
+        session.store().latestAs<ReplayStatus>(robotlink::streams::kReplay, session.timeline().newest());
+    if (status == nullptr) return failure("log.none", "no log is open; open one first: log.open FILE");
+    return status;
+  }
+  Result<void> control(const ControlReplay& control) const {
+    robotcontrol::Request request;
+    *request.mutable_control_replay() = control;
+    workbench_->ask(std::move(request));
+    return {};
+  }
+  Result<void> act(ControlReplay::Action action) const {
+    ControlReplay control;
+    control.set_action(action);
+    return this->control(control);
+  }
+
+ private:
+  Workbench* workbench_;
+};
+
+const std::string& text(const Values& values, std::size_t index) { return std::get<std::string>(values[index]); }
+double number(const Values& values, std::size_t index) { return std::get<double>(values[index]); }
+
+Result<std::int32_t> wholeCount(double value) {
+  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
+  if (value == 0 || std::trunc(value) != value || std::abs(value) > kMost) {
+    return failure("log.count", "the count must be a whole number, not 0; negative counts go backwards");
+  }
+  return static_cast<std::int32_t>(value);
+}
+
+/// A time of the time line, in ns, from seconds since its begin.
+Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
+  const double length = 1e-9 * static_cast<double>(status.end() - status.begin());
+  if (!(seconds >= 0 && seconds <= length)) {
+    return failure("log.time", "the time must be between 0 and " + std::to_string(length) +
+                                   " seconds, which is how long the log is");
+  }
+  return std::min(status.end(), status.begin() + robotlink::fromSeconds(seconds).count());
+}
+
+void addOpening(CommandTable& commands, const Logs& logs) {
+  commands.add({"log.open",
+                "Opens a log file, paused at its first image; what ran before ends",
+                {{"file", Type::kText, "an MCAP file, or a log of an older format"}},
+                [logs](const Values& values) -> Result<void> {
+                  logs.workbench().openLogs({{text(values, 0)}});
+                  return {};
+                }});
+  commands.add({"log.add",
+                "Opens one more log file on the same time line",
+                {{"file", Type::kText, "a log file"}, {"offset", Type::kNumber, "seconds that are added to its times"}},
+                [logs](const Values& values) -> Result<void> {
+                  logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
+                  return {};
+                }});
+  commands.add({"log.close", "Closes the logs that are open", {}, [logs](const Values&) -> Result<void> {
+                  if (auto status = logs.status(); !status) return tl::unexpected(status.error());
+                  logs.workbench().close();
+                  return {};
+                }});
+  commands.add({"log.offset",
+                "Shifts one of the open logs on the time line",
+                {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds that are added to its times"}},
+                [logs](const Values& values) {
+                  ControlReplay control;
+                  control.add_offsets()->set_log(text(values, 0));
+                  control.mutable_offsets(0)->set_offset(robotlink::fromSeconds(number(values, 1)).count());
+                  return logs.control(control);
+                }});
+}
+
+void addPlaying(CommandTable& commands, const Logs& logs) {
+  const auto action = [&](const char* name, const char* help, ControlReplay::Action what) {
+    commands.add({name, help, {}, [logs, what](const Values&) { return logs.act(what); }});
+  };
+  action("log.play", "Plays the log; at its end, from the start", ControlReplay::PLAY);
+  action("log.pause", "Pauses the log", ControlReplay::PAUSE);
+  action("log.stop", "Pauses the log at its start", ControlReplay::STOP);
+  commands.add({"log.speed",
+                "Sets how many times real time the log is played",
+                {{"speed", Type::kNumber, "times real time, 0.05 to 50"}},
+                [logs](const Values& values) -> Result<void> {
+                  const double speed = number(values, 0);
+                  if (!(speed >= kSlowest && speed <= kFastest)) {
+                    return failure("log.speed", "the speed must be between 0.05 and 50 times real time");
+                  }
+                  ControlReplay control;
+                  control.set_speed(speed);
+                  return logs.control(control);
+                }});
+  const auto option = [&](const char* name, const char* help, const char* argument, void (ControlReplay::*set)(bool)) {
+    commands.add({name, help, {{"on", Type::kBool, argument}}, [logs, set](const Values& values) {
+                    ControlReplay control;
+                    (control.*set)(std::get<bool>(values[0]));
+                    return logs.control(control);
+                  }});
+  };
+  option("log.loop", "Plays again and again, all of the log or the selected range", "off pauses at the end",
+         &ControlReplay::set_loop);
+  option("log.skip-gaps", "Goes on at once where nothing was logged for more than a second", "off waits as long",
+         &ControlReplay::set_skip_gaps);
+  commands.add({"log.range",
+                "Selects a range, for example to be played in a loop; equal times select none",
+                {{"from", Type::kNumber, "seconds since the begin"}, {"to", Type::kNumber, "seconds since the begin"}},
+                [logs](const Values& values) -> Result<void> {
+                  const auto status = logs.status();
+                  if (!status) return tl::unexpected(status.error());
+                  const auto from = timeAt(**status, number(values, 0)), to = timeAt(**status, number(values, 1));
+                  if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
+                  ControlReplay control;
+                  control.mutable_range()->set_from(std::min(*from, *to));
+                  control.mutable_range()->set_to(std::max(*from, *to));
+                  return logs.control(control);
+                }});
+}
+
+void addStepping(CommandTable& commands, const Logs& logs) {
+  commands.add({"log.step",
+                "Pauses the log and goes on by frames of the chosen process",
+                {{"count", Type::kNumber, "how many; negative: backwards"}},
+                [logs](const Values& values) -> Result<void> {
+                  const auto count = wholeCount(number(values, 0));
+                  if (!count) return tl::unexpected(count.error());
+                  ControlReplay control;
+                  control.set_action(ControlReplay::STEP_FRAME);
+                  control.set_count(*count);
+                  return logs.control(control);
+                }});
+  commands.add({"log.step-message",
+                "Pauses the log and goes on to messages of a stream",
+                {{"stream", Type::kText, "its path: red1/camera/image"}, {"count", Type::kNumber, "how many; negative: backwards"}},
+                [logs](const Values& values) -> Result<void> {
+                  const auto count = wholeCount(number(values, 1));
+                  if (!count) return tl::unexpected(count.error());
+                  ControlReplay control;
+                  control.set_action(ControlReplay::STEP_MESSAGE);
+                  control.set_stream(text(values, 0));
+                  control.set_count(*count);
+                  return logs.control(control);
+                }});
+  commands.add({"log.step-process",
+                "Chooses the process whose frames are stepped and counted",
+                {{"process", Type::kText, "red1/cognition"}},
+                [logs](const Values& values) {
+                  ControlReplay control;
+                  control.set_step_process(text(values, 0));
+                  return logs.control(control);
+                }});
+}
+
+void addJumping(CommandTable& commands, const Logs& logs) {
+  commands.add({"log.jump",
+                "Jumps to a time of the log",
+                {{"seconds", Type::kNumber, "since the begin"}},
+                [logs](const Values& values) -> Result<void> {
+                  const auto status = logs.status();
+                  if (!status) return tl::unexpected(status.error());
+                  const auto time = timeAt(**status, number(values, 0));
+                  if (!time) return tl::unexpected(time.error());
+                  ControlReplay control;
+                  control.set_action(ControlReplay::JUMP_TO_TIME);
+                  control.set_time(*time);
+                  return logs.control(control);
+                }});
+  commands.add({"log.jump-frame",
+                "Jumps to a frame of the chosen process",
+                {{"number", Type::kNumber, "of the frame, as the process counted"}},
+                [logs](const Values& values) -> Result<void> {
+                  constexpr double kMost = 9e15;  // above that, not every whole number is a double
+                  const double frame = number(values, 0);
+                  if (!(frame >= 0 && frame <= kMost) || std::trunc(frame) != frame) {
+                    return failure("log.frame", "the number of a frame must be a whole number, 0 or more");
+                  }
+                  ControlReplay control;
+                  control.set_action(ControlReplay::JUMP_TO_FRAME);
+                  control.set_frame(static_cast<std::uint64_t>(frame));
+                  return logs.control(control);
+                }});
+}
+
+/// The package's full name; that of the selected robot's if no robot is named.
+std::string packageNamed(const std::string& name, const ReplayStatus& status, const std::string& robot) {
+  const auto known = [&](const std::string& path) {
+    return std::any_of(status.packages().begin(), status.packages().end(),
+                       [&](const auto& package) { return package.package() == path; });
+  };
+  return !known(name) && known(robot + "/" + name) ? robot + "/" + name : name;
+}
+
+Result<void> choosePackage(const Logs& logs, const std::string& name, const std::string& source) {
+  const auto status = logs.status();
+  if (!status) return tl::unexpected(status.error());
+  ControlReplay control;
+  auto& choice = *control.add_packages();
+  choice.set_package(packageNamed(name, **status, logs.workbench().session().selectedRobot()));
+  if (source == "logged") {
+    choice.set_source(ControlReplay::AS_LOGGED);
+  } else if (source == "recomputed") {
+    choice.set_source(ControlReplay::RECOMPUTED);
+  } else if (source == "automatic") {
+    choice.set_source(ControlReplay::AUTOMATIC);
+  } else {
+    return failure("log.package-source",
+                   "the source of a package must be logged, recomputed or automatic, not \"" + source + "\"", {}, {source});
+  }
+  return logs.control(control);
+}
+
+void addProgram(CommandTable& commands, const Logs& logs) {
+  commands.add({"log.package",
+                "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
+                {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
+                 {"source", Type::kText, "logged, recomputed or automatic"}},
+                [logs](const Values& values) { return choosePackage(logs, text(values, 0), text(values, 1)); }});
+  commands.add({"log.layout",
+                "Starts the program that runs on the log anew in another process layout, by its path or the name of a shipped one",
+                {{"layout", Type::kText, "a layout file"}},
+                [logs](const Values& values) -> Result<void> {
+                  if (const auto status = logs.status(); !status) return tl::unexpected(status.error());
+                  logs.workbench().setLayout(Workbench::layoutNamed(text(values, 0)));
+                  return {};
+                }});
+}
+
+}  // namespace
+
+void addLogCommands(Workbench& workbench) {
+  const Logs logs(workbench);
+  CommandTable& commands = workbench.commands();
+  addOpening(commands, logs);
+  addPlaying(commands, logs);
+  addStepping(commands, logs);
+  addJumping(commands, logs);
+  addProgram(commands, logs);
+}
+
+}  // namespace app

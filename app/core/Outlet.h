@@ -1,0 +1,48 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "robotlink/session/StreamMessage.h"
+
+namespace robotcontrol {
+class DebugQueue;
+}
+namespace robotlink {
+class Process;
+class Session;
+}  // namespace robotlink
+
+namespace app {
+
+/// The way of all that a run tells to the session. It keeps everything back until it is opened, because a run tells things while
+/// it is being made, when the session still belongs to another one that goes on if that fails.
+///
+/// Any thread. The session must outlive it.
+class Outlet {
+ public:
+  explicit Outlet(robotlink::Session& session) : session_(session) {}
+
+  void open();
+
+  void tell(robotlink::StreamMessage message);
+  /// What belongs together.
+  void tellFrame(std::vector<robotlink::StreamMessage> frame);
+  void tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
+  /// That something is wrong with a process, as an error in the robot's log.
+  void tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
+
+ private:
+  void pass(std::function<void()> push);
+
+  robotlink::Session& session_;
+  std::mutex mutex_;  // protects the following
+  bool open_ = false;
+  std::vector<std::function<void()>> kept_;
+};
+
+}  // namespace app

@@ -1,0 +1,13 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/PlatformFeed.h"
+
+namespace app {
+
+std::string LoadedPlatform::name() const {
+  if (simulation) return simulation->scene.stem().string();
+  std::string names;
+  for (const ReplayLog& log : logs) names += (names.empty() ? "" : " + ") + log.file.filename().string();
+  return names;
+}
+
+}  // namespace app

@@ -1,0 +1,160 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/SimulationFeed.h"
+
+#include "app/core/SceneMessages.h"
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "simcore/Scene.h"
+
+namespace app {
+namespace {
+
+constexpr std::chrono::milliseconds kTransformsEvery{15};
+constexpr std::chrono::milliseconds kStatusEvery{100};
+
+}  // namespace
+
+tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(RunOptions options,
+                                                                                        robotlink::Session& session) {
+  auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session));
+  auto run = SimulatedRun::create(std::move(options), feed->listeners());
+  if (!run) return tl::unexpected(std::move(run.error()));
+  feed->run_ = std::move(*run);
+  return feed;
+}
+
+SimulatedRun::Listeners SimulationFeed::listeners() {
+  return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            outlet_.tellTrouble(robot, process, text);
+          }};
+}
+
+void SimulationFeed::goOnLike(const SimulationFeed& before) {
+  running_ = before.running_;
+  pace_.setSpeed(before.pace_.speed());
+}
+
+void SimulationFeed::begin() {
+  outlet_.open();
+  restartPace();
+  publishScene();
+}
+
+std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
+  if (running_) return pace_.due(now());
+  if (stepsWanted_ > 0) return Clock::now();
+  return std::nullopt;
+}
+
+void SimulationFeed::step() {
+  pace_.forgetLag(Clock::now(), now());
+  run_->step();
+  if (stepsWanted_ > 0) --stepsWanted_;
+  const auto real = Clock::now();
+  const bool single = !running_;
+  if (single || real - lastTransforms_ >= kTransformsEvery) {
+    lastTransforms_ = real;
+    publishTransforms();
+  }
+  if (single || real - lastStatus_ >= kStatusEvery) publishStatus();
+}
+
+LoadedPlatform SimulationFeed::describe() const {
+  LoadedPlatform loaded;
+  for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
+  loaded.field = run_->field();
+  loaded.layout = run_->options().layout;
+  loaded.simulation = run_->options();
+  return loaded;
+}
+
+robotlink::Result<PlatformFeed::Answer> SimulationFeed::fulfil(const robotcontrol::Request& request) {
+  robotlink::Result<void> done;
+  if (request.has_control_simulation()) {
+    done = control(request.control_simulation());
+  } else if (request.has_control_replay()) {
+    done = robotlink::failure("replay.none", "no log is open; open one first");
+  } else if (request.has_place_model()) {
+    const auto& place = request.place_model();
+    done = run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
+    publishTransforms();
+  } else {
+    done = run_->request(request);
+  }
+  if (!done) return tl::unexpected(done.error());
+  return request.robot().empty() || request.has_stop() ? Answer::kHere : Answer::kByProgram;
+}
+
+robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimulation& control) {
+  using Control = robotcontrol::ControlSimulation;
+  if (control.speed() >= 0) pace_.setSpeed(control.speed());
+  restartPace();
+  switch (control.action()) {
+    case Control::START:
+      running_ = true;
+      break;
+    case Control::PAUSE:
+      running_ = false;
+      break;
+    case Control::STEP:
+      running_ = false;
+      ++stepsWanted_;
+      break;
+    case Control::RESET:
+      return reset();
+    default:
+      break;
+  }
+  return {};
+}
+
+robotlink::Result<void> SimulationFeed::reset() {
+  stepsWanted_ = 0;
+  if (const robotlink::Errors errors = run_->reset(run_->options().world.seed); !errors.empty()) {
+    return tl::unexpected(errors.front());
+  }
+  restartPace();
+  publishScene();
+  return {};
+}
+
+void SimulationFeed::publishScene() {
+  lastStatusTime_ = now();
+  lastStatus_ = Clock::now();
+  outlet_.tell({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
+  publishTransforms();
+  publishStatus();
+}
+
+void SimulationFeed::publishTransforms() {
+  outlet_.tell({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+}
+
+void SimulationFeed::publishStatus() {
+  SimulatedWorld& world = run_->world();
+  const double elapsed = std::chrono::duration<double>(Clock::now() - lastStatus_).count();
+  if (elapsed >= 0.5 * std::chrono::duration<double>(kStatusEvery).count()) {
+    measuredSpeed_ = running_ ? robotlink::seconds(now() - lastStatusTime_) / elapsed : 0;
+    lastStatus_ = Clock::now();
+    lastStatusTime_ = now();
+  }
+  auto status = std::make_shared<robotcontrol::SimulationStatus>();
+  status->set_time(robotlink::seconds(now()));
+  status->set_speed(running_ ? measuredSpeed_ : 0);
+  status->set_requested_speed(pace_.speed());
+  status->set_running(running_);
+  status->set_steps(world.costs().steps);
+  status->set_ball_contacts(world.simulation().ballContacts());
+  status->set_scene(run_->options().scene.string());
+  for (const auto& robot : run_->robots()) status->add_robots(robot);
+  for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
+  for (const auto& model : movableModels(world.simulation())) status->add_models(model);
+  outlet_.tell({robotlink::streams::kSimulation, now(), std::move(status)});
+}
+
+}  // namespace app

@@ -1,0 +1,115 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/LogCommands.h"
+
+#include <gmock/gmock.h>
+
+#include "app/core/Workbench.h"
+#include "robotcontrol/Requests.pb.h"
+
+using namespace app;
+using robotcontrol::ControlReplay;
+using testing::HasSubstr;
+
+namespace {
+
+/// A workbench whose requests are seen, with the status of a log of ten seconds that begins at 486 s.
+class LogCommandsTest : public testing::Test {
+ protected:
+  LogCommandsTest() : workbench(std::filesystem::path(testing::TempDir()) / "log-commands") {
+    workbench.session().setRequestSink([this](const robotcontrol::Request& request) { asked.push_back(request); });
+    workbench.onErrors([this](const robotlink::Errors& told) { errors = robotlink::describe(told); });
+  }
+  void openLog() {
+    auto status = std::make_shared<robotcontrol::ReplayStatus>();
+    status->set_begin(486'000'000'000);
+    status->set_end(496'000'000'000);
+    status->add_packages()->set_package("nao/models/ball");
+    workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(486)), status});
+    workbench.session().setRobots({"nao"});
+    workbench.tick();
+  }
+  /// What a line asks for, or why it is refused.
+  std::string run(const std::string& line) {
+    asked.clear();
+    const auto done = workbench.commands().runLine(line);
+    if (!done) return done.error().text;
+    if (asked.size() != 1 || !asked[0].robot().empty()) return "not one request";
+    return asked[0].control_replay().ShortDebugString();
+  }
+
+  Workbench workbench;
+  std::vector<robotcontrol::Request> asked;
+  std::string errors;
+};
+
+}  // namespace
+
+TEST_F(LogCommandsTest, playingIsAskedFor) {
+  EXPECT_EQ(run("log.play"), "action: PLAY");
+  EXPECT_EQ(run("log.pause"), "action: PAUSE");
+  EXPECT_EQ(run("log.stop"), "action: STOP");
+  EXPECT_EQ(run("log.speed 0.05"), "speed: 0.05");
+  EXPECT_EQ(run("log.speed 50"), "speed: 50");
+  EXPECT_EQ(run("log.loop on"), "loop: true");
+  EXPECT_EQ(run("log.skip-gaps off"), "skip_gaps: false");
+}
+
+TEST_F(LogCommandsTest, stepsGoForwardsAndBackwards) {
+  EXPECT_EQ(run("log.step 1"), "action: STEP_FRAME count: 1");
+  EXPECT_EQ(run("log.step -5"), "action: STEP_FRAME count: -5");
+  EXPECT_EQ(run("log.step-message nao/camera/image -1"), "action: STEP_MESSAGE count: -1 stream: \"nao/camera/image\"");
+  EXPECT_EQ(run("log.step-process nao/motion"), "step_process: \"nao/motion\"");
+  EXPECT_EQ(run("log.jump-frame 434"), "action: JUMP_TO_FRAME frame: 434");
+}
+
+TEST_F(LogCommandsTest, secondsAreThoseSinceTheBegin) {
+  openLog();
+  EXPECT_EQ(run("log.jump 0"), "action: JUMP_TO_TIME time: 486000000000");
+  EXPECT_EQ(run("log.jump 2.5"), "action: JUMP_TO_TIME time: 488500000000");
+  EXPECT_EQ(run("log.jump 10"), "action: JUMP_TO_TIME time: 496000000000");
+  EXPECT_EQ(run("log.range 3 1"), "range { from: 487000000000 to: 489000000000 }");
+  EXPECT_EQ(run("log.range 0 0"), "range { from: 486000000000 to: 486000000000 }");
+}
+
+TEST_F(LogCommandsTest, packagesAreChosenWithOrWithoutTheirRobot) {
+  openLog();
+  EXPECT_EQ(run("log.package models/ball recomputed"), "packages { package: \"nao/models/ball\" source: RECOMPUTED }");
+  EXPECT_EQ(run("log.package nao/models/ball logged"), "packages { package: \"nao/models/ball\" source: AS_LOGGED }");
+  EXPECT_EQ(run("log.package models/ball automatic"), "packages { package: \"nao/models/ball\" }");
+  EXPECT_EQ(run("log.offset a.mcap -1.5"), "offsets { log: \"a.mcap\" offset: -1500000000 }");
+}
+
+TEST_F(LogCommandsTest, whatIsWrongIsSaidWithWhatIsAllowed) {
+  openLog();
+  for (const char* line : {"log.speed 0.04", "log.speed 51", "log.speed 0", "log.speed -1"}) {
+    EXPECT_THAT(run(line), HasSubstr("between 0.05 and 50")) << line;
+  }
+  for (const char* line : {"log.step 0", "log.step 1.5", "log.step-message a 1e12"}) {
+    EXPECT_THAT(run(line), HasSubstr("whole number")) << line;
+  }
+  for (const char* line : {"log.jump -1", "log.jump 10.5", "log.range 0 11"}) {
+    EXPECT_THAT(run(line), HasSubstr("between 0 and 10")) << line;
+  }
+  EXPECT_THAT(run("log.jump-frame -1"), HasSubstr("whole number, 0 or more"));
+  EXPECT_THAT(run("log.package models/ball computed"), HasSubstr("logged, recomputed or automatic"));
+  EXPECT_THAT(run("log.loop perhaps"), HasSubstr("on or off"));
+  EXPECT_THAT(run("log.open"), HasSubstr("takes 1 argument"));
+}
+
+TEST_F(LogCommandsTest, withoutALogThereIsNothingToJumpIn) {
+  for (const char* line : {"log.jump 1", "log.range 1 2", "log.close", "log.layout compact", "log.package a logged"}) {
+    EXPECT_THAT(run(line), HasSubstr("no log is open; open one first")) << line;
+  }
+  EXPECT_TRUE(asked.empty());
+}
+
+TEST_F(LogCommandsTest, whatIsRefusedLaterArrivesAsAnError) {
+  run("log.play");
+  ASSERT_EQ(asked.size(), 1U);
+  robotcontrol::RequestResult result;
+  result.set_id(asked[0].id());
+  result.set_reason("there is no log");
+  workbench.session().pushResult(result);
+  workbench.tick();
+  EXPECT_EQ(errors, "there is no log");
+}

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/PacedThread.h"
+
+#include <gmock/gmock.h>
+
+#include <atomic>
+#include <future>
+#include <vector>
+
+using namespace app;
+using namespace std::chrono_literals;
+using Clock = PacedThread::Clock;
+
+namespace {
+
+constexpr auto kLongest = 10s;
+
+/// Steps `wanted` times, at once; due and steps are seen by this thread only after done() was waited for.
+struct Steps {
+  std::atomic<int> wanted = 0, done = 0, ended = 0;
+  PacedThread::Work work() {
+    return {[this] { return done < wanted ? std::optional(Clock::now()) : std::nullopt; }, [this] { ++done; },
+            [this] { ++ended; }};
+  }
+};
+
+/// Waits until all jobs that were posted are done.
+bool finish(PacedThread& thread) {
+  auto done = std::make_shared<std::promise<void>>();
+  auto waiting = done->get_future();
+  thread.post([done] { done->set_value(); });
+  return waiting.wait_for(kLongest) == std::future_status::ready;
+}
+
+}  // namespace
+
+TEST(PacedThread, jobsAreDoneInTheirOrder) {
+  Steps steps;
+  PacedThread thread(steps.work());
+  std::vector<int> order;
+  for (int i = 0; i < 100; ++i) thread.post([&order, i] { order.push_back(i); });
+  ASSERT_TRUE(finish(thread));
+  ASSERT_EQ(order.size(), 100U);
+  EXPECT_TRUE(std::is_sorted(order.begin(), order.end()));
+}
+
+TEST(PacedThread, aJobWakesItUpToSteps) {
+  Steps steps;
+  PacedThread thread(steps.work());
+  ASSERT_TRUE(finish(thread));
+  EXPECT_EQ(steps.done, 0);
+  thread.post([&] { steps.wanted = 3; });
+  const auto end = Clock::now() + kLongest;
+  while (steps.done < 3 && Clock::now() < end) std::this_thread::yield();
+  ASSERT_TRUE(finish(thread));
+  EXPECT_EQ(steps.done, 3);
+}
+
+TEST(PacedThread, aStepIsNotMadeBeforeItIsDue) {
+  const auto due = Clock::now() + 50ms;
+  std::promise<Clock::time_point> stepped;
+  std::atomic<bool> done = false;
+  PacedThread thread({[&] { return done ? std::nullopt : std::optional(due); },
+                      [&] {
+                        done = true;
+                        stepped.set_value(Clock::now());
+                      },
+                      {}});
+  auto when = stepped.get_future();
+  ASSERT_EQ(when.wait_for(kLongest), std::future_status::ready);
+  EXPECT_GE(when.get(), due);
+}
+
+TEST(PacedThread, jobsAreDoneWhileAStepIsWaitedFor) {
+  PacedThread thread({[] { return Clock::now() + 1h; }, [] { FAIL() << "a step that is not due"; }, {}});
+  EXPECT_TRUE(finish(thread));
+  EXPECT_TRUE(finish(thread));
+}
+
+TEST(PacedThread, jobsAreDoneBetweenStepsThatAreAlwaysDue) {
+  std::atomic<int> steps = 0;
+  PacedThread thread({[] { return Clock::now() - 1s; }, [&] { ++steps; }, {}});
+  for (int i = 0; i < 10; ++i) ASSERT_TRUE(finish(thread));
+  const auto end = Clock::now() + kLongest;
+  while (steps == 0 && Clock::now() < end) std::this_thread::yield();
+  EXPECT_GT(steps, 0);
+}
+
+TEST(PacedThread, itEndsWhileItWaitsAndItsLastCallIsInItsOwnThread) {
+  Steps steps;
+  std::thread::id thread, last;
+  {
+    PacedThread::Work work = steps.work();
+    work.end = [&] { last = std::this_thread::get_id(); };
+    PacedThread paced(std::move(work));
+    paced.post([&] { thread = std::this_thread::get_id(); });
+    ASSERT_TRUE(finish(paced));
+  }
+  EXPECT_EQ(last, thread);
+  EXPECT_NE(last, std::this_thread::get_id());
+}
+
+TEST(PacedThread, itEndsThoughJobsNeverRunOut) {
+  Steps steps;
+  std::atomic<int> done = 0;
+  {
+    std::function<void()> again;
+    PacedThread thread(steps.work());
+    again = [&] {
+      ++done;
+      thread.post(again);
+    };
+    thread.post(again);
+    const auto end = Clock::now() + kLongest;
+    while (done < 10 && Clock::now() < end) std::this_thread::yield();
+  }
+  const int atEnd = done;
+  EXPECT_GE(atEnd, 10);
+  std::this_thread::sleep_for(5ms);
+  EXPECT_EQ(done, atEnd);
+}
