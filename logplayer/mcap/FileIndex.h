@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "logplayer/mcap/Reader.h"
+#include "logplayer/mcap/Source.h"
+#include "logplayer/mcap/Summary.h"
+
+namespace logplayer::mcap {
+
+/// A part of a file that holds messages: a chunk, or records that lie outside of chunks one after the other.
+struct Section {
+  Reader::ChunkInfo info;
+  /// As the chunk spells it, where that is none of ours; then it cannot be read.
+  std::string unknownCompression;
+  bool loose = false;  ///< outside of chunks; `info` describes the stretch
+  bool indexed = false;
+  std::uint64_t indexOffset = 0;  ///< of its message indexes, which follow one another
+  std::uint64_t indexLength = 0;
+  /// Sorted; of its messages, if it is indexed.
+  std::vector<std::uint16_t> channels;
+
+  bool mayHold(std::uint16_t channelId) const;
+};
+
+/// What one knows of a file before its messages are read.
+struct FileIndex {
+  Header header;
+  std::map<std::uint16_t, Schema> schemas;
+  std::map<std::uint16_t, Channel> channels;
+  Statistics statistics;
+  std::vector<Section> sections;  ///< in the order of the file
+  std::vector<AttachmentIndex> attachments;
+  std::vector<MetadataIndex> metadata;
+  bool complete = false;      ///< DataEnd, footer and magic are there, and nothing is wrong with the summary
+  std::uint64_t dataEnd = 0;  ///< offset of the DataEnd record; 0: there is none
+  std::uint32_t dataCrc = 0;  ///< of all before it; 0: not known
+  std::vector<Damage> damage;
+};
+
+/// Why a file must be scanned.
+struct NoSummary {
+  std::string damage;  ///< what is wrong; empty: nothing is, it just does not tell of all messages
+};
+
+/// From a file's summary, if it tells of all messages and fits the file.
+tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::size_t maxRecordBytes);
+
+/// The summary as it stands in a file; for going on with it.
+std::optional<Summary> readSummary(const Source& source, std::size_t maxRecordBytes);
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/Reader.h"
+
+#include <algorithm>
+
+#include "logplayer/mcap/Scan.h"
+#include "logplayer/mcap/SectionCache.h"
+#include "logplayer/mcap/Walk.h"
+
+namespace logplayer::mcap {
+
+using robotlink::failure;
+using robotlink::Result;
+
+namespace {
+
+/// A message's record at a place in a section's records.
+std::optional<Message> messageAt(Bytes records, std::uint64_t offset) {
+  if (offset >= records.size()) return std::nullopt;
+  const std::optional<RecordView> record = firstRecord(records.subspan(static_cast<std::size_t>(offset)));
+  return record && record->is(Opcode::kMessage) ? decodeMessage(record->content) : std::nullopt;
+}
+
+/// Behind all messages of a time.
+MessagePosition behind(Instant time) {
+  return {time, UINT64_MAX, UINT64_MAX, UINT16_MAX};
+}
+
+}  // namespace
+
+struct Reader::Implementation {
+  Implementation(Source from, Options choices, FileIndex found)
+      : options(std::move(choices)),
+        source(std::move(from)),
+        index(std::move(found)),
+        cache(source, index, options),
+        forward(Walk::Direction::kForward, index, cache),
+        backward(Walk::Direction::kBackward, index, cache),
+        newest(Walk::Direction::kBackward, index, cache) {
+    for (const Section& section : index.sections) {
+      if (!section.loose) chunks.push_back(section.info);
+    }
+  }
+
+  /// Null: there is none at this place of the file.
+  const Section* sectionAt(std::uint64_t offset) const;
+  Result<MessageData> read(const MessagePosition& position);
+  tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
+                                           const std::string& what) const {
+    return failure(id, what + " (at byte " + std::to_string(offset) + ")", {source.file().string(), 0, 0});
+  }
+
+  Options options;
+  Source source;
+  FileIndex index;
+  SectionCache cache;
+  Walk forward, backward;
+  Walk newest;  // for latest(), so that it does not disturb previous()
+  std::vector<ChunkInfo> chunks;
+  std::optional<std::vector<Metadata>> metadata;
+};
+
+const Section* Reader::Implementation::sectionAt(std::uint64_t offset) const {
+  const auto section =
+      std::ranges::lower_bound(index.sections, offset, {}, [](const Section& s) { return s.info.offset; });
+  return section != index.sections.end() && section->info.offset == offset ? &*section : nullptr;
+}
+
+Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
+  Result<Source> source = Source::open(file);
+  if (!source) return tl::unexpected(source.error());
+  // Offsets within a section are kept in 32 bits.
+  options.maxRecordBytes = std::min<std::size_t>(options.maxRecordBytes, 1U << 31U);
+  auto index = indexBySummary(*source, options.maxRecordBytes);
+  if (!index) {
+    FileIndex scanned = indexByScan(*source, options);
+    const std::string& damage = index.error().damage;
+    if (!damage.empty()) {
+      scanned.complete = false;
+      scanned.damage.insert(scanned.damage.begin(), {0, 0, damage});
+    }
+    const bool nothing = scanned.sections.empty() && scanned.channels.empty() && scanned.attachments.empty();
+    if (nothing && !scanned.complete && !std::ranges::equal(source->read(0, sizeof kMagic), kMagic)) {
+      return failure("mcap.none", "this is not an MCAP file, or nothing of it is left",
+                     {file.string(), 0, 0});
+    }
+    index = std::move(scanned);
+  }
+  return std::unique_ptr<Reader>(new Reader(
+      std::make_unique<Implementation>(std::move(*source), std::move(options), std::move(*index))));
+}
+
+Reader::Reader(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+Reader::~Reader() = default;
+
+const Header& Reader::header() const {
+  return implementation_->index.header;
+}
+const std::map<std::uint16_t, Schema>& Reader::schemas() const {
+  return implementation_->index.schemas;
+}
+const std::map<std::uint16_t, Channel>& Reader::channels() const {
+  return implementation_->index.channels;
+}
+const Statistics& Reader::statistics() const {
+  return implementation_->index.statistics;
+}
+const std::vector<Reader::ChunkInfo>& Reader::chunks() const {
+  return implementation_->chunks;
+}
+bool Reader::complete() const {
+  return implementation_->index.complete;
+}
+const std::vector<Damage>& Reader::damage() const {
+  return implementation_->index.damage;
+}
+std::uint64_t Reader::fileBytes() const {
+  return implementation_->source.bytes();
+}
+
+std::optional<MessagePosition> Reader::latest(std::uint16_t channelId, Instant time) {
+  return implementation_->newest.step(behind(time), {channelId});
+}
+
+std::optional<MessagePosition> Reader::next(const MessagePosition& than,
+                                            const std::vector<std::uint16_t>& channels) {
+  return implementation_->forward.step(than, channels);
+}
+
+std::optional<MessagePosition> Reader::previous(const MessagePosition& than,
+                                                const std::vector<std::uint16_t>& channels) {
+  return implementation_->backward.step(than, channels);
+}
+
+std::vector<Instant> Reader::times(std::uint16_t channelId) {
+  std::vector<Instant> times;
+  for (std::size_t i = 0; i < implementation_->index.sections.size(); ++i) {
+    if (!implementation_->index.sections[i].mayHold(channelId)) continue;
+    const auto list = implementation_->cache.messages(i);
+    for (const MessageList::Entry& entry : list->of(channelId)) times.push_back(entry.time);
+  }
+  if (!std::ranges::is_sorted(times)) std::ranges::sort(times);
+  return times;
+}
+
+Result<Reader::MessageData> Reader::read(const MessagePosition& position) {
+  return implementation_->read(position);
+}
+
+Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& position) {
+  const Section* section = sectionAt(position.chunkOffset);
+  if (section == nullptr) return problem("mcap.no-message", position.chunkOffset, "there is no message");
+  const auto number = static_cast<std::size_t>(section - index.sections.data());
+  const auto records = cache.records(number);
+  if (!records) return problem("mcap.damaged", position.chunkOffset, records.error());
+  const std::optional<Message> message = messageAt(**records, position.offset);
+  if (message && message->channelId == position.channelId && message->logTime == position.time) {
+    return MessageData{*message, *records};
+  }
+  // Its place came from a message index, which nothing checks but this.
+  cache.distrustIndexes(number);
+  forward.reset();
+  backward.reset();
+  return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
+}
+
+void Reader::readAll(const std::function<bool(const Message&)>& visit) {
+  Buffer records;
+  bool goOn = true;
+  for (std::size_t i = 0; goOn && i < implementation_->index.sections.size(); ++i) {
+    if (!implementation_->cache.readInto(i, records)) continue;
+    visitRecords(records, [&](const RecordView& record, std::size_t) {
+      if (!goOn || !record.is(Opcode::kMessage)) return;
+      const std::optional<Message> message = decodeMessage(record.content);
+      if (message && channels().contains(message->channelId)) goOn = visit(*message);
+    });
+  }
+}
+
+std::vector<std::string> Reader::attachmentNames() const {
+  std::vector<std::string> names;
+  for (const AttachmentIndex& attachment : implementation_->index.attachments)
+    names.push_back(attachment.name);
+  return names;
+}
+
+Result<Attachment> Reader::attachment(const std::string& name) {
+  const auto& self = *implementation_;
+  const auto found = std::ranges::find(self.index.attachments, name, &AttachmentIndex::name);
+  if (found == self.index.attachments.end()) {
+    return failure("mcap.no-attachment", "the log file has no attachment " + name,
+                   {self.source.file().string(), 0, 0});
+  }
+  if (found->length > self.options.maxRecordBytes) {
+    return self.problem("mcap.too-large", found->offset, "the attachment " + name + " is too large");
+  }
+  const Buffer bytes = self.source.read(found->offset, found->length);
+  const std::optional<RecordView> record = firstRecord(bytes);
+  auto decoded = record && record->is(Opcode::kAttachment) ? decodeAttachment(record->content) : std::nullopt;
+  if (!decoded) return self.problem("mcap.damaged", found->offset, "the attachment " + name + " is damaged");
+  if (!decoded->crcFits) {
+    return self.problem("mcap.damaged", found->offset, "the CRC of the attachment " + name + " is wrong");
+  }
+  return std::move(decoded->attachment);
+}
+
+const std::vector<Metadata>& Reader::metadata() {
+  auto& self = *implementation_;
+  if (self.metadata) return *self.metadata;
+  self.metadata.emplace();
+  for (const MetadataIndex& index : self.index.metadata) {
+    std::optional<Metadata> metadata;
+    if (index.length <= self.options.maxRecordBytes) {
+      const Buffer bytes = self.source.read(index.offset, index.length);
+      const std::optional<RecordView> record = firstRecord(bytes);
+      if (record && record->is(Opcode::kMetadata)) metadata = decodeMetadata(record->content);
+    }
+    if (metadata) {
+      self.metadata->push_back(std::move(*metadata));
+    } else {
+      self.index.damage.push_back({index.offset, index.length, "the metadata " + index.name + " is damaged"});
+    }
+  }
+  return *self.metadata;
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/Scan.h"
+
+#include <algorithm>
+
+#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/Resync.h"
+
+namespace logplayer::mcap {
+namespace {
+
+/// Messages outside of chunks are read in stretches of about this size.
+constexpr std::uint64_t kLooseBytes = 1U << 20U;
+/// Progress is told every so many bytes.
+constexpr std::uint64_t kProgressBytes = 4U << 20U;
+/// What is looked at of an attachment to find its name.
+constexpr std::size_t kAttachmentHead = 64U << 10U;
+
+class Scanner {
+ public:
+  Scanner(const Source& source, const Reader::Options& options)
+      : source_(source), options_(options), window_(source), loader_(source, options.maxRecordBytes) {}
+
+  FileIndex run();
+
+ private:
+  /// What became of a record.
+  enum class Taken : std::uint8_t {
+    kWhole,  ///< understood to its end
+    kPart,   ///< skipped in parts or as a whole: its length is all there is to go by
+    kNot,    ///< it contradicts itself
+  };
+
+  bool begin();
+  void hop();
+  bool recover();
+  bool atEnd();
+  bool goOn();
+  Taken take(Opcode opcode, std::uint64_t length);
+  Taken takeChunk(std::uint64_t length);
+  Taken takeMessageIndex(std::uint64_t length);
+  Taken takeMessage(std::uint64_t length);
+  Taken takeAttachment(std::uint64_t length);
+  Taken takeSmall(Opcode opcode, std::uint64_t length);
+  void learn(const RecordView& record);
+  void finishSection();
+  bool readDefinitions(Section& section);
+  void count(std::uint16_t channelId, std::uint64_t messages);
+  void countTimes(const Section& section);
+  void finish();
+  void note(std::uint64_t offset, std::uint64_t bytes, std::string what) {
+    index_.damage.push_back({offset, bytes, std::move(what)});
+  }
+
+  const Source& source_;
+  const Reader::Options& options_;
+  SourceWindow window_;
+  ChunkLoader loader_;
+  FileIndex index_;
+  Buffer records_;
+  std::uint64_t offset_ = 0;   // of the record looked at
+  std::uint64_t end_ = 0;      // where the next one begins
+  std::uint64_t certain_ = 0;  // all before this was understood
+  std::uint64_t told_ = 0;     // progress
+  bool open_ = false;          // the last section may still grow
+  bool ended_ = false;         // the footer was there
+  bool sawStrayIndex_ = false;
+  std::map<std::uint16_t, std::uint64_t> sectionCounts_;  // of the open section
+};
+
+FileIndex Scanner::run() {
+  if (begin()) {
+    while (offset_ < source_.bytes() && !atEnd() && goOn()) hop();
+  }
+  finishSection();
+  finish();
+  return std::move(index_);
+}
+
+bool Scanner::begin() {
+  const Bytes magic = window_.look(0, sizeof kMagic);
+  if (std::ranges::equal(magic, kMagic)) {
+    offset_ = certain_ = sizeof kMagic;
+    return true;
+  }
+  return recover();
+}
+
+/// The magic at the end of the file.
+bool Scanner::atEnd() {
+  if (source_.bytes() - offset_ != sizeof kMagic) return false;
+  if (!std::ranges::equal(window_.look(offset_, sizeof kMagic), kMagic)) return false;
+  ended_ = ended_ && index_.dataEnd != 0;
+  certain_ = offset_ = source_.bytes();
+  return true;
+}
+
+bool Scanner::goOn() {
+  if (!options_.progress || offset_ - std::min(told_, offset_) < kProgressBytes) return true;
+  told_ = offset_;
+  if (options_.progress(static_cast<double>(offset_) / static_cast<double>(source_.bytes()))) return true;
+  note(offset_, source_.bytes() - offset_, "the scan was given up here");
+  certain_ = source_.bytes();
+  return false;
+}
+
+void Scanner::hop() {
+  const Bytes head = window_.look(offset_, kRecordHeadBytes);
+  Taken taken = Taken::kNot;
+  if (head.size() == kRecordHeadBytes && head[0] != 0) {
+    const auto opcode = static_cast<Opcode>(head[0]);
+    const auto length = loadNumber<std::uint64_t>(head.data() + 1);
+    if (length <= source_.bytes() - offset_ - kRecordHeadBytes) {
+      end_ = offset_ + kRecordHeadBytes + length;
+      if (opcode != Opcode::kMessageIndex && opcode != Opcode::kMessage) finishSection();
+      taken = take(opcode, length);
+      if (taken == Taken::kNot && recordMayBeAt(window_, source_, end_) && end_ != source_.bytes()) {
+        note(offset_, end_ - offset_, "a record contradicts itself");
+        taken = Taken::kPart;
+      }
+    }
+  }
+  if (taken == Taken::kNot) {
+    finishSection();
+    if (!recover()) offset_ = source_.bytes();
+    return;
+  }
+  offset_ = end_;
+  if (taken == Taken::kWhole) certain_ = end_;
+}
+
+/// Goes on where something can be read again.
+bool Scanner::recover() {
+  const bool loose = index_.sections.empty() || index_.sections.back().loose;
+  Resync resync(source_, options_.maxRecordBytes);
+  const auto found = resync.find(certain_, loose, index_.channels);
+  const std::uint64_t next = found.value_or(source_.bytes());
+  note(certain_, next - certain_,
+       found ? "the file is damaged; it can be read again behind that"
+             : "the file ends within a record, or is damaged to its end");
+  offset_ = certain_ = next;
+  return found.has_value();
+}
+
+Scanner::Taken Scanner::take(Opcode opcode, std::uint64_t length) {
+  switch (opcode) {
+    case Opcode::kChunk:
+      return takeChunk(length);
+    case Opcode::kMessageIndex:
+      return takeMessageIndex(length);
+    case Opcode::kMessage:
+      return takeMessage(length);
+    case Opcode::kAttachment:
+      return takeAttachment(length);
+    case Opcode::kHeader:
+    case Opcode::kSchema:
+    case Opcode::kChannel:
+    case Opcode::kMetadata:
+    case Opcode::kDataEnd:
+    case Opcode::kFooter:
+      return length > options_.maxRecordBytes ? Taken::kNot : takeSmall(opcode, length);
+    default:
+      return Taken::kPart;
+  }
+}
+
+Scanner::Taken Scanner::takeChunk(std::uint64_t length) {
+  std::optional<Section> section = chunkAt(window_, source_, offset_);
+  if (!section) return Taken::kNot;
+  const std::string_view name = section->unknownCompression.empty()
+                                    ? compressionName(section->info.compression)
+                                    : section->unknownCompression;
+  const bool whole = chunkHeadBytes(name.size()) + section->info.compressedBytes == length;
+  open_ = true;
+  sawStrayIndex_ = false;
+  sectionCounts_.clear();
+  section->indexOffset = end_;
+  index_.sections.push_back(std::move(*section));
+  return whole ? Taken::kWhole : Taken::kPart;
+}
+
+Scanner::Taken Scanner::takeMessageIndex(std::uint64_t length) {
+  if (length < 6) return Taken::kNot;
+  const Bytes content = window_.look(offset_ + kRecordHeadBytes, 6);
+  const auto channelId = loadNumber<std::uint16_t>(content.data());
+  const auto bytes = loadNumber<std::uint32_t>(content.data() + 2);
+  if (bytes > length - 6 || bytes % 16 != 0) return Taken::kNot;
+  const bool follows = open_ && !index_.sections.back().loose;
+  if (!follows) {
+    if (!sawStrayIndex_) note(offset_, 0, "message indexes lack their chunk");
+    sawStrayIndex_ = true;
+    return Taken::kPart;
+  }
+  Section& section = index_.sections.back();
+  section.indexed = true;
+  section.indexLength = end_ - section.indexOffset;
+  if (bytes > 0) {
+    section.channels.push_back(channelId);
+    section.info.messages += bytes / 16;
+    sectionCounts_[channelId] += bytes / 16;
+  }
+  return bytes == length - 6 ? Taken::kWhole : Taken::kPart;
+}
+
+Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
+  if (length < kMessageHeadBytes - kRecordHeadBytes) return Taken::kNot;
+  const std::optional<Message> message =
+      decodeMessage(window_.look(offset_ + kRecordHeadBytes, kMessageHeadBytes - kRecordHeadBytes));
+  if (!message || !index_.channels.contains(message->channelId)) return Taken::kNot;
+  const bool goesOn =
+      open_ && index_.sections.back().loose && index_.sections.back().info.length + length <= kLooseBytes;
+  if (!goesOn) {
+    finishSection();
+    Section section;
+    section.loose = true;
+    section.info.offset = offset_;
+    section.info.start = section.info.end = message->logTime;
+    index_.sections.push_back(std::move(section));
+    open_ = true;
+  }
+  Reader::ChunkInfo& info = index_.sections.back().info;
+  info.length = info.uncompressedBytes = info.compressedBytes = end_ - info.offset;
+  info.start = std::min(info.start, message->logTime);
+  info.end = std::max(info.end, message->logTime);
+  ++info.messages;
+  ++sectionCounts_[message->channelId];
+  certain_ = offset_ + kMessageHeadBytes;  // nothing but its length tells where it ends
+  return Taken::kPart;
+}
+
+Scanner::Taken Scanner::takeAttachment(std::uint64_t length) {
+  ByteReader fields(window_.look(offset_ + kRecordHeadBytes,
+                                 static_cast<std::size_t>(std::min<std::uint64_t>(length, kAttachmentHead))));
+  AttachmentIndex index;
+  index.offset = offset_;
+  index.length = end_ - offset_;
+  index.logTime = instantOf(fields.take<std::uint64_t>());
+  index.createTime = instantOf(fields.take<std::uint64_t>());
+  index.name = fields.takeText();
+  index.mediaType = fields.takeText();
+  index.dataBytes = fields.take<std::uint64_t>();
+  const std::uint64_t head = 16 + 4 + index.name.size() + 4 + index.mediaType.size() + 8;
+  if (!fields.good() || head + 4 > length || index.dataBytes > length - head - 4) return Taken::kNot;
+  const bool whole = head + index.dataBytes + 4 == length;
+  index_.attachments.push_back(std::move(index));
+  return whole ? Taken::kWhole : Taken::kPart;
+}
+
+/// Those that are read as a whole. They are understood to their end if they are as long as they would be if
+/// they were written anew.
+Scanner::Taken Scanner::takeSmall(Opcode opcode, std::uint64_t length) {
+  const Buffer content = source_.read(offset_ + kRecordHeadBytes, length);
+  Buffer again;
+  if (content.size() != length) return Taken::kNot;
+  if (opcode == Opcode::kHeader) {
+    const auto header = decodeHeader(content);
+    if (!header) return Taken::kNot;
+    encode(again, *header);
+    index_.header = *header;
+  } else if (opcode == Opcode::kSchema) {
+    const auto schema = decodeSchema(content);
+    if (!schema) return Taken::kNot;
+    encode(again, *schema);
+    learn({static_cast<std::uint8_t>(opcode), content});
+  } else if (opcode == Opcode::kChannel) {
+    const auto channel = decodeChannel(content);
+    if (!channel) return Taken::kNot;
+    encode(again, *channel);
+    learn({static_cast<std::uint8_t>(opcode), content});
+  } else if (opcode == Opcode::kMetadata) {
+    const auto metadata = decodeMetadata(content);
+    if (!metadata) return Taken::kNot;
+    encode(again, *metadata);
+    index_.metadata.push_back({offset_, end_ - offset_, metadata->name});
+  } else if (opcode == Opcode::kDataEnd) {
+    if (length != kDataEndBytes - kRecordHeadBytes) return Taken::kNot;
+    index_.dataEnd = offset_;
+    index_.dataCrc = decodeDataEnd(content)->dataCrc;
+    return Taken::kWhole;
+  } else {
+    ended_ = length == kFooterBytes - kRecordHeadBytes;
+    return ended_ ? Taken::kWhole : Taken::kNot;
+  }
+  return again.size() == kRecordHeadBytes + length ? Taken::kWhole : Taken::kPart;
+}
+
+void Scanner::learn(const RecordView& record) {
+  if (record.is(Opcode::kSchema)) {
+    if (auto schema = decodeSchema(record.content)) index_.schemas.emplace(schema->id, std::move(*schema));
+  } else if (record.is(Opcode::kChannel)) {
+    if (auto channel = decodeChannel(record.content))
+      index_.channels.emplace(channel->id, std::move(*channel));
+  }
+}
+
+/// Nothing more belongs to the last section.
+void Scanner::finishSection() {
+  if (!open_) return;
+  open_ = false;
+  Section& section = index_.sections.back();
+  std::ranges::sort(section.channels);
+  const auto isKnown = [&](std::uint16_t id) { return index_.channels.contains(id); };
+  const bool mustRead =
+      !section.loose && (!section.indexed || !std::ranges::all_of(section.channels, isKnown));
+  if (mustRead && !readDefinitions(section)) {
+    index_.sections.pop_back();
+  } else {
+    countTimes(section);
+    for (const auto& [channel, messages] : sectionCounts_) count(channel, messages);
+  }
+  sectionCounts_.clear();
+}
+
+/// Reads a chunk to learn its channels, and to count its messages if it has no indexes. False: it is damaged.
+bool Scanner::readDefinitions(Section& section) {
+  const auto loaded = loader_.load(section, records_);
+  if (!loaded) {
+    note(section.info.offset, section.info.length, loaded.error());
+    return false;
+  }
+  const bool counts = !section.indexed;
+  const bool whole = visitRecords(records_, [&](const RecordView& record, std::size_t) {
+    learn(record);
+    if (!counts || !record.is(Opcode::kMessage)) return;
+    if (const auto message = decodeMessage(record.content)) {
+      ++sectionCounts_[message->channelId];
+      ++section.info.messages;
+    }
+  });
+  if (!whole) note(section.info.offset, 0, "the records of a chunk do not fill it");
+  return true;
+}
+
+void Scanner::count(std::uint16_t channelId, std::uint64_t messages) {
+  index_.statistics.messageCount += messages;
+  index_.statistics.channelMessageCounts[channelId] += messages;
+}
+
+void Scanner::countTimes(const Section& section) {
+  if (section.info.messages == 0) return;
+  Statistics& statistics = index_.statistics;
+  const bool first = statistics.messageCount == 0;
+  statistics.messageStart =
+      first ? section.info.start : std::min(statistics.messageStart, section.info.start);
+  statistics.messageEnd = first ? section.info.end : std::max(statistics.messageEnd, section.info.end);
+}
+
+void Scanner::finish() {
+  Statistics& statistics = index_.statistics;
+  statistics.schemaCount = static_cast<std::uint16_t>(index_.schemas.size());
+  statistics.channelCount = static_cast<std::uint32_t>(index_.channels.size());
+  statistics.attachmentCount = static_cast<std::uint32_t>(index_.attachments.size());
+  statistics.metadataCount = static_cast<std::uint32_t>(index_.metadata.size());
+  statistics.chunkCount =
+      static_cast<std::uint32_t>(std::ranges::count(index_.sections, false, &Section::loose));
+  for (const auto& [channel, messages] : statistics.channelMessageCounts) {
+    if (index_.channels.contains(channel)) continue;
+    note(0, 0,
+         std::to_string(messages) + " messages of channel " + std::to_string(channel) +
+             " cannot be understood: what it is, is lost");
+  }
+  index_.complete = ended_ && index_.damage.empty();
+}
+
+}  // namespace
+
+FileIndex indexByScan(const Source& source, const Reader::Options& options) {
+  return Scanner(source, options).run();
+}
+
+}  // namespace logplayer::mcap

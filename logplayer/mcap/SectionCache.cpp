@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/SectionCache.h"
+
+namespace logplayer::mcap {
+
+SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader::Options& options)
+    : source_(source),
+      index_(index),
+      maxRecordBytes_(options.maxRecordBytes),
+      loader_(source, options.maxRecordBytes),
+      records_(options.cacheBytes),
+      lists_(options.cacheBytes / 4),
+      noted_(index.sections.size()) {}
+
+tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section) {
+  if (const auto* kept = records_.find(section)) return *kept;
+  const std::size_t bytes = index_.sections[section].info.uncompressedBytes;
+  std::shared_ptr<Buffer> buffer = records_.release(bytes);
+  if (buffer == nullptr || buffer.use_count() > 1) buffer = std::make_shared<Buffer>();
+  if (const auto read = readInto(section, *buffer); !read) return tl::unexpected(read.error());
+  records_.insert(section, buffer, buffer->capacity());
+  return buffer;
+}
+
+tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer) {
+  auto loaded = loader_.load(index_.sections[section], buffer);
+  if (!loaded) noteDamage(section, loaded.error());
+  return loaded;
+}
+
+void SectionCache::noteDamage(std::size_t section, const std::string& what) {
+  if (noted_[section]) return;
+  noted_[section] = true;
+  const Section& damaged = index_.sections[section];
+  index_.damage.push_back({damaged.info.offset, damaged.info.length, what});
+}
+
+std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
+  if (const auto* kept = lists_.find(section)) return *kept;
+  std::optional<MessageList> list;
+  if (index_.sections[section].indexed) {
+    list = listByIndexes(index_.sections[section]);
+    if (!list) distrustIndexes(section);
+  }
+  if (!list) {
+    const auto read = records(section);
+    list = read ? MessageList::fromRecords(**read) : MessageList();
+  }
+  auto shared = std::make_shared<const MessageList>(std::move(*list));
+  lists_.insert(section, shared, shared->bytes());
+  return shared;
+}
+
+std::optional<MessageList> SectionCache::listByIndexes(const Section& section) const {
+  if (section.indexLength > maxRecordBytes_) return std::nullopt;
+  const Buffer indexes = source_.read(section.indexOffset, section.indexLength);
+  if (indexes.size() != section.indexLength) return std::nullopt;
+  return MessageList::fromIndexes(indexes, section);
+}
+
+void SectionCache::distrustIndexes(std::size_t section) {
+  Section& damaged = index_.sections[section];
+  if (!damaged.indexed) return;
+  damaged.indexed = false;
+  lists_.erase(section);
+  index_.damage.push_back({damaged.indexOffset, 0,
+                           "the message indexes of a chunk are wrong; its messages are found by reading it"});
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "logplayer/mcap/ChunkLoader.h"
+#include "logplayer/mcap/MessageList.h"
+#include "logplayer/mcap/RecentlyUsed.h"
+
+namespace logplayer::mcap {
+
+/// The sections of a file, read when they are asked for: their records, and where their messages are. Some of
+/// them are kept. What cannot be read goes to the index's damage, once.
+class SectionCache {
+ public:
+  using Records = std::shared_ptr<const Buffer>;
+
+  /// Both must outlive this; no section may be added to `index`.
+  SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
+
+  /// Fails with a sentence.
+  tl::expected<Records, std::string> records(std::size_t section);
+  /// Without keeping them: into `buffer`.
+  tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer);
+  /// Empty if the section is damaged. By its indexes where they are right, or else by its records.
+  std::shared_ptr<const MessageList> messages(std::size_t section);
+  /// Notes that the message indexes of a section are wrong, and no longer goes by them.
+  void distrustIndexes(std::size_t section);
+
+ private:
+  void noteDamage(std::size_t section, const std::string& what);
+  std::optional<MessageList> listByIndexes(const Section& section) const;
+
+  const Source& source_;
+  FileIndex& index_;
+  std::size_t maxRecordBytes_;
+  ChunkLoader loader_;
+  RecentlyUsed<std::shared_ptr<Buffer>> records_;
+  RecentlyUsed<std::shared_ptr<const MessageList>> lists_;
+  std::vector<bool> noted_;
+};
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,106 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/Summary.h"
+
+#include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/Crc.h"
+
+namespace logplayer::mcap {
+namespace {
+
+/// Encodes records of one kind after the other and notes where each kind is.
+class Groups {
+ public:
+  Groups(Buffer& out, std::uint64_t start) : out_(out), start_(start) {}
+
+  template <typename Encode>
+  void add(Opcode opcode, Encode encodeAll) {
+    const std::size_t before = out_.size();
+    encodeAll();
+    if (out_.size() != before) offsets_.push_back({opcode, start_ + before, out_.size() - before});
+  }
+  const std::vector<SummaryOffset>& offsets() const { return offsets_; }
+
+ private:
+  Buffer& out_;
+  std::uint64_t start_;
+  std::vector<SummaryOffset> offsets_;
+};
+
+template <typename Record, typename Add>
+bool added(std::optional<Record> record, Add add) {
+  if (!record) return false;
+  add(std::move(*record));
+  return true;
+}
+
+bool addRecord(Summary& summary, const RecordView& record) {
+  const Bytes content = record.content;
+  switch (static_cast<Opcode>(record.opcode)) {
+    case Opcode::kSchema:
+      return added(decodeSchema(content), [&](Schema&& s) { summary.schemas.emplace(s.id, std::move(s)); });
+    case Opcode::kChannel:
+      return added(decodeChannel(content),
+                   [&](Channel&& c) { summary.channels.emplace(c.id, std::move(c)); });
+    case Opcode::kStatistics:
+      return added(decodeStatistics(content), [&](Statistics&& s) {
+        summary.statistics = std::move(s);
+        summary.hasStatistics = true;
+      });
+    case Opcode::kChunkIndex:
+      return added(decodeChunkIndex(content),
+                   [&](ChunkIndex&& i) { summary.chunks.push_back(std::move(i)); });
+    case Opcode::kAttachmentIndex:
+      return added(decodeAttachmentIndex(content),
+                   [&](AttachmentIndex&& i) { summary.attachments.push_back(std::move(i)); });
+    case Opcode::kMetadataIndex:
+      return added(decodeMetadataIndex(content),
+                   [&](MetadataIndex&& i) { summary.metadata.push_back(std::move(i)); });
+    default:
+      return true;
+  }
+}
+
+}  // namespace
+
+Buffer encodeEnd(const Summary& summary, std::uint64_t start, bool crc) {
+  Buffer out;
+  Groups groups(out, start);
+  const auto addAll = [&](Opcode opcode, const auto& records) {
+    groups.add(opcode, [&] {
+      for (const auto& record : records) encode(out, record);
+    });
+  };
+  const auto addValues = [&](Opcode opcode, const auto& records) {
+    groups.add(opcode, [&] {
+      for (const auto& [id, record] : records) encode(out, record);
+    });
+  };
+  addValues(Opcode::kSchema, summary.schemas);
+  addValues(Opcode::kChannel, summary.channels);
+  groups.add(Opcode::kStatistics, [&] { encode(out, summary.statistics); });
+  addAll(Opcode::kMetadataIndex, summary.metadata);
+  addAll(Opcode::kAttachmentIndex, summary.attachments);
+  addAll(Opcode::kChunkIndex, summary.chunks);
+  const std::uint64_t offsetStart = start + out.size();
+  for (const SummaryOffset& offset : groups.offsets()) encode(out, offset);
+
+  encode(out, Footer{start, offsetStart, 0});
+  if (crc) {
+    std::uint8_t* const field = out.data() + out.size() - 4;
+    storeNumber(field, crc32(Bytes(out).first(out.size() - 4)));
+  }
+  out.insert(out.end(), std::begin(kMagic), std::end(kMagic));
+  return out;
+}
+
+std::optional<Summary> decodeSummary(Bytes records) {
+  Summary summary;
+  while (!records.empty()) {
+    const std::optional<RecordView> record = firstRecord(records);
+    if (!record || !addRecord(summary, *record)) return std::nullopt;
+    records = records.subspan(record->bytes());
+  }
+  return summary;
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,127 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/logplayer/mcap/TemporaryLog.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <random>
+#include <sstream>
+
+#include "logplayer/mcap/ByteStream.h"
+
+namespace logplayer::mcap::test {
+
+void PrintTo(const Told& told, std::ostream* out) {
+  *out << "channel " << told.channelId << " #" << told.sequence << " at " << told.time << ", "
+       << told.data.size() << " bytes";
+}
+
+TemporaryFolder::TemporaryFolder() {
+  std::string name = (std::filesystem::temp_directory_path() / "mcap-test-XXXXXX").string();
+  if (::mkdtemp(name.data()) == nullptr) throw std::runtime_error("cannot make a temporary folder");
+  folder_ = name;
+}
+
+TemporaryFolder::~TemporaryFolder() {
+  std::error_code ignored;
+  std::filesystem::remove_all(folder_, ignored);
+}
+
+std::string readBytes(const std::filesystem::path& file) {
+  std::ostringstream bytes;
+  bytes << std::ifstream(file, std::ios::binary).rdbuf();
+  return bytes.str();
+}
+
+void writeBytes(const std::filesystem::path& file, const std::string& bytes) {
+  std::ofstream(file, std::ios::binary | std::ios::trunc)
+      .write(bytes.data(), static_cast<std::streamsize>(bytes.size()));
+}
+
+void addChannels(Writer& writer, int channels) {
+  const auto schema = writer.addSchema("s", "protobuf", "described by this");
+  ASSERT_TRUE(schema) << schema.error().describe();
+  for (int i = 1; i <= channels; ++i) {
+    const auto id = writer.addChannel("c" + std::to_string(i), *schema, "protobuf", {{"process", "p"}});
+    ASSERT_TRUE(id) << id.error().describe();
+    ASSERT_EQ(*id, i);
+  }
+}
+
+void write(Writer& writer, const Told& told) {
+  const auto written =
+      writer.write({told.channelId, told.sequence, at(told.time), at(told.time + 1), bytesOf(told.data)});
+  ASSERT_TRUE(written) << written.error().describe();
+}
+
+void writeLog(const std::filesystem::path& file, const std::vector<Told>& messages, Writer::Options options,
+              const std::vector<std::size_t>& flushBefore, int channels) {
+  auto writer = Writer::create(file, std::move(options));
+  ASSERT_TRUE(writer) << writer.error().describe();
+  addChannels(**writer, channels);
+  for (std::size_t i = 0; i < messages.size(); ++i) {
+    if (std::ranges::find(flushBefore, i) != flushBefore.end()) {
+      ASSERT_TRUE((*writer)->flush());
+    }
+    write(**writer, messages[i]);
+  }
+  const auto closed = (*writer)->close();
+  ASSERT_TRUE(closed) << closed.error().describe();
+}
+
+std::unique_ptr<Reader> open(const std::filesystem::path& file, Reader::Options options) {
+  auto reader = Reader::open(file, std::move(options));
+  EXPECT_TRUE(reader) << reader.error().describe();
+  return reader ? std::move(*reader) : nullptr;
+}
+
+Told toldBy(const Message& message) {
+  EXPECT_EQ(message.publishTime - message.logTime, robotlink::Duration(1));
+  return {message.channelId, message.sequence, message.logTime.time_since_epoch().count(),
+          std::string(textOf(message.data))};
+}
+
+std::vector<Told> readAll(Reader& reader) {
+  std::vector<Told> told;
+  reader.readAll([&](const Message& message) {
+    told.push_back(toldBy(message));
+    return true;
+  });
+  return told;
+}
+
+std::vector<Told> readForwards(Reader& reader, std::vector<std::uint16_t> channels) {
+  std::vector<Told> told;
+  MessagePosition position{Instant::min(), 0, 0, 0};
+  while (const auto next = reader.next(position, channels)) {
+    if (const auto message = reader.read(*next)) told.push_back(toldBy(message->message));
+    position = *next;
+  }
+  return told;
+}
+
+std::vector<Told> readBackwards(Reader& reader, std::vector<std::uint16_t> channels) {
+  std::vector<Told> told;
+  MessagePosition position{Instant::max(), UINT64_MAX, UINT64_MAX, UINT16_MAX};
+  while (const auto previous = reader.previous(position, channels)) {
+    if (const auto message = reader.read(*previous)) told.push_back(toldBy(message->message));
+    position = *previous;
+  }
+  return told;
+}
+
+std::vector<Told> someMessages(int count, std::size_t bytes) {
+  std::minstd_rand random(1);
+  std::vector<Told> messages;
+  for (int i = 0; i < count; ++i) {
+    Told told{static_cast<std::uint16_t>(1 + i % 3), static_cast<std::uint32_t>(i), 10 * (i + 1), {}};
+    for (std::size_t j = 0; j < bytes; ++j) {
+      told.data.push_back(j % 2 == 0 ? 'x' : static_cast<char>(random() & 0xFF));
+    }
+    messages.push_back(std::move(told));
+  }
+  return messages;
+}
+
+}  // namespace logplayer::mcap::test
