@@ -45,6 +45,9 @@ struct NoSummary {
 /// From a file's summary, if it tells of all messages and fits the file.
 tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::size_t maxRecordBytes);
 
+/// By the summary, or else by a scan. Fails if nothing in the file is MCAP.
+robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options);
+
 /// The summary as it stands in a file; for going on with it.
 std::optional<Summary> readSummary(const Source& source, std::size_t maxRecordBytes);
 

@@ -15,6 +15,9 @@ inline constexpr std::size_t kMessageHeadBytes = kRecordHeadBytes + 22;
 inline constexpr std::size_t kFooterBytes = kRecordHeadBytes + 20;
 inline constexpr std::size_t kDataEndBytes = kRecordHeadBytes + 4;
 
+/// Offsets within a chunk are kept in 32 bits.
+inline constexpr std::size_t kLargestRecord = 1U << 31U;
+
 /// 0 is invalid, those from 0x80 on are private: readers skip them.
 enum class Opcode : std::uint8_t {
   kHeader = 0x01,

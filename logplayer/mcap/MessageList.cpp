@@ -22,6 +22,12 @@ std::span<const MessageList::Entry> MessageList::of(std::uint16_t channelId) con
   return std::span(entries_).subspan(channel->first, channel->count);
 }
 
+bool MessageList::operator==(const MessageList& other) const {
+  return std::ranges::equal(channels_, other.channels_, [&](const Channel& a, const Channel& b) {
+    return a.id == b.id && std::ranges::equal(of(a.id), other.of(b.id));
+  });
+}
+
 std::optional<MessageList> MessageList::fromIndexes(Bytes indexes, const Section& section) {
   MessageList list;
   list.entries_.reserve(indexes.size() / 16);

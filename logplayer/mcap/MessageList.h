@@ -12,6 +12,7 @@ class MessageList {
   struct Entry {
     Instant time;
     std::uint32_t offset = 0;  ///< in the section's records
+    bool operator==(const Entry&) const = default;
   };
 
   std::span<const Entry> of(std::uint16_t channelId) const;
@@ -22,6 +23,7 @@ class MessageList {
   struct Channel {
     std::uint16_t id = 0;
     std::size_t first = 0, count = 0;
+    bool operator==(const Channel&) const = default;
   };
   const std::vector<Channel>& channels() const { return channels_; }
 
@@ -29,6 +31,9 @@ class MessageList {
   static std::optional<MessageList> fromIndexes(Bytes indexes, const Section& section);
   /// From the records of a section.
   static MessageList fromRecords(Bytes records);
+
+  /// The same messages of the same channels.
+  bool operator==(const MessageList& other) const;
 
  private:
   void sortChannels();

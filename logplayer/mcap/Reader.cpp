@@ -3,9 +3,7 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/Scan.h"
-#include "logplayer/mcap/SectionCache.h"
-#include "logplayer/mcap/Walk.h"
+#include "logplayer/mcap/ReaderImplementation.h"
 
 namespace logplayer::mcap {
 
@@ -28,38 +26,6 @@ MessagePosition behind(Instant time) {
 
 }  // namespace
 
-struct Reader::Implementation {
-  Implementation(Source from, Options choices, FileIndex found)
-      : options(std::move(choices)),
-        source(std::move(from)),
-        index(std::move(found)),
-        cache(source, index, options),
-        forward(Walk::Direction::kForward, index, cache),
-        backward(Walk::Direction::kBackward, index, cache),
-        newest(Walk::Direction::kBackward, index, cache) {
-    for (const Section& section : index.sections) {
-      if (!section.loose) chunks.push_back(section.info);
-    }
-  }
-
-  /// Null: there is none at this place of the file.
-  const Section* sectionAt(std::uint64_t offset) const;
-  Result<MessageData> read(const MessagePosition& position);
-  tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
-                                           const std::string& what) const {
-    return failure(id, what + " (at byte " + std::to_string(offset) + ")", {source.file().string(), 0, 0});
-  }
-
-  Options options;
-  Source source;
-  FileIndex index;
-  SectionCache cache;
-  Walk forward, backward;
-  Walk newest;  // for latest(), so that it does not disturb previous()
-  std::vector<ChunkInfo> chunks;
-  std::optional<std::vector<Metadata>> metadata;
-};
-
 const Section* Reader::Implementation::sectionAt(std::uint64_t offset) const {
   const auto section =
       std::ranges::lower_bound(index.sections, offset, {}, [](const Section& s) { return s.info.offset; });
@@ -69,23 +35,9 @@ const Section* Reader::Implementation::sectionAt(std::uint64_t offset) const {
 Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
   Result<Source> source = Source::open(file);
   if (!source) return tl::unexpected(source.error());
-  // Offsets within a section are kept in 32 bits.
-  options.maxRecordBytes = std::min<std::size_t>(options.maxRecordBytes, 1U << 31U);
-  auto index = indexBySummary(*source, options.maxRecordBytes);
-  if (!index) {
-    FileIndex scanned = indexByScan(*source, options);
-    const std::string& damage = index.error().damage;
-    if (!damage.empty()) {
-      scanned.complete = false;
-      scanned.damage.insert(scanned.damage.begin(), {0, 0, damage});
-    }
-    const bool nothing = scanned.sections.empty() && scanned.channels.empty() && scanned.attachments.empty();
-    if (nothing && !scanned.complete && !std::ranges::equal(source->read(0, sizeof kMagic), kMagic)) {
-      return failure("mcap.none", "this is not an MCAP file, or nothing of it is left",
-                     {file.string(), 0, 0});
-    }
-    index = std::move(scanned);
-  }
+  options.maxRecordBytes = std::min(options.maxRecordBytes, kLargestRecord);
+  Result<FileIndex> index = readIndex(*source, options);
+  if (!index) return tl::unexpected(index.error());
   return std::unique_ptr<Reader>(new Reader(
       std::make_unique<Implementation>(std::move(*source), std::move(options), std::move(*index))));
 }

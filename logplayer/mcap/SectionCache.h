@@ -22,12 +22,13 @@ class SectionCache {
   tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer);
   /// Empty if the section is damaged. By its indexes where they are right, or else by its records.
   std::shared_ptr<const MessageList> messages(std::size_t section);
+  /// Nothing: its indexes cannot be read, or contradict it.
+  std::optional<MessageList> listByIndexes(const Section& section) const;
   /// Notes that the message indexes of a section are wrong, and no longer goes by them.
   void distrustIndexes(std::size_t section);
 
  private:
   void noteDamage(std::size_t section, const std::string& what);
-  std::optional<MessageList> listByIndexes(const Section& section) const;
 
   const Source& source_;
   FileIndex& index_;

@@ -8,6 +8,7 @@
 #include "logplayer/mcap/ChunkBuilder.h"
 #include "logplayer/mcap/Compression.h"
 #include "logplayer/mcap/Crc.h"
+#include "logplayer/mcap/FileIndex.h"
 #include "logplayer/mcap/Sink.h"
 #include "logplayer/mcap/Summary.h"
 
@@ -100,7 +101,8 @@ struct Writer::Implementation {
   bool inGroup = false;
   bool flushAfterGroup = false;
   bool closed = false;
-  Buffer head, index;  // kept for their memory
+  std::uint64_t resumedAt = 0;  // the file is as it was while nothing is written behind this; 0: it is new
+  Buffer head, index;           // kept for their memory
 };
 
 Result<void> Writer::Implementation::start() {
@@ -120,7 +122,8 @@ void Writer::Implementation::resume(Summary&& found, std::uint32_t crc) {
   for (ChannelState& state : channels) state.definition.copies = kDefinitions - 1;
   for (auto& [id, definition] : schemaDefinitions) definition.copies = kDefinitions - 1;
   dataCrc = crc;
-  crcKnown = crc != 0;
+  crcKnown = crcKnown && crc != 0;
+  resumedAt = sink.position();
 }
 
 void Writer::Implementation::know(const Schema& schema) {
@@ -262,6 +265,22 @@ Result<std::unique_ptr<Writer>> Writer::create(const std::filesystem::path& file
   return std::unique_ptr<Writer>(new Writer(std::move(implementation)));
 }
 
+Result<std::unique_ptr<Writer>> Writer::append(const std::filesystem::path& file, Options options) {
+  Result<Source> source = Source::open(file);
+  if (!source) return tl::unexpected(source.error());
+  auto index = indexBySummary(*source, kMaxRecordBytes);
+  std::optional<Summary> summary = readSummary(*source, kMaxRecordBytes);
+  if (!index || !summary) {
+    return failure("mcap.incomplete", "only a complete log file can be appended to; repair it first",
+                   {file.string(), 0, 0});
+  }
+  Result<Sink> sink = Sink::reopen(file, index->dataEnd);
+  if (!sink) return tl::unexpected(sink.error());
+  auto implementation = std::make_unique<Implementation>(std::move(*sink), std::move(options));
+  implementation->resume(std::move(*summary), index->dataCrc);
+  return std::unique_ptr<Writer>(new Writer(std::move(implementation)));
+}
+
 Writer::Writer(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
 
 Writer::~Writer() {
@@ -386,6 +405,7 @@ Result<void> Writer::close() {
     // What fails here is told below.
     if (!self.sink.error()) static_cast<void>(self.writeOpen());
     if (!self.sink.error()) static_cast<void>(self.writeUnusedDefinitions());
+    if (self.resumedAt != 0 && self.sink.position() == self.resumedAt && !self.sink.error()) return {};
     // Also after an error: on a full disk the chunk that did not fit has left room for the summary, which
     // makes the file complete.
     if (self.sink.error()) {

@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "logplayer/mcap/SectionCache.h"
+#include "logplayer/mcap/Walk.h"
+
+namespace logplayer::mcap {
+
+/// What a reader consists of. Members refer to each other: it stays where it was made.
+struct Reader::Implementation {
+  Implementation(Source from, Options choices, FileIndex found)
+      : options(std::move(choices)),
+        source(std::move(from)),
+        index(std::move(found)),
+        cache(source, index, options),
+        forward(Walk::Direction::kForward, index, cache),
+        backward(Walk::Direction::kBackward, index, cache),
+        newest(Walk::Direction::kBackward, index, cache) {
+    for (const Section& section : index.sections) {
+      if (!section.loose) chunks.push_back(section.info);
+    }
+  }
+
+  /// Null: there is none at this place of the file.
+  const Section* sectionAt(std::uint64_t offset) const;
+  robotlink::Result<MessageData> read(const MessagePosition& position);
+  tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
+                                           const std::string& what) const {
+    return robotlink::failure(id, what + " (at byte " + std::to_string(offset) + ")",
+                              {source.file().string(), 0, 0});
+  }
+
+  Options options;
+  Source source;
+  FileIndex index;
+  SectionCache cache;
+  Walk forward, backward;
+  Walk newest;  // for latest(), so that it does not disturb previous()
+  std::vector<ChunkInfo> chunks;
+  std::optional<std::vector<Metadata>> metadata;
+};
+
+}  // namespace logplayer::mcap
