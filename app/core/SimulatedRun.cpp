@@ -3,29 +3,49 @@
 
 #include <algorithm>
 
+#include "app/core/ProgramSetups.h"
+#include "app/core/RecordingTap.h"
+#include "app/core/SceneMessages.h"
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Streams.h"
 #include "simcore/Scene.h"
 
 namespace app {
 
 using robotlink::Errors;
 
-SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners)
-    : options_(std::move(options)), listeners_(std::move(listeners)) {}
+namespace {
+
+const std::filesystem::path kFieldFile = "fields/2002.yaml";
+
+/// Every so many steps it is recorded where all bodies are: about 30 times a second.
+constexpr int kTransformsEvery = 4;
+
+std::filesystem::path descriptionFile(const std::string& name) { return robotlink::resource("robots/" + name + ".yaml"); }
+
+}  // namespace
+
+SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder)
+    : options_(std::move(options)),
+      listeners_(std::move(listeners)),
+      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
 
 SimulatedRun::~SimulatedRun() { stopPrograms(); }
 
-tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOptions options, Listeners listeners) {
-  auto run = std::unique_ptr<SimulatedRun>(new SimulatedRun(std::move(options), std::move(listeners)));
+tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOptions options, Listeners listeners,
+                                                                              logplayer::Recorder* recorder) {
+  auto run = std::unique_ptr<SimulatedRun>(new SimulatedRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;
 }
 
 Errors SimulatedRun::load() {
-  auto field = robotlink::FieldDescription::load(robotlink::resource("fields/2002.yaml"));
+  auto field = robotlink::FieldDescription::load(robotlink::resource(kFieldFile));
   if (!field) return field.error();
   field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
   auto scene = simcore::Scene::load(options_.scene);
@@ -36,6 +56,7 @@ Errors SimulatedRun::load() {
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
   auto programs = makePrograms(options_.layout);
   if (!programs) return programs.error();
+  if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
   return {};
 }
@@ -45,7 +66,7 @@ Errors SimulatedRun::describeRobots() {
   for (const auto& robot : world_->simulation().scene().robots()) {
     auto& description = known[robot.description];
     if (!description) {
-      auto read = robotlink::readRobotDescription(robotlink::resource("robots/" + robot.description + ".yaml"));
+      auto read = robotlink::readRobotDescription(descriptionFile(robot.description));
       if (!read) return read.error();
       description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
     }
@@ -83,6 +104,7 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
       setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});
   if (!program) return tl::unexpected(program.error());
   (*program)->debugProcess().setListener([this, name = robot.name](auto queue) {
+    if (tap_) tap_->add(name, queue);
     if (listeners_.queue) listeners_.queue(name, std::move(queue));
   });
   return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.keys, robot.solutions};
@@ -106,7 +128,9 @@ void SimulatedRun::startPrograms(std::vector<Robot> robots) {
           tellTrouble(process, "runs with normal priority: " + why);
         }});
   }
+  if (tap_) recordWorld();
   for (Robot& robot : robots_) {
+    if (tap_) record(robot);
     askAgain(robot);
     if (lockstep_) lockstep_->add(*robot.platform);
     for (robotlink::Process* process : robot.program->processes()) {
@@ -120,10 +144,29 @@ void SimulatedRun::startPrograms(std::vector<Robot> robots) {
 void SimulatedRun::stopPrograms() {
   threads_.reset();
   lockstep_.reset();
+  if (tap_) tap_->clear();
   for (Robot& robot : robots_) {
     if (robot.program) robot.program->stop();
     robot.program.reset();
   }
+}
+
+void SimulatedRun::record(Robot& robot) {
+  const ProgramFiles files{options_.layout, descriptionFile(robot.description->name), robotlink::resource(kFieldFile),
+                           options_.executor == ExecutorKind::kLockstep ? "lockstep" : "threads"};
+  tap_->attach(robot.name, *robot.platform, *robot.program, programSetup(*robot.program, *robot.platform, files));
+}
+
+void SimulatedRun::recordWorld() {
+  tap_->world({robotlink::streams::kScene, world_->clock().now(), sceneMessage(world_->simulation())});
+  stepsToTransforms_ = 0;
+}
+
+void SimulatedRun::recordStep() {
+  tap_->endStep();
+  if (--stepsToTransforms_ > 0 || !tap_->wants(robotlink::streams::kTransforms)) return;
+  stepsToTransforms_ = kTransformsEvery;
+  tap_->world({robotlink::streams::kTransforms, world_->clock().now(), transformsMessage(world_->simulation())});
 }
 
 void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::string& text) {
@@ -136,11 +179,13 @@ void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::str
 }
 
 void SimulatedRun::step() {
+  if (tap_) tap_->askForPackages();
   if (lockstep_) {
     lockstep_->step();
   } else if (threads_) {
     stepThreads();
   }
+  if (tap_) recordStep();
 }
 
 void SimulatedRun::stepThreads() {
@@ -161,6 +206,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   options_.world.seed = seed;
   auto programs = makePrograms(options_.layout);
   if (!programs) return programs.error();
+  if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
   return {};
 }
@@ -195,12 +241,19 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
       return {};
     }
     remember(robot, request);
-    if (robot.program && robot.program->debugProcess().request(request)) return {};
+    if (robot.program && handIn(robot, request)) return {};
     return robotlink::failure("request.queue-full",
                               "robot " + robot.name + " does not take requests now: too many wait already", {},
                               {robot.name});
   }
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {}, {request.robot()});
+}
+
+/// False: too many wait, this one was dropped.
+bool SimulatedRun::handIn(Robot& robot, const robotcontrol::Request& request) {
+  if (!robot.program->debugProcess().request(request)) return false;
+  if (tap_) tap_->handedIn(request);
+  return true;
 }
 
 void SimulatedRun::remember(Robot& robot, const robotcontrol::Request& request) {
@@ -217,21 +270,20 @@ void SimulatedRun::remember(Robot& robot, const robotcontrol::Request& request) 
 }
 
 void SimulatedRun::askAgain(Robot& robot) {
-  robotlink::DebugProcess& program = robot.program->debugProcess();
   robotcontrol::Request request;
   request.set_robot(robot.name);
   for (const auto& [name, mode] : robot.keys) {
     request.mutable_set_key()->set_name(name);
     *request.mutable_set_key()->mutable_mode() = mode;
-    program.request(request);
+    handIn(robot, request);
   }
   for (const auto& [task, solution] : robot.solutions) {
     request.mutable_select_solution()->set_task(task);
     request.mutable_select_solution()->set_solution(solution);
-    program.request(request);
+    handIn(robot, request);
   }
   request.mutable_send_tables();
-  program.request(request);
+  handIn(robot, request);
 }
 
 std::vector<std::string> SimulatedRun::stoppedRobots() const {

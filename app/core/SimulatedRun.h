@@ -15,6 +15,9 @@
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
 
+namespace logplayer {
+class Recorder;
+}
 namespace robotcontrol {
 class Request;
 }
@@ -25,6 +28,8 @@ struct Layout;
 }  // namespace robotlink
 
 namespace app {
+
+class RecordingTap;
 
 enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 
@@ -49,8 +54,9 @@ class SimulatedRun {
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
   };
 
-  static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(RunOptions options,
-                                                                               Listeners listeners);
+  /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
+  static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(RunOptions options, Listeners listeners,
+                                                                               logplayer::Recorder* recorder = nullptr);
   ~SimulatedRun();
 
   /// One step of the platforms, and of all processes that it lets run.
@@ -83,14 +89,18 @@ class SimulatedRun {
     std::map<std::string, robotcontrol::KeyMode> keys;
     std::map<std::string, std::string> solutions;
   };
-  SimulatedRun(RunOptions options, Listeners listeners);
+  SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
   robotlink::Errors describeRobots();
   tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const std::filesystem::path& layout);
   tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
   void startPrograms(std::vector<Robot> robots);
+  void record(Robot& robot);
+  bool handIn(Robot& robot, const robotcontrol::Request& request);
+  void recordWorld();
+  void recordStep();
   static void remember(Robot& robot, const robotcontrol::Request& request);
-  static void askAgain(Robot& robot);
+  void askAgain(Robot& robot);
   void stopPrograms();
   void tellTrouble(const robotlink::Process& process, const std::string& text);
   void stepThreads();
@@ -99,7 +109,9 @@ class SimulatedRun {
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
+  std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
   std::vector<Robot> robots_;
+  int stepsToTransforms_ = 0;
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
 };

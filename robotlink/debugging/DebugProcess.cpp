@@ -100,7 +100,7 @@ bool DebugProcess::request(const Request& request) {
 
 void DebugProcess::execute() {
   Implementation& self = *implementation_;
-  self.debug.beginFrame(frameTime(), frames());
+  self.debug.beginFrame(frameTime(), frames() + 1);
   self.takeQueues();
   self.noticeStopped();
   self.takeRequests();

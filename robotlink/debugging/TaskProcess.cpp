@@ -175,7 +175,7 @@ TaskRunner* TaskProcess::Implementation::runner(const std::string& task) const {
 
 void TaskProcess::execute() {
   Implementation& self = *implementation_;
-  self.debug.beginFrame(frameTime(), frames());
+  self.debug.beginFrame(frameTime(), frames() + 1);
   self.takeRequests();
   self.board.beginFrame();
   try {

@@ -46,7 +46,7 @@ TEST(RobotProgramTest, noFrameIsLostOnItsWayThroughTheDebugQueues) {
   robot.run(500);
   const auto frames = robot.on("frames/motion");
   ASSERT_GT(frames.size(), 490U);
-  for (std::size_t i = 0; i < frames.size(); ++i) ASSERT_EQ(i, frames[i]->frame().number());
+  for (std::size_t i = 0; i < frames.size(); ++i) ASSERT_EQ(i + 1, frames[i]->frame().number());
 }
 
 TEST(RobotProgramTest, aRefusedLayoutLeavesTheOldOneRunning) {
