@@ -9,6 +9,7 @@ class RawImage;
 namespace robotcontrol {
 class BallModel;
 class BallPercept;
+class BodyReadings;
 class BodySensors;
 class CameraPose;
 class ColorRegions;
@@ -38,6 +39,7 @@ struct Package {
 inline constexpr Package<foxglove::RawImage> kCameraImage{"camera/image"};
 inline constexpr Package<foxglove::JointStates> kJointStates{"joints/states"};
 inline constexpr Package<robotcontrol::BodySensors> kBodySensors{"body/sensors"};
+inline constexpr Package<robotcontrol::BodyReadings> kBodyReadings{"body/readings"};
 inline constexpr Package<robotcontrol::OracleWorld> kOracleWorld{"oracle/world"};
 // ...and takes.
 inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/request"};

@@ -1,0 +1,74 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/bhuman/ByteSource.h"
+
+#include <fcntl.h>
+#include <sys/stat.h>
+#include <unistd.h>
+
+#include <algorithm>
+#include <cerrno>
+#include <cstring>
+
+namespace logplayer::bhuman {
+namespace {
+
+class FileBytes final : public ByteSource {
+ public:
+  FileBytes(int descriptor, std::uint64_t size) : descriptor_(descriptor), size_(size) {}
+  ~FileBytes() override { ::close(descriptor_); }
+  FileBytes(const FileBytes&) = delete;
+  FileBytes& operator=(const FileBytes&) = delete;
+
+  std::uint64_t size() const override { return size_; }
+  std::size_t read(std::uint64_t offset, std::span<std::uint8_t> to) override {
+    std::size_t done = 0;
+    while (done < to.size() && offset + done < size_) {
+      const ssize_t count =
+          ::pread(descriptor_, to.data() + done, to.size() - done, static_cast<off_t>(offset + done));
+      if (count < 0 && errno == EINTR) continue;
+      if (count <= 0) break;
+      done += static_cast<std::size_t>(count);
+    }
+    return done;
+  }
+
+ private:
+  int descriptor_;
+  std::uint64_t size_;
+};
+
+class MemoryBytes final : public ByteSource {
+ public:
+  explicit MemoryBytes(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
+
+  std::uint64_t size() const override { return bytes_.size(); }
+  std::size_t read(std::uint64_t offset, std::span<std::uint8_t> to) override {
+    if (offset >= bytes_.size()) return 0;
+    const auto from = bytes_.subspan(static_cast<std::size_t>(offset));
+    const std::size_t count = std::min(from.size(), to.size());
+    std::copy_n(from.begin(), count, to.begin());
+    return count;
+  }
+
+ private:
+  std::span<const std::uint8_t> bytes_;
+};
+
+}  // namespace
+
+robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file) {
+  const int descriptor = ::open(file.c_str(), O_RDONLY | O_CLOEXEC);
+  struct stat status {};
+  if (descriptor < 0 || ::fstat(descriptor, &status) != 0 || !S_ISREG(status.st_mode)) {
+    const std::string reason = descriptor < 0 || errno != 0 ? std::strerror(errno) : "it is no regular file";
+    if (descriptor >= 0) ::close(descriptor);
+    return robotlink::failure("log.open", "the log cannot be opened: " + reason, {file.string(), 0, 0});
+  }
+  return std::make_unique<FileBytes>(descriptor, static_cast<std::uint64_t>(status.st_size));
+}
+
+std::unique_ptr<ByteSource> bytesInMemory(std::span<const std::uint8_t> bytes) {
+  return std::make_unique<MemoryBytes>(bytes);
+}
+
+}  // namespace logplayer::bhuman

@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/bhuman/FrameConverter.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "logplayer/bhuman/FrameMessages.h"
+#include "logplayer/bhuman/MessageKinds.h"
+
+namespace logplayer::bhuman {
+
+using robotlink::Instant;
+using robotlink::Result;
+
+namespace {
+
+/// Frames that may wait for the first time that is known.
+constexpr std::size_t kMaximumUntimed = 100;
+
+std::string processName(std::uint8_t letter) {
+  switch (letter) {
+    case 'c':
+      return "cognition";
+    case 'm':
+      return "motion";
+    case 'd':
+      return "debug";
+    default:
+      return "process-" + std::to_string(letter);
+  }
+}
+
+}  // namespace
+
+FrameConverter::FrameConverter(std::string robot, FrameSink sink, Trouble trouble)
+    : robot_(std::move(robot)), sink_(std::move(sink)), trouble_(std::move(trouble)) {}
+
+bool FrameConverter::Contents::empty() const {
+  return process.empty() && !image && !place && !optics && !joints && !sensors && !keys && !odometry &&
+         texts.empty();
+}
+
+std::optional<Instant> FrameConverter::Contents::time() const {
+  if (image) return image->time;
+  if (joints) return joints->time;
+  if (sensors) return sensors->time;
+  return std::nullopt;
+}
+
+Result<void> FrameConverter::add(const QueueMessage& message) {
+  const auto understood = take(message);
+  if (!understood) return tl::unexpected(understood.error());
+  ++(*understood ? imported_ : notUnderstood_)[kindName(message.id)];
+  return {};
+}
+
+Result<bool> FrameConverter::take(const QueueMessage& message) {
+  switch (static_cast<Kind>(message.id)) {
+    case Kind::kProcessBegin:
+      return begin(message);
+    case Kind::kProcessFinished: {
+      if (contents_.process.empty()) trouble_(message.offset, "a process ended that had not begun");
+      auto closed = close();
+      if (!closed) return tl::unexpected(std::move(closed.error()));
+      return true;
+    }
+    case Kind::kImage:
+      return takeImage(message, readImage(message.payload));
+    case Kind::kJpegImage:
+      return takeImage(message, readJpegImage(message.payload));
+    case Kind::kJointData:
+      return put(&Contents::joints, readJointData(message.payload));
+    case Kind::kSensorData:
+      return put(&Contents::sensors, readSensorData(message.payload));
+    case Kind::kKeyStates:
+      return put(&Contents::keys, readKeyStates(message.payload));
+    case Kind::kOdometryData:
+      return put(&Contents::odometry, readOdometryData(message.payload));
+    case Kind::kCameraMatrix:
+      return put(&Contents::place, readCameraMatrix(message.payload));
+    case Kind::kImageCoordinateSystem:
+      return put(&Contents::optics, readImageCoordinateSystem(message.payload));
+    case Kind::kText:
+      contents_.texts.emplace_back(message.payload.begin(), message.payload.end());
+      return true;
+  }
+  return false;
+}
+
+Result<bool> FrameConverter::begin(const QueueMessage& message) {
+  if (!contents_.process.empty())
+    trouble_(message.offset, "a process began before the one before it had ended");
+  if (auto closed = close(); !closed) return tl::unexpected(std::move(closed.error()));
+  contents_.process = processName(message.payload.empty() ? std::uint8_t{0} : message.payload[0]);
+  return true;
+}
+
+Result<bool> FrameConverter::takeImage(const QueueMessage& message, Result<CameraImage> image) {
+  if (!image) {
+    trouble_(message.offset, "an image was left out: " + image.error().text);
+    return false;
+  }
+  if (!image->damage.empty()) trouble_(message.offset, "the image is damaged: " + image->damage);
+  return put(&Contents::image, std::optional(*std::move(image)));
+}
+
+/// A second one of its kind in a frame belongs to a frame whose beginning is lost.
+template <typename Value>
+Result<bool> FrameConverter::put(std::optional<Value> Contents::*slot, std::optional<Value> value) {
+  if (!value) return false;
+  if (contents_.*slot) {
+    const std::string process = contents_.process;
+    if (auto closed = close(); !closed) return tl::unexpected(std::move(closed.error()));
+    contents_.process = process;
+  }
+  contents_.*slot = std::move(value);
+  return true;
+}
+
+Result<void> FrameConverter::close() {
+  Contents contents = std::exchange(contents_, Contents());
+  if (contents.empty()) return {};
+  if (!lastTime_ && !contents.time() && untimed_.size() < kMaximumUntimed) {
+    untimed_.push_back(std::move(contents));
+    return {};
+  }
+  if (!lastTime_) lastTime_ = contents.time().value_or(Instant{});
+  for (const Contents& earlier : std::exchange(untimed_, {}))
+    if (auto told = tell(earlier); !told) return told;
+  return tell(contents);
+}
+
+Result<void> FrameConverter::finish() {
+  if (auto closed = close(); !closed) return closed;
+  if (untimed_.empty()) return {};
+  lastTime_ = Instant{};
+  for (const Contents& earlier : std::exchange(untimed_, {}))
+    if (auto told = tell(earlier); !told) return told;
+  return {};
+}
+
+Result<void> FrameConverter::tell(const Contents& contents) {
+  const auto before = timeOfProcess_.find(contents.process);
+  const Instant usual = before != timeOfProcess_.end() ? before->second : *lastTime_;
+  const Instant time = contents.time().value_or(usual);
+  lastTime_ = time;
+  timeOfProcess_[contents.process] = time;
+  return sink_(messagesOf(contents, time));
+}
+
+FrameConverter::Frame FrameConverter::messagesOf(const Contents& contents, Instant time) {
+  Frame frame;
+  tellCamera(contents, time, frame);
+  tellBody(contents, time, frame);
+  tellTexts(contents, time, frame);
+  if (!contents.process.empty()) {
+    const std::uint64_t number = ++frames_[contents.process];
+    frame.push_back(frameInfo(contents.process, number, time));
+    for (robotlink::StreamMessage& message : frame) message.frame = number;
+  }
+  for (robotlink::StreamMessage& message : frame) {
+    message.path = robot_ + "/" + message.path;
+    message.time = time;
+    message.process = contents.process;
+  }
+  return frame;
+}
+
+void FrameConverter::tellCamera(const Contents& contents, Instant time, Frame& frame) {
+  if (contents.image) frame.push_back(cameraImage(contents.image->image, robot_ + "/camera", time));
+  if (contents.optics) optics_ = *contents.optics;
+  if (!contents.place) return;
+  frame.push_back(cameraPose(*contents.place, optics_, time));
+  if (contents.place->valid == placeValid_) return;
+  placeValid_ = contents.place->valid;
+  frame.push_back(text(placeValid_ ? "the camera's pose can be relied on again"
+                                   : "the robot moved too unsteadily for its camera's pose to be relied on",
+                       placeValid_ ? Level::kInfo : Level::kWarning, contents.process + "/camera-pose",
+                       time));
+}
+
+void FrameConverter::tellBody(const Contents& contents, Instant time, Frame& frame) {
+  if (contents.joints) frame.push_back(jointStates(*contents.joints, time));
+  if (contents.sensors) frame.push_back(bodySensors(*contents.sensors, time));
+  if (contents.sensors || contents.keys) {
+    std::vector<Reading> readings;
+    if (contents.sensors) readings = contents.sensors->readings;
+    if (contents.keys) readings.insert(readings.end(), contents.keys->begin(), contents.keys->end());
+    frame.push_back(bodyReadings(readings, time));
+  }
+  if (contents.odometry) frame.push_back(motionStatus(*contents.odometry, time));
+}
+
+void FrameConverter::tellTexts(const Contents& contents, Instant time, Frame& frame) {
+  const std::string name = contents.process.empty() ? "log" : contents.process;
+  for (const std::string& each : contents.texts) frame.push_back(text(each, Level::kInfo, name, time));
+}
+
+}  // namespace logplayer::bhuman

@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/bhuman/Payloads.h"
+
+#include <cmath>
+
+#include "logplayer/bhuman/PayloadReader.h"
+
+namespace logplayer::bhuman {
+namespace {
+
+/// Stands for a joint or a sensor that is off or missing.
+constexpr double kOff = 1000;
+/// Stands for a joint that shall stay as it is.
+constexpr double kIgnore = 2000;
+constexpr double kGravity = 9.81;  // m/s^2
+
+robotlink::Instant takeTime(PayloadReader& reader) {
+  return robotlink::Instant(std::chrono::milliseconds(reader.takeUint32()));
+}
+
+struct Sensor {
+  const char* name;
+  const char* unit;
+  double scale = 1;
+};
+/// In the order of SensorData. Gyroscopes and foot sensors are in units of their own; ultrasound measures
+/// millimetres.
+constexpr std::array<Sensor, 18> kSensors = {{{"gyroX", ""},
+                                              {"gyroY", ""},
+                                              {"gyroZ", ""},
+                                              {"accX", "m/s^2", kGravity},
+                                              {"accY", "m/s^2", kGravity},
+                                              {"accZ", "m/s^2", kGravity},
+                                              {"batteryLevel", ""},
+                                              {"footLeft/frontLeft", ""},
+                                              {"footLeft/frontRight", ""},
+                                              {"footLeft/backLeft", ""},
+                                              {"footLeft/backRight", ""},
+                                              {"footRight/frontLeft", ""},
+                                              {"footRight/frontRight", ""},
+                                              {"footRight/backLeft", ""},
+                                              {"footRight/backRight", ""},
+                                              {"ultrasound", "m", 0.001},
+                                              {"angleX", "rad"},
+                                              {"angleY", "rad"}}};
+constexpr std::size_t kAccX = 3;
+
+constexpr std::array<const char*, 5> kKeys = {"rightFootRight", "rightFootLeft", "leftFootRight",
+                                              "leftFootLeft", "chest"};
+
+bool isRotation(const Eigen::Matrix3d& matrix) {
+  constexpr double kTolerance = 1e-3;
+  return matrix.allFinite() &&
+         (matrix.transpose() * matrix - Eigen::Matrix3d::Identity()).norm() < kTolerance &&
+         matrix.determinant() > 0;
+}
+
+}  // namespace
+
+std::optional<JointAngles> readJointData(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  JointAngles joints;
+  for (auto& angle : joints.angles) {
+    const double value = reader.takeDouble();
+    if (std::isfinite(value) && value != kOff && value != kIgnore) angle = value;
+  }
+  joints.time = takeTime(reader);
+  if (!reader.complete()) return std::nullopt;
+  return joints;
+}
+
+std::optional<SensorReadings> readSensorData(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  SensorReadings sensors;
+  std::array<double, kSensors.size()> values{};
+  for (std::size_t i = 0; i < kSensors.size(); ++i) {
+    values[i] = static_cast<double>(reader.takeFloat());
+    if (std::isfinite(values[i]) && values[i] != kOff)
+      sensors.readings.push_back({kSensors[i].name, values[i] * kSensors[i].scale, kSensors[i].unit});
+  }
+  const robotlink::Vector3 gravity(values[kAccX], values[kAccX + 1], values[kAccX + 2]);
+  // These accelerometers show where gravity pulls; at rest a body is accelerated against it.
+  if (gravity.allFinite() && (gravity.array() != kOff).all()) sensors.acceleration = -kGravity * gravity;
+  for (const std::string_view joint : kJointNames)
+    sensors.readings.push_back(
+        {"current/" + std::string(joint), static_cast<double>(reader.takeInt16()), ""});
+  for (const std::string_view joint : kJointNames)
+    sensors.readings.push_back(
+        {"temperature/" + std::string(joint), static_cast<double>(reader.takeByte()), "degC"});
+  sensors.readings.push_back({"ultrasoundMode", static_cast<double>(reader.takeInt32()), ""});
+  sensors.time = takeTime(reader);
+  if (!reader.complete()) return std::nullopt;
+  return sensors;
+}
+
+std::optional<std::vector<Reading>> readKeyStates(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  std::vector<Reading> keys;
+  for (const char* key : kKeys)
+    keys.push_back({"key/" + std::string(key), reader.takeBool() ? 1.0 : 0.0, ""});
+  if (!reader.complete()) return std::nullopt;
+  return keys;
+}
+
+std::optional<robotlink::Pose2> readOdometryData(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  const double heading = reader.takeDouble();
+  const double xMm = reader.takeDouble(), yMm = reader.takeDouble();
+  if (!reader.complete() || !std::isfinite(heading) || !std::isfinite(xMm) || !std::isfinite(yMm))
+    return std::nullopt;
+  return robotlink::Pose2{xMm / 1000, yMm / 1000, robotlink::normalizedAngle(heading)};
+}
+
+std::optional<CameraPlace> readCameraMatrix(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  Eigen::Matrix3d rotation;
+  for (int column = 0; column < 3; ++column)
+    for (int row = 0; row < 3; ++row) rotation(row, column) = reader.takeDouble();
+  robotlink::Vector3 translation;
+  for (int i = 0; i < 3; ++i) translation[i] = reader.takeDouble() / 1000;
+  CameraPlace place;
+  place.valid = reader.takeBool();
+  if (!reader.complete() || !isRotation(rotation) || !translation.allFinite()) return std::nullopt;
+  place.cameraInRobot.linear() = rotation;
+  place.cameraInRobot.translation() = translation;
+  return place;
+}
+
+std::optional<CameraOptics> readImageCoordinateSystem(std::span<const std::uint8_t> payload) {
+  PayloadReader reader(payload);
+  // Rotation from and to the horizon, its origin (all of them follow from the camera's pose), and the motion
+  // since the last image, for a correction of the rolling shutter that is not done here.
+  reader.skip(14 * sizeof(double));
+  CameraOptics optics;
+  optics.width = reader.takeInt32();
+  optics.height = reader.takeInt32();
+  optics.horizontalAngle = reader.takeDouble();
+  optics.verticalAngle = reader.takeDouble();
+  reader.skip(3 * sizeof(double));  // focal length and optical centre, which say the same
+  const auto possible = [](double angle) { return angle > 0.01 && angle < 3.1; };
+  const bool plausible = optics.width > 0 && optics.width <= 1 << 14 && optics.height > 0 &&
+                         optics.height <= 1 << 14 && possible(optics.horizontalAngle) &&
+                         possible(optics.verticalAngle);
+  if (!reader.complete() || !plausible) return std::nullopt;
+  return optics;
+}
+
+}  // namespace logplayer::bhuman

@@ -1,0 +1,94 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "QueueText.h"
+
+#include <bit>
+#include <cmath>
+
+#include "robotlink/base/AtomicFile.h"
+
+namespace logplayer::bhuman {
+namespace {
+
+class Payload {
+ public:
+  Payload& number(std::uint64_t value, int count) {
+    for (int i = 0; i < count; ++i) bytes_.push_back(static_cast<std::uint8_t>(value >> (8 * i)));
+    return *this;
+  }
+  Payload& int32(std::int64_t value) { return number(static_cast<std::uint64_t>(value), 4); }
+  Payload& float64(double value) { return number(std::bit_cast<std::uint64_t>(value), 8); }
+  std::span<const std::uint8_t> bytes() const { return bytes_; }
+
+ private:
+  std::vector<std::uint8_t> bytes_;
+};
+
+}  // namespace
+
+QueueBuilder& QueueBuilder::message(std::uint8_t id, std::span<const std::uint8_t> payload) {
+  bytes_.push_back(id);
+  for (int i = 0; i < 3; ++i) bytes_.push_back(static_cast<std::uint8_t>(payload.size() >> (8 * i)));
+  bytes_.insert(bytes_.end(), payload.begin(), payload.end());
+  ++messages_;
+  return *this;
+}
+
+QueueBuilder& QueueBuilder::message(std::uint8_t id, std::string_view payload) {
+  return message(id, std::span(reinterpret_cast<const std::uint8_t*>(payload.data()), payload.size()));
+}
+
+QueueBuilder& QueueBuilder::joints(std::uint32_t timeMs) {
+  Payload payload;
+  payload.float64(1000);
+  for (int i = 1; i < 22; ++i) payload.float64(0.1);
+  return message(5, payload.int32(timeMs).bytes());
+}
+
+QueueBuilder& QueueBuilder::odometry(double heading, double xMm, double yMm) {
+  return message(8, Payload().float64(heading).float64(xMm).float64(yMm).bytes());
+}
+
+QueueBuilder& QueueBuilder::keys() {
+  return message(7, Payload().int32(0).int32(0).int32(1).int32(0).int32(1).bytes());
+}
+
+QueueBuilder& QueueBuilder::image(std::uint32_t timeMs, int width, int height) {
+  Payload payload;
+  payload.int32(width).int32(height).int32(timeMs);
+  for (int i = 0; i < width * height; ++i)
+    payload.number(0xA0604030U, 4);  // Y0 0x30, Cb 0x40, Y1 0x60, Cr 0xA0
+  return message(3, payload.bytes());
+}
+
+QueueBuilder& QueueBuilder::cameraMatrix(bool valid) {
+  const double c = std::sqrt(0.75), s = 0.5;
+  Payload payload;
+  for (const double value : {c, 0.0, -s, 0.0, 1.0, 0.0, s, 0.0, c, 50.0, 0.0, 500.0}) payload.float64(value);
+  return message(17, payload.int32(valid ? 1 : 0).bytes());
+}
+
+std::vector<std::uint8_t> QueueBuilder::fileWith(std::int32_t bytes, std::int32_t messages) const {
+  const Payload header = Payload().int32(bytes).int32(messages);
+  std::vector<std::uint8_t> file(header.bytes().begin(), header.bytes().end());
+  file.insert(file.end(), bytes_.begin(), bytes_.end());
+  return file;
+}
+
+std::vector<std::uint8_t> QueueBuilder::file() const {
+  return fileWith(static_cast<std::int32_t>(bytes_.size()), messages_);
+}
+
+std::vector<std::uint8_t> QueueBuilder::appendableFile() const {
+  return fileWith(-1, -1);
+}
+
+std::string realLogPath() {
+  return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
+}
+
+std::vector<std::uint8_t> realLog() {
+  const auto text = robotlink::readFile(realLogPath());
+  return text ? std::vector<std::uint8_t>(text->begin(), text->end()) : std::vector<std::uint8_t>();
+}
+
+}  // namespace logplayer::bhuman

@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <string>
+#include <string_view>
+#include <vector>
+
+namespace logplayer::bhuman {
+
+/// Makes logs of message queues from nothing, for tests.
+class QueueBuilder {
+ public:
+  QueueBuilder& message(std::uint8_t id, std::span<const std::uint8_t> payload);
+  QueueBuilder& message(std::uint8_t id, std::string_view payload);
+  QueueBuilder& begin(char process) { return message(1, std::string_view(&process, 1)); }
+  QueueBuilder& end(char process) { return message(2, std::string_view(&process, 1)); }
+  QueueBuilder& text(std::string_view text) { return message(36, text); }
+  /// All angles 0.1 rad, but for the head's pan, which is off.
+  QueueBuilder& joints(std::uint32_t timeMs);
+  QueueBuilder& odometry(double heading, double xMm, double yMm);
+  QueueBuilder& keys();
+  /// Raw, of one colour.
+  QueueBuilder& image(std::uint32_t timeMs, int width, int height);
+  /// Camera 0.5 m above the ground, looking ahead and 30 degrees down.
+  QueueBuilder& cameraMatrix(bool valid);
+
+  /// A whole file.
+  std::vector<std::uint8_t> file() const;
+  /// As a robot writes it straight to its disk.
+  std::vector<std::uint8_t> appendableFile() const;
+  std::size_t size() const { return 8 + bytes_.size(); }
+
+ private:
+  std::vector<std::uint8_t> fileWith(std::int32_t bytes, std::int32_t messages) const;
+
+  std::vector<std::uint8_t> bytes_;
+  int messages_ = 0;
+};
+
+/// The log of a real robot, and what was found out about it; empty where it is missing.
+std::vector<std::uint8_t> realLog();
+std::string realLogPath();
+
+}  // namespace logplayer::bhuman
