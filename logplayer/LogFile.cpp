@@ -1,0 +1,325 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/LogFile.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <mutex>
+#include <set>
+
+#include "logplayer/LogChannels.h"
+#include "logplayer/TemporaryFolder.h"
+#include "robotlink/session/HeldMessages.h"
+
+namespace logplayer {
+
+using mcap::MessagePosition;
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+namespace {
+
+constexpr MessagePosition kStart{Instant::min(), 0, 0, 0};
+
+std::string plural(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+}  // namespace
+
+struct LogFile::Implementation {
+  Implementation(std::filesystem::path given, std::unique_ptr<mcap::Reader> opened,
+                 std::optional<TemporaryFolder> folder)
+      : path(std::move(given)),
+        converted(std::move(folder)),
+        reader(std::move(opened)),
+        channels(std::make_unique<LogChannels>(*reader)) {
+    readOnly = converted || ::access(path.c_str(), W_OK) != 0;
+    listStreams();
+  }
+
+  void listStreams();
+  Stream describe(const std::string& streamPath, const std::vector<std::uint16_t>& ids);
+  std::optional<StreamMessage> read(const MessagePosition& position);
+  std::optional<MessagePosition> next(MessagePosition than, const std::vector<std::uint16_t>& ids);
+  std::optional<MessagePosition> previous(MessagePosition than, const std::vector<std::uint16_t>& ids);
+  std::vector<std::uint16_t> idsOf(const std::vector<std::string>& paths) const;
+
+  const std::filesystem::path path;
+  const std::optional<TemporaryFolder> converted;  // holds what an older format was converted into
+  bool readOnly = false;
+  std::vector<Stream> streams;
+  Instant begin, end;
+
+  std::mutex mutex;  // protects what follows
+  std::unique_ptr<mcap::Reader> reader;
+  std::unique_ptr<LogChannels> channels;
+  std::set<MessagePosition> unreadable;
+};
+
+robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem::path& file, Options options) {
+  const std::filesystem::path container = file;
+  std::optional<TemporaryFolder> folder;
+  mcap::Reader::Options wishes;
+  wishes.cacheBytes = options.cacheBytes;
+  wishes.progress = options.progress;
+  auto reader = mcap::Reader::open(container, std::move(wishes));
+  if (!reader) return tl::unexpected(reader.error());
+  return std::shared_ptr<LogFile>(
+      new LogFile(std::make_unique<Implementation>(file, std::move(*reader), std::move(folder))));
+}
+
+LogFile::LogFile(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+
+LogFile::~LogFile() = default;
+
+// ---- What it holds
+
+void LogFile::Implementation::listStreams() {
+  bool any = false;
+  const auto include = [&](const Stream& stream) {
+    begin = any ? std::min(begin, stream.first) : stream.first;
+    end = any ? std::max(end, stream.last) : stream.last;
+    any = true;
+  };
+  for (const auto& [streamPath, ids] : channels->streams()) {
+    Stream stream = describe(streamPath, ids);
+    if (stream.count > 0) streams.push_back(std::move(stream));
+  }
+  // What holds until it is told anew may be much older than the recording, and a world may go on without its robots.
+  for (const Stream& stream : streams) {
+    if (stream.path.find('/') != std::string::npos && !robotlink::holdsUntilToldAnew(stream.path, stream.type)) {
+      include(stream);
+    }
+  }
+  if (any) return;
+  for (const Stream& stream : streams) include(stream);
+}
+
+LogFile::Stream LogFile::Implementation::describe(const std::string& streamPath,
+                                                  const std::vector<std::uint16_t>& ids) {
+  Stream stream;
+  stream.path = streamPath;
+  stream.type = channels->typeName(ids.back());
+  for (const std::uint16_t id : ids) {
+    if (!channels->cutShort(id)) {
+      stream.count += reader->statistics().channelMessageCounts.at(id);
+      continue;
+    }
+    const auto times = reader->times(id);
+    stream.count += static_cast<std::uint64_t>(
+        std::upper_bound(times.begin(), times.end(), channels->completeUntil(id)) - times.begin());
+  }
+  if (const auto first = next(kStart, ids)) stream.first = first->time;
+  if (const auto last = previous({Instant::max(), ~std::uint64_t{0}, ~std::uint64_t{0}, 0xFFFF}, ids)) {
+    stream.last = last->time;
+  }
+  return stream;
+}
+
+const std::filesystem::path& LogFile::path() const {
+  return implementation_->path;
+}
+bool LogFile::readOnly() const {
+  return implementation_->readOnly;
+}
+const std::vector<LogFile::Stream>& LogFile::streams() const {
+  return implementation_->streams;
+}
+Instant LogFile::begin() const {
+  return implementation_->begin;
+}
+Instant LogFile::end() const {
+  return implementation_->end;
+}
+
+std::vector<LogFile::Stream> LogFile::countBytes(const Progress& progress) {
+  Implementation& self = *implementation_;
+  std::map<std::string, std::uint64_t> bytes;
+  std::uint64_t seen = 0;
+  bool wanted = true;
+  {
+    const std::lock_guard lock(self.mutex);
+    const std::uint64_t all = std::max<std::uint64_t>(1, self.reader->statistics().messageCount);
+    self.reader->readAll([&](const mcap::Message& message) {
+      const auto channel = self.reader->channels().find(message.channelId);
+      if (channel != self.reader->channels().end() && message.logTime <= self.channels->completeUntil(message.channelId)) {
+        bytes[channel->second.topic] += message.data.size();
+      }
+      if (++seen % 1024 == 0 && progress) {
+        wanted = progress(std::min(1.0, static_cast<double>(seen) / static_cast<double>(all)));
+      }
+      return wanted;
+    });
+  }
+  if (!wanted) return {};
+  std::vector<Stream> counted = self.streams;
+  for (Stream& stream : counted) stream.bytes = bytes[stream.path];
+  return counted;
+}
+
+std::vector<std::string> LogFile::robots() const {
+  std::set<std::string> robots;
+  for (const Stream& stream : implementation_->streams) {
+    const auto slash = stream.path.find('/');
+    if (slash != std::string::npos && slash > 0) robots.insert(stream.path.substr(0, slash));
+  }
+  return {robots.begin(), robots.end()};
+}
+
+bool LogFile::complete() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->reader->complete();
+}
+
+std::vector<mcap::Damage> LogFile::damage() const {
+  const std::lock_guard lock(implementation_->mutex);
+  return implementation_->reader->damage();
+}
+
+std::string LogFile::damageText() const {
+  const std::lock_guard lock(implementation_->mutex);
+  const auto& damage = implementation_->reader->damage();
+  std::string text;
+  if (!implementation_->reader->complete()) text = "it was not closed: its end may be missing";
+  if (!damage.empty()) {
+    std::uint64_t bytes = 0;
+    for (const auto& place : damage) bytes += place.bytes;
+    text += (text.empty() ? "" : "; ") + plural(damage.size(), "damaged place") + " (" + plural(bytes, "byte") +
+            "), first at byte " + std::to_string(damage.front().offset) + ": " + damage.front().what;
+  }
+  if (const auto count = implementation_->unreadable.size(); count > 0) {
+    text += (text.empty() ? "" : "; ") + plural(count, "message") + " could not be read";
+  }
+  return text;
+}
+
+// ---- Finding and reading
+
+std::optional<StreamMessage> LogFile::Implementation::read(const MessagePosition& position) {
+  auto message = channels->read(position);
+  if (!message) unreadable.insert(position);
+  return message;
+}
+
+std::optional<MessagePosition> LogFile::Implementation::next(MessagePosition than,
+                                                             const std::vector<std::uint16_t>& ids) {
+  auto found = reader->next(than, ids);
+  while (found && channels->hidden(*found)) found = reader->next(*found, ids);
+  return found;
+}
+
+std::optional<MessagePosition> LogFile::Implementation::previous(MessagePosition than,
+                                                                 const std::vector<std::uint16_t>& ids) {
+  auto found = reader->previous(than, ids);
+  while (found && channels->hidden(*found)) found = reader->previous(*found, ids);
+  return found;
+}
+
+std::vector<std::uint16_t> LogFile::Implementation::idsOf(const std::vector<std::string>& paths) const {
+  std::vector<std::uint16_t> ids;
+  if (paths.empty()) {
+    for (const auto& [streamPath, those] : channels->streams()) ids.insert(ids.end(), those.begin(), those.end());
+  }
+  for (const std::string& streamPath : paths) {
+    const auto& those = channels->of(streamPath);
+    ids.insert(ids.end(), those.begin(), those.end());
+  }
+  return ids;
+}
+
+std::optional<StreamMessage> LogFile::latest(const std::string& stream, Instant time) {
+  Implementation& self = *implementation_;
+  const std::lock_guard lock(self.mutex);
+  const auto& ids = self.channels->of(stream);
+  std::optional<MessagePosition> found;
+  for (const std::uint16_t id : ids) {
+    const auto candidate = self.reader->latest(id, std::min(time, self.channels->completeUntil(id)));
+    if (candidate && (!found || *found < *candidate)) found = candidate;
+  }
+  for (; found; found = self.previous(*found, ids)) {
+    if (auto message = self.read(*found)) return message;
+  }
+  return std::nullopt;
+}
+
+std::optional<Instant> LogFile::timeAfter(const std::string& stream, Instant time) {
+  Implementation& self = *implementation_;
+  const std::lock_guard lock(self.mutex);
+  const auto found =
+      self.next({time, ~std::uint64_t{0}, ~std::uint64_t{0}, 0xFFFF}, self.channels->of(stream));
+  return found ? std::optional(found->time) : std::nullopt;
+}
+
+std::optional<Instant> LogFile::timeBefore(const std::string& stream, Instant time) {
+  Implementation& self = *implementation_;
+  const std::lock_guard lock(self.mutex);
+  const auto found = self.previous({time, 0, 0, 0}, self.channels->of(stream));
+  return found ? std::optional(found->time) : std::nullopt;
+}
+
+std::vector<Instant> LogFile::times(const std::string& stream) {
+  Implementation& self = *implementation_;
+  const std::lock_guard lock(self.mutex);
+  std::vector<Instant> times;
+  for (const std::uint16_t id : self.channels->of(stream)) {
+    const auto those = self.reader->times(id);
+    const auto shown = std::upper_bound(those.begin(), those.end(), self.channels->completeUntil(id));
+    const auto before = static_cast<std::ptrdiff_t>(times.size());
+    times.insert(times.end(), those.begin(), shown);
+    std::inplace_merge(times.begin(), times.begin() + before, times.end());
+  }
+  return times;
+}
+
+// ---- Going over it
+
+struct LogFile::Cursor::Implementation {
+  /// Only with the file's mutex locked.
+  const std::optional<MessagePosition>& upcoming() {
+    if (!known) {
+      ahead = file->implementation_->next(behind, ids);
+      known = true;
+    }
+    return ahead;
+  }
+
+  std::shared_ptr<LogFile> file;
+  std::vector<std::uint16_t> ids;
+  MessagePosition behind = kStart;
+  bool known = false;  // `ahead` is what follows `behind`
+  std::optional<MessagePosition> ahead;
+};
+
+LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, std::vector<std::string> streams)
+    : implementation_(std::make_unique<Implementation>()) {
+  implementation_->ids = file->implementation_->idsOf(streams);
+  implementation_->file = std::move(file);
+}
+LogFile::Cursor::~Cursor() = default;
+LogFile::Cursor::Cursor(Cursor&&) noexcept = default;
+LogFile::Cursor& LogFile::Cursor::operator=(Cursor&&) noexcept = default;
+
+void LogFile::Cursor::seek(Instant time) {
+  implementation_->behind = {time, 0, 0, 0};
+  implementation_->known = false;
+}
+
+std::optional<Instant> LogFile::Cursor::nextTime() {
+  const std::lock_guard lock(implementation_->file->implementation_->mutex);
+  const auto& ahead = implementation_->upcoming();
+  return ahead ? std::optional(ahead->time) : std::nullopt;
+}
+
+std::optional<StreamMessage> LogFile::Cursor::next() {
+  Implementation& self = *implementation_;
+  const std::lock_guard lock(self.file->implementation_->mutex);
+  while (const auto position = self.upcoming()) {
+    self.behind = *position;
+    self.known = false;
+    if (auto message = self.file->implementation_->read(*position)) return message;
+  }
+  return std::nullopt;
+}
+
+}  // namespace logplayer
