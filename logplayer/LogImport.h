@@ -4,9 +4,14 @@
 #include <filesystem>
 #include <functional>
 #include <map>
+#include <memory>
 #include <string>
 
 #include "robotlink/base/Error.h"
+
+namespace robotcontrol {
+class ColorTable;
+}
 
 namespace logplayer {
 
@@ -24,13 +29,16 @@ bool canImport(const std::filesystem::path& file);
 
 struct ImportOptions {
   std::string robot = "nao";
-  /// A .c64 colour table that goes into the log as the one in force; empty: none.
-  std::filesystem::path colorTable;
+  /// Goes into the log as the one in force (app/core/ColorTables.h reads files of tables); null: none.
+  std::shared_ptr<const robotcontrol::ColorTable> colorTable;
+  /// The share done in [0, 1]; false: give up.
   std::function<bool(double)> progress;
 };
 
-/// Converts a log of an older format into a new MCAP file, which must not exist. Given up by progress, nothing
-/// is left.
+/// Converts a log of an older format into a new MCAP file, which must not exist. Begins with the set-up of a
+/// program that suits such a log: the robot (resources/robots/nao.yaml), the field of its year, and a layout
+/// of what can be done on it. Given up by progress (the error's id is "log.given-up"), or failed, nothing is
+/// left.
 robotlink::Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                           const ImportOptions& options);
 

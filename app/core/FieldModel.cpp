@@ -104,19 +104,28 @@ class ModelWriter {
 
   void lines() {
     const double w = field_.lineWidth;
-    line("halfway", {}, w, field_.width);
+    line("halfway", {}, w, 2 * field_.touchLineY());
+    if (field_.hasBoundary()) boundary();
     for (const double side : {-1.0, 1.0}) {
       const std::string end = side < 0 ? "own" : "opponent";
-      const double goalLine = side * (field_.length - w) / 2;
+      const double goalLine = side * (field_.goalLineX() - w / 2);
       const double length = field_.penaltyAreaLength, width = field_.penaltyAreaWidth;
       line(end + "_goal", {goalLine, 0, 0, 0}, w, field_.goalWidth);
-      line(end + "_penalty", {side * (field_.length / 2 - length + w / 2), 0, 0, 0}, w, width);
+      line(end + "_penalty", {side * (field_.goalLineX() - length + w / 2), 0, 0, 0}, w, width);
       for (const double y : {-1.0, 1.0}) {
         line(end + (y < 0 ? "_penalty_right" : "_penalty_left"),
-             {side * (field_.length - length) / 2, y * (width - w) / 2, 0, 0}, length, w);
+             {side * (field_.goalLineX() - length / 2), y * (width - w) / 2, 0, 0}, length, w);
       }
     }
     circle();
+  }
+
+  void boundary() {
+    const double w = field_.lineWidth, x = field_.goalLineX() - w / 2, y = field_.touchLineY() - w / 2;
+    for (const double side : {-1.0, 1.0}) {
+      line(side < 0 ? "own_end" : "opponent_end", {side * x, 0, 0, 0}, w, 2 * y + w);
+      line(side < 0 ? "touch_right" : "touch_left", {0, side * y, 0, 0}, 2 * x + w, w);
+    }
   }
 
   void circle() {
@@ -136,6 +145,7 @@ class ModelWriter {
 
   void walls() {
     const double t = field_.wallThickness;
+    if (t <= 0) return;
     for (const double side : {-1.0, 1.0}) {
       const std::string name = side < 0 ? "right" : "left";
       wall(name, 0, side * (field_.width + t) / 2, field_.length + 2 * t, t);
@@ -150,6 +160,7 @@ class ModelWriter {
 
   /// A triangle as two boxes along its long side: the deeper one fills the corner that the first leaves.
   void corners() {
+    if (field_.cornerTriangleSide <= 0) return;
     const double height = field_.cornerTriangleSide / std::sqrt(2);  // over the long side
     const double depths[] = {0, height * 0.6, height * 0.95};
     for (const double x : {-1.0, 1.0}) {

@@ -47,17 +47,23 @@ void readGround(const YamlNode& root, FieldDescription& field) {
   const YamlNode surroundings = root.child("surroundings");
   field.surroundingsMargin = surroundings.numberIn("margin", 0, 100);
   field.surroundingsColor = colorOf(surroundings, "color", field);
-  const YamlNode walls = root.child("walls");
-  field.wallHeight = lengthOf(walls, "height");
-  field.wallThickness = lengthOf(walls, "thickness");
-  field.wallColor = colorOf(walls, "color", field);
-  field.cornerTriangleSide = lengthOf(root.child("corner_triangles"), "side");
+  if (const YamlNode walls = root.optionalChild("walls"); !walls.empty()) {
+    field.wallHeight = lengthOf(walls, "height");
+    field.wallThickness = lengthOf(walls, "thickness");
+    field.wallColor = colorOf(walls, "color", field);
+  }
+  if (const YamlNode triangles = root.optionalChild("corner_triangles"); !triangles.empty())
+    field.cornerTriangleSide = lengthOf(triangles, "side");
 }
 
 void readLines(const YamlNode& lines, FieldDescription& field) {
   field.lineWidth = lengthOf(lines, "width");
   field.lineColor = colorOf(lines, "color", field);
   field.centerCircleDiameter = lengthOf(lines, "center_circle_diameter");
+  if (const YamlNode boundary = lines.optionalChild("boundary"); !boundary.empty()) {
+    field.boundaryLength = boundary.numberIn("length", 0.001, field.length);
+    field.boundaryWidth = boundary.numberIn("width", 0.001, field.width);
+  }
   field.penaltyAreaLength = lengthOf(lines.child("penalty_area"), "length");
   field.penaltyAreaWidth = lengthOf(lines.child("penalty_area"), "width");
 }
@@ -74,7 +80,8 @@ void readGoals(const YamlNode& root, FieldDescription& field) {
 }
 
 void readBeacons(const YamlNode& root, FieldDescription& field) {
-  const YamlNode beacon = root.child("beacon");
+  const YamlNode beacon = root.optionalChild("beacon");
+  if (beacon.empty()) return;
   field.beaconRadius = lengthOf(beacon, "radius");
   field.beaconBaseHeight = lengthOf(beacon, "base_height");
   field.beaconBandHeight = lengthOf(beacon, "band_height");

@@ -16,7 +16,7 @@ namespace robotlink {
 /// A field of play, as a file like resources/fields/2002.yaml describes it: the one source of its geometry
 /// and colours for the simulator, the robot program and the views. Metres; the origin is the field's centre,
 /// +x points to the opponent goal of the red team, +y to the left. A plain value. Colours are names of the
-/// palette.
+/// palette. What a field does not have is 0, empty or without a colour.
 struct FieldDescription {
   struct Goal {
     std::string name;
@@ -44,6 +44,8 @@ struct FieldDescription {
   std::string wallColor;
   double cornerTriangleSide = 0;
   double lineWidth = 0, centerCircleDiameter = 0;
+  /// Of the lines around the field of play, which is the surface where there are none.
+  double boundaryLength = 0, boundaryWidth = 0;
   double penaltyAreaLength = 0, penaltyAreaWidth = 0;
   std::string lineColor;
   double goalWidth = 0, goalDepth = 0, goalHeight = 0;
@@ -55,6 +57,10 @@ struct FieldDescription {
   std::string ballColor;
   std::vector<PaletteColor> palette;  ///< in the file's order
 
+  bool hasBoundary() const { return boundaryLength > 0; }
+  /// How far from the centre the field of play goes.
+  double goalLineX() const { return 0.5 * (hasBoundary() ? boundaryLength : length); }
+  double touchLineY() const { return 0.5 * (hasBoundary() ? boundaryWidth : width); }
   /// Height of the middle of a beacon's lower and upper band.
   double beaconBottomBandHeight() const { return beaconBaseHeight + 0.5 * beaconBandHeight; }
   double beaconTopBandHeight() const { return beaconBaseHeight + 1.5 * beaconBandHeight; }

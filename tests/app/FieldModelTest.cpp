@@ -10,6 +10,7 @@
 namespace app {
 namespace {
 
+using testing::AllOf;
 using testing::HasSubstr;
 using testing::Not;
 
@@ -28,6 +29,16 @@ TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
   const auto shipped = robotlink::readFile(kModel);
   ASSERT_TRUE(shipped) << shipped.error().describe();
   EXPECT_EQ(*shipped, generated) << "run this test with ROBOTCONTROL_REGENERATE=1 to write the model anew";
+}
+
+TEST(FieldModel, aFieldWithoutWallsHasLinesAroundItInstead) {
+  const auto open = robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2009.yaml");
+  ASSERT_TRUE(open);
+  const std::string text = fieldModelSdf(*open);
+  EXPECT_THAT(text, AllOf(HasSubstr("line_touch_left"), HasSubstr("line_own_end"), HasSubstr("goal_blue_back")));
+  EXPECT_THAT(text, Not(HasSubstr("wall_")));
+  EXPECT_THAT(text, Not(HasSubstr("corner_")));
+  EXPECT_THAT(fieldModelSdf(field()), Not(HasSubstr("line_touch")));
 }
 
 TEST(FieldModel, aChangedFieldChangesTheModel) {

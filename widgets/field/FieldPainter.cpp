@@ -42,10 +42,11 @@ QPainterPath surface(const FieldDescription& field) {
 
 void paintGround(QPainter& painter, const FieldDescription& field) {
   const double walls = 2 * field.wallThickness;
+  const std::string& edge = walls > 0 ? field.wallColor : field.surfaceColor;
   painter.setPen(QPen(named(field, field.surroundingsColor).darker(140), 0));
-  painter.setBrush(named(field, field.wallColor));
+  painter.setBrush(named(field, edge));
   painter.drawRect(centered(field.length + walls, field.width + walls));
-  painter.setPen(QPen(named(field, field.wallColor).darker(150), 0));
+  painter.setPen(QPen(named(field, edge).darker(150), 0));
   painter.setBrush(named(field, field.surfaceColor));
   painter.drawPath(surface(field));
 }
@@ -55,8 +56,9 @@ void paintLines(QPainter& painter, const FieldDescription& field) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(
       QPen(named(field, field.lineColor), field.lineWidth, Qt::SolidLine, Qt::FlatCap, Qt::MiterJoin));
-  const double x = field.length / 2, inset = field.lineWidth / 2;
-  painter.drawLine(QLineF(0, -field.width / 2, 0, field.width / 2));
+  const double x = field.goalLineX(), y = field.touchLineY(), inset = field.lineWidth / 2;
+  if (field.hasBoundary()) painter.drawRect(centered(2 * (x - inset), 2 * (y - inset)));
+  painter.drawLine(QLineF(0, -y, 0, y));
   const double radius = field.centerCircleDiameter / 2;
   painter.drawEllipse(QPointF(), radius, radius);
   const double depth = field.penaltyAreaLength, half = field.penaltyAreaWidth / 2 - inset;

@@ -55,6 +55,20 @@ TEST(FieldDescription, theFieldOf2002IsSymmetric) {
   }
 }
 
+TEST(FieldDescription, aFieldNeedsNoWallsAndNoBeaconsButMayHaveLinesAroundIt) {
+  const auto field = FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2009.yaml");
+  ASSERT_TRUE(field) << describe(field.error());
+  EXPECT_TRUE(field->hasBoundary());
+  EXPECT_EQ(field->goalLineX(), 3);
+  EXPECT_EQ(field->touchLineY(), 2);
+  EXPECT_EQ(field->wallHeight, 0);
+  EXPECT_TRUE(field->beacons.empty());
+  EXPECT_FALSE(FieldDescription::load(kFile)->hasBoundary());
+  EXPECT_EQ(FieldDescription::load(kFile)->goalLineX(), 2.1) << "the walls bound the field of play";
+  EXPECT_THAT(errorsOf(withReplaced("lines: {width: 0.025,", "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
+              HasSubstr("'length' must lie between"));
+}
+
 TEST(FieldDescription, aColorThatThePaletteLacksIsRefusedWithItsPlace) {
   EXPECT_THAT(errorsOf(withReplaced("mass: 0.026, color: orange", "mass: 0.026, color: mauve")),
               AllOf(testing::StartsWith("field.yaml:"), HasSubstr(": the palette has no colour 'mauve'")));
