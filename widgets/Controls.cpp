@@ -2,7 +2,9 @@
 #include "widgets/Controls.h"
 
 #include <QAction>
+#include <QHBoxLayout>
 #include <QHeaderView>
+#include <QLabel>
 #include <QLineEdit>
 #include <QShortcut>
 #include <QToolButton>
@@ -47,6 +49,32 @@ QToolButton* makeButton(QWidget* parent, QAction* action) {
   button->setAccessibleName(action->text());
   button->setAccessibleDescription(action->toolTip());
   return button;
+}
+
+QHBoxLayout* makeToolRow(QWidget* parent) {
+  auto* layout = new QHBoxLayout(new QWidget(parent));
+  layout->setContentsMargins(2, 2, 2, 2);
+  layout->setSpacing(1);
+  return layout;
+}
+
+void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions) {
+  for (QAction* action : actions) row->addWidget(makeButton(row->parentWidget(), action));
+}
+
+QHBoxLayout* makeFooter(QWidget* parent) {
+  auto* layout = new QHBoxLayout(new QWidget(parent));
+  layout->setContentsMargins(6, 2, 6, 2);
+  layout->setSpacing(12);
+  return layout;
+}
+
+QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text) {
+  auto* label = new QLabel(footer->parentWidget());
+  describe(*label, {name, text, text});
+  label->setTextFormat(Qt::PlainText);
+  footer->addWidget(label);
+  return label;
 }
 
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text) {

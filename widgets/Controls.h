@@ -3,8 +3,11 @@
 
 #include <QKeySequence>
 #include <QString>
+#include <initializer_list>
 
 class QAction;
+class QHBoxLayout;
+class QLabel;
 class QLineEdit;
 class QToolButton;
 class QTreeView;
@@ -28,6 +31,14 @@ void describe(QWidget& widget, const ControlText& text);
 QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
 /// A flat button that does what the action does.
 QToolButton* makeButton(QWidget* parent, QAction* action);
+/// A row of tools above a picture, as tight as a toolbar: its layout, whose parentWidget() it is.
+QHBoxLayout* makeToolRow(QWidget* parent);
+/// Buttons that do what the actions do, at the row's end.
+void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions);
+/// A row of short texts below a picture: its layout, whose parentWidget() it is.
+QHBoxLayout* makeFooter(QWidget* parent);
+/// A text at the footer's end that says what `text` names.
+QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text);
 /// A search field with its icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);
 /// How wide a column must be to show this text, in the widget's font.

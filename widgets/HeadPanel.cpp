@@ -39,7 +39,6 @@ HeadPanel::HeadPanel(QWidget* parent) : QGroupBox(tr("Head"), parent) {
   createSlider(kRoll, "headRoll", tr("Roll"));
   createSlider(kMouth, "headMouth", tr("Mouth"));
   setRobot(nullptr);
-  connect(mode_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, &HeadPanel::changed);
 }
 
 void HeadPanel::createSlider(Joint joint, const char* name, const QString& text) {
@@ -59,9 +58,7 @@ void HeadPanel::createSlider(Joint joint, const char* name, const QString& text)
   values_[joint] = value;
   connect(slider, &QSlider::valueChanged, this, [this, joint] {
     showValue(joint);
-    const QSignalBlocker quiet(mode_);
     mode_->setCurrentIndex(static_cast<int>(HeadWish::Kind::kAngles));
-    Q_EMIT changed();
   });
 }
 

@@ -17,7 +17,7 @@ struct RobotDescription;
 namespace widgets {
 
 /// What the head shall do: a list of modes, and sliders for its joints in degrees. Moving a slider chooses
-/// the mode "angles". Ranges are those of the robot's description.
+/// the mode "angles". Ranges are those of the robot's description. Who steers asks for wish() as often as he commands.
 class HeadPanel final : public QGroupBox {
   Q_OBJECT
  public:
@@ -25,9 +25,6 @@ class HeadPanel final : public QGroupBox {
   void setRobot(const robotlink::RobotDescription* robot);
   HeadWish wish() const;
   void setWish(const HeadWish& wish);
-
- Q_SIGNALS:
-  void changed();
 
  private:
   enum Joint { kTilt, kPan, kRoll, kMouth, kJoints };

@@ -276,7 +276,9 @@ void MessagesView::copy() {
 void MessagesView::showState() {
   const int all = model_.rowCount();
   const int shown = filter_->rowCount();
-  state_->setText(shown == all ? tr("%1 messages").arg(all) : tr("%1 of %2 messages").arg(shown).arg(all));
+  state_->setText(shown < all ? tr("%1 of %2 messages").arg(shown).arg(all)
+                  : all == 1  ? tr("1 message")
+                              : tr("%1 messages").arg(all));
   if (all == 0) {
     hint_->setHint(tr("No messages yet. They appear here when a robot's program says something."));
   } else {

@@ -133,7 +133,6 @@ void MotionView::connectSignals() {
   connect(turn_, &QSlider::sliderReleased, this, [this] { turn_->setValue(0); });
   connect(motions_, &MotionButtons::chosen, this, &MotionView::play);
   connect(speed_, &SpeedPanel::limitsChanged, this, [this] { commander_.setLimits(speed_->limits()); });
-  connect(head_, &HeadPanel::changed, this, [this] { commander_.setHead(head_->wish()); });
 }
 
 void MotionView::followRobot() {

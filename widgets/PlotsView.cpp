@@ -160,7 +160,6 @@ void PlotsView::connectSignals() {
     canvas_->fit();
   });
   connect(follow_, &QAction::toggled, this, [this] { dirty_ = true; });
-  connect(pause_, &QAction::toggled, this, [this] { dirty_ = true; });
   connect(window_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
     follow_->setChecked(true);
     dirty_ = true;

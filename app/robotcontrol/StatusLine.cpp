@@ -46,7 +46,8 @@ void StatusLine::refresh() {
                                                       : tr("paused"));
   time_->setText(tr("%1 s").arg(status->time(), 0, 'f', 3));
   speed_->setText(tr("sim %1×").arg(status->speed(), 0, 'f', 1));
-  contacts_->setText(tr("%n ball contact(s)", nullptr, static_cast<int>(status->ball_contacts())));
+  const auto contacts = status->ball_contacts();
+  contacts_->setText(contacts == 1 ? tr("1 ball contact") : tr("%1 ball contacts").arg(contacts));
 }
 
 }  // namespace app

@@ -3,6 +3,7 @@
 
 #include <QApplication>
 #include <QTest>
+#include <QTreeView>
 #include <cstdio>
 #include <cstdlib>
 #include <filesystem>
@@ -102,4 +103,16 @@ W& child(QWidget& of, const char* name) {
 
 inline void click(QWidget& widget) {
   QTest::mouseClick(&widget, Qt::LeftButton);
+}
+
+/// The index that shows `text` in the first column, anywhere in the tree; invalid if there is none.
+inline QModelIndex find(const QTreeView& tree, const QString& text, int column = 0) {
+  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
+                                        Qt::MatchExactly | Qt::MatchRecursive);
+  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
+}
+
+inline void clickCell(QTreeView& tree, const QModelIndex& index) {
+  tree.scrollTo(index);
+  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(index).center());
 }

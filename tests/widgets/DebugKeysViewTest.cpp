@@ -35,17 +35,6 @@ KeyTable someKeys() {
   return table;
 }
 
-/// The index that shows `text` in the first column, anywhere in the tree.
-QModelIndex find(const QTreeView& tree, const QString& text, int column = 0) {
-  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
-                                        Qt::MatchExactly | Qt::MatchRecursive);
-  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
-}
-
-void clickCell(QTreeView& tree, const QModelIndex& index) {
-  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(index).center());
-}
-
 }  // namespace
 
 class DebugKeysViewTest : public QObject {
@@ -138,6 +127,22 @@ class DebugKeysViewTest : public QObject {
     QVERIFY(!find(tree, QStringLiteral("circle")).isValid());
     QTest::keyClick(&child<QLineEdit>(*view, "keysSearch"), Qt::Key_Escape);
     QCOMPARE(tree.model()->rowCount(), 3);
+  }
+
+  void enterGoesFromTheSearchToTheFirstKeyThatWasFound() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    bench.push("red1/tables/keys", someKeys(), 1);
+    bench.tick(*view);
+    auto& search = child<QLineEdit>(*view, "keysSearch");
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    search.setFocus();
+    QTest::keyClicks(&search, QStringLiteral("edge"));
+    QTest::keyClick(&search, Qt::Key_Return);
+    QVERIFY(tree.hasFocus());
+    QCOMPARE(tree.currentIndex().data().toString(), QStringLiteral("ball-percept"));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QCOMPARE(bench.requests.back().set_key().mode().kind(), KeyMode::OFF);
   }
 
   void onlyKeysThatAreOnAreShownOnWishAndAllAreSwitchedOff() {

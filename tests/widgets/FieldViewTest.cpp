@@ -4,9 +4,12 @@
 #include <QClipboard>
 #include <QLabel>
 #include <QListView>
+#include <QMessageBox>
+#include <QTemporaryDir>
 #include <QTest>
 
 #include "robotlink/config/FieldDescription.h"
+#include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldCanvas.h"
@@ -104,8 +107,27 @@ class FieldViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(1, 0.9), QColor(250, 90, 170)));
     s.click("fieldDrawings");
     auto* list = child<QListView>(s.view, "drawingsList");
+    QVERIFY(list->isVisible());
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
+    QVERIFY(isNear(s.colorAt(1, 0.9), s.named("green")));
+    s.click("fieldDrawings");
+    QVERIFY(!list->isVisible());
+  }
+
+  void theRobotWhoseDrawingsAreShownIsChosenInItsBox() {
+    Shown s;
+    s.world.session.setRobots({"red1", "blue1"});
+    s.placeThings();
+    s.world.pushFrame({worldDrawing("field", "ball-model/area", "field", [](SceneDrawing& d) {
+      d.circle({1, 0.9}, 0.2, colors::kPink, 1, colors::kPink);
+    })});
+    s.step();
+    QVERIFY(isNear(s.colorAt(1, 0.9), QColor(250, 90, 170)));
+    auto* robots = child<RobotChoice>(s.view, "fieldRobot");
+    robots->setFocus();
+    QTest::keyClick(robots, Qt::Key_End);
+    QCOMPARE(robots->currentText(), QStringLiteral("blue1"));
     QVERIFY(isNear(s.colorAt(1, 0.9), s.named("green")));
   }
 
@@ -141,6 +163,20 @@ class FieldViewTest : public QObject {
     QVERIFY(s.canvas->viewport().fit);
     QTest::keyClick(s.canvas, Qt::Key_R);
     QVERIFY(s.at(1, 0).y() < s.at(0, 0).y() && s.at(1, 0).x() == s.at(0, 0).x());  // x points up
+  }
+
+  void theButtonsZoom() {
+    Shown s;
+    const auto pixelsPerMetre = [&] { return s.text("fieldZoom").section(QLatin1Char(' '), 0, 0).toInt(); };
+    s.step();
+    const int fitted = pixelsPerMetre();
+    s.click("fieldZoomIn");
+    QVERIFY(pixelsPerMetre() > fitted);
+    s.click("fieldZoomOut");
+    s.click("fieldZoomOut");
+    QVERIFY(pixelsPerMetre() < fitted);
+    s.click("fieldFit");
+    QCOMPARE(pixelsPerMetre(), fitted);
   }
 
   void draggingTheBallPlacesIt() {
@@ -212,6 +248,30 @@ class FieldViewTest : public QObject {
     s.placeThings();
     s.view.findChild<QAction*>(QStringLiteral("fieldCopyAction"))->trigger();
     QVERIFY(isNear(QApplication::clipboard()->image().pixelColor(s.at(0.5, -0.4)), s.named("orange"), 4));
+  }
+
+  void thePictureIsSavedWhereTheDialogSays() {
+    Shown s;
+    s.placeThings();
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("field.png"));
+    DialogAnswer answer = DialogAnswer::file(file);
+    s.canvas->setFocus();
+    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(answer.asked());
+    QVERIFY(isNear(QImage(file).pixelColor(s.at(0.5, -0.4)), s.named("orange"), 4));
+  }
+
+  void aPictureThatCannotBeSavedSaysWhy() {
+    Shown s;
+    QString said;
+    DialogAnswer answer([&](QDialog& dialog) {
+      said = dynamic_cast<QMessageBox&>(dialog).text();
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    });
+    QVERIFY(!s.view.savePicture(QStringLiteral("/no/such/folder/field.png")));
+    QVERIFY(answer.asked());
+    QVERIFY2(said.contains(QStringLiteral("/no/such/folder/field.png")), qPrintable(said));
   }
 
   void whatTheUserChoseSurvives() {

@@ -13,6 +13,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageView.h"
@@ -228,6 +229,8 @@ class ImageViewTest : public QObject {
     for (int i = 0; i < 8; ++i) s.click("imageZoomIn");
     QCOMPARE(s.canvas->zoom(), 16.0);
     QVERIFY(differentColors() > 1000);
+    for (int i = 0; i < 8; ++i) s.click("imageZoomOut");
+    QCOMPARE(s.canvas->zoom(), 1.0);
   }
 
   void aFrozenPictureStaysWhileTheRobotGoesOn() {
@@ -284,8 +287,16 @@ class ImageViewTest : public QObject {
     s.view.findChild<QAction*>(QStringLiteral("imageCopyAction"))->trigger();
     QVERIFY(isNear(QApplication::clipboard()->image().pixelColor(s.at(40, 40)), QColor(250, 90, 170)));
     QTemporaryDir folder;
-    QVERIFY(s.view.savePicture(folder.filePath(QStringLiteral("a.png")), false));
-    QCOMPARE(QImage(folder.filePath(QStringLiteral("a.png"))).size(), kImage);
+    const QString file = folder.filePath(QStringLiteral("a.png"));
+    DialogAnswer withDrawings = DialogAnswer::file(file);
+    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(withDrawings.asked());
+    QVERIFY(isNear(QImage(file).pixelColor(s.at(40, 40)), QColor(250, 90, 170)));
+    QVERIFY(QFile::remove(file));
+    DialogAnswer imageOnly = DialogAnswer::file(file);
+    s.view.findChild<QAction*>(QStringLiteral("imageSaveImageAction"))->trigger();
+    QVERIFY(imageOnly.asked());
+    QCOMPARE(QImage(file).size(), kImage);
   }
 
   void whatTheUserChoseSurvives() {

@@ -61,6 +61,14 @@ class MessagesViewTest : public QObject {
     QCOMPARE(cell(table, 2, 4), QStringLiteral("lost the ball"));
   }
 
+  void oneMessageIsNotCalledMessages() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    bench.push("red1/log", log(Log::INFO, "a", "only"), 1);
+    bench.tick(*view);
+    QCOMPARE(child<QLabel>(*view, "messagesState").text(), QStringLiteral("1 message"));
+  }
+
   void nothingIsShownTwiceAndAMessageThatCameLateIsNotLost() {
     Bench bench;
     auto view = bench.open<widgets::MessagesView>();
@@ -110,6 +118,31 @@ class MessagesViewTest : public QObject {
     filter.clear();
     QVERIFY(!child<QLabel>(*view, "messagesProblem").isVisible());
     QCOMPARE(table.model()->rowCount(), 4);
+  }
+
+  void theFilterIsReadAnewWhenItBecomesAnExpression() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    someMessages(bench);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "messagesTable");
+    QTest::keyClicks(&child<QLineEdit>(*view, "messagesFilter"), QStringLiteral("ball|paw"));
+    QCOMPARE(table.model()->rowCount(), 0);
+    click(child<QToolButton>(*view, "messagesRegex"));
+    QCOMPARE(table.model()->rowCount(), 3);
+  }
+
+  void enterSearchesOn() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    someMessages(bench);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "messagesTable");
+    auto& search = child<QLineEdit>(*view, "messagesSearch");
+    QTest::keyClicks(&search, QStringLiteral("ball"));
+    const int first = table.currentIndex().row();
+    QTest::keyClick(&search, Qt::Key_Return);
+    QVERIFY(table.currentIndex().row() != first);
   }
 
   void searchGoesFromMatchToMatchAndAround() {

@@ -4,8 +4,10 @@
 #include <SDL.h>
 
 #include <QAbstractSpinBox>
+#include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMouseEvent>
 #include <QPushButton>
 #include <QSlider>
 #include <QToolButton>
@@ -199,6 +201,67 @@ class MotionViewTest : public QObject {
     const auto& head = bench.requests.back().motion().head();
     QCOMPARE(head.kind(), HeadMode::ANGLES);
     QCOMPARE(head.pan(), 2 * std::acos(-1.0) / 180);
+  }
+
+  void everySliderOfTheHeadMovesItsJoint() {
+    Steering bench;
+    const double degree = std::acos(-1.0) / 180;
+    using Angle = double (HeadMode::*)() const;
+    const std::pair<const char*, Angle> joints[] = {
+        {"headTilt", &HeadMode::tilt}, {"headPan", &HeadMode::pan}, {"headRoll", &HeadMode::roll}, {"headMouth", &HeadMode::mouth}};
+    for (const auto& [name, angle] : joints) {
+      auto& slider = child<QSlider>(*bench.view, name);
+      slider.setFocus();
+      QTest::keyClick(&slider, Qt::Key_Left);
+      bench.step();
+      const auto& head = bench.requests.back().motion().head();
+      QCOMPARE(head.kind(), HeadMode::ANGLES);
+      QCOMPARE((head.*angle)(), -degree);
+      QCOMPARE(child<QLabel>(*bench.view, (std::string(name) + "Value").c_str()).text(), QStringLiteral("-1.0°"));
+    }
+  }
+
+  void theHeadsModeIsChosenInItsBox() {
+    Steering bench;
+    auto& mode = child<QComboBox>(*bench.view, "headMode");
+    mode.setFocus();
+    QTest::keyClick(&mode, Qt::Key_Down);
+    bench.step();
+    QCOMPARE(bench.requests.back().motion().head().kind(), HeadMode::SEARCH_BALL);
+  }
+
+  void theTurnSliderTurnsAsLongAsItIsHeld() {
+    Steering bench;
+    auto& turn = child<QSlider>(*bench.view, "walkTurn");
+    QTest::mousePress(&turn, Qt::LeftButton, {}, turn.rect().center());
+    QMouseEvent move(QEvent::MouseMove, QPointF(turn.width() - 2.0, turn.height() / 2.0), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&turn, &move);
+    bench.step();
+    QCOMPARE(bench.motion().kind(), MotionRequest::WALK);
+    QCOMPARE(bench.motion().walk().rotation(), -1.0);
+    QTest::mouseRelease(&turn, Qt::LeftButton, {}, {turn.width() - 2, turn.height() / 2});
+    QCOMPARE(turn.value(), 0);
+    bench.step();
+    QCOMPARE(bench.motion().kind(), MotionRequest::STAND);
+  }
+
+  void theGreatestTurnIsTyped() {
+    Steering bench;
+    auto& limit = child<QAbstractSpinBox>(*bench.view, "limitRotation");
+    limit.setFocus();
+    limit.selectAll();
+    QTest::keyClicks(&limit, QStringLiteral("0.5"));
+    QTest::keyClick(&limit, Qt::Key_Return);
+    QTest::keyPress(&child<widgets::WalkPad>(*bench.view, "walkPad"), Qt::Key_Q);
+    bench.step();
+    QCOMPARE(bench.motion().walk().rotation(), 0.5);
+  }
+
+  void gettingUpIsAMotionOfItsOwn() {
+    Steering bench;
+    click(child<QPushButton>(*bench.view, "motion-get-up"));
+    bench.step();
+    QCOMPARE(bench.motion().kind(), MotionRequest::GET_UP);
   }
 
   void aMotionIsCommandedUntilTheRobotPlaysIt() {

@@ -15,6 +15,7 @@
 
 #include "robotcontrol/Motion.pb.h"
 #include "tests/widgets/Bench.h"
+#include "tests/widgets/DialogAnswer.h"
 #include "widgets/PlotCanvas.h"
 
 namespace {
@@ -30,12 +31,6 @@ void pushStatus(Bench& bench, double time, double x) {
   robotcontrol::MotionStatus status;
   status.mutable_velocity()->set_x(x);
   bench.push("red1/motion/status", status, time);
-}
-
-QModelIndex find(const QTreeView& tree, const QString& text) {
-  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
-                                        Qt::MatchExactly | Qt::MatchRecursive);
-  return hits.isEmpty() ? QModelIndex() : hits.first();
 }
 
 /// Draws what is pending: queued replots run in the event loop.
@@ -173,6 +168,35 @@ class PlotsViewTest : public QObject {
     QCOMPARE(plots.shownTimes().second, 9.9);
   }
 
+  void draggingThePlotEndsFollowing() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    picture(bench, *view);
+    auto& plots = *view->findChild<widgets::PlotCanvas*>();
+    const double before = plots.shownTimes().first;
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    const QPoint middle = canvas.rect().center();
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, middle);
+    QMouseEvent move(QEvent::MouseMove, middle + QPoint(60, 0), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &move);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, middle + QPoint(60, 0));
+    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
+    pushPlot(bench, 10, 3);
+    picture(bench, *view);
+    QVERIFY(plots.shownTimes().first < before);
+  }
+
+  void theTreeOfValuesIsHiddenOnWish() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    QVERIFY(tree.isVisible());
+    click(child<QToolButton>(*view, "plotsShowTree"));
+    QVERIFY(!tree.isVisible());
+  }
+
   void curvesAreRemoved() {
     Bench bench;
     auto view = bench.open<widgets::PlotsView>();
@@ -205,6 +229,23 @@ class PlotsViewTest : public QObject {
                         "1.000000,0.5,\n2.000000,,0.25\n"));
     click(child<QToolButton>(*view, "plotsPng"));
     QVERIFY(!QImage(folder.filePath(QStringLiteral("out.png"))).isNull());
+  }
+
+  void theFileOfAnExportIsAskedFor() {
+    Bench bench;
+    QTemporaryDir folder;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.tick(*view);
+    DialogAnswer table = DialogAnswer::file(folder.filePath(QStringLiteral("asked.csv")));
+    click(child<QToolButton>(*view, "plotsCsv"));
+    QVERIFY(table.asked());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("asked.csv"))));
+    DialogAnswer nothing([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::RejectRole); });
+    click(child<QToolButton>(*view, "plotsPng"));
+    QVERIFY(nothing.asked());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
   }
 
   void curvesComeBackEvenBeforeTheirData() {

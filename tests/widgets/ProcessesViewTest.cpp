@@ -136,6 +136,21 @@ class ProcessesViewTest : public QObject {
     QCOMPARE(graph.nodeRect(QStringLiteral("motion")).topLeft() - before.topLeft(), QPointF(30, -10));
     QTest::keyClick(&graph, Qt::Key_F);
     QCOMPARE(graph.scale(), fitted);
+    click(child<QToolButton>(*view, "processesZoomOut"));
+    QVERIFY(graph.scale() < fitted);
+    click(child<QToolButton>(*view, "processesFit"));
+    QCOMPARE(graph.scale(), fitted);
+  }
+
+  void theTableIsHiddenOnWish() {
+    Bench bench;
+    auto view = bench.open<widgets::ProcessesView>({900, 600});
+    auto& table = child<QTableView>(*view, "processesTable");
+    QVERIFY(table.isVisible());
+    click(child<QToolButton>(*view, "processesDetails"));
+    QVERIFY(!table.isVisible());
+    click(child<QToolButton>(*view, "processesDetails"));
+    QVERIFY(table.isVisible());
   }
 
   void aFailedProcessIsRedAndItsRowSaysWhy() {

@@ -3,11 +3,14 @@
 #include <QApplication>
 #include <QClipboard>
 #include <QListView>
+#include <QMenu>
 #include <QSignalSpy>
+#include <QTemporaryDir>
 #include <QTest>
 #include <set>
 
 #include "robotlink/config/FieldDescription.h"
+#include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/scene/SceneCanvas.h"
@@ -281,10 +284,26 @@ class SceneViewTest : public QObject {
     QVERIFY(s.colorAt(post).blue() > 100);
     s.click("sceneDrawings");
     auto* list = child<QListView>(s.view, "drawingsList");
+    QVERIFY(list->isVisible());
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
+    QTRY_VERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
+  }
+
+  void theRobotWhoseDrawingsAreShownIsChosenInItsBox() {
+    Shown s;
+    s.world.session.setRobots({"red1", "blue1"});
+    QVERIFY(s.placeThings());
+    s.world.pushFrame({worldDrawing("field", "area", "field", [](SceneDrawing& d) {
+      d.circle({1, 0.6}, 0.3, colors::kPink, 1, colors::kPink);
+    })});
     QVERIFY(s.step());
-    QVERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
+    QVERIFY(isNear(s.colorAt({1, 0.6, 0}), QColor(250, 90, 170)));
+    auto* robots = child<RobotChoice>(s.view, "sceneRobot");
+    robots->setFocus();
+    QTest::keyClick(robots, Qt::Key_End);
+    QCOMPARE(robots->currentText(), QStringLiteral("blue1"));
+    QTRY_VERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
   }
 
   void aDamagedDrawingHarmsNothing() {
@@ -298,6 +317,7 @@ class SceneViewTest : public QObject {
   void namesAndGridAreToggled() {
     Shown s;
     QVERIFY(s.placeThings());
+    QVERIFY(s.step());  // what stands still is drawn once more, smoothly
     const QImage before = s.picture();
     QTest::keyClick(s.canvas, Qt::Key_L);
     QVERIFY(s.step());
@@ -313,6 +333,29 @@ class SceneViewTest : public QObject {
     QVERIFY(s.placeThings());
     s.view.findChild<QAction*>(QStringLiteral("sceneCopyAction"))->trigger();
     QCOMPARE(QApplication::clipboard()->image().pixelColor(s.at(kBall)).hue(), s.colorAt(kBall).hue());
+  }
+
+  void thePictureIsSavedWhereTheDialogSays() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("scene.png"));
+    DialogAnswer answer = DialogAnswer::file(file);
+    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QVERIFY(answer.asked());
+    QCOMPARE(QImage(file).pixelColor(s.at(kBall)).hue(), s.colorAt(kBall).hue());
+  }
+
+  void theContextMenuHasTheCamerasPlaces() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const auto before = s.canvas->camera();
+    QTest::mouseClick(s.canvas, Qt::RightButton, {}, {100, 100});
+    auto* menu = child<QMenu>(s.view, "sceneMenu");
+    QVERIFY(menu->isVisible());
+    auto* fromAbove = s.view.findChild<QAction*>(QStringLiteral("sceneFromAboveAction"));
+    QTest::mouseClick(menu, Qt::LeftButton, {}, menu->actionGeometry(fromAbove).center());
+    QVERIFY(!(s.canvas->camera() == before));
   }
 
   void whatTheUserChoseSurvives() {

@@ -53,16 +53,6 @@ robotcontrol::ParameterValues someParameters(double speed, double standard) {
   return values;
 }
 
-QModelIndex find(const QTreeView& tree, const QString& text, int column = 0) {
-  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, text, 1,
-                                        Qt::MatchExactly | Qt::MatchRecursive);
-  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
-}
-
-void clickCell(QTreeView& tree, const QModelIndex& index) {
-  QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(index).center());
-}
-
 robotcontrol::SimulationStatus sentParameters(const robotcontrol::Request& request) {
   robotcontrol::SimulationStatus sent;
   sent.ParseFromString(request.set_parameters().value().data());
@@ -168,6 +158,39 @@ class SolutionsViewTest : public QObject {
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
     click(child<QToolButton>(*view, "parametersResetAll"));
     QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
+  }
+
+  void theCurrentParameterIsResetAndAllAreReadAgain() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    clickCell(child<QTreeView>(*view, "solutionsTree"),
+              find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    bench.requests.clear();
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    clickCell(fields, find(fields, QStringLiteral("speed")));
+    click(child<QToolButton>(*view, "parametersReset"));
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
+    QCOMPARE(sentParameters(bench.requests.back()).steps(), std::uint64_t{7});
+    click(child<QToolButton>(*view, "parametersRefresh"));
+    QCOMPARE(bench.requests.back().get_parameters().task(), std::string("ball-percept"));
+    QCOMPARE(bench.requests.back().get_parameters().solution(), std::string("scan-lines"));
+  }
+
+  void theKeyboardChooses() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("regions")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].select_solution().solution(), std::string("regions"));
   }
 
   void aTextThatIsNoNumberChangesNothing() {

@@ -6,7 +6,6 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -97,34 +96,21 @@ void FieldView::createViews() {
 }
 
 QWidget* FieldView::createToolRow() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(2, 2, 2, 2);
-  layout->setSpacing(1);
-  robots_ = new RobotChoice("fieldRobot", row);
-  layout->addWidget(robots_);
-  layout->addStretch(1);
-  for (QAction* action : {move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_})
-    layout->addWidget(makeButton(row, action));
-  return row;
+  QHBoxLayout* row = makeToolRow(this);
+  robots_ = new RobotChoice("fieldRobot", row->parentWidget());
+  row->addWidget(robots_);
+  row->addStretch(1);
+  addButtons(row, {move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_});
+  return row->parentWidget();
 }
 
 QWidget* FieldView::createFooter() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(6, 2, 6, 2);
-  layout->setSpacing(12);
-  const auto add = [&](const char* name, const QString& text) {
-    auto* label = new QLabel(row);
-    describe(*label, {name, text, text});
-    layout->addWidget(label);
-    return label;
-  };
-  time_ = add("fieldTime", tr("Time that is shown"));
-  layout->addStretch(1);
-  cursor_ = add("fieldCursor", tr("Place under the cursor, in the field's frame"));
-  zoom_ = add("fieldZoom", tr("Scale"));
-  return row;
+  QHBoxLayout* footer = makeFooter(this);
+  time_ = addLabel(footer, "fieldTime", tr("Time that is shown"));
+  footer->addStretch(1);
+  cursor_ = addLabel(footer, "fieldCursor", tr("Place under the cursor, in the field's frame"));
+  zoom_ = addLabel(footer, "fieldZoom", tr("Scale"));
+  return footer->parentWidget();
 }
 
 void FieldView::connectSignals() {

@@ -7,7 +7,6 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -98,38 +97,25 @@ void ImageView::createViews() {
 }
 
 QWidget* ImageView::createToolRow() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(2, 2, 2, 2);
-  layout->setSpacing(1);
-  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row);
+  QHBoxLayout* row = makeToolRow(this);
+  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"imageStream", tr("Image stream"), tr("Which images are shown")});
-  layout->addWidget(streams_, 1);
-  for (QAction* action : {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_})
-    layout->addWidget(makeButton(row, action));
-  return row;
+  row->addWidget(streams_, 1);
+  addButtons(row, {fit_, oneToOne_, zoomOut_, zoomIn_, freeze_, showDrawings_});
+  return row->parentWidget();
 }
 
 QWidget* ImageView::createFooter() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(6, 2, 6, 2);
-  layout->setSpacing(12);
-  const auto add = [&](const char* name, const QString& text, int stretch) {
-    auto* label = new QLabel(row);
-    describe(*label, {name, text, text});
-    label->setTextFormat(Qt::PlainText);
-    layout->addWidget(label, stretch);
-    return label;
-  };
-  time_ = add("imageTime", tr("Time of the image"), 0);
-  state_ = add("imageState", tr("Whether the image is live, frozen or old"), 0);
-  pixel_ = add("imagePixel", tr("Pixel under the cursor"), 1);
-  zoom_ = add("imageZoom", tr("Zoom"), 0);
+  QHBoxLayout* footer = makeFooter(this);
+  time_ = addLabel(footer, "imageTime", tr("Time of the image"));
+  state_ = addLabel(footer, "imageState", tr("Whether the image is live, frozen or old"));
+  pixel_ = addLabel(footer, "imagePixel", tr("Pixel under the cursor"));
+  zoom_ = addLabel(footer, "imageZoom", tr("Zoom"));
+  footer->setStretchFactor(pixel_, 1);
   pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
   pixel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   pixel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  return row;
+  return footer->parentWidget();
 }
 
 void ImageView::connectSignals() {

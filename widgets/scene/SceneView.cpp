@@ -6,7 +6,6 @@
 #include <QJsonArray>
 #include <QMenu>
 #include <QSplitter>
-#include <QToolButton>
 #include <QVBoxLayout>
 #include <algorithm>
 #include <cmath>
@@ -112,19 +111,15 @@ void SceneView::createViews() {
 }
 
 QWidget* SceneView::createToolRow() {
-  auto* row = new QWidget(this);
-  auto* layout = new QHBoxLayout(row);
-  layout->setContentsMargins(2, 2, 2, 2);
-  layout->setSpacing(1);
-  robots_ = new RobotChoice("sceneRobot", row);
+  QHBoxLayout* row = makeToolRow(this);
+  robots_ = new RobotChoice("sceneRobot", row->parentWidget());
   robots_->setToolTip(tr("Whose drawings are shown, and whom the camera follows"));
-  layout->addWidget(robots_);
-  layout->addSpacing(6);
-  for (QAction* action : {reset_, fromAbove_, behind_, follow_}) layout->addWidget(makeButton(row, action));
-  layout->addStretch(1);
-  for (QAction* action : {move_, wireFrame_, grid_, labels_, zoomOut_, zoomIn_, showDrawings_})
-    layout->addWidget(makeButton(row, action));
-  return row;
+  row->addWidget(robots_);
+  row->addSpacing(6);
+  addButtons(row, {reset_, fromAbove_, behind_, follow_});
+  row->addStretch(1);
+  addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut_, zoomIn_, showDrawings_});
+  return row->parentWidget();
 }
 
 void SceneView::connectSignals() {
