@@ -49,6 +49,7 @@ void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
     droppedBefore_ = queue_.dropped();
   }
   pushJob([this, file = std::move(file), before = std::move(before)]() mutable {
+    wished_ = file->path();
     begin(std::move(file), std::move(before));
   });
 }
@@ -58,7 +59,7 @@ void RecordingThread::openNext(const RecordingFile::Options& how, Held before) {
     if (!file_) return;  // It has failed.
     if (file_->messages() == 0) return file_->beginWith(std::move(before));
     end();
-    auto made = RecordingFile::create(nextRecordingPath(path_), how);
+    auto made = RecordingFile::create(nextRecordingPath(wished_), how);
     if (!made) return fail(made.error());
     {
       const std::lock_guard lock(mutex_);
@@ -118,6 +119,7 @@ void RecordingThread::end() {
     const std::lock_guard lock(mutex_);
     dropped = queue_.dropped() - droppedBefore_;
   }
+  warnOfDropped();
   if (const auto closed = file->close(dropped); !closed) return fail(closed.error());
   const std::lock_guard lock(mutex_);
   if (progress_.path != file->path()) return;  // The next one has been opened.
@@ -142,12 +144,13 @@ void RecordingThread::tick() {
   if (file_) {
     if (const auto ticked = file_->tick(); !ticked) fail(ticked.error());
   }
+  if (now - warnedAt_ < kWarnEvery) return;
+  warnedAt_ = now;
   warnOfDropped();
 }
 
 void RecordingThread::warnOfDropped() {
-  const auto now = Clock::now();
-  if (!options_.warn || now - warnedAt_ < kWarnEvery) return;
+  if (!options_.warn) return;
   std::uint64_t dropped = 0;
   {
     const std::lock_guard lock(mutex_);
@@ -157,7 +160,6 @@ void RecordingThread::warnOfDropped() {
   options_.warn("The disk does not keep up with the recording: " + std::to_string(dropped - warnedOf_) +
                 " messages were left out, the largest first; record fewer streams, or images as JPEG");
   warnedOf_ = dropped;
-  warnedAt_ = now;
 }
 
 // ---- What is told

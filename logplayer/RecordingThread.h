@@ -76,7 +76,8 @@ class RecordingThread {
 
   // Its own.
   std::shared_ptr<RecordingFile> file_;
-  std::filesystem::path path_;  // of the newest file
+  std::filesystem::path path_;     // of the newest file
+  std::filesystem::path wished_;   // of the one that was opened; those where it went on are named after it
   Clock::time_point tickedAt_, warnedAt_;
   std::uint64_t warnedOf_ = 0;
 

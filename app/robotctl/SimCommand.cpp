@@ -7,14 +7,19 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <thread>
 
 #include "app/core/BallTrials.h"
+#include "app/core/Pace.h"
 #include "app/core/Workbench.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/RecordOptions.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace app {
 namespace {
+
+constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
 
 using nlohmann::json;
 
@@ -30,6 +35,9 @@ struct SimArguments {
   bool texts = false;
   int trials = 0;
   double radius = 1.5;
+  double speed = 0;  ///< times real time; 0: as fast as possible
+  bool progress = false;
+  RecordOptions record;
 };
 
 std::string hex(std::uint64_t value) {
@@ -111,12 +119,36 @@ void printFigures(const json& figures) {
   }
 }
 
-int runOnce(const SimArguments& arguments) {
-  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments));
-  if (!run) return printErrors(run.error());
-  const auto start = std::chrono::steady_clock::now();
+/// Steps to the end. A recording waits for the disk, and the run for the recording: nothing is in a hurry here.
+void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
+  Pace pace;
+  pace.setSpeed(arguments.speed);
+  const auto& clock = run.world().clock();
+  pace.restart(std::chrono::steady_clock::now(), clock.now());
   const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
-  while ((*run)->world().clock().now() < end) (*run)->step();
+  robotlink::Instant told;
+  while (clock.now() < end) {
+    if (arguments.speed > 0) std::this_thread::sleep_until(pace.due(clock.now()));
+    run.step();
+    if (recorder != nullptr) recorder->waitForRoom();
+    if (!arguments.progress || clock.now() - told < kProgressEvery) continue;
+    told = clock.now();
+    std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(told) << " s" << std::endl;
+  }
+}
+
+int runOnce(const SimArguments& arguments) {
+  const auto recorder = arguments.record.start();
+  if (!recorder) return printErrors({recorder.error()});
+  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments), recorder->get());
+  if (!run) {
+    std::error_code ignored;
+    if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
+    return printErrors(run.error());
+  }
+  const auto start = std::chrono::steady_clock::now();
+  play(**run, arguments, recorder->get());
+  const int status = *recorder ? finishRecording(**recorder) : kDone;
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
@@ -126,7 +158,7 @@ int runOnce(const SimArguments& arguments) {
   } else {
     printFigures(figures);
   }
-  return kDone;
+  return status;
 }
 
 json trialJson(const BallTrials::Trial& trial) {
@@ -169,6 +201,10 @@ int runTrials(const SimArguments& arguments) {
 
 int runSim(SimArguments& arguments, bool secondsGiven) {
   if (!takeSolutions(arguments)) return kUsage;
+  if (arguments.trials > 0 && !arguments.record.file.empty()) {
+    std::cerr << "robotctl sim: --record takes one game, not --trials\n";
+    return kUsage;
+  }
   arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = arguments.executor == "threads" ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
@@ -199,6 +235,11 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
       ->check(CLI::Range(0.4, 10.0))
       ->capture_default_str();
+  sim->add_option("--speed", arguments->speed, "How many times real time; 0 is as fast as possible")
+      ->check(CLI::Range(0.0, 100.0))
+      ->capture_default_str();
+  sim->add_flag("--progress", arguments->progress, "Prints the simulated time on stderr, ten times in each simulated second");
+  arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
