@@ -1,0 +1,279 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings of simulated robots, as their platforms, programs and requests make them.
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+#include <set>
+
+#include "app/core/RecordingTap.h"
+#include "app/core/SimulatedRun.h"
+#include "app/core/Workbench.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
+#include "tests/logplayer/RecordedMessages.h"
+
+using namespace app;
+using logplayer::testing::ReadLog;
+using logplayer::testing::TestFolder;
+using robotcontrol::ControlRecording;
+using robotcontrol::ProgramSetup;
+using robotcontrol::Request;
+using ::testing::ElementsAre;
+using ::testing::HasSubstr;
+
+namespace {
+
+class RecordingTest : public ::testing::Test {
+ protected:
+  /// The file is "a.mcap", unless it is started later.
+  void make(bool recordFromTheStart, ExecutorKind executor = ExecutorKind::kLockstep) {
+    RunOptions options = Workbench::defaultOptions();
+    options.executor = executor;
+    recorder = std::make_unique<logplayer::Recorder>(logplayer::Recorder::Options{});
+    if (recordFromTheStart) start("a.mcap");
+    SimulatedRun::Listeners listeners;
+    listeners.queue = [this](const std::string&, const auto& queue) { told += queue->ByteSizeLong(); };
+    auto made = SimulatedRun::create(options, std::move(listeners), recorder.get());
+    ASSERT_TRUE(made.has_value());
+    run = std::move(*made);
+  }
+  ~RecordingTest() override { run.reset(); }
+
+  void start(const std::string& name) {
+    ControlRecording control;
+    control.set_action(ControlRecording::START);
+    control.set_path(folder / name);
+    ASSERT_TRUE(recorder->control(control).has_value());
+  }
+  ReadLog stop(const std::string& name = "a.mcap") {
+    ControlRecording control;
+    control.set_action(ControlRecording::STOP);
+    EXPECT_TRUE(recorder->control(control).has_value());
+    recorder->finish();
+    return logplayer::testing::readLog(folder / name);
+  }
+  void steps(int count) {
+    for (int i = 0; i < count; ++i) run->step();
+  }
+  static Request select(const std::string& task, const std::string& solution) {
+    Request request;
+    request.set_robot("red1");
+    request.mutable_select_solution()->set_task(task);
+    request.mutable_select_solution()->set_solution(solution);
+    return request;
+  }
+
+  TestFolder folder;
+  std::unique_ptr<logplayer::Recorder> recorder;
+  std::unique_ptr<SimulatedRun> run;
+  std::atomic<std::size_t> told{0};
+};
+
+template <typename T>
+T parsed(const ReadLog::Entry& entry) {
+  T value;
+  EXPECT_TRUE(value.ParseFromString(entry.data)) << entry.path;
+  return value;
+}
+
+std::vector<ReadLog::Entry> on(const ReadLog& log, const std::string& path) {
+  std::vector<ReadLog::Entry> result;
+  std::copy_if(log.entries.begin(), log.entries.end(), std::back_inserter(result),
+               [&](const auto& entry) { return entry.path == path; });
+  return result;
+}
+
+/// Frames that lack their end, or whose end is not last.
+std::vector<std::string> brokenFrames(const ReadLog& log) {
+  std::vector<std::string> broken;
+  std::map<std::string, std::uint32_t> open;  // process: frame
+  for (const auto& entry : log.entries) {
+    if (entry.frame == 0) continue;
+    const bool ends = entry.type == "robotcontrol.FrameInfo";
+    const auto [at, isNew] = open.try_emplace(entry.process, entry.frame);
+    if (at->second != entry.frame) broken.push_back(entry.process + " " + std::to_string(entry.frame) + " " + entry.path);
+    if (ends) open.erase(at);
+  }
+  for (const auto& [process, frame] : open) broken.push_back(process + " " + std::to_string(frame) + " has no end");
+  return broken;
+}
+
+}  // namespace
+
+TEST_F(RecordingTest, everyStepOfThePlatformIsAFrameAtFullRate) {
+  make(true);
+  steps(250);
+  const ReadLog log = stop();
+  const auto ends = on(log, "red1/frames/platform");
+  ASSERT_EQ(ends.size(), 250U);
+  for (std::size_t i = 0; i < ends.size(); ++i) {
+    EXPECT_EQ(ends[i].frame, i + 1);
+    EXPECT_EQ(ends[i].time, robotlink::Instant(std::chrono::milliseconds(8 * (i + 1))));
+  }
+  for (const char* path : {"red1/joints/states", "red1/body/sensors", "red1/oracle/world"}) EXPECT_EQ(log.count(path), 250U) << path;
+  EXPECT_EQ(log.count("red1/camera/image"), 50U);
+  EXPECT_EQ(log.count("scene"), 1U);
+  EXPECT_NEAR(static_cast<double>(log.count("transforms")), 250.0 / 4, 1);
+  EXPECT_THAT(brokenFrames(log), ElementsAre());
+}
+
+TEST_F(RecordingTest, whatTheTasksYieldIsThereFromTheFirstFrameThoughNobodyAskedForIt) {
+  make(true);
+  steps(125);
+  const ReadLog log = stop();
+  EXPECT_EQ(log.count("red1/joints/request"), log.count("red1/frames/motion"));
+  for (const char* path : {"red1/percepts/ball", "red1/models/ball", "red1/models/pose", "red1/behavior/motion", "red1/motion/status"}) {
+    const auto entries = on(log, path);
+    ASSERT_FALSE(entries.empty()) << path;
+    EXPECT_LE(entries.front().time, robotlink::Instant(std::chrono::milliseconds(50))) << path;
+  }
+}
+
+TEST_F(RecordingTest, recordingChangesNothingAndIsTheSameEveryTime) {
+  std::vector<ReadLog> logs;
+  std::set<std::uint64_t> digests;
+  for (int i = 0; i < 3; ++i) {
+    make(i > 0);
+    steps(125);
+    digests.insert(run->world().digest());
+    if (i > 0) logs.push_back(stop());
+    run.reset();
+    std::filesystem::remove(folder / "a.mcap");
+  }
+  EXPECT_EQ(digests.size(), 1U);
+  ASSERT_GT(logs[0].entries.size(), 1000U);
+  EXPECT_TRUE(logs[0].entries == logs[1].entries);
+}
+
+TEST_F(RecordingTest, aRecordingThatBeginsInTheGameHasAllThatHolds) {
+  make(false);
+  steps(125);
+  start("a.mcap");
+  steps(25);
+  const ReadLog log = stop();
+  std::set<std::string> held;
+  for (const auto& entry : log.entries) {
+    EXPECT_GE(entry.time, robotlink::Instant(std::chrono::milliseconds(960))) << entry.path;  // queues are on their way
+    if (entry.frame == 0) held.insert(entry.path);
+  }
+  for (const char* path : {"scene", "red1/program", "red1/tables/keys", "red1/tables/solutions", "red1/tables/processes"}) {
+    EXPECT_TRUE(held.contains(path)) << path;
+  }
+  EXPECT_GT(log.count("red1/models/ball"), 0U);
+  EXPECT_THAT(brokenFrames(log), ElementsAre());
+}
+
+TEST_F(RecordingTest, whenItEndsTheProgramTellsNoMoreThanBefore) {
+  make(false);
+  steps(125);
+  told = 0;
+  steps(125);
+  const std::size_t before = told;
+  start("a.mcap");
+  steps(125);
+  (void)stop();
+  steps(25);
+  told = 0;
+  steps(125);
+  EXPECT_NEAR(static_cast<double>(told), static_cast<double>(before), 0.05 * static_cast<double>(before));
+}
+
+TEST_F(RecordingTest, theSetUpSaysWhatTheProgramIsMadeOf) {
+  make(true);
+  steps(10);
+  const auto setups = on(stop(), "red1/program");
+  ASSERT_EQ(setups.size(), 1U);
+  const auto setup = parsed<ProgramSetup>(setups[0]);
+  EXPECT_EQ(setup.robot(), "red1");
+  EXPECT_EQ(setup.team(), "red");
+  EXPECT_EQ(setup.executor(), "lockstep");
+  EXPECT_EQ(setup.layout().name(), "layouts/compact.yaml");
+  EXPECT_EQ(setup.description().name(), "robots/ers210.yaml");
+  EXPECT_EQ(setup.field().name(), "fields/2002.yaml");
+  EXPECT_THAT(setup.layout().text(), HasSubstr("ball-percept"));
+  EXPECT_EQ(setup.solutions_size(), 0);
+  EXPECT_GT(setup.parameters_size(), 5);
+  EXPECT_THAT(setup.offered(), ::testing::IsSupersetOf({"camera/image", "joints/states", "oracle/world", "remote/motion"}));
+}
+
+TEST_F(RecordingTest, requestsAreRecordedWhenTheyAreHandedInAndTheSetUpFollowsThem) {
+  make(true);
+  steps(50);
+  ASSERT_TRUE(run->request(select("ball-percept", "circle-fit")).has_value());
+  steps(50);
+  ASSERT_TRUE(run->request(select("ball-percept", "region")).has_value());
+  Request parameters;
+  parameters.set_robot("red1");
+  parameters.mutable_get_parameters()->set_task("ball-percept");
+  ASSERT_TRUE(run->request(parameters).has_value());
+  steps(50);
+  const ReadLog log = stop();
+  const auto requests = on(log, "red1/requests");
+  ASSERT_EQ(requests.size(), 4U);  // the first asks for the tables
+  EXPECT_EQ(requests[1].time, robotlink::Instant(std::chrono::milliseconds(400)));
+  EXPECT_EQ(parsed<Request>(requests[1]).select_solution().solution(), "circle-fit");
+  EXPECT_EQ(requests[2].time, robotlink::Instant(std::chrono::milliseconds(800)));
+  const auto setups = on(log, "red1/program");
+  ASSERT_EQ(setups.size(), 3U);  // asking for parameters changes nothing
+  const auto changed = parsed<ProgramSetup>(setups[1]);
+  ASSERT_EQ(changed.solutions_size(), 1);
+  EXPECT_EQ(changed.solutions(0).solution(), "circle-fit");
+  EXPECT_GE(setups[1].time, requests[1].time);
+  EXPECT_EQ(parsed<ProgramSetup>(setups[2]).solutions_size(), 0);
+}
+
+TEST_F(RecordingTest, parametersThatAreSetAreInTheSetUp) {
+  make(true);
+  steps(5);
+  const auto values = parsed<ProgramSetup>(on(stop(), "red1/program").at(0)).parameters(0);
+  std::filesystem::remove(folder / "a.mcap");
+  start("a.mcap");
+  Request request;
+  request.set_robot("red1");
+  auto& wish = *request.mutable_set_parameters();
+  wish.set_task(values.task());
+  wish.set_solution(values.solution());
+  wish.mutable_value()->set_type(values.value().type());  // all as its type has them
+  ASSERT_TRUE(run->request(request).has_value());
+  steps(25);
+  const auto setups = on(stop(), "red1/program");
+  ASSERT_EQ(setups.size(), 2U) << values.task() << "/" << values.solution();
+  EXPECT_NE(parsed<ProgramSetup>(setups[0]).parameters(0).value().data(), "");
+  EXPECT_EQ(parsed<ProgramSetup>(setups[1]).parameters(0).value().data(), "");
+}
+
+TEST_F(RecordingTest, anotherLayoutGoesOnInTheSameFileAndAResetInANewOne) {
+  make(true);
+  steps(50);
+  ASSERT_TRUE(run->setLayout(robotlink::resource("layouts/parallel.yaml")).empty());
+  steps(50);
+  ASSERT_TRUE(run->reset(1).empty());
+  steps(50);
+  const ReadLog first = stop();
+  const ReadLog second = logplayer::testing::readLog(folder / "a-2.mcap");
+  const auto setups = on(first, "red1/program");
+  ASSERT_EQ(setups.size(), 2U);
+  EXPECT_EQ(parsed<ProgramSetup>(setups[1]).layout().name(), "layouts/parallel.yaml");
+  EXPECT_EQ(setups[1].time, robotlink::Instant(std::chrono::milliseconds(400)));
+  EXPECT_EQ(first.count("red1/frames/platform"), 100U);
+  EXPECT_EQ(second.count("red1/frames/platform"), 50U);
+  EXPECT_EQ(second.count("scene"), 1U);
+  ASSERT_EQ(second.count("red1/program"), 1U);
+  EXPECT_EQ(parsed<ProgramSetup>(on(second, "red1/program")[0]).layout().name(), "layouts/parallel.yaml");
+  EXPECT_GT(second.count("red1/models/ball"), 0U);
+  EXPECT_EQ(second.entries.front().time, robotlink::Instant());
+}
+
+TEST_F(RecordingTest, threadsAreRecordedInWholeFramesToo) {
+  make(true, ExecutorKind::kThreads);
+  for (int i = 0; i < 100; ++i) {
+    run->step();
+    std::this_thread::sleep_for(std::chrono::milliseconds(2));
+  }
+  const ReadLog log = stop();
+  EXPECT_EQ(log.count("red1/frames/platform"), 100U);
+  EXPECT_EQ(log.count("red1/joints/states"), 100U);
+  EXPECT_GT(log.count("red1/models/ball"), 0U);
+  EXPECT_THAT(brokenFrames(log), ElementsAre());
+}
