@@ -45,8 +45,7 @@ tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, c
   Compression compression{};
   if (!compressionOf(head.compression, compression) || compression != info.compression ||
       head.uncompressedBytes != info.uncompressedBytes || head.recordsBytes != info.compressedBytes ||
-      head.start != info.start || head.end != info.end || headBytes > info.length ||
-      head.recordsBytes > info.length - headBytes) {
+      headBytes > info.length || head.recordsBytes > info.length - headBytes) {
     return problem("a chunk's head is damaged");
   }
   if (head.uncompressedBytes > maxRecordBytes_ || head.recordsBytes > maxRecordBytes_) {

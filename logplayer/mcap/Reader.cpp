@@ -111,8 +111,6 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
   }
   // Its place came from a message index, which nothing checks but this.
   cache.distrustIndexes(number);
-  forward.reset();
-  backward.reset();
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
 }
 

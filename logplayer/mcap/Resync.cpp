@@ -11,6 +11,7 @@ namespace {
 constexpr std::size_t kHeadBytes = 128;
 constexpr std::uint64_t kBlock = 256U << 10U;
 constexpr int kMessagesInARow = 3;
+constexpr std::uint64_t kPatience = 64U << 20U;
 
 bool is(std::uint8_t byte, Opcode opcode) {
   return byte == static_cast<std::uint8_t>(opcode);
@@ -52,7 +53,10 @@ bool recordMayBeAt(SourceWindow& window, const Source& source, std::uint64_t off
 }
 
 Resync::Resync(const Source& source, std::size_t maxRecordBytes)
-    : source_(source), loader_(source, maxRecordBytes), window_(source), patience_(4 * source.bytes()) {}
+    : source_(source),
+      loader_(source, maxRecordBytes),
+      window_(source),
+      patience_(kPatience + 4 * source.bytes()) {}
 
 std::optional<std::uint64_t> Resync::find(std::uint64_t offset, bool loose,
                                           const std::map<std::uint16_t, Channel>& channels) {

@@ -19,7 +19,11 @@ constexpr std::size_t kAttachmentHead = 64U << 10U;
 class Scanner {
  public:
   Scanner(const Source& source, const Reader::Options& options)
-      : source_(source), options_(options), window_(source), loader_(source, options.maxRecordBytes) {}
+      : source_(source),
+        options_(options),
+        window_(source),
+        loader_(source, options.maxRecordBytes),
+        resync_(source, options.maxRecordBytes) {}
 
   FileIndex run();
 
@@ -56,14 +60,16 @@ class Scanner {
   const Reader::Options& options_;
   SourceWindow window_;
   ChunkLoader loader_;
+  Resync resync_;
   FileIndex index_;
   Buffer records_;
-  std::uint64_t offset_ = 0;   // of the record looked at
-  std::uint64_t end_ = 0;      // where the next one begins
-  std::uint64_t certain_ = 0;  // all before this was understood
-  std::uint64_t told_ = 0;     // progress
-  bool open_ = false;          // the last section may still grow
-  bool ended_ = false;         // the footer was there
+  std::uint64_t offset_ = 0;      // of the record looked at
+  std::uint64_t end_ = 0;         // where the next one begins
+  std::uint64_t certain_ = 0;     // all before this was understood
+  std::uint64_t told_ = 0;        // progress
+  std::uint64_t searchFrom_ = 0;  // behind where it could be read again after the last damage
+  bool open_ = false;             // the last section may still grow
+  bool ended_ = false;            // the footer was there
   bool sawStrayIndex_ = false;
   std::map<std::uint16_t, std::uint64_t> sectionCounts_;  // of the open section
 };
@@ -132,13 +138,15 @@ void Scanner::hop() {
 /// Goes on where something can be read again.
 bool Scanner::recover() {
   const bool loose = index_.sections.empty() || index_.sections.back().loose;
-  Resync resync(source_, options_.maxRecordBytes);
-  const auto found = resync.find(certain_, loose, index_.channels);
+  // Not the same place again: what begins there was not understood.
+  certain_ = std::max(certain_, searchFrom_);
+  const auto found = resync_.find(certain_, loose, index_.channels);
   const std::uint64_t next = found.value_or(source_.bytes());
   note(certain_, next - certain_,
        found ? "the file is damaged; it can be read again behind that"
              : "the file ends within a record, or is damaged to its end");
   offset_ = certain_ = next;
+  searchFrom_ = next + 1;
   return found.has_value();
 }
 
@@ -170,13 +178,15 @@ Scanner::Taken Scanner::takeChunk(std::uint64_t length) {
   const std::string_view name = section->unknownCompression.empty()
                                     ? compressionName(section->info.compression)
                                     : section->unknownCompression;
-  const bool whole = chunkHeadBytes(name.size()) + section->info.compressedBytes == length;
+  const std::uint64_t understood = chunkHeadBytes(name.size()) + section->info.compressedBytes;
   open_ = true;
   sawStrayIndex_ = false;
   sectionCounts_.clear();
   section->indexOffset = end_;
   index_.sections.push_back(std::move(*section));
-  return whole ? Taken::kWhole : Taken::kPart;
+  // If its length is a lie, what follows its records is looked at again.
+  certain_ = offset_ + kRecordHeadBytes + understood;
+  return understood == length ? Taken::kWhole : Taken::kPart;
 }
 
 Scanner::Taken Scanner::takeMessageIndex(std::uint64_t length) {
@@ -323,8 +333,11 @@ bool Scanner::readDefinitions(Section& section) {
     learn(record);
     if (!counts || !record.is(Opcode::kMessage)) return;
     if (const auto message = decodeMessage(record.content)) {
+      Reader::ChunkInfo& info = section.info;
+      info.start = info.messages == 0 ? message->logTime : std::min(info.start, message->logTime);
+      info.end = info.messages == 0 ? message->logTime : std::max(info.end, message->logTime);
+      ++info.messages;
       ++sectionCounts_[message->channelId];
-      ++section.info.messages;
     }
   });
   if (!whole) note(section.info.offset, 0, "the records of a chunk do not fill it");

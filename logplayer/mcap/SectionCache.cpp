@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/mcap/SectionCache.h"
 
+#include <algorithm>
+
 namespace logplayer::mcap {
 
 SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader::Options& options)
@@ -45,10 +47,21 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   if (!list) {
     const auto read = records(section);
     list = read ? MessageList::fromRecords(**read) : MessageList();
+    correctTimes(index_.sections[section], *list);
   }
   auto shared = std::make_shared<const MessageList>(std::move(*list));
   lists_.insert(section, shared, shared->bytes());
   return shared;
+}
+
+/// Nothing guards the times in a chunk's head.
+void SectionCache::correctTimes(Section& section, const MessageList& list) {
+  const Reader::ChunkInfo before = section.info;
+  for (const MessageList::Entry& entry : list.entries()) {
+    section.info.start = std::min(section.info.start, entry.time);
+    section.info.end = std::max(section.info.end, entry.time);
+  }
+  if (section.info.start != before.start || section.info.end != before.end) ++surprises_;
 }
 
 std::optional<MessageList> SectionCache::listByIndexes(const Section& section) const {
@@ -62,6 +75,7 @@ void SectionCache::distrustIndexes(std::size_t section) {
   Section& damaged = index_.sections[section];
   if (!damaged.indexed) return;
   damaged.indexed = false;
+  ++surprises_;
   lists_.erase(section);
   index_.damage.push_back({damaged.indexOffset, 0,
                            "the message indexes of a chunk are wrong; its messages are found by reading it"});

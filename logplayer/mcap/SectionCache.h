@@ -26,8 +26,12 @@ class SectionCache {
   std::optional<MessageList> listByIndexes(const Section& section) const;
   /// Notes that the message indexes of a section are wrong, and no longer goes by them.
   void distrustIndexes(std::size_t section);
+  /// How often it turned out that a section holds something else than the file's index says. Whoever keeps
+  /// something by that has to look again.
+  std::uint64_t surprises() const { return surprises_; }
 
  private:
+  void correctTimes(Section& section, const MessageList& list);
   void noteDamage(std::size_t section, const std::string& what);
 
   const Source& source_;
@@ -37,6 +41,7 @@ class SectionCache {
   RecentlyUsed<std::shared_ptr<Buffer>> records_;
   RecentlyUsed<std::shared_ptr<const MessageList>> lists_;
   std::vector<bool> noted_;
+  std::uint64_t surprises_ = 0;
 };
 
 }  // namespace logplayer::mcap

@@ -111,10 +111,7 @@ bool Reader::verify() {
     if (const auto read = attachment(name); !read) self.index.damage.push_back({0, 0, read.error().text});
   }
   metadata();
-  const bool done = Verification(self.source, self.index, self.cache, self.options).run();
-  self.forward.reset();
-  self.backward.reset();
-  return done;
+  return Verification(self.source, self.index, self.cache, self.options).run();
 }
 
 }  // namespace logplayer::mcap

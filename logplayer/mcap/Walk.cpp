@@ -7,11 +7,19 @@
 namespace logplayer::mcap {
 
 Walk::Walk(Direction direction, const FileIndex& index, SectionCache& cache)
-    : direction_(direction), index_(index), cache_(cache), order_(index.sections.size()) {
+    : direction_(direction), index_(index), cache_(cache) {
+  sortSections();
+}
+
+void Walk::sortSections() {
+  surprises_ = cache_.surprises();
+  standing_ = false;
+  order_.resize(index_.sections.size());
   std::iota(order_.begin(), order_.end(), 0U);
   std::ranges::stable_sort(order_, [&](std::uint32_t a, std::uint32_t b) {
     return earlier(opening(index_.sections[a]), opening(index_.sections[b]));
   });
+  lastClosing_.clear();
   lastClosing_.reserve(order_.size());
   for (const std::uint32_t section : order_) {
     Instant closes = closing(index_.sections[section]);
@@ -22,6 +30,7 @@ Walk::Walk(Direction direction, const FileIndex& index, SectionCache& cache)
 
 std::optional<MessagePosition> Walk::step(const MessagePosition& than,
                                           const std::vector<std::uint16_t>& channels) {
+  if (surprises_ != cache_.surprises()) sortSections();
   if (!standing_ || than != at_ || channels != channels_) seek(than, channels);
   enterDue(than);
   if (runs_.empty()) {

@@ -17,8 +17,6 @@ class Walk {
   /// The next position in this direction behind `than`, which need not be that of a message.
   std::optional<MessagePosition> step(const MessagePosition& than,
                                       const std::vector<std::uint16_t>& channels);
-  /// Forgets where it stands, for when indexes turned out to be wrong.
-  void reset() { standing_ = false; }
 
  private:
   /// The messages of a channel in one section that are still to come.
@@ -41,6 +39,7 @@ class Walk {
   }
   bool earlier(Instant a, Instant b) const { return direction_ == Direction::kForward ? a < b : b < a; }
 
+  void sortSections();
   void seek(const MessagePosition& than, const std::vector<std::uint16_t>& channels);
   void enter(std::size_t section, const MessagePosition& than);
   void enterDue(const MessagePosition& than);
@@ -52,6 +51,8 @@ class Walk {
   SectionCache& cache_;
   std::vector<std::uint32_t> order_;  // sections by their opening
   std::vector<Instant> lastClosing_;  // the furthest closing among the first i + 1 of them
+
+  std::uint64_t surprises_ = 0;  // of the cache, when the sections were sorted
 
   bool standing_ = false;
   MessagePosition at_;

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
+#include <algorithm>
+#include <chrono>
+#include <csignal>
+#include <cstdio>
+#include <cstdlib>
+#include <cstring>
+#include <filesystem>
+#include <fstream>
+#include <random>
+
+#include "tests/logplayer/fuzz/FuzzTarget.h"
+
+// Runs a fuzzing target without libFuzzer: over its seeds as they are, then over random mutations of them.
+// Every input depends on its number alone, so that one that crashed can be run again.
+//
+//   NAME [--seconds N | --inputs N]   mutate for so long, or so often (1000 inputs by default)
+//   NAME --only N                     run the input with this number alone
+//   NAME --write-seeds FOLDER         write the seeds as files, for libFuzzer
+//   NAME FILE...                      run files, such as those that libFuzzer left
+namespace {
+
+using Random = std::mt19937_64;
+
+volatile std::sig_atomic_t runningInput = -1;
+
+/// Says which input it was and dies of the signal after all.
+void tellInput(int signal) {
+  char text[96];
+  const int length = std::snprintf(text, sizeof text, "signal %d in input %d: run it again with --only %d\n",
+                                   signal, static_cast<int>(runningInput), static_cast<int>(runningInput));
+  static_cast<void>(!::write(STDERR_FILENO, text, static_cast<std::size_t>(length)));
+  std::signal(signal, SIG_DFL);
+  std::raise(signal);
+}
+
+std::size_t pick(Random& random, std::size_t count) {
+  return count == 0 ? 0 : random() % count;
+}
+
+/// Numbers at which lengths and counts break.
+std::uint64_t awkwardNumber(Random& random) {
+  static constexpr std::uint64_t kNumbers[] = {0,          1,           2,         0x7F,        0x80,
+                                               0xFF,       0x7FFF,      0xFFFF,    0x7FFFFFFF,  0x80000000,
+                                               0xFFFFFFFF, 1ULL << 40U, INT64_MAX, 1ULL << 63U, UINT64_MAX};
+  return kNumbers[pick(random, std::size(kNumbers))];
+}
+
+void overwrite(std::string& input, std::size_t at, const void* bytes, std::size_t count) {
+  if (at < input.size()) std::memcpy(input.data() + at, bytes, std::min(count, input.size() - at));
+}
+
+void mutate(std::string& input, const std::vector<std::string>& seeds, Random& random) {
+  const std::size_t at = pick(random, input.size());
+  const std::size_t count = 1 + pick(random, pick(random, 2) == 0 ? 8 : 200);
+  switch (random() % 8) {
+    case 0:
+      if (!input.empty()) input[at] = static_cast<char>(input[at] ^ (1 << (random() % 8)));
+      break;
+    case 1:
+      if (!input.empty()) input[at] = static_cast<char>(random());
+      break;
+    case 2: {
+      const std::uint64_t number = awkwardNumber(random);
+      overwrite(input, at, &number, std::size_t{1} << (random() % 4));
+      break;
+    }
+    case 3:
+      input.erase(at, count);
+      break;
+    case 4:
+      input.insert(at, std::string(count, static_cast<char>(random())));
+      break;
+    case 5:
+      input.insert(pick(random, input.size()), input.substr(at, count));
+      break;
+    case 6:
+      input.resize(at);
+      break;
+    default: {
+      const std::string& other = seeds[pick(random, seeds.size())];
+      const std::size_t from = pick(random, other.size());
+      input.replace(at, count, other.substr(from, 1 + pick(random, 400)));
+    }
+  }
+}
+
+std::string inputOf(std::uint64_t number, const std::vector<std::string>& seeds) {
+  if (number < seeds.size()) return seeds[number];
+  Random random(number);
+  std::string input = seeds[pick(random, seeds.size())];
+  for (std::size_t i = 1 + pick(random, 4); i > 0; --i) mutate(input, seeds, random);
+  return input;
+}
+
+void run(const std::string& input) {
+  // Its own memory, exactly as large, so that the address sanitizer sees what is read behind it.
+  const std::vector<std::uint8_t> bytes(input.begin(), input.end());
+  LLVMFuzzerTestOneInput(bytes.data(), bytes.size());
+}
+
+int runMany(double seconds, std::uint64_t inputs) {
+  const std::vector<std::string> seeds = fuzzSeeds();
+  if (seeds.empty()) {
+    std::fputs("there are no seeds\n", stderr);
+    return 1;
+  }
+  const auto start = std::chrono::steady_clock::now();
+  std::uint64_t number = 0;
+  for (;; ++number) {
+    const std::chrono::duration<double> passed = std::chrono::steady_clock::now() - start;
+    if (seconds > 0 ? passed.count() >= seconds : number >= inputs) break;
+    runningInput = static_cast<std::sig_atomic_t>(number);
+    run(inputOf(number, seeds));
+  }
+  std::printf("%llu inputs from %zu seeds: none did harm\n", static_cast<unsigned long long>(number),
+              seeds.size());
+  return number > seeds.size() ? 0 : 1;
+}
+
+int writeSeeds(const std::filesystem::path& folder) {
+  std::filesystem::create_directories(folder);
+  int number = 0;
+  for (const std::string& seed : fuzzSeeds()) {
+    std::ofstream file(folder / ("seed-" + std::to_string(number++)), std::ios::binary);
+    file.write(seed.data(), static_cast<std::streamsize>(seed.size()));
+    if (!file) return 1;
+  }
+  return 0;
+}
+
+}  // namespace
+
+int main(int count, char** arguments) {
+  for (const int signal : {SIGSEGV, SIGABRT, SIGBUS, SIGFPE, SIGILL}) std::signal(signal, &tellInput);
+  const std::vector<std::string> words(arguments + 1, arguments + count);
+  if (words.empty()) return runMany(0, 1000);
+  if (words.size() == 2 && words[0] == "--seconds") return runMany(std::atof(words[1].c_str()), 0);
+  if (words.size() == 2 && words[0] == "--inputs")
+    return runMany(0, std::strtoull(words[1].c_str(), nullptr, 10));
+  if (words.size() == 2 && words[0] == "--write-seeds") return writeSeeds(words[1]);
+  if (words.size() == 2 && words[0] == "--only") {
+    run(inputOf(std::strtoull(words[1].c_str(), nullptr, 10), fuzzSeeds()));
+    return 0;
+  }
+  for (const std::string& name : words) {
+    std::ifstream file(name, std::ios::binary);
+    if (!file) {
+      std::fprintf(stderr, "cannot read %s\n", name.c_str());
+      return 2;
+    }
+    run({std::istreambuf_iterator<char>(file), {}});
+  }
+  return 0;
+}
