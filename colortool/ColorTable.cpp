@@ -9,6 +9,16 @@ using robotlink::Image;
 using robotlink::ImageView;
 using robotlink::PixelFormat;
 
+ColorTable ColorTable::translated(std::span<const std::uint8_t> cells,
+                                  std::span<const std::uint8_t> numbers) {
+  ColorTable table;
+  if (cells.size() != table.cells_.size()) return table;
+  std::ranges::transform(cells, table.cells_.begin(), [&](std::uint8_t cell) {
+    return cell < numbers.size() ? numbers[cell] : ColorClasses::kNone;
+  });
+  return table;
+}
+
 void ColorTable::classifyYuyvRow(const std::uint8_t* pixels, int width, std::uint8_t* classes) const {
   const std::uint8_t* cells = cells_.data();
   for (int x = 0; x + 1 < width; x += 2, pixels += 4) {

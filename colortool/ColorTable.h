@@ -2,6 +2,7 @@
 #pragma once
 
 #include <cstdint>
+#include <span>
 #include <vector>
 
 #include "colortool/ColorClasses.h"
@@ -28,6 +29,10 @@ class ColorTable {
   void setCell(int y, int cb, int cr, std::uint8_t colorClass) { cells_[indexOf(y, cb, cr)] = colorClass; }
   const std::vector<std::uint8_t>& cells() const { return cells_; }
   bool operator==(const ColorTable&) const = default;
+
+  /// A table of other classes: `numbers[n]` is the class that its class n is here. Cells of classes past the
+  /// end of `numbers` are of none, and all are if there are not as many as a table has.
+  static ColorTable translated(std::span<const std::uint8_t> cells, std::span<const std::uint8_t> numbers);
 
   /// The class of each pixel, as a kMono8 image of the same size. Takes kYuyv and kRgb8; anything else yields
   /// "none" everywhere. `classes` keeps its memory from call to call.

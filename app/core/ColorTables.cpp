@@ -6,7 +6,8 @@
 
 namespace app {
 
-robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(const std::filesystem::path& file) {
+robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
+    const std::filesystem::path& file) {
   const auto read = colortool::ColorTableFile::load(file);
   if (!read) return tl::unexpected(read.error());
   auto table = std::make_shared<robotcontrol::ColorTable>();

@@ -13,6 +13,7 @@ class ColorTable;
 namespace app {
 
 /// A .c64 file as a robot's program takes it (Request.set_color_table), with the classes of the known files.
-robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(const std::filesystem::path& file);
+robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
+    const std::filesystem::path& file);
 
 }  // namespace app

@@ -25,7 +25,7 @@ int withLayout(const LayoutArguments& arguments, Use use) {
   const auto layout = robotlink::readLayout(arguments.file);
   if (!layout) return printErrors(layout.error());
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
-  const robotlink::PlatformPackages platform{robot->offers, robot->takes, {robotlink::kRemoteMotion.name}};
+  const robotlink::PlatformPackages platform{robot->offers, robot->takes, robotlink::debugPackages()};
   const robotlink::Errors errors = robotlink::checkLayout(*layout, catalog, platform);
   if (!errors.empty()) return printErrors(errors);
   use(*layout, catalog, platform);

@@ -8,8 +8,8 @@
 namespace modules {
 namespace {
 
-constexpr std::array<std::string_view, 8> kClassNames = {"orange", "pink",  "yellow", "skyblue",
-                                                         "green",  "white", "red",    "blue"};
+constexpr std::array<std::string_view, 10> kClassNames = {"orange", "pink", "yellow", "skyblue", "green",
+                                                          "white",  "red",  "blue",   "black",   "robotBlue"};
 
 std::vector<colortool::NamedColor> namedColors(const robotlink::FieldDescription& field) {
   std::vector<colortool::NamedColor> colors;

@@ -79,6 +79,14 @@ void readRegions(const robotcontrol::ColorRegions& from, std::string_view classN
     if (static_cast<int>(region.color_class()) == number) to.push_back(regionOf(region, number));
 }
 
+colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
+                                 const colortool::ColorClasses& classes) {
+  std::vector<std::uint8_t> numbers{colortool::ColorClasses::kNone};
+  for (const std::string& name : from.class_names()) numbers.push_back(classes.index(name));
+  const auto* cells = reinterpret_cast<const std::uint8_t*>(from.cells().data());
+  return colortool::ColorTable::translated({cells, from.cells().size()}, numbers);
+}
+
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from) {
   return {from.darkest(), from.brightest(), from.usual(), from.tolerance(), from.brightness_weight()};
 }

@@ -13,6 +13,7 @@ namespace robotcontrol {
 class BallGeometryParameters;
 class CameraPose;
 class ColorRegions;
+class ColorTable;
 class LandmarkGeometryParameters;
 class Lighting;
 }  // namespace robotcontrol
@@ -33,6 +34,10 @@ void readRegions(const robotcontrol::ColorRegions& from, const colortool::ColorC
 /// Those of one class only.
 void readRegions(const robotcontrol::ColorRegions& from, std::string_view className,
                  std::vector<colortool::Region>& to);
+
+/// The same table with the class numbers of `classes`, by their names; classes of other names are none.
+colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
+                                 const colortool::ColorClasses& classes);
 
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from);
 BallGeometry::Options ballGeometry(const robotcontrol::BallGeometryParameters& from, double ballRadius);

@@ -22,8 +22,9 @@ const DebugKey kRegionsKey{"segmentation/regions",
                            "The boxes of all regions, in the colours of their classes"};
 const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
 
-/// What both solutions share: the colour table, made anew when the lighting's parameters change, and what
-/// they tell.
+/// What both solutions share: the colour table, and what they tell. The table is the one that was handed to
+/// the robot's program; without one it is made from the field's colours, anew when the lighting's parameters
+/// change.
 class Segmentation : public robotlink::Solution {
  public:
   explicit Segmentation(robotlink::SolutionContext& context)
@@ -31,9 +32,11 @@ class Segmentation : public robotlink::Solution {
         field_(context.robot().field),
         classes_(fieldClasses(*field_)),
         image_(context.input(robotlink::kCameraImage)),
+        given_(context.input(robotlink::kColorTable)),
         regions_(context.output(robotlink::kColorRegions)) {}
 
   void execute() override {
+    tableIsNew_ = tableIsNew_ || given_.isNew();
     if (!image_ || !image_.isNew()) return;
     updateTable();
     table_.classify(robotlink::imageView(*image_), classImage_);
@@ -54,6 +57,13 @@ class Segmentation : public robotlink::Solution {
 
  private:
   void updateTable() {
+    if (given_ && !given_->cells().empty()) {
+      if (!tableIsNew_) return;
+      table_ = colorTable(*given_, classes_);
+      tableLighting_.reset();
+      tableIsNew_ = false;
+      return;
+    }
     const colortool::LightingRange wanted = lightingRange(lighting());
     if (tableLighting_ == wanted) return;
     table_ = fieldColorTable(*field_, classes_, wanted);
@@ -74,9 +84,11 @@ class Segmentation : public robotlink::Solution {
   std::shared_ptr<const robotlink::FieldDescription> field_;
   colortool::ColorClasses classes_;
   colortool::ColorTable table_;
-  std::optional<colortool::LightingRange> tableLighting_;
+  std::optional<colortool::LightingRange> tableLighting_;  ///< that it was made for; none if it was given
+  bool tableIsNew_ = true;                                 ///< the one that was given was not looked at yet
   robotlink::Image classImage_;
   robotlink::Input<foxglove::RawImage> image_;
+  robotlink::Input<robotcontrol::ColorTable> given_;
   robotlink::Output<robotcontrol::ColorRegions> regions_;
 };
 
@@ -103,6 +115,7 @@ const robotlink::SolutionRegistration kWholeImage =
         "Sorts every pixel into a colour class by the colour table and joins touching runs of equal class to "
         "regions.")
         .needs(robotlink::kCameraImage)
+        .uses(robotlink::kColorTable)
         .yields(robotlink::kColorRegions)
         .keys({&kClassesKey, &kRegionsKey, &kCountKey})
         .parameters<robotcontrol::WholeImageSegmentationParameters>();
@@ -130,6 +143,7 @@ const robotlink::SolutionRegistration kScanLines =
         "Reads vertical scan lines by the colour table and groups runs of equal class on neighbouring lines "
         "to regions.")
         .needs(robotlink::kCameraImage)
+        .uses(robotlink::kColorTable)
         .yields(robotlink::kColorRegions)
         .keys({&kClassesKey, &kRegionsKey, &kCountKey})
         .parameters<robotcontrol::ScanLineSegmentationParameters>();

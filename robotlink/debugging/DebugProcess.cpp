@@ -32,6 +32,18 @@ std::string wrongWith(const robotcontrol::KeyMode& mode) {
   return needsNumber && mode.n() == 0 ? "this mode of a debug key needs a number above 0" : "";
 }
 
+/// Empty if it can be used, or has no cells at all.
+std::string wrongWith(const robotcontrol::ColorTable& table) {
+  constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
+  if (table.cells().empty()) return "";
+  if (table.cells().size() != kCells)
+    return "a colour table has " + std::to_string(kCells) + " cells, this one has " +
+           std::to_string(table.cells().size());
+  const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
+  return std::ranges::all_of(table.cells(), known) ? ""
+                                                   : "cells of the colour table have classes without a name";
+}
+
 }  // namespace
 
 struct DebugProcess::Implementation {
@@ -40,6 +52,7 @@ struct DebugProcess::Implementation {
         routes(std::move(given)),
         debug(owner.name(), clock, {}),
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
+        colorTable(owner, kColorTable.name, Blocking::kNo),
         solutionsDue(!routes.absent.empty()) {
     for (const auto& list : routes.processes) {
       names.push_back(list.process);
@@ -52,6 +65,7 @@ struct DebugProcess::Implementation {
   void route(const Request& request);
   void setKey(const Request& request);
   void sendMotion(const Request& request);
+  void sendColorTable(const Request& request);
   void sendTo(const std::string& name, const std::string& what, const Request& request);
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
@@ -66,6 +80,7 @@ struct DebugProcess::Implementation {
   DebugRoutes routes;
   DebugContext debug;
   Sender<robotcontrol::RemoteMotion> remoteMotion;
+  Sender<robotcontrol::ColorTable> colorTable;
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
   std::vector<const Process*> watched;
@@ -150,6 +165,8 @@ void DebugProcess::Implementation::route(const Request& request) {
       return answer(request, "");
     case Request::kMotion:
       return sendMotion(request);
+    case Request::kSetColorTable:
+      return sendColorTable(request);
     default:
       return answer(request, "a robot's program cannot do this; ask its platform or the simulation");
   }
@@ -179,6 +196,15 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
   auto motion = std::make_shared<robotcontrol::RemoteMotion>(request.motion());
   assign(*motion->mutable_timestamp(), process.frameTime());
   remoteMotion.send(std::move(motion));
+  answer(request, "");
+}
+
+/// A table without cells takes back the one that was set.
+void DebugProcess::Implementation::sendColorTable(const Request& request) {
+  const robotcontrol::ColorTable& table = request.set_color_table().table();
+  if (const std::string wrong = wrongWith(table); !wrong.empty()) return answer(request, wrong);
+  if (!colorTable.connected()) return answer(request, "no task of this layout uses a colour table");
+  colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
   answer(request, "");
 }
 

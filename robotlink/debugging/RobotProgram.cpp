@@ -32,7 +32,7 @@ PlatformPackages packagesOf(const Platform& platform) {
   PlatformPackages packages;
   for (const AnySender* sender : platform.senders()) packages.offers.push_back(sender->package());
   for (const AnyReceiver* receiver : platform.receivers()) packages.takes.push_back(receiver->package());
-  packages.debugOffers.emplace_back(kRemoteMotion.name);
+  packages.debugOffers = debugPackages();
   return packages;
 }
 
@@ -120,6 +120,10 @@ void RobotProgram::Implementation::connectDebugging() {
     connectPackage("debug/queue/" + process->name(), *process, *debugProcess);
     connectPackage("debug/requests/" + process->name(), *debugProcess, *process);
   }
+}
+
+std::vector<std::string> debugPackages() {
+  return {kRemoteMotion.name, kColorTable.name};
 }
 
 const RobotSetup& RobotProgram::robot() const {

@@ -54,4 +54,7 @@ class RobotProgram {
 /// The catalog of all registered solutions, for layout checks.
 TaskCatalog registeredTasks();
 
+/// The packages that every debug process offers: a person's wishes.
+std::vector<std::string> debugPackages();
+
 }  // namespace robotlink

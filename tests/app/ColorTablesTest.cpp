@@ -8,7 +8,8 @@
 #include "robotcontrol/Perception.pb.h"
 
 TEST(ColorTables, aFileOfARealRobotBecomesATableWithNames) {
-  const std::filesystem::path file = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
+  const std::filesystem::path file =
+      ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
   if (!std::filesystem::exists(file)) GTEST_SKIP() << "the real table is not at " << file;
   const auto table = app::readColorTable(file);
   ASSERT_TRUE(table) << table.error().describe();

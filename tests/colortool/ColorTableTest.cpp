@@ -58,6 +58,19 @@ TEST(ColorTable, classifiesRgbLikeTheSameColorInYuyv) {
   EXPECT_EQ(classes.data, std::vector<std::uint8_t>{7});
 }
 
+TEST(ColorTable, takesOverATableOfOtherClassNumbers) {
+  std::vector<std::uint8_t> cells(64 * 64 * 64, 0);
+  cells[5] = 1;
+  cells[6] = 2;
+  cells[7] = 200;
+  const std::array<std::uint8_t, 3> numbers = {0, 4, 9};
+  const ColorTable table = ColorTable::translated(cells, numbers);
+  EXPECT_EQ(table.cells()[5], 4);
+  EXPECT_EQ(table.cells()[6], 9);
+  EXPECT_EQ(table.cells()[7], 0) << "a class that has no number";
+  EXPECT_EQ(ColorTable::translated(std::span(cells).first(10), numbers), ColorTable()) << "too few cells";
+}
+
 TEST(ColorTable, classifiesNothingInAnEmptyImage) {
   Image classes(3, 3, PixelFormat::kMono8);
   ColorTable().classify({}, classes);

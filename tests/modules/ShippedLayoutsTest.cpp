@@ -25,7 +25,7 @@ class ShippedLayoutsTest : public testing::TestWithParam<const char*> {
     layout_ = *layout;
   }
   PlatformPackages platform(bool simulated) const {
-    PlatformPackages packages{robot_.offers, robot_.takes, {"remote/motion"}};
+    PlatformPackages packages{robot_.offers, robot_.takes, debugPackages()};
     if (simulated) return packages;
     std::erase_if(packages.offers, [this](const std::string& package) {
       return std::find(robot_.simulatedOnly.begin(), robot_.simulatedOnly.end(), package) !=
