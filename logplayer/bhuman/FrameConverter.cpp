@@ -145,7 +145,9 @@ Result<void> FrameConverter::tell(const Contents& contents) {
   const Instant time = contents.time().value_or(usual);
   lastTime_ = time;
   timeOfProcess_[contents.process] = time;
-  return sink_(messagesOf(contents, time));
+  Frame frame = messagesOf(contents, time);
+  // Opening angles alone, outside of any frame, tell nothing.
+  return frame.empty() ? Result<void>() : sink_(std::move(frame));
 }
 
 FrameConverter::Frame FrameConverter::messagesOf(const Contents& contents, Instant time) {

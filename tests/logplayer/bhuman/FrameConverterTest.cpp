@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
+#include <array>
+
 #include "QueueText.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
@@ -88,6 +90,32 @@ TEST(FrameConverter, rawImagesKeepTheSecondYOfEachQuadruple) {
   EXPECT_EQ(image.data().substr(0, 4), "\x60\x40\x60\xA0");
 }
 
+TEST(FrameConverter, jpegsOfFourComponentsAreNotInverted) {
+  const auto imported = import(QueueBuilder().begin('c').jpegImage(150, 16, 8).end('c').file());
+  EXPECT_EQ(imported.report.damage, "");
+  const auto& image = dynamic_cast<const foxglove::RawImage&>(*imported.frames[0][0].value);
+  ASSERT_EQ(image.data().size(), 16U * 8 * 2);
+  constexpr std::array kExpected = {0x60, 0x40, 0x60, 0xA0};
+  for (std::size_t i = 0; i < image.data().size(); ++i)
+    EXPECT_NEAR(static_cast<std::uint8_t>(image.data()[i]), kExpected[i % 4], 2) << i;
+}
+
+TEST(FrameConverter, theCamerasAnglesAreThoseThatWereLogged) {
+  const auto imported = import(
+      QueueBuilder().begin('c').image(150, 4, 2).cameraMatrix(true).imageCoordinateSystem().end('c').file());
+  const auto& pose = dynamic_cast<const robotcontrol::CameraPose&>(*imported.frames[0][1].value);
+  EXPECT_EQ(pose.horizontal_angle(), 0.9);
+  EXPECT_EQ(pose.vertical_angle(), 0.7);
+  EXPECT_EQ(pose.width(), 160U);
+}
+
+TEST(FrameConverter, theAccelerationAtRestPointsUp) {
+  const auto imported = import(QueueBuilder().begin('m').sensors(100).end('m').file());
+  const auto& sensors = dynamic_cast<const robotcontrol::BodySensors&>(*imported.frames[0][0].value);
+  EXPECT_NEAR(sensors.acceleration().z(), 9.81, 1e-6);
+  EXPECT_NEAR(sensors.acceleration().x(), -9.81 / 4, 1e-6);
+}
+
 TEST(FrameConverter, textsBecomeMessagesOfTheLog) {
   const auto imported =
       import(QueueBuilder().begin('c').image(150, 4, 2).text("ball lost \xFF").end('c').file());
@@ -116,6 +144,13 @@ TEST(FrameConverter, framesWithoutATimeGetThatOfTheOneBefore) {
             "motion 1 @100: joints/states frames/motion\n"
             "motion 2 @200: joints/states frames/motion\n"
             "cognition 2 @100: log frames/cognition\n");
+}
+
+TEST(FrameConverter, aFrameThatWouldTellNothingIsNone) {
+  const auto imported = import(
+      QueueBuilder().imageCoordinateSystem().begin('m').joints(100).end('m').imageCoordinateSystem().file());
+  EXPECT_EQ(imported.text(), "motion 1 @100: joints/states frames/motion\n");
+  EXPECT_EQ(imported.report.imported.at("ImageCoordinateSystem"), 2U);
 }
 
 TEST(FrameConverter, framesWithoutTheirEndOrBeginningAreKeptAndTold) {

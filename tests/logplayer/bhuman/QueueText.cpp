@@ -3,6 +3,10 @@
 
 #include <bit>
 #include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include <jpeglib.h>
 
 #include "robotlink/base/AtomicFile.h"
 
@@ -60,6 +64,31 @@ QueueBuilder& QueueBuilder::image(std::uint32_t timeMs, int width, int height) {
   return message(3, payload.bytes());
 }
 
+QueueBuilder& QueueBuilder::jpegImage(std::uint32_t timeMs, int width, int height) {
+  Payload pixels;
+  for (int i = 0; i < width * height; ++i) pixels.number(0xA0604030U, 4);
+  const auto jpeg = fourComponentJpeg(pixels.bytes(), width, height);
+  Payload payload;
+  payload.int32(width).int32(height).int32(timeMs).int32(static_cast<std::int64_t>(jpeg.size()));
+  for (const std::uint8_t byte : jpeg) payload.number(byte, 1);
+  return message(4, payload.bytes());
+}
+
+QueueBuilder& QueueBuilder::sensors(std::uint32_t timeMs) {
+  Payload payload;
+  for (int i = 0; i < 18; ++i) payload.number(std::bit_cast<std::uint32_t>(i == 5 ? -1.0F : 0.25F), 4);
+  for (int i = 0; i < 22; ++i) payload.number(static_cast<std::uint64_t>(i), 2);
+  for (int i = 0; i < 22; ++i) payload.number(40, 1);
+  return message(6, payload.int32(1).int32(timeMs).bytes());
+}
+
+QueueBuilder& QueueBuilder::imageCoordinateSystem() {
+  Payload payload;
+  for (int i = 0; i < 14; ++i) payload.float64(1);
+  payload.int32(160).int32(120).float64(0.9).float64(0.7);
+  return message(18, payload.float64(165).float64(80).float64(60).bytes());
+}
+
 QueueBuilder& QueueBuilder::cameraMatrix(bool valid) {
   const double c = std::sqrt(0.75), s = 0.5;
   Payload payload;
@@ -80,6 +109,33 @@ std::vector<std::uint8_t> QueueBuilder::file() const {
 
 std::vector<std::uint8_t> QueueBuilder::appendableFile() const {
   return fileWith(-1, -1);
+}
+
+std::vector<std::uint8_t> fourComponentJpeg(std::span<const std::uint8_t> pixels, int width, int height) {
+  jpeg_error_mgr errors;
+  jpeg_compress_struct codec{};
+  codec.err = jpeg_std_error(&errors);
+  jpeg_create_compress(&codec);
+  unsigned char* data = nullptr;
+  unsigned long size = 0;
+  jpeg_mem_dest(&codec, &data, &size);
+  codec.image_width = static_cast<JDIMENSION>(width);
+  codec.image_height = static_cast<JDIMENSION>(height);
+  codec.input_components = 4;
+  codec.in_color_space = JCS_CMYK;
+  jpeg_set_defaults(&codec);
+  jpeg_set_quality(&codec, 95, TRUE);
+  jpeg_start_compress(&codec, TRUE);
+  while (codec.next_scanline < codec.image_height) {
+    const std::size_t row = codec.next_scanline * static_cast<std::size_t>(width) * 4;
+    auto* pointer = const_cast<JSAMPROW>(pixels.data() + row);
+    jpeg_write_scanlines(&codec, &pointer, 1);
+  }
+  jpeg_finish_compress(&codec);
+  std::vector<std::uint8_t> result(data, data + size);
+  jpeg_destroy_compress(&codec);
+  std::free(data);
+  return result;
 }
 
 std::string realLogPath() {

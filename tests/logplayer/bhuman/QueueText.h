@@ -23,8 +23,12 @@ class QueueBuilder {
   QueueBuilder& keys();
   /// Raw, of one colour.
   QueueBuilder& image(std::uint32_t timeMs, int width, int height);
+  /// The same as a JPEG of four components, as the robots' code wrote them.
+  QueueBuilder& jpegImage(std::uint32_t timeMs, int width, int height);
   /// Camera 0.5 m above the ground, looking ahead and 30 degrees down.
   QueueBuilder& cameraMatrix(bool valid);
+  QueueBuilder& sensors(std::uint32_t timeMs);
+  QueueBuilder& imageCoordinateSystem();
 
   /// A whole file.
   std::vector<std::uint8_t> file() const;
@@ -39,7 +43,10 @@ class QueueBuilder {
   int messages_ = 0;
 };
 
-/// The log of a real robot, and what was found out about it; empty where it is missing.
+/// A JPEG of four components that are written as they are.
+std::vector<std::uint8_t> fourComponentJpeg(std::span<const std::uint8_t> pixels, int width, int height);
+
+/// The log of a real robot; empty where it is missing.
 std::vector<std::uint8_t> realLog();
 std::string realLogPath();
 

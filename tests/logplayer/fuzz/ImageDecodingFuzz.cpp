@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+#include <cstdio>
+#include <cstdlib>
+
+#include "logplayer/ImageCoding.h"
+#include "tests/logplayer/bhuman/QueueText.h"
+#include "tests/logplayer/fuzz/FuzzTarget.h"
+
+using namespace logplayer;
+using robotlink::Image;
+using robotlink::PixelFormat;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "not so: %s\n", what);
+  std::abort();
+}
+
+void check(const robotlink::Result<Image>& image) {
+  if (!image) return require(!image.error().text.empty(), "a refusal says why");
+  const auto bytes = static_cast<std::size_t>(image->step()) * static_cast<std::size_t>(image->height);
+  require(image->width > 0 && image->height > 0 && image->data.size() == bytes, "the data suits the size");
+}
+
+Image picture(int width, int height, PixelFormat format) {
+  Image image(width, height, format);
+  for (std::size_t i = 0; i < image.data.size(); ++i)
+    image.data[i] = static_cast<std::uint8_t>(128 + 100 * std::sin(static_cast<double>(i) / 9));
+  return image;
+}
+
+std::string textOf(const std::vector<std::uint8_t>& bytes) {
+  return {bytes.begin(), bytes.end()};
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::span<const std::uint8_t> bytes(data, size);
+  const auto components = decodeJpegComponents(bytes, 1U << 16U);
+  if (components)
+    require(components->data.size() ==
+                static_cast<std::size_t>(components->width * components->height * components->count),
+            "the data suits the components");
+  // Of what is large only the size is looked at, or a run would take hours.
+  if (components || size % 16 == 0) check(decodeJpeg(bytes));
+  check(decodePng(bytes));
+  return 0;
+}
+
+std::vector<std::string> fuzzSeeds() {
+  std::vector<std::string> seeds;
+  for (const PixelFormat format : {PixelFormat::kYuyv, PixelFormat::kRgb8, PixelFormat::kMono8}) {
+    const Image image = picture(26, 17, format);
+    seeds.push_back(textOf(encodeJpeg(image.view()).value()));
+    seeds.push_back(textOf(encodePng(image.view()).value()));
+  }
+  const Image image = picture(64, 8, PixelFormat::kMono8);
+  seeds.push_back(textOf(bhuman::fourComponentJpeg(image.data, 16, 8)));
+  return seeds;
+}
