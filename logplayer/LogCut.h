@@ -22,13 +22,13 @@ struct RewriteInput {
 };
 
 struct RewriteOptions {
-  std::vector<RewriteInput> inputs;
+  std::vector<RewriteInput> inputs = {};
   /// What lies in [from, to] is kept, in times of the new log; unset: from the start, to the end.
-  std::optional<robotlink::Instant> from, to;
-  StreamChoice streams;
+  std::optional<robotlink::Instant> from = {}, to = {};
+  StreamChoice streams = {};
   mcap::Compression compression = mcap::Compression::kZstd;
   bool overwrite = false;  ///< a file of the new one's name; else it must not exist
-  LogFile::Progress progress;
+  LogFile::Progress progress = {};
 };
 
 /// What a new log was made of.
@@ -46,12 +46,12 @@ struct RewriteReport {
 /// Writes a part of one or several logs into a new one: cuts by time, filters by streams, merges, and all of
 /// that at once. Messages are copied as they are, of unknown types, too. The new log begins with what holds
 /// until it is told anew; frames are in it as a whole or not at all (a frame belongs where its FrameInfo is);
-/// a FrameInfo stays with whatever is kept of its frame, unless it is excluded by name. Bookmarks in the
-/// range are in it, also those from beside the logs.
+/// FrameInfos stay with whatever is kept of their process, unless they are excluded. Bookmarks in the range
+/// are in it, also those from beside the logs. Fails if nothing would be left.
 ///
 /// If several logs have a robot of the same name, the later ones get "-2", "-3" behind it. Of streams that
 /// belong to no robot (the scene) those of the first log that has them are taken. Memory is bounded by the
-/// reader's cache and the largest frame.
+/// readers' caches and the largest frames.
 ///
 /// The new file gets its name when it is complete; if anything fails, or is given up by progress, nothing is
 /// left.

@@ -20,9 +20,9 @@ namespace logplayer {
 
 struct ExportOptions {
   /// What lies in [from, to]; unset: from the start, to the end.
-  std::optional<robotlink::Instant> from, to;
+  std::optional<robotlink::Instant> from = {}, to = {};
   bool overwrite = false;  ///< files of the same names; else they must not exist
-  LogFile::Progress progress;
+  LogFile::Progress progress = {};
 };
 
 struct ExportReport {

@@ -8,6 +8,7 @@
 #include <string>
 #include <vector>
 
+#include "logplayer/Bookmarks.h"
 #include "logplayer/LogFile.h"
 #include "robotlink/base/Error.h"
 
@@ -32,7 +33,7 @@ struct LogInfo {
   std::uint64_t frames = 0;                       ///< of the robots' processes, the platform's steps apart
   std::map<std::string, std::uint64_t> framesOf;  ///< "<robot>/<process>", the platforms', too
   std::uint64_t images = 0;
-  std::uint64_t bookmarks = 0;
+  std::vector<Bookmark> bookmarks;
   std::vector<Stream> streams;  ///< by path
 
   // Of the container; nothing for older formats.
@@ -45,11 +46,11 @@ struct LogInfo {
 
   bool complete = true;  ///< ends as it should
   std::vector<mcap::Damage> damage;
-  std::string damageText;                              ///< empty if nothing is wrong
+  std::vector<std::string> losses;                     ///< all that is wrong, a sentence each
   std::map<std::string, std::uint64_t> notUnderstood;  ///< messages of an older format, by kind
 };
 
-/// Reads what it needs to count; given up by progress it fails with "log.cancelled".
+/// Reads what it needs to count; given up by progress it fails with "log.given-up".
 robotlink::Result<LogInfo> readLogInfo(const std::filesystem::path& file,
                                        const LogFile::Progress& progress = {});
 

@@ -17,6 +17,7 @@ enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kDoneWithLosses = 3 };
 // Each adds a subcommand to `app`; when it was chosen, `status` is set by its callback.
 void addSimCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
+void addLogCommand(CLI::App& app, int& status);
 
 /// Prints all errors on stderr, one a line; kFailed.
 int printErrors(const robotlink::Errors& errors);

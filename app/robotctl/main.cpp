@@ -23,6 +23,7 @@ int run(int argc, char** argv) {
   int status = kDone;
   addSimCommand(app, status);
   addLayoutCommand(app, status);
+  addLogCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

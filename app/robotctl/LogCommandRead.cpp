@@ -1,0 +1,114 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+
+#include "app/robotctl/LogCommands.h"
+#include "logplayer/ContainerFile.h"
+#include "logplayer/LogInfo.h"
+#include "logplayer/Losses.h"
+#include "logplayer/mcap/Reader.h"
+
+namespace app {
+namespace {
+
+using nlohmann::json;
+using robotlink::Result;
+
+struct ReadArguments {
+  std::vector<std::string> files;
+  bool asJson = false;
+};
+
+/// What of one file is printed, and what is wrong with it.
+struct Findings {
+  json object;
+  std::string text;
+  std::vector<std::string> losses;
+};
+
+Result<Findings> describe(const std::string& file) {
+  TerminalProgress progress;
+  const auto info = logplayer::readLogInfo(file, progress.function());
+  if (!info) return tl::unexpected(info.error());
+  return Findings{toJson(*info), toText(*info), info->losses};
+}
+
+Result<Findings> verify(const std::string& file) {
+  TerminalProgress progress;
+  const auto container = logplayer::ContainerFile::of(file, progress.function());
+  if (!container) return tl::unexpected(container.error());
+  logplayer::mcap::Reader::Options options;
+  options.progress = progress.function();
+  const auto reader = logplayer::mcap::Reader::open(container->path(), options);
+  if (!reader) return tl::unexpected(reader.error());
+  if (!(*reader)->verify()) return robotlink::failure("log.given-up", "given up", {file, 0, 0});
+  Findings findings;
+  if (container->conversion() && !container->conversion()->damage.empty()) {
+    findings.losses.push_back(file + ": " + container->conversion()->damage);
+  }
+  const auto damaged = logplayer::lossesOf(file, (*reader)->complete(), (*reader)->damage());
+  findings.losses.insert(findings.losses.end(), damaged.begin(), damaged.end());
+  const auto messages = (*reader)->statistics().messageCount;
+  const auto chunks = (*reader)->chunks().size();
+  findings.object = {{"file", file},
+                     {"whole", findings.losses.empty()},
+                     {"messages", messages},
+                     {"chunks", chunks},
+                     {"losses", findings.losses}};
+  findings.text = file + (findings.losses.empty() ? ": whole, " : ": readable with losses, ") +
+                  std::to_string(messages) + " messages in " + std::to_string(chunks) + " chunks\n";
+  return findings;
+}
+
+/// One object for one file; for several an object with all of them.
+void printJson(const ReadArguments& arguments, const std::vector<json>& objects) {
+  if (arguments.files.size() == 1 && objects.size() == 1) {
+    std::cout << objects.front().dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  } else if (arguments.files.size() > 1) {
+    std::cout << json{{"files", objects}}.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
+  }
+}
+
+int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::string&)) {
+  int status = kDone;
+  std::vector<json> objects;
+  bool first = true;
+  for (const std::string& file : arguments.files) {
+    auto findings = find(file);
+    if (!findings) {
+      status = printErrors({findings.error()});
+      continue;
+    }
+    if (arguments.asJson) {
+      objects.push_back(std::move(findings->object));
+    } else {
+      std::cout << (first ? "" : "\n") << findings->text << std::flush;
+    }
+    first = false;
+    const int here = printLosses(findings->losses);
+    if (status == kDone) status = here;
+  }
+  if (arguments.asJson) printJson(arguments, objects);
+  return status;
+}
+
+void add(CLI::App& log, int& status, const char* name, const char* help,
+         Result<Findings> (*find)(const std::string&)) {
+  auto arguments = std::make_shared<ReadArguments>();
+  CLI::App* command = log.add_subcommand(name, help);
+  command->add_option("files", arguments->files, "Log files, of older formats, too")->required();
+  command->add_flag("--json", arguments->asJson, "Prints one JSON object");
+  command->callback([arguments, find, &status] { status = forAll(*arguments, find); });
+}
+
+}  // namespace
+
+void addLogReadCommands(CLI::App& log, int& status) {
+  add(log, status, "info", "Says what logs hold: streams with counts, sizes and rates, time, robots, damage",
+      describe);
+  add(log, status, "verify", "Reads all of logs and checks all checksums", verify);
+}
+
+}  // namespace app

@@ -1,0 +1,240 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/BookmarkStorage.h"
+
+#include <unistd.h>
+
+#include <algorithm>
+#include <charconv>
+#include <nlohmann/json.hpp>
+
+#include "foxglove/Event.pb.h"
+#include "logplayer/LogImport.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Schema.h"
+#include "robotlink/session/VersionedFile.h"
+
+namespace logplayer {
+namespace {
+
+using nlohmann::json;
+using robotlink::Instant;
+using robotlink::Result;
+
+constexpr std::uint64_t kLargestId = (std::uint64_t{1} << 53U) - 1;  // what JSON readers take exactly
+const robotlink::VersionedFormat kFormat{"robotcontrol-bookmarks", 1, "bookmarks"};
+
+const std::string* metadata(const foxglove::Event& event, std::string_view key) {
+  for (const auto& pair : event.metadata()) {
+    if (pair.key() == key) return &pair.value();
+  }
+  return nullptr;
+}
+
+void addMetadata(foxglove::Event& event, const char* key, const std::string& value) {
+  auto* pair = event.add_metadata();
+  pair->set_key(key);
+  pair->set_value(value);
+}
+
+// FNV-1a.
+std::uint64_t hashOf(mcap::Bytes data) {
+  std::uint64_t hash = 0xcbf29ce484222325;
+  for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3;
+  return hash & kLargestId;
+}
+
+std::uint64_t idOf(const foxglove::Event& event, mcap::Bytes data) {
+  const std::string* text = metadata(event, "id");
+  std::uint64_t id = 0;
+  if (!text || std::from_chars(text->data(), text->data() + text->size(), id).ec != std::errc())
+    return hashOf(data);
+  return id;
+}
+
+// What other programs say of their events, if there is no text.
+std::string textOf(const foxglove::Event& event) {
+  if (const std::string* text = metadata(event, "text")) return *text;
+  std::string all;
+  for (const auto& pair : event.metadata()) {
+    all += (all.empty() ? "" : ", ") + pair.key() + ": " + pair.value();
+  }
+  return all;
+}
+
+void readEvent(mcap::Bytes data, BookmarkChanges& changes) {
+  foxglove::Event event;
+  if (!event.ParseFromArray(data.data(), static_cast<int>(data.size()))) return;
+  const std::uint64_t id = idOf(event, data);
+  if (metadata(event, "removed")) {
+    changes[id] = std::nullopt;
+    return;
+  }
+  const Instant from = robotlink::instant(event.start_time());
+  const Instant to = event.has_end_time() ? robotlink::instant(event.end_time()) : from;
+  changes[id] = Bookmark{id, from, std::max(from, to), textOf(event)};
+}
+
+foxglove::Event eventOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {
+  foxglove::Event event;
+  addMetadata(event, "id", std::to_string(id));
+  if (!bookmark) {
+    addMetadata(event, "removed", "true");
+    return event;
+  }
+  assign(*event.mutable_start_time(), bookmark->from);
+  assign(*event.mutable_end_time(), bookmark->to);
+  addMetadata(event, "text", bookmark->text);
+  return event;
+}
+
+bool isBookmarks(const mcap::Reader& log, const mcap::Channel& channel) {
+  const auto schema = log.schemas().find(channel.schemaId);
+  return channel.topic == robotlink::streams::kBookmarks && channel.messageEncoding == "protobuf" &&
+         schema != log.schemas().end() && schema->second.name == foxglove::Event::descriptor()->full_name();
+}
+
+json jsonOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {
+  if (!bookmark) return {{"id", id}, {"removed", true}};
+  return {{"id", id},
+          {"from_ns", bookmark->from.time_since_epoch().count()},
+          {"to_ns", bookmark->to.time_since_epoch().count()},
+          {"text", bookmark->text}};
+}
+
+// Throws json::exception where something is of the wrong type or lacks.
+std::pair<std::uint64_t, std::optional<Bookmark>> bookmarkOf(const json& entry) {
+  const auto id = entry.at("id").get<std::uint64_t>();
+  if (entry.value("removed", false)) return {id, std::nullopt};
+  const Instant from{robotlink::Duration(entry.at("from_ns").get<std::int64_t>())};
+  const Instant to{robotlink::Duration(entry.at("to_ns").get<std::int64_t>())};
+  return {id, Bookmark{id, from, std::max(from, to), entry.at("text").get<std::string>()}};
+}
+
+bool earlier(const Bookmark& a, const Bookmark& b) {
+  return std::tie(a.from, a.to, a.id) < std::tie(b.from, b.to, b.id);
+}
+
+}  // namespace
+
+BookmarkChanges readBookmarks(mcap::Reader& log) {
+  std::vector<std::uint16_t> channels;
+  for (const auto& [id, channel] : log.channels()) {
+    if (isBookmarks(log, channel)) channels.push_back(id);
+  }
+  std::vector<mcap::MessagePosition> positions;
+  mcap::MessagePosition before{Instant::min()};
+  while (const auto position = channels.empty() ? std::nullopt : log.next(before, channels)) {
+    positions.push_back(*position);
+    before = *position;
+  }
+  // Which was said last tells the order of the file: a bookmark may have been moved to an earlier time.
+  std::sort(positions.begin(), positions.end(), [](const auto& a, const auto& b) {
+    return std::tie(a.chunkOffset, a.offset) < std::tie(b.chunkOffset, b.offset);
+  });
+  BookmarkChanges changes;
+  for (const auto& position : positions) {
+    if (const auto data = log.read(position)) readEvent(data->message.data, changes);
+  }
+  return changes;
+}
+
+Result<void> writeBookmarks(mcap::Writer& log, const BookmarkChanges& changes) {
+  const auto* type = foxglove::Event::descriptor();
+  const auto schema = log.addSchema(type->full_name(), "protobuf", robotlink::schemaOf(*type));
+  if (!schema) return tl::unexpected(schema.error());
+  const auto channel = log.addChannel(robotlink::streams::kBookmarks, *schema, "protobuf", {});
+  if (!channel) return tl::unexpected(channel.error());
+  // A removal is told at the log's end, which it does not move.
+  const Instant end = log.statistics().messageEnd;
+  for (const auto& [id, bookmark] : changes) {
+    const std::string data = eventOf(id, bookmark).SerializeAsString();
+    const Instant time = bookmark ? bookmark->from : end;
+    const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
+    if (const auto written = log.write({*channel, 0, time, time, bytes}); !written) return written;
+  }
+  return {};
+}
+
+std::filesystem::path fileBeside(const std::filesystem::path& log) {
+  std::filesystem::path file = log;
+  file += ".bookmarks.json";
+  return file;
+}
+
+Result<BookmarkChanges> readBookmarksBeside(const std::filesystem::path& log) {
+  const std::filesystem::path file = fileBeside(log);
+  const auto contents = robotlink::readVersioned(file, kFormat);
+  if (!contents) return tl::unexpected(contents.error());
+  BookmarkChanges changes;
+  try {
+    for (const json& entry : contents->value("entries", json::array())) changes.insert(bookmarkOf(entry));
+  } catch (const json::exception& exception) {
+    return robotlink::failure("bookmarks.format",
+                              std::string("a bookmark cannot be understood: ") + exception.what(),
+                              {file.string(), 0, 0});
+  }
+  return changes;
+}
+
+Result<void> writeBookmarksBeside(const std::filesystem::path& log, const BookmarkChanges& changes) {
+  const std::filesystem::path file = fileBeside(log);
+  if (changes.empty()) {
+    std::error_code error;
+    std::filesystem::remove(file, error);
+    if (!error) return {};
+    return robotlink::failure("file.io", "cannot remove it: " + error.message(), {file.string(), 0, 0},
+                              {error.message()});
+  }
+  json entries = json::array();
+  for (const auto& [id, bookmark] : changes) entries.push_back(jsonOf(id, bookmark));
+  return robotlink::writeVersioned(file, kFormat, {{"entries", std::move(entries)}});
+}
+
+std::vector<Bookmark> StoredBookmarks::bookmarks() const {
+  return changed(changed({}, inLog), beside);
+}
+
+Result<StoredBookmarks> readStoredBookmarks(const std::filesystem::path& log,
+                                            const std::function<bool(double)>& progress) {
+  StoredBookmarks stored;
+  if (!canImport(log)) {
+    mcap::Reader::Options options;
+    options.progress = progress;
+    const auto reader = mcap::Reader::open(log, options);
+    if (!reader) return tl::unexpected(reader.error());
+    stored.inLog = readBookmarks(**reader);
+    stored.canAppend = (*reader)->complete() && ::access(log.c_str(), W_OK) == 0;
+  }
+  auto beside = readBookmarksBeside(log);
+  if (beside) {
+    stored.beside = std::move(*beside);
+  } else {
+    stored.problem = beside.error();
+  }
+  return stored;
+}
+
+BookmarkChanges difference(const std::vector<Bookmark>& from, const std::vector<Bookmark>& to) {
+  BookmarkChanges changes;
+  for (const Bookmark& bookmark : from) changes[bookmark.id] = std::nullopt;
+  for (const Bookmark& bookmark : to) changes[bookmark.id] = bookmark;
+  for (const Bookmark& bookmark : from) {
+    if (changes[bookmark.id] == bookmark) changes.erase(bookmark.id);
+  }
+  return changes;
+}
+
+std::vector<Bookmark> changed(const std::vector<Bookmark>& bookmarks, const BookmarkChanges& changes) {
+  std::vector<Bookmark> result;
+  for (const Bookmark& bookmark : bookmarks) {
+    if (!changes.contains(bookmark.id)) result.push_back(bookmark);
+  }
+  for (const auto& [id, bookmark] : changes) {
+    if (bookmark) result.push_back(*bookmark);
+  }
+  std::sort(result.begin(), result.end(), earlier);
+  return result;
+}
+
+}  // namespace logplayer

@@ -1,0 +1,353 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/LogCut.h"
+
+#include <google/protobuf/message.h>
+
+#include <algorithm>
+#include <iterator>
+
+#include "logplayer/BookmarkStorage.h"
+#include "logplayer/LogSource.h"
+#include "logplayer/MessageChange.h"
+#include "logplayer/MessageType.h"
+#include "logplayer/OutputFile.h"
+#include "logplayer/mcap/Writer.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace logplayer {
+namespace {
+
+using robotlink::Duration;
+using robotlink::Instant;
+using robotlink::Result;
+
+constexpr double kOpeningShare = 0.2;  // of the progress, as most logs need no scan
+constexpr std::uint64_t kUnitsPerProgress = 256;
+
+tl::unexpected<robotlink::Error> givenUp() {
+  return robotlink::failure("log.given-up", "given up; nothing was written");
+}
+
+/// How an input's channel comes into the new log.
+struct TargetChannel {
+  std::uint16_t id = 0;
+  std::optional<MessageType> type;  ///< only where messages may have to be changed
+};
+
+struct Input {
+  explicit Input(LogSource opened) : source(std::move(opened)) {}
+
+  LogSource source;
+  Duration offset{0};
+  MessageChange change;
+  std::map<std::uint16_t, TargetChannel> targets;  // by channel
+  std::optional<LogUnit> unit;                     // the next
+  std::uint64_t unchanged = 0;  // messages that should have been changed, but make no sense
+};
+
+/// One rewriting, from the inputs to the file.
+class Rewriting {
+ public:
+  explicit Rewriting(const RewriteOptions& options) : options_(options) {}
+  Result<RewriteReport> run(const std::filesystem::path& to);
+
+ private:
+  Result<void> openInputs();
+  void nameRobots(Input& input);
+  void choose(Input& input);
+  Result<void> writeHeld();
+  Result<void> writeUnits();
+  Result<void> writeUnit(Input& input, const LogUnit& unit);
+  Result<void> writeMessage(Input& input, const mcap::Message& message);
+  Result<TargetChannel*> targetOf(Input& input, std::uint16_t channel);
+  Result<void> writeRest();
+  Result<void> writeAllBookmarks();
+  Result<void> writeOrigin(const Input& input);
+  bool anythingThere() const;
+  tl::unexpected<robotlink::Error> nothingLeft() const;
+  bool goOn();
+  void conclude();
+
+  const RewriteOptions& options_;
+  std::vector<std::unique_ptr<Input>> inputs_;
+  std::set<std::string> robots_, worldStreams_;  // of all inputs so far
+  std::unique_ptr<mcap::Writer> writer_;
+  RewriteReport report_;
+};
+
+Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
+  if (options_.from && options_.to && *options_.to < *options_.from) {
+    return robotlink::failure("log.range", "the range ends before it begins");
+  }
+  auto output = OutputFile::create(to, options_.overwrite);
+  if (!output) return tl::unexpected(output.error());
+  if (const auto opened = openInputs(); !opened) return tl::unexpected(opened.error());
+  mcap::Writer::Options wishes;
+  wishes.compression = options_.compression;
+  wishes.library = "robotcontrol";
+  auto writer = mcap::Writer::create(output->temporary(), wishes);
+  if (!writer) return tl::unexpected(writer.error());
+  writer_ = std::move(*writer);
+  for (const auto step : {&Rewriting::writeHeld, &Rewriting::writeUnits, &Rewriting::writeRest}) {
+    if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
+  }
+  if (const auto closed = writer_->close(); !closed) return tl::unexpected(closed.error());
+  conclude();
+  if (const auto named = output->commit(); !named) return tl::unexpected(named.error());
+  return std::move(report_);
+}
+
+Result<void> Rewriting::openInputs() {
+  const auto count = static_cast<double>(options_.inputs.size());
+  for (const RewriteInput& wanted : options_.inputs) {
+    const double before = static_cast<double>(inputs_.size()) / count;
+    const auto progress = [&](double share) {
+      return !options_.progress || options_.progress(kOpeningShare * (before + share / count));
+    };
+    auto source = LogSource::open(wanted.file, progress);
+    if (!source) return tl::unexpected(source.error());
+    auto input = std::make_unique<Input>(std::move(*source));
+    input->offset = wanted.offset;
+    const auto& statistics = input->source.reader().statistics();
+    if (statistics.messageCount > 0 &&
+        (statistics.messageStart + wanted.offset).time_since_epoch().count() < 0) {
+      return robotlink::failure("log.offset",
+                                "with an offset of " + std::to_string(robotlink::seconds(wanted.offset)) +
+                                    " s it would begin before time 0; move the other logs on instead",
+                                {wanted.file.string(), 0, 0});
+    }
+    nameRobots(*input);
+    choose(*input);
+    inputs_.push_back(std::move(input));
+  }
+  return {};
+}
+
+void Rewriting::nameRobots(Input& input) {
+  std::map<std::string, std::string> names;
+  for (const std::string& robot : input.source.robots()) {
+    std::string name = robot;
+    for (int number = 2; robots_.contains(name); ++number) name = robot + "-" + std::to_string(number);
+    if (name == robot) continue;
+    names[robot] = name;
+    report_.renamed[input.source.file().filename().string() + ": " + robot] = name;
+  }
+  for (const std::string& robot : input.source.robots())
+    robots_.insert(names.contains(robot) ? names[robot] : robot);
+  input.change = MessageChange(input.offset, std::move(names));
+}
+
+// A world is told once, or robots would be seen twice at different places.
+void Rewriting::choose(Input& input) {
+  StreamChoice streams = options_.streams;
+  std::set<std::string> own;
+  std::string left;
+  for (const auto& [id, channel] : input.source.reader().channels()) {
+    const std::string& path = channel.topic;
+    if (path.find('/') != std::string::npos || path == robotlink::streams::kBookmarks) continue;
+    if (worldStreams_.contains(path)) {
+      if (streams.has(path)) left += (left.empty() ? "" : ", ") + path;
+      streams.exclude.push_back(path);
+    } else {
+      own.insert(path);
+    }
+  }
+  worldStreams_.merge(own);
+  if (!left.empty()) {
+    report_.notes.push_back(input.source.file().string() + ": " + left +
+                            " left out, as an earlier log has them");
+  }
+  const auto moved = [&](std::optional<Instant> time) {
+    return time ? std::optional(*time - input.offset) : time;
+  };
+  input.source.choose(moved(options_.from), moved(options_.to), streams);
+}
+
+// All of it in front of the first frame. It is told at the new log's start; publish_time says when it was.
+Result<void> Rewriting::writeHeld() {
+  writer_->beginGroup();
+  for (const auto& input : inputs_) {
+    for (const auto& data : input->source.held()) {
+      mcap::Message message = data.message;
+      message.logTime = *options_.from - input->offset;
+      message.sequence = 0;
+      if (const auto written = writeMessage(*input, message); !written) return written;
+    }
+  }
+  return writer_->endGroup();
+}
+
+Result<void> Rewriting::writeUnits() {
+  for (const auto& input : inputs_) input->unit = input->source.next();
+  for (std::uint64_t count = 0;; ++count) {
+    Input* first = nullptr;
+    for (const auto& input : inputs_) {
+      if (input->unit && (!first || input->unit->time + input->offset < first->unit->time + first->offset)) {
+        first = input.get();
+      }
+    }
+    if (!first) return count > 0 || !anythingThere() ? Result<void>() : nothingLeft();
+    if (const auto written = writeUnit(*first, *first->unit); !written) return written;
+    first->unit = first->source.next();
+    if (count % kUnitsPerProgress == 0 && !goOn()) return givenUp();
+  }
+}
+
+bool Rewriting::anythingThere() const {
+  return std::any_of(inputs_.begin(), inputs_.end(),
+                     [](const auto& input) { return input->source.reader().statistics().messageCount > 0; });
+}
+
+tl::unexpected<robotlink::Error> Rewriting::nothingLeft() const {
+  const auto& statistics = inputs_.front()->source.reader().statistics();
+  const auto text = [&](Instant time) {
+    return std::to_string(robotlink::seconds(time + inputs_.front()->offset));
+  };
+  return robotlink::failure(
+      "log.nothing",
+      "nothing would be left: no chosen stream has a message in the range; the log goes from " +
+          text(statistics.messageStart) + " s to " + text(statistics.messageEnd) + " s",
+      {inputs_.front()->source.file().string(), 0, 0});
+}
+
+Result<void> Rewriting::writeUnit(Input& input, const LogUnit& unit) {
+  writer_->beginGroup();
+  for (const auto& data : unit.messages) {
+    if (const auto written = writeMessage(input, data.message); !written) return written;
+  }
+  if (unit.frame) ++report_.frames;
+  return writer_->endGroup();
+}
+
+Result<TargetChannel*> Rewriting::targetOf(Input& input, std::uint16_t channel) {
+  const auto [found, added] = input.targets.try_emplace(channel);
+  if (!added) return &found->second;
+  const auto& from = input.source.reader().channels().at(channel);
+  const auto schema = input.source.reader().schemas().find(from.schemaId);
+  const bool hasSchema = schema != input.source.reader().schemas().end();
+  std::uint16_t schemaId = 0;
+  if (hasSchema) {
+    const auto id = writer_->addSchema(schema->second.name, schema->second.encoding, schema->second.data);
+    if (!id) return tl::unexpected(id.error());
+    schemaId = *id;
+    MessageType type(&schema->second, from.messageEncoding);
+    const auto empty = type.read({});
+    if (empty && input.change.concerns(*empty->GetDescriptor())) found->second.type = std::move(type);
+  }
+  const auto id =
+      writer_->addChannel(input.change.renamed(from.topic), schemaId, from.messageEncoding, from.metadata);
+  if (!id) return tl::unexpected(id.error());
+  found->second.id = *id;
+  return &found->second;
+}
+
+Result<void> Rewriting::writeMessage(Input& input, const mcap::Message& message) {
+  const auto target = targetOf(input, message.channelId);
+  if (!target) return tl::unexpected(target.error());
+  mcap::Message moved = message;
+  moved.channelId = (*target)->id;
+  moved.logTime += input.offset;
+  moved.publishTime += input.offset;
+  std::string data;
+  if ((*target)->type) {
+    if (const auto value = (*target)->type->read(message.data)) {
+      const std::unique_ptr<google::protobuf::Message> changed(value->New());
+      changed->CopyFrom(*value);
+      input.change.apply(*changed);
+      data = changed->SerializeAsString();
+      moved.data = {reinterpret_cast<const std::uint8_t*>(data.data()), data.size()};
+    } else {
+      ++input.unchanged;
+    }
+  }
+  return writer_->write(moved);
+}
+
+Result<void> Rewriting::writeRest() {
+  if (const auto written = writeAllBookmarks(); !written) return written;
+  for (const auto& input : inputs_) {
+    mcap::Reader& reader = input->source.reader();
+    for (const std::string& name : reader.attachmentNames()) {
+      const auto attachment = reader.attachment(name);
+      if (!attachment) {
+        report_.losses.push_back(input->source.file().string() + ": " + attachment.error().text);
+      } else if (const auto written = writer_->attach(*attachment); !written) {
+        return written;
+      }
+    }
+    for (const mcap::Metadata& metadata : reader.metadata()) {
+      if (const auto written = writer_->addMetadata(metadata); !written) return written;
+    }
+    if (const auto written = writeOrigin(*input); !written) return written;
+  }
+  return {};
+}
+
+Result<void> Rewriting::writeAllBookmarks() {
+  const StreamChoice notExcluded{{}, options_.streams.exclude};
+  if (!notExcluded.has(robotlink::streams::kBookmarks)) return {};
+  BookmarkChanges bookmarks;
+  for (const auto& input : inputs_) {
+    for (Bookmark bookmark : input->source.bookmarks()) {
+      bookmark.from = std::max(bookmark.from + input->offset, options_.from.value_or(Instant::min()));
+      bookmark.to = std::min(bookmark.to + input->offset, options_.to.value_or(Instant::max()));
+      if (bookmark.to < bookmark.from) continue;  // it lies outside
+      while (bookmarks.contains(bookmark.id)) ++bookmark.id;
+      bookmarks[bookmark.id] = bookmark;
+    }
+  }
+  report_.bookmarks = bookmarks.size();
+  return writeBookmarks(*writer_, bookmarks);
+}
+
+Result<void> Rewriting::writeOrigin(const Input& input) {
+  mcap::Metadata origin{"robotcontrol.origin", {{"file", input.source.file().filename().string()}}};
+  const auto note = [&](const char* name, const std::string& value) { origin.values[name] = value; };
+  if (options_.from) note("from_ns", std::to_string(options_.from->time_since_epoch().count()));
+  if (options_.to) note("to_ns", std::to_string(options_.to->time_since_epoch().count()));
+  if (input.offset.count() != 0) note("offset_ns", std::to_string(input.offset.count()));
+  return writer_->addMetadata(origin);
+}
+
+bool Rewriting::goOn() {
+  if (!options_.progress) return true;
+  double done = 0;
+  for (const auto& input : inputs_) {
+    const auto& statistics = input->source.reader().statistics();
+    Instant begin = statistics.messageStart, end = statistics.messageEnd;
+    if (options_.from) begin = std::max(begin, *options_.from - input->offset);
+    if (options_.to) end = std::min(end, *options_.to - input->offset);
+    const double length = robotlink::seconds(end - begin);
+    const double here = robotlink::seconds(input->source.position() - begin);
+    done += !input->unit || length <= 0 ? 1 : std::clamp(here / length, 0.0, 1.0);
+  }
+  return options_.progress(kOpeningShare + (1 - kOpeningShare) * done / static_cast<double>(inputs_.size()));
+}
+
+void Rewriting::conclude() {
+  const auto& statistics = writer_->statistics();
+  report_.messages = statistics.messageCount;
+  report_.begin = statistics.messageStart;
+  report_.end = statistics.messageEnd;
+  report_.bytes = writer_->bytesWritten();
+  const auto append = [](std::vector<std::string>& to, const std::vector<std::string>& from) {
+    to.insert(to.end(), from.begin(), from.end());
+  };
+  for (const auto& input : inputs_) {
+    append(report_.notes, input->source.notes());
+    append(report_.losses, input->source.losses());
+    if (input->unchanged == 0) continue;
+    report_.losses.push_back(
+        input->source.file().string() + ": " + std::to_string(input->unchanged) +
+        " messages make no sense by their schemas; times and names in them stay as they were");
+  }
+}
+
+}  // namespace
+
+Result<RewriteReport> rewriteLogs(const RewriteOptions& options, const std::filesystem::path& to) {
+  if (options.inputs.empty()) return robotlink::failure("log.inputs", "name at least one log");
+  return Rewriting(options).run(to);
+}
+
+}  // namespace logplayer

@@ -1,0 +1,211 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <array>
+#include <cstdio>
+#include <nlohmann/json.hpp>
+
+#include "logplayer/LogInfo.h"
+
+namespace logplayer {
+namespace {
+
+using nlohmann::json;
+using robotlink::Instant;
+
+std::string formatted(const char* format, double value) {
+  std::array<char, 64> text{};
+  std::snprintf(text.data(), text.size(), format, value);
+  return text.data();
+}
+
+std::string bytesText(std::uint64_t bytes) {
+  if (bytes < 1000) return std::to_string(bytes) + " B";
+  double value = static_cast<double>(bytes);
+  std::size_t unit = 0;
+  constexpr std::array<const char*, 5> kUnits{"B", "kB", "MB", "GB", "TB"};
+  while (value >= 999.5 && unit + 1 < kUnits.size()) {
+    value /= 1000;
+    ++unit;
+  }
+  return formatted(value < 9.995 ? "%.2f " : value < 99.95 ? "%.1f " : "%.0f ", value) + kUnits[unit];
+}
+
+/// "12,345".
+std::string countText(std::uint64_t count) {
+  std::string digits = std::to_string(count);
+  for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
+  return digits;
+}
+
+std::string rateText(double rate) {
+  if (rate <= 0) return "-";
+  return formatted(rate < 9.995 ? "%.2f Hz" : "%.1f Hz", rate);
+}
+
+std::string timeText(Instant time) {
+  return formatted("%.3f s", robotlink::seconds(time));
+}
+
+std::string percentText(std::uint64_t part, std::uint64_t whole) {
+  return whole == 0 ? "-"
+                    : formatted("%.1f %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
+}
+
+/// Columns as wide as their widest cell, aligned as `columns` says: "lr" is left, right.
+class Table {
+ public:
+  explicit Table(std::string columns) : columns_(std::move(columns)) {}
+  void add(std::vector<std::string> row) { rows_.push_back(std::move(row)); }
+  std::string text() const {
+    std::vector<std::size_t> widths;
+    for (const auto& row : rows_) {
+      widths.resize(std::max(widths.size(), row.size()));
+      for (std::size_t i = 0; i < row.size(); ++i) widths[i] = std::max(widths[i], row[i].size());
+    }
+    std::string text;
+    for (const auto& row : rows_) {
+      std::string line = " ";
+      for (std::size_t i = 0; i < row.size(); ++i) {
+        const std::string gap(widths[i] - row[i].size(), ' ');
+        line += " " + (columns_[i] == 'l' ? row[i] + gap : gap + row[i]) + " ";
+      }
+      text += line.substr(0, line.find_last_not_of(' ') + 1) + "\n";
+    }
+    return text;
+  }
+
+ private:
+  std::string columns_;
+  std::vector<std::vector<std::string>> rows_;
+};
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  return text;
+}
+
+std::string list(const std::map<std::string, std::uint64_t>& counts) {
+  std::vector<std::string> parts;
+  for (const auto& [name, count] : counts) parts.push_back(countText(count) + " " + name);
+  return joined(parts);
+}
+
+std::string compressionText(const LogInfo& info) {
+  std::vector<std::string> names;
+  for (const auto& [name, count] : info.compressions)
+    names.push_back(name == "none" ? "not compressed" : name);
+  std::string text = countText(info.chunks) + (info.chunks == 1 ? " chunk, " : " chunks, ") + joined(names);
+  if (info.compressedBytes != info.uncompressedBytes) {
+    text += ": " + bytesText(info.compressedBytes) + " of " + bytesText(info.uncompressedBytes) + " (" +
+            percentText(info.compressedBytes, info.uncompressedBytes) + ")";
+  }
+  return text;
+}
+
+std::string figures(const LogInfo& info) {
+  Table table("ll");
+  const auto add = [&](const char* name, const std::string& value) {
+    if (!value.empty()) table.add({name, value});
+  };
+  add("format", info.format + (info.library.empty() ? "" : ", written by " + info.library));
+  add("size", bytesText(info.fileBytes));
+  if (info.chunks > 0) add("chunks", compressionText(info));
+  add("time", info.messages == 0
+                  ? "no messages"
+                  : timeText(info.begin) + " to " + timeText(info.end) + ", " +
+                        formatted("%.3f s", robotlink::seconds(info.end - info.begin)) + " long");
+  add("robots", joined(info.robots));
+  add("messages", countText(info.messages) + " in " + countText(info.streams.size()) + " streams");
+  add("frames", info.framesOf.empty() ? "" : countText(info.frames) + " (" + list(info.framesOf) + ")");
+  add("images", countText(info.images));
+  add("attachments", joined(info.attachments));
+  add("not understood", list(info.notUnderstood));
+  for (const auto& [name, values] : info.metadata) {
+    std::vector<std::string> parts;
+    for (const auto& [key, value] : values) parts.push_back(key + " " + value);
+    add(name.starts_with("robotcontrol.") ? name.c_str() + std::string("robotcontrol.").size() : name.c_str(),
+        joined(parts));
+  }
+  return table.text();
+}
+
+json bookmarkJson(const Bookmark& bookmark) {
+  return {{"id", bookmark.id},
+          {"from", robotlink::seconds(bookmark.from)},
+          {"to", robotlink::seconds(bookmark.to)},
+          {"text", bookmark.text}};
+}
+
+json streamJson(const LogInfo::Stream& stream) {
+  return {{"path", stream.path},
+          {"type", stream.type},
+          {"count", stream.count},
+          {"bytes", stream.bytes},
+          {"rate_hz", stream.rate},
+          {"begin", robotlink::seconds(stream.first)},
+          {"end", robotlink::seconds(stream.last)}};
+}
+
+}  // namespace
+
+json toJson(const LogInfo& info) {
+  json result;
+  result["file"] = info.file.string();
+  result["format"] = info.format;
+  result["file_bytes"] = info.fileBytes;
+  result["complete"] = info.complete;
+  result["begin"] = robotlink::seconds(info.begin);
+  result["end"] = robotlink::seconds(info.end);
+  result["duration_s"] = robotlink::seconds(info.end - info.begin);
+  result["robots"] = info.robots;
+  result["messages"] = info.messages;
+  result["frames"] = info.frames;
+  result["frames_of"] = info.framesOf;
+  result["images"] = info.images;
+  result["streams"] = json::array();
+  for (const auto& stream : info.streams) result["streams"].push_back(streamJson(stream));
+  result["bookmarks"] = json::array();
+  for (const Bookmark& bookmark : info.bookmarks) result["bookmarks"].push_back(bookmarkJson(bookmark));
+  result["chunks"] = info.chunks;
+  result["compressions"] = info.compressions;
+  result["compressed_bytes"] = info.compressedBytes;
+  result["uncompressed_bytes"] = info.uncompressedBytes;
+  result["library"] = info.library;
+  result["attachments"] = info.attachments;
+  result["metadata"] = info.metadata;
+  result["not_understood"] = info.notUnderstood;
+  result["damage"] = json::array();
+  for (const auto& damage : info.damage) {
+    result["damage"].push_back({{"offset", damage.offset}, {"bytes", damage.bytes}, {"what", damage.what}});
+  }
+  result["losses"] = info.losses;
+  return result;
+}
+
+std::string toText(const LogInfo& info) {
+  std::string text = info.file.string() + "\n" + figures(info);
+  if (!info.bookmarks.empty()) {
+    Table bookmarks("rrl");
+    bookmarks.add({"bookmark", "to", ""});
+    for (const Bookmark& bookmark : info.bookmarks) {
+      std::string name = bookmark.text;
+      std::replace(name.begin(), name.end(), '\n', ' ');
+      bookmarks.add(
+          {timeText(bookmark.from), bookmark.to == bookmark.from ? "" : timeText(bookmark.to), name});
+    }
+    text += "\n" + bookmarks.text();
+  }
+  if (info.streams.empty()) return text;
+  std::uint64_t allBytes = 0;
+  for (const auto& stream : info.streams) allBytes += stream.bytes;
+  Table streams("llrrrr");
+  streams.add({"stream", "type", "messages", "rate", "size", "share"});
+  for (const auto& stream : info.streams) {
+    streams.add({stream.path, stream.type, countText(stream.count), rateText(stream.rate),
+                 bytesText(stream.bytes), percentText(stream.bytes, allBytes)});
+  }
+  return text + "\n" + streams.text();
+}
+
+}  // namespace logplayer

@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` as its users call it.
+#include <gmock/gmock.h>
+#include <sys/wait.h>
+
+#include <array>
+#include <cstdio>
+#include <filesystem>
+#include <fstream>
+#include <nlohmann/json.hpp>
+#include <sstream>
+#include <string>
+
+#include "logplayer/BookmarkStorage.h"
+#include "tests/logplayer/SampleLog.h"
+
+namespace {
+
+using logplayer::SampleLog;
+using logplayer::TestFolder;
+using nlohmann::json;
+using testing::HasSubstr;
+using testing::IsEmpty;
+using testing::Not;
+
+struct Outcome {
+  int status = -1;
+  std::string out, errors;
+};
+
+std::string textOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+class RobotctlLog : public testing::Test {
+ protected:
+  void SetUp() override { SampleLog{}.write(folder_ / "a.mcap"); }
+
+  /// In the folder.
+  Outcome log(const std::string& arguments) const {
+    const std::string command =
+        "cd '" + folder_.path().string() + "' && " + ROBOTCTL + " log " + arguments + " >.out 2>.errors";
+    Outcome outcome;
+    outcome.status = WEXITSTATUS(std::system(command.c_str()));
+    outcome.out = textOf(folder_ / ".out");
+    outcome.errors = textOf(folder_ / ".errors");
+    std::filesystem::remove(folder_ / ".out");
+    std::filesystem::remove(folder_ / ".errors");
+    return outcome;
+  }
+  json info(const std::string& file) const {
+    const Outcome outcome = log("info --json " + file);
+    EXPECT_EQ(outcome.errors, "");
+    return json::parse(outcome.out, nullptr, false);
+  }
+  static json streamOf(const json& info, const std::string& path) {
+    for (const auto& stream : info.at("streams")) {
+      if (stream.at("path") == path) return stream;
+    }
+    return {{"count", 0}};
+  }
+
+  TestFolder folder_;
+};
+
+const std::filesystem::path kRealLog = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
+const std::filesystem::path kRealTable =
+    ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/tables/default.c64";
+
+}  // namespace
+
+TEST_F(RobotctlLog, wrongUsageIsTwo) {
+  for (const char* arguments :
+       {"", "fly", "info", "cut a.mcap", "export a.mcap", "export a.mcap --csv red1/log", "merge a.mcap",
+        "filter a.mcap b.mcap --compression rar", "cut a.mcap b.mcap --from nowhere",
+        "cut a.mcap b.mcap --from 2 --to 1", "merge a.mcap b.mcap --offset c.mcap=1",
+        "merge a.mcap b.mcap --offset a.mcap=x"}) {
+    const Outcome outcome = log(arguments);
+    EXPECT_EQ(outcome.status, 2) << arguments;
+    EXPECT_NE(outcome.errors, "") << arguments;
+  }
+  EXPECT_EQ(log("--help").status, 0);
+  EXPECT_EQ(log("cut --help").status, 0);
+  EXPECT_EQ(folder_.contents(), "a.mcap");
+}
+
+TEST_F(RobotctlLog, infoSaysWhatALogHolds) {
+  const json object = info("a.mcap");
+  EXPECT_EQ(object.at("frames"), 100);
+  EXPECT_EQ(object.at("images"), 100);
+  EXPECT_EQ(object.at("messages"), 513);
+  EXPECT_NEAR(object.at("duration_s").get<double>(), 3.96, 1e-9);
+  EXPECT_EQ(streamOf(object, "red1/camera/image").at("type"), "foxglove.RawImage");
+  EXPECT_NEAR(streamOf(object, "red1/camera/image").at("rate_hz").get<double>(), 25, 1e-9);
+  const Outcome text = log("info a.mcap");
+  EXPECT_EQ(text.status, 0);
+  EXPECT_THAT(text.out, HasSubstr("red1/camera/image"));
+  EXPECT_EQ(text.errors, "");
+}
+
+TEST_F(RobotctlLog, infoOfSeveralIsOneObjectAndTheWorstStatus) {
+  std::ofstream(folder_ / "no.mcap") << "this is no log";
+  const Outcome outcome = log("info --json a.mcap a.mcap no.mcap");
+  EXPECT_EQ(outcome.status, 1);
+  EXPECT_EQ(json::parse(outcome.out).at("files").size(), 2U);
+  EXPECT_THAT(outcome.errors, HasSubstr("no.mcap"));
+}
+
+TEST_F(RobotctlLog, aLogWhoseWriterWasKilledIsReadWithLossesUntilItIsRepaired) {
+  SampleLog{.close = false}.write(folder_ / "killed.mcap");
+  for (const char* command : {"info killed.mcap", "verify killed.mcap", "cut killed.mcap cut.mcap --to 1",
+                              "export killed.mcap --texts"}) {
+    const Outcome outcome = log(command);
+    EXPECT_EQ(outcome.status, 3) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("killed.mcap: ")) << command;
+  }
+  const Outcome repaired = log("repair killed.mcap whole.mcap");
+  EXPECT_EQ(repaired.status, 3) << repaired.errors;
+  EXPECT_EQ(log("verify whole.mcap").status, 0);
+  EXPECT_EQ(info("whole.mcap").at("images"), 100);
+}
+
+TEST_F(RobotctlLog, verifyFindsAByteThatWasFlipped) {
+  EXPECT_EQ(log("verify a.mcap").status, 0);
+  std::fstream file(folder_ / "a.mcap", std::ios::in | std::ios::out | std::ios::binary);
+  const std::string text = textOf(folder_ / "a.mcap");
+  const auto place = text.find("frame 10,");
+  ASSERT_NE(place, std::string::npos);
+  file.seekp(static_cast<std::streamoff>(place));
+  file.put('F');
+  file.close();
+  const Outcome outcome = log("verify a.mcap");
+  EXPECT_EQ(outcome.status, 3);
+  EXPECT_THAT(outcome.errors, HasSubstr("at byte "));
+  EXPECT_THAT(outcome.out, HasSubstr("readable with losses"));
+  EXPECT_FALSE(json::parse(log("verify --json a.mcap").out).at("whole"));
+}
+
+TEST_F(RobotctlLog, whatIsNoLogFails) {
+  std::ofstream(folder_ / "no.mcap") << "this is no log";
+  for (const char* command :
+       {"info no.mcap", "verify no.mcap", "cut no.mcap out.mcap", "repair no.mcap out.mcap",
+        "import no.mcap out.mcap", "export no.mcap --texts", "merge a.mcap no.mcap out.mcap",
+        "info none.mcap", "import none.log out.mcap"}) {
+    const Outcome outcome = log(command);
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_NE(outcome.errors, "") << command;
+  }
+  EXPECT_EQ(folder_.contents(), "a.mcap no.mcap");
+}
+
+TEST_F(RobotctlLog, aCutIsBySecondsByTheLogsTimeOrByBookmarks) {
+  using robotlink::Instant;
+  using std::chrono::seconds;
+  std::filesystem::remove(folder_ / "a.mcap");
+  SampleLog{.start = seconds(100)}.write(folder_ / "a.mcap");
+  ASSERT_TRUE(logplayer::writeBookmarksBeside(
+      folder_ / "a.mcap", {{7, {{7, Instant(seconds(101)), Instant(seconds(102)), "ball missed"}}}}));
+  for (const char* range : {"--from 1 --to 2", "--from @101 --to @102",
+                            "--from 'ball missed' --to 'ball missed'", "--from 1 --to 'ball missed'"}) {
+    const Outcome outcome = log(std::string("cut a.mcap cut.mcap --force ") + range);
+    ASSERT_EQ(outcome.status, 0) << outcome.errors;
+    const json object = info("cut.mcap");
+    EXPECT_EQ(object.at("begin"), 101) << range;
+    EXPECT_EQ(object.at("end"), 102) << range;
+    EXPECT_EQ(object.at("frames"), 26) << range;
+    EXPECT_EQ(object.at("bookmarks").at(0).at("text"), "ball missed");
+    EXPECT_EQ(streamOf(object, "scene").at("count"), 1) << "what holds is at its start";
+  }
+}
+
+TEST_F(RobotctlLog, nothingIsOverwrittenUnlessItIsForced) {
+  ASSERT_EQ(log("cut a.mcap out.mcap --to 1").status, 0);
+  const std::string before = textOf(folder_ / "out.mcap");
+  for (const char* command :
+       {"cut a.mcap out.mcap", "filter a.mcap out.mcap", "merge a.mcap out.mcap", "repair a.mcap out.mcap",
+        "export a.mcap --csv red1/log out.mcap", "export a.mcap --texts --output out.mcap"}) {
+    const Outcome outcome = log(command);
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("--force")) << command;
+  }
+  EXPECT_EQ(textOf(folder_ / "out.mcap"), before);
+  EXPECT_EQ(log("filter a.mcap out.mcap --force").status, 0);
+  EXPECT_NE(textOf(folder_ / "out.mcap"), before);
+  EXPECT_EQ(folder_.contents(), "a.mcap out.mcap");
+}
+
+TEST_F(RobotctlLog, filterKeepsTheStreamsThatAreNamed) {
+  ASSERT_EQ(log("filter a.mcap out.mcap --streams 'red1/*' --exclude '*/camera/image' --exclude '*/joints/*'")
+                .status,
+            0);
+  const json object = info("out.mcap");
+  EXPECT_EQ(object.at("images"), 0);
+  EXPECT_EQ(object.at("frames"), 100);
+  EXPECT_EQ(streamOf(object, "red1/models/ball").at("count"), 100);
+  EXPECT_EQ(streamOf(object, "red1/joints/states").at("count"), 0);
+  EXPECT_EQ(streamOf(object, "scene").at("count"), 0);
+  EXPECT_EQ(log("filter a.mcap none.mcap --streams 'green/*'").status, 1);
+}
+
+TEST_F(RobotctlLog, mergePutsLogsOnOneTimeLine) {
+  SampleLog{.frames = 10}.write(folder_ / "b.mcap");
+  const Outcome outcome = log("merge a.mcap b.mcap out.mcap --offset b.mcap=10");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("b.mcap: red1 is called red1-2"));
+  const json object = info("out.mcap");
+  EXPECT_EQ(object.at("robots"), json({"red1", "red1-2"}));
+  EXPECT_NEAR(object.at("end").get<double>(), 10.36, 1e-9);
+}
+
+TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {
+  const Outcome images = log("export a.mcap --images pictures --from 1 --to 2");
+  ASSERT_EQ(images.status, 0) << images.errors;
+  EXPECT_THAT(images.out, HasSubstr("26 images"));
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "pictures/red1-camera-image-0000000001.000000-00026.png"));
+  ASSERT_EQ(log("export a.mcap --csv red1/joints/states joints.csv").status, 0);
+  EXPECT_THAT(textOf(folder_ / "joints.csv"),
+              HasSubstr("log_time,log_process,log_frame,joints[0].name,joints[0].position\r\n"
+                        "0.000000000,platform,1,head_pan,0\r\n"));
+  EXPECT_EQ(log("export a.mcap --csv red1/joints/states -").out, textOf(folder_ / "joints.csv"));
+  const Outcome texts = log("export a.mcap --texts");
+  EXPECT_EQ(texts.status, 0);
+  EXPECT_THAT(texts.out, HasSubstr("    0.400000  warning  red1/cognition/test: frame 10"));
+  EXPECT_EQ(log("export a.mcap --csv red1/none none.csv").status, 1);
+}
+
+TEST_F(RobotctlLog, theRealLogIsDescribedImportedCutAndExported) {
+  if (!std::filesystem::exists(kRealLog)) GTEST_SKIP() << "the real log is not at hand: " << kRealLog;
+  const json original = info(kRealLog.string());
+  EXPECT_EQ(original.at("images"), 160);
+  EXPECT_EQ(original.at("frames"), 434);
+  const Outcome imported = log("import " + kRealLog.string() + " real.mcap --robot nao5 --color-table " +
+                               kRealTable.string() + " --json");
+  ASSERT_EQ(imported.status, 0) << imported.errors;
+  EXPECT_EQ(json::parse(imported.out).at("messages"), 2444);
+  EXPECT_EQ(json::parse(imported.out).at("imported").at("JPEGImage"), 160);
+  const json converted = info("real.mcap");
+  EXPECT_EQ(converted.at("robots"), json({"nao5"}));
+  EXPECT_EQ(converted.at("frames"), 434);
+  ASSERT_EQ(log("cut real.mcap cut.mcap --from 5 --to 15").status, 0);
+  EXPECT_NEAR(info("cut.mcap").at("duration_s").get<double>(), 10, 0.3);
+  EXPECT_EQ(streamOf(info("cut.mcap"), "nao5/colors/table").at("count"), 1);
+  const Outcome images = log("export " + kRealLog.string() + " --images pictures");
+  ASSERT_EQ(images.status, 0) << images.errors;
+  EXPECT_THAT(images.out, HasSubstr("160 images"));
+}
