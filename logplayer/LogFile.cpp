@@ -8,6 +8,7 @@
 #include <set>
 
 #include "logplayer/LogChannels.h"
+#include "logplayer/LogImport.h"
 #include "logplayer/TemporaryFolder.h"
 #include "robotlink/session/HeldMessages.h"
 
@@ -58,8 +59,17 @@ struct LogFile::Implementation {
 };
 
 robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem::path& file, Options options) {
-  const std::filesystem::path container = file;
+  std::filesystem::path container = file;
   std::optional<TemporaryFolder> folder;
+  if (canImport(file)) {
+    auto made = TemporaryFolder::make();
+    if (!made) return tl::unexpected(made.error());
+    folder.emplace(std::move(*made));
+    container = folder->path() / "log.mcap";
+    ImportOptions wishes;
+    wishes.progress = options.progress;
+    if (auto imported = importLog(file, container, wishes); !imported) return tl::unexpected(imported.error());
+  }
   mcap::Reader::Options wishes;
   wishes.cacheBytes = options.cacheBytes;
   wishes.progress = options.progress;
