@@ -24,6 +24,7 @@ namespace {
 
 constexpr int kTickMs = 33;
 constexpr qint64 kKeepEveryMs = 5000;
+constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
 
 std::shared_ptr<const robotlink::FieldDescription> defaultField() {
@@ -54,6 +55,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 
 MainWindow::~MainWindow() {
   tick_.stop();
+  workbench_.session().setRefusalHandler({});
   docks_->closeAll();  // Views use the context, which goes before the widgets that are children of the window.
 }
 
@@ -110,6 +112,10 @@ void MainWindow::connectSignals() {
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
     toolBar_->showLoaded();
+  });
+  workbench_.session().setRefusalHandler([this](const std::string& what, const std::string& reason) {
+    const QString text = tr("Refused (%1): %2").arg(QString::fromStdString(what), QString::fromStdString(reason));
+    statusBar()->showMessage(text, kRefusalShownMs);
   });
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
   tick_.start(kTickMs);

@@ -28,11 +28,14 @@ void MainWindow::createMenus() {
 void MainWindow::createFileMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&File"));
   menu->setObjectName(QStringLiteral("fileMenu"));
-  menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open);
-  menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout);
-  menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture);
+  menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open)
+      ->setObjectName(QStringLiteral("file.openScene"));
+  menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
+      ->setObjectName(QStringLiteral("file.openLayout"));
+  menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture)
+      ->setObjectName(QStringLiteral("file.savePicture"));
   menu->addSeparator();
-  menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit);
+  menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit)->setObjectName(QStringLiteral("file.quit"));
 }
 
 void MainWindow::createViewMenu() {
@@ -55,9 +58,10 @@ void MainWindow::createRobotMenus() {
   simulation->addActions(toolBar_->simulationActions());
   QMenu* speed = simulation->addMenu(tr("S&peed"));
   for (const double value : SimulationToolBar::speeds()) {
-    speed->addAction(SimulationToolBar::speedText(value), this, [this, value] {
+    QAction* action = speed->addAction(SimulationToolBar::speedText(value), this, [this, value] {
       actions_->run(QStringLiteral("simulation.speed"), {value});
     });
+    action->setObjectName(QStringLiteral("speed.%1").arg(value));
   }
 }
 
@@ -84,8 +88,9 @@ void MainWindow::createWindowMenu() {
 
 void MainWindow::createHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
-  menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents);
-  menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout);
+  menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
+      ->setObjectName(QStringLiteral("help.shortcuts"));
+  menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)->setObjectName(QStringLiteral("help.about"));
 }
 
 void MainWindow::fillPerspectiveMenu() {
@@ -105,6 +110,7 @@ void MainWindow::fillPerspectiveMenu() {
     perspectives_.show(QStringLiteral("Play"), *docks_);
     fillPerspectiveMenu();
   });
+  remove->setObjectName(QStringLiteral("deletePerspective"));
   remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
 }
 

@@ -199,15 +199,22 @@ int runTrials(const SimArguments& arguments) {
   return kDone;
 }
 
-int runSim(SimArguments& arguments, bool secondsGiven) {
+int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (!takeSolutions(arguments)) return kUsage;
+  const bool threads = arguments.executor == "threads";
+  if (arguments.trials > 0 && threads) {
+    std::cerr << "robotctl sim: trials are played in lockstep only; leave --executor away\n";
+    return kUsage;
+  }
   if (arguments.trials > 0 && !arguments.record.file.empty()) {
     std::cerr << "robotctl sim: --record takes one game, not --trials\n";
     return kUsage;
   }
   arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
-  arguments.run.executor = arguments.executor == "threads" ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  // Nobody waits for threads: they need the time that a real robot would give them.
+  if (threads && !speedGiven) arguments.speed = 1;
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
 }
@@ -216,7 +223,7 @@ int runSim(SimArguments& arguments, bool secondsGiven) {
 
 void addSimCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SimArguments>();
-  CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots, as fast as possible");
+  CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
   sim->add_option("scene", arguments->run.scene, "An SDFormat world")->required();
   auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each)")
                       ->check(CLI::Range(0.0, 1e6));
@@ -224,26 +231,30 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_option("--layout", arguments->layout, "A process layout: a file, or the name of a shipped one")
       ->capture_default_str();
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
-  sim->add_option("--executor", arguments->executor, "How processes run: lockstep (reproducible) or threads")
+  sim->add_option("--executor", arguments->executor,
+                  "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
       ->check(CLI::IsMember({"lockstep", "threads"}))
       ->capture_default_str();
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see nothing but black");
-  sim->add_option("--trials", arguments->trials,
-                  "Plays this many games with the ball at random places around the first robot; counts touches")
-      ->check(CLI::Range(1, 100000));
+  auto* trials = sim->add_option("--trials", arguments->trials,
+                                 "Plays this many games with the ball at random places around the first robot; counts touches")
+                     ->check(CLI::Range(1, 100000));
   sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
       ->check(CLI::Range(0.4, 10.0))
       ->capture_default_str();
-  sim->add_option("--speed", arguments->speed, "How many times real time; 0 is as fast as possible")
-      ->check(CLI::Range(0.0, 100.0))
-      ->capture_default_str();
+  auto* speed = sim->add_option("--speed", arguments->speed,
+                                "How many times real time; 0 is as fast as possible (lockstep 0, threads 1)")
+                    ->check(CLI::Range(0.0, 100.0))
+                    ->excludes(trials);
   sim->add_flag("--progress", arguments->progress, "Prints the simulated time on stderr, ten times in each simulated second");
   arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
-  sim->callback([arguments, seconds, &status] { status = runSim(*arguments, seconds->count() > 0); });
+  sim->callback([arguments, seconds, speed, &status] {
+    status = runSim(*arguments, seconds->count() > 0, speed->count() > 0);
+  });
 }
 
 }  // namespace app

@@ -16,7 +16,7 @@ Rgb pixelAsRgb(const ImageView& image, int x, int y) {
     case PixelFormat::kYuyv:
       return toRgb(yuyvPixel(image, x, y));
     case PixelFormat::kRgb8: {
-      const std::uint8_t* p = image.row(y) + x * 3;
+      const std::uint8_t* p = image.row(y) + std::ptrdiff_t{3} * x;
       return {p[0], p[1], p[2]};
     }
     case PixelFormat::kMono8:

@@ -81,7 +81,7 @@ struct Converter {
       errors.push_back({"yaml.key", "a key must be a plain word", {}, where});
       return;
     }
-    const std::string name = key.Scalar();
+    const std::string& name = key.Scalar();
     const bool isDouble =
         std::ranges::any_of(map.entries, [&](const auto& entry) { return entry.key == name; });
     if (isDouble) {
@@ -238,7 +238,7 @@ template std::vector<int> YamlNode::as() const;
 
 double YamlNode::numberIn(std::string_view key, double minimum, double maximum) const {
   const YamlNode node = child(key);
-  const double number = node.as<double>();
+  const auto number = node.as<double>();
   if (node.empty() || (number >= minimum && number <= maximum)) return number;
   const auto shown = [](double value) { return YAML::Dump(YAML::Node(value)); };
   node.fail("yaml.range",

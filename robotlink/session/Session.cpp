@@ -44,6 +44,14 @@ PackagePtr tableCopy(const google::protobuf::Message& message) {
   return copy;
 }
 
+/// "set key of red1"; what is asked of no robot has no "of".
+std::string inWords(const robotcontrol::Request& request) {
+  const auto* what = robotcontrol::Request::descriptor()->FindFieldByNumber(request.what_case());
+  std::string words = what != nullptr ? what->name() : "nothing";
+  std::replace(words.begin(), words.end(), '_', ' ');
+  return request.robot().empty() ? words : words + " of " + request.robot();
+}
+
 constexpr std::size_t kMaxTables = 1000;
 constexpr std::size_t kMaxPending = 10'000;
 
@@ -222,18 +230,28 @@ void Session::setRequestSink(RequestSink sink) {
   sink_ = std::move(sink);
 }
 
+void Session::setRefusalHandler(RefusalHandler handler) {
+  refused_ = std::move(handler);
+}
+
+void Session::await(std::uint64_t id, ResultHandler onResult) {
+  pending_->handlers[id] = std::move(onResult);
+  const std::lock_guard lock(inbox_->mutex);
+  inbox_->awaited.insert(id);
+  if (pending_->handlers.size() <= kMaxPending) return;
+  inbox_->awaited.erase(pending_->handlers.begin()->first);
+  pending_->handlers.erase(pending_->handlers.begin());
+}
+
 std::uint64_t Session::request(robotcontrol::Request request, ResultHandler onResult) {
   const std::uint64_t id = pending_->nextId++;
   request.set_id(id);
-  if (onResult) {
-    pending_->handlers[id] = std::move(onResult);
-    const std::lock_guard lock(inbox_->mutex);
-    inbox_->awaited.insert(id);
-    if (pending_->handlers.size() > kMaxPending) {
-      inbox_->awaited.erase(pending_->handlers.begin()->first);
-      pending_->handlers.erase(pending_->handlers.begin());
-    }
+  if (!onResult) {
+    onResult = [this, what = inWords(request)](const RequestResult& result) {
+      if (!result.accepted() && refused_) refused_(what, result.reason());
+    };
   }
+  await(id, std::move(onResult));
   if (sink_) {
     sink_(request);
     return id;

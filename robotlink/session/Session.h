@@ -42,6 +42,8 @@ class Session {
   /// Results come back as messages.
   using RequestSink = std::function<void(const robotcontrol::Request&)>;
   using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
+  /// What was asked ("set key of red1"), and why it was refused.
+  using RefusalHandler = std::function<void(const std::string& what, const std::string& reason)>;
 
   explicit Session(StreamStore::Limits limits = {});
   Session(StreamStore::Limits limits, InboxLimits inboxLimits);
@@ -83,6 +85,8 @@ class Session {
   void selectRobot(const std::string& robot);
 
   void setRequestSink(RequestSink sink);
+  /// Called from tick() for what was refused and for whose answer nobody waits, so that no refusal is lost.
+  void setRefusalHandler(RefusalHandler handler);
   /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer
   /// comes; the oldest of very many unanswered ones are given up. Without a sink the answer is a refusal.
   std::uint64_t request(robotcontrol::Request request, ResultHandler onResult = {});
@@ -90,11 +94,14 @@ class Session {
  private:
   struct Inbox;
   struct Pending;
+  void await(std::uint64_t id, ResultHandler onResult);
+
   StreamStore store_;
   Timeline timeline_;
   std::unique_ptr<Inbox> inbox_;
   std::unique_ptr<Pending> pending_;
   RequestSink sink_;
+  RefusalHandler refused_;
   std::vector<std::string> robots_;
   std::string selectedRobot_;
 };

@@ -66,6 +66,18 @@ TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
   EXPECT_NE(first.text, robotctl(command + "2").text);
 }
 
+TEST(Robotctl, threadsHaveRealTimeAndAnyRunTheTimeThatIsAskedFor) {
+  const auto realSeconds = [](const std::string& options) {
+    const Outcome outcome = robotctl("sim " + kScene + " --json " + options);
+    EXPECT_EQ(outcome.status, 0) << outcome.text;
+    return nlohmann::json::parse(outcome.text).at("real_seconds").get<double>();
+  };
+  EXPECT_GT(realSeconds("--seconds 0.5 --executor threads"), 0.48);
+  EXPECT_GT(realSeconds("--seconds 1 --speed 4"), 0.24);
+  EXPECT_EQ(robotctl("sim " + kScene + " --trials 1 --executor threads").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --trials 1 --speed 1").status, 2);
+}
+
 TEST(Robotctl, aSceneThatIsNotThereAndABadLayoutFailWithTheirPlace) {
   const Outcome scene = robotctl("sim /no/such.sdf --seconds 1");
   EXPECT_EQ(scene.status, 1);

@@ -1,73 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The whole workbench as a person uses it: mouse and keys on a window in which a robot plays.
-#include <QAction>
 #include <QComboBox>
 #include <QLabel>
-#include <QMenu>
-#include <QToolBar>
-#include <QToolButton>
 #include <QTreeView>
-#include <QtTest>
 #include <fstream>
-#include <optional>
 
-#include "app/core/Workbench.h"
-#include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/ViewDocks.h"
-#include "foxglove/Geometry.pb.h"
-#include "robotcontrol/Requests.pb.h"
-#include "robotlink/packages/Conversions.h"
-#include "tests/widgets/Bench.h"
+#include "tests/app/Desk.h"
 
 namespace {
-
-constexpr int kWaitMs = 20000;
-
-/// A workbench with its window, on a home of its own. Closing and making another one is a restart.
-class Desk {
- public:
-  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
-    window.resize(1600, 1000);
-    window.show();
-    workbench.load(app::Workbench::defaultOptions());
-  }
-
-  bool loaded() { return workbench.loaded() != nullptr && status() != nullptr; }
-  const robotcontrol::SimulationStatus* status() {
-    return workbench.session().store().latestAs<robotcontrol::SimulationStatus>("simulation",
-                                                                               workbench.session().timeline().newest());
-  }
-  /// Where the robot truly is.
-  std::optional<robotlink::Vector3> robot() {
-    const auto* message = workbench.session().store().latestAs<foxglove::FrameTransforms>(
-        "transforms", workbench.session().timeline().newest());
-    if (message == nullptr) return std::nullopt;
-    for (const auto& transform : message->transforms()) {
-      if (transform.child_frame_id() == "red1") return robotlink::vector3(transform.translation());
-    }
-    return std::nullopt;
-  }
-  template <typename W>
-  W& find(const char* name) {
-    auto* widget = window.findChild<W*>(QLatin1String(name));
-    if (widget == nullptr) qFatal("there is no %s", name);
-    return *widget;
-  }
-  void click(const char* action) {
-    auto* button = qobject_cast<QToolButton*>(find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
-    if (button == nullptr) qFatal("there is no button for %s", action);
-    QTest::mouseClick(button, Qt::LeftButton);
-  }
-
-  app::Workbench workbench;
-  app::MainWindow window;
-};
-
-QModelIndex entry(const QTreeView& tree, const char* text, int column = 0) {
-  const auto hits = tree.model()->match(tree.model()->index(0, 0), Qt::DisplayRole, QLatin1String(text), 1,
-                                        Qt::MatchExactly | Qt::MatchRecursive);
-  return hits.isEmpty() ? QModelIndex() : hits.first().siblingAtColumn(column);
-}
 
 /// Pixels of the colour that the disc around the ball is drawn in; nothing at the start of a game looks like that.
 int discPixels(QWidget& widget) {
@@ -162,9 +102,9 @@ class WorkbenchGuiTest : public QObject {
     desk.click("simulation.start");
     auto& tree = desk.find<QTreeView>("keysTree");
     auto& canvas = desk.find<QWidget>("imageCanvas");
-    QTRY_VERIFY_WITH_TIMEOUT(entry(tree, "disc").isValid(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(find(tree, QStringLiteral("disc")).isValid(), kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) > 20, kWaitMs);  // It is one of those that are on at the first start.
-    tree.setCurrentIndex(entry(tree, "disc"));
+    tree.setCurrentIndex(find(tree, QStringLiteral("disc")));
     QTest::keyClick(&tree, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) < 5, kWaitMs);
     QTest::keyClick(&tree, Qt::Key_Space);
@@ -176,12 +116,12 @@ class WorkbenchGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     desk.click("simulation.start");
     auto& tree = desk.find<QTreeView>("solutionsTree");
-    QTRY_VERIFY_WITH_TIMEOUT(entry(tree, "circle-fit").isValid(), kWaitMs);
-    QCOMPARE(entry(tree, "ball-percept", 2).data().toString(), QStringLiteral("region"));
-    const QModelIndex choice = entry(tree, "circle-fit");
+    QTRY_VERIFY_WITH_TIMEOUT(find(tree, QStringLiteral("circle-fit")).isValid(), kWaitMs);
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("region"));
+    const QModelIndex choice = find(tree, QStringLiteral("circle-fit"));
     tree.scrollTo(choice);
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(choice).center());
-    QTRY_COMPARE_WITH_TIMEOUT(entry(tree, "ball-percept", 2).data().toString(), QStringLiteral("circle-fit"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("circle-fit"), kWaitMs);
   }
 
   void theMotionTesterTakesOverAndDrives() {

@@ -159,6 +159,11 @@ class FieldViewTest : public QObject {
     const QPoint origin = s.at(0, 0);
     s.drag({400, 50}, {440, 80});
     QCOMPARE(s.at(0, 0) - origin, QPoint(40, 30));
+    const QPoint dragged = s.at(0, 0);
+    for (const int key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Up}) QTest::keyClick(s.canvas, Qt::Key(key));
+    QCOMPARE(s.at(0, 0) - dragged, QPoint(30, 60));
+    for (const int key : {Qt::Key_Right, Qt::Key_Down, Qt::Key_Down}) QTest::keyClick(s.canvas, Qt::Key(key));
+    QCOMPARE(s.at(0, 0), dragged);
     QTest::keyClick(s.canvas, Qt::Key_F);
     QVERIFY(s.canvas->viewport().fit);
     QTest::keyClick(s.canvas, Qt::Key_R);

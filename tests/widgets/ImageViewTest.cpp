@@ -215,6 +215,10 @@ class ImageViewTest : public QObject {
     const QPoint before = s.at(100, 50);
     drag(*s.canvas, Qt::LeftButton, {100, 100}, {130, 90});
     QCOMPARE(s.at(100, 50) - before, QPoint(30, -10));
+    for (const int key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Up}) QTest::keyClick(s.canvas, Qt::Key(key));
+    QCOMPARE(s.at(100, 50) - before, QPoint(30 + 24, -10 + 48));
+    for (const int key : {Qt::Key_Right, Qt::Key_Down, Qt::Key_Down}) QTest::keyClick(s.canvas, Qt::Key(key));
+    QCOMPARE(s.at(100, 50) - before, QPoint(30, -10));
   }
 
   void aGridSeparatesThePixelsAtHighZoom() {

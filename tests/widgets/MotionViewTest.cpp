@@ -152,6 +152,10 @@ class MotionViewTest : public QObject {
     bench.requests.clear();
     bench.step(30);
     QCOMPARE(bench.motions(), std::size_t{10});
+    QTest::keyPress(&pad, Qt::Key_Shift);  // halves
+    bench.step();
+    QCOMPARE(bench.motion().walk().y(), 0.075);
+    QTest::keyRelease(&pad, Qt::Key_Shift);
     QTest::keyRelease(&pad, Qt::Key_A);
     QTest::keyRelease(&pad, Qt::Key_E);
     bench.step();

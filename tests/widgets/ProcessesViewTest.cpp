@@ -136,6 +136,14 @@ class ProcessesViewTest : public QObject {
     QCOMPARE(graph.nodeRect(QStringLiteral("motion")).topLeft() - before.topLeft(), QPointF(30, -10));
     QTest::keyClick(&graph, Qt::Key_F);
     QCOMPARE(graph.scale(), fitted);
+    QTest::keyClick(&graph, Qt::Key_Plus);
+    QVERIFY(graph.scale() > fitted);
+    QTest::keyClick(&graph, Qt::Key_Minus);
+    const QPointF place = graph.nodeRect(QStringLiteral("motion")).topLeft();
+    for (const int key : {Qt::Key_Left, Qt::Key_Up, Qt::Key_Up}) QTest::keyClick(&graph, Qt::Key(key));
+    QCOMPARE(graph.nodeRect(QStringLiteral("motion")).topLeft() - place, QPointF(40, 80));
+    for (const int key : {Qt::Key_Right, Qt::Key_Down, Qt::Key_Down}) QTest::keyClick(&graph, Qt::Key(key));
+    QCOMPARE(graph.nodeRect(QStringLiteral("motion")).topLeft(), place);
     click(child<QToolButton>(*view, "processesZoomOut"));
     QVERIFY(graph.scale() < fitted);
     click(child<QToolButton>(*view, "processesFit"));

@@ -138,6 +138,20 @@ class SceneViewTest : public QObject {
     QVERIFY(s.world.requests.empty());
   }
 
+  void theArrowKeysTurnAndMoveTheCamera() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const SceneCamera before = s.canvas->camera();
+    QTest::keyClick(s.canvas, Qt::Key_Left);
+    QVERIFY(!(s.canvas->camera() == before));
+    QVERIFY(s.canvas->camera().target == before.target);
+    QTest::keyClick(s.canvas, Qt::Key_Right);
+    QTest::keyClick(s.canvas, Qt::Key_Up, Qt::ShiftModifier);
+    QVERIFY(s.canvas->camera().target != before.target);
+    QTest::keyClick(s.canvas, Qt::Key_Down, Qt::ShiftModifier);
+    QVERIFY((s.canvas->camera().target - before.target).norm() < 1e-6);
+  }
+
   void theWholeFieldIsSeenWhateverTheSize() {
     Shown s;
     QVERIFY(s.placeThings());

@@ -240,6 +240,32 @@ TEST(Session, withoutASinkARequestIsRefusedWithAReason) {
   EXPECT_THAT(reason, testing::HasSubstr("nothing is connected"));
 }
 
+TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
+  Session session;
+  session.setRequestSink([&](const robotcontrol::Request& request) {
+    robotcontrol::RequestResult result;
+    result.set_id(request.id());
+    result.set_accepted(request.has_send_tables());
+    result.set_reason("the process has failed");
+    session.pushResult(result);
+  });
+  std::vector<std::string> told;
+  session.setRefusalHandler([&](const std::string& what, const std::string& why) { told.push_back(what + ": " + why); });
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  request.mutable_set_key()->set_name("a/b");
+  session.request(request);
+  session.request(request, [](const auto&) {});  // somebody waits
+  request.mutable_send_tables();                 // is accepted
+  session.request(request);
+  request.clear_robot();
+  request.mutable_control_simulation();
+  session.request(request);
+  EXPECT_TRUE(told.empty()) << "only from the tick";
+  session.tick();
+  EXPECT_THAT(told, ElementsAre("set key of red1: the process has failed", "control simulation: the process has failed"));
+}
+
 TEST(Session, theSelectedRobotIsAlwaysOneOfTheRobots) {
   Session session;
   EXPECT_EQ(session.selectedRobot(), "");

@@ -1,0 +1,207 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Every entry of the workbench's menus, chosen by the mouse or its key, with the dialogs that it opens.
+#include <QComboBox>
+#include <QLabel>
+#include <QMessageBox>
+#include <QStatusBar>
+#include <QTemporaryDir>
+
+#include "tests/app/Desk.h"
+#include "tests/widgets/DialogAnswer.h"
+
+namespace {
+
+constexpr char kLayouts[] = ROBOTCONTROL_SOURCE_DIR "/resources/layouts/";
+
+/// The shipped scene with a second robot, in a file of its own.
+QString twoRobots(const std::filesystem::path& folder) {
+  QFile scene(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf"));
+  if (!scene.open(QIODevice::ReadOnly)) qFatal("the shipped scene is missing");
+  QByteArray text = scene.readAll();
+  text.replace("</world>",
+               "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 3.14</pose></include></world>");
+  std::filesystem::create_directories(folder);
+  QFile two(QString::fromStdString((folder / "two.sdf").string()));
+  if (!two.open(QIODevice::WriteOnly) || two.write(text) != text.size()) qFatal("the scene cannot be written");
+  return two.fileName();
+}
+
+std::size_t docks(Desk& desk, const char* id) { return desk.window.docks().docks(QLatin1String(id)).size(); }
+
+}  // namespace
+
+class MenusGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  }
+  void init() { std::filesystem::remove_all(home_); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void aSceneIsOpenedByItsFileAndTheShippedOneInItsBox() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    DialogAnswer nothing([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::RejectRole); });
+    desk.choose("file.openScene");
+    QVERIFY(nothing.asked());
+    QVERIFY(!desk.workbench.loading());
+    DialogAnswer two = DialogAnswer::file(twoRobots(home_));
+    desk.choose("file.openScene");
+    QVERIFY(two.asked());
+    auto& scenes = desk.find<QComboBox>("sceneBox");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 2, kWaitMs);
+    QCOMPARE(scenes.currentText(), QStringLiteral("two.sdf"));
+    scenes.setFocus();
+    QTest::keyClick(&scenes, Qt::Key_Home);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 1, kWaitMs);
+    QCOMPARE(scenes.currentText(), QStringLiteral("field2002"));
+  }
+
+  void aLayoutIsOpenedByItsFile() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    DialogAnswer answer = DialogAnswer::file(QLatin1String(kLayouts) + QStringLiteral("balanced.yaml"));
+    desk.choose("file.openLayout");
+    QVERIFY(answer.asked());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("layoutBox").currentText(), QStringLiteral("balanced"), kWaitMs);
+  }
+
+  void thePictureOfTheWindowIsSavedOrItIsSaidWhyNot() {
+    Desk desk(home_);
+    QTemporaryDir folder;
+    const QString file = folder.filePath(QStringLiteral("window.png"));
+    DialogAnswer answer = DialogAnswer::file(file);
+    desk.choose("file.savePicture");
+    QVERIFY(answer.asked());
+    QCOMPARE(QImage(file).size(), desk.window.size());
+    const QString nowhere = folder.filePath(QStringLiteral("missing/window.png"));
+    DialogAnswer wrong = DialogAnswer::file(nowhere);
+    desk.choose("file.savePicture");
+    QVERIFY(wrong.asked());
+    QVERIFY(desk.find<QLabel>("errorText").isVisible());
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(nowhere), qPrintable(desk.find<QLabel>("errorText").text()));
+  }
+
+  void quitClosesTheWindow() {
+    Desk desk(home_);
+    desk.choose("file.quit");
+    QVERIFY(!desk.window.isVisible());
+  }
+
+  void theSimulationIsControlledByItsMenuAndStopByThatOfTheRobot() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.choose("speed.5");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->requested_speed(), 5.0, kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("speedBox").currentText(), QStringLiteral("5×"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QAction>("simulation.start").isEnabled(), kWaitMs);
+    desk.choose("simulation.start");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status()->running(), kWaitMs);
+    auto& state = desk.find<QLabel>("statusState");
+    QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("running"), kWaitMs);
+    auto& speed = desk.find<QLabel>("statusSpeed");
+    QTRY_VERIFY_WITH_TIMEOUT(speed.text().startsWith(QStringLiteral("sim ")) && speed.text() != QStringLiteral("sim 0.0×"),
+                             kWaitMs);
+    QCOMPARE(desk.find<QLabel>("statusDropped").text(), QStringLiteral("0 dropped"));
+    QTest::keyClick(&desk.window, Qt::Key_F6);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.status()->running(), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("paused"), kWaitMs);
+    desk.choose("robot.stop");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 1, kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("STOP engaged"), kWaitMs);
+  }
+
+  void aPerspectiveIsNamedShownByItsKeyAndDeleted() {
+    Desk desk(home_);
+    desk.choose("perspective.Processes");
+    QCOMPARE(docks(desk, "scene"), std::size_t{0});
+    desk.choose("view.image");
+    DialogAnswer answer([](QDialog& dialog) {
+      QTest::keyClicks(dialog.findChild<QLineEdit*>(), QStringLiteral("Mine"));
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    });
+    desk.choose("savePerspective");
+    QVERIFY(answer.asked());
+    QVERIFY(desk.find<QAction>("perspective.Mine").isChecked());
+    desk.window.activateWindow();  // no window manager does it when the dialog closes
+    QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+    QTest::keyClick(&desk.window, Qt::Key_1, Qt::ControlModifier);
+    QVERIFY(desk.find<QAction>("perspective.Play").isChecked());
+    QCOMPARE(docks(desk, "scene"), std::size_t{1});
+    QVERIFY(!desk.find<QAction>("deletePerspective").isEnabled());
+    desk.choose("perspective.Mine");
+    QCOMPARE(docks(desk, "scene"), std::size_t{0});
+    QCOMPARE(docks(desk, "image"), std::size_t{1});
+    desk.choose("deletePerspective");
+    QVERIFY(!desk.has("perspective.Mine"));
+    QVERIFY(desk.find<QAction>("perspective.Play").isChecked());
+  }
+
+  void aPerspectiveIsPutBackToWhatIsShipped() {
+    Desk desk(home_);
+    desk.choose("view.image");
+    QCOMPARE(docks(desk, "image"), std::size_t{2});
+    desk.choose("resetPerspective");
+    QCOMPARE(docks(desk, "image"), std::size_t{1});
+  }
+
+  void theAppearanceIsChosenAndGivenBackToTheSystem() {
+    Desk desk(home_);
+    const auto lightness = [&desk] { return desk.window.palette().color(QPalette::Window).lightness(); };
+    const int system = lightness();
+    desk.choose(system < 128 ? "appearance.light" : "appearance.dark");
+    QVERIFY(std::abs(lightness() - system) > 80);
+    desk.choose("appearance.system");
+    QCOMPARE(lightness(), system);
+    QVERIFY(desk.find<QAction>("appearance.system").isChecked());
+  }
+
+  void helpTellsTheKeysAndWhatThisIs() {
+    Desk desk(home_);
+    QString said;
+    const auto read = [&said](QDialog& dialog) {
+      said = dynamic_cast<QMessageBox&>(dialog).text();
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    };
+    QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+    DialogAnswer keys(read);
+    QTest::keyClick(&desk.window, Qt::Key_F1);
+    QVERIFY(keys.asked());
+    QVERIFY2(said.contains(QStringLiteral("<td>F5</td><td>&nbsp;&nbsp;Start</td>")), qPrintable(said));
+    DialogAnswer about(read);
+    desk.choose("help.about");
+    QVERIFY(about.asked());
+    QVERIFY(said.contains(QStringLiteral("General Public License")));
+  }
+
+  void whatACommandRefusesIsShown() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& robots = desk.find<QComboBox>("robotBox");
+    robots.addItem(QStringLiteral("nobody"));
+    robots.setFocus();
+    QTest::keyClick(&robots, Qt::Key_End);
+    QVERIFY(desk.find<QLabel>("errorText").isVisible());
+    QCOMPARE(desk.find<QLabel>("errorText").text(), QStringLiteral("there is no robot nobody"));
+  }
+
+  void aRequestThatIsRefusedIsToldInTheStatusLineWhenNobodyElseDoes() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    robotcontrol::Request request;
+    request.set_robot("nobody");
+    request.mutable_stop()->set_engaged(true);
+    desk.workbench.session().request(request);
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.window.statusBar()->currentMessage().isEmpty(), kWaitMs);
+    QVERIFY2(desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("Refused (stop of nobody): ")),
+             qPrintable(desk.window.statusBar()->currentMessage()));
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(MenusGuiTest)
+#include "MenusGuiTest.moc"
