@@ -66,7 +66,7 @@ struct Recorder::Implementation {
     if (options.warn) options.warn(text);
   }
 
-  const Options options;
+  const Options options;  // but the folder, which may change
   std::mutex controlling;  // one control() at a time
   std::atomic<bool> active{false};
   std::atomic<std::uint64_t> demand{1};
@@ -75,6 +75,7 @@ struct Recorder::Implementation {
   FrameRing ring;
   robotlink::HeldMessages held;
   RecordedStreams streams;
+  std::filesystem::path folder;
   std::map<std::string, robotlink::Instant> newestOf;  // FrameInfo, by path
   RecordingStatus status;  // what was asked for, and what has happened
   SteadyClock::time_point startedAt;
@@ -87,6 +88,7 @@ struct Recorder::Implementation {
 Recorder::Implementation::Implementation(Options given)
     : options(std::move(given)),
       ring(options.keptBytes),
+      folder(options.folder),
       saver([this](const auto& result) { saved(result); }),
       writer({options.queueBytes, [this](const auto& error, bool newest) { ended(error, newest); }, options.warn}) {}
 
@@ -177,7 +179,7 @@ bool Recorder::Implementation::triggers(const StreamMessage& message) const {
 void Recorder::Implementation::saveOnTrigger(robotlink::Instant time) {
   if (ring.duration() == robotlink::Duration::zero()) return;
   if (triggeredAt && time - *triggeredAt < ring.duration()) return;
-  if (saver.start({nullptr, options.folder, how(), ring.contents()})) triggeredAt = time;
+  if (saver.start({nullptr, folder, how(), ring.contents()})) triggeredAt = time;
 }
 
 void Recorder::restart() {
@@ -212,6 +214,11 @@ void Recorder::Implementation::demandChanged() {
 }
 
 // ---- What is asked for
+
+void Recorder::setFolder(const std::filesystem::path& folder) {
+  const std::lock_guard lock(implementation_->mutex);
+  implementation_->folder = folder;
+}
 
 Result<void> Recorder::control(const ControlRecording& control) {
   Implementation& self = *implementation_;
@@ -251,13 +258,15 @@ void Recorder::Implementation::set(const ControlRecording& control) {
 }
 
 Result<std::shared_ptr<RecordingFile>> Recorder::Implementation::newFile(const std::string& wished) {
-  const auto path = newRecordingPath(wished, options.folder);
-  if (!path) return tl::unexpected(path.error());
   RecordingFile::Options chosen;
+  std::filesystem::path in;
   {
     const std::lock_guard lock(mutex);
     chosen = how();
+    in = folder;
   }
+  const auto path = newRecordingPath(wished, in);
+  if (!path) return tl::unexpected(path.error());
   auto made = RecordingFile::create(*path, chosen);
   if (!made) return tl::unexpected(made.error());
   return std::shared_ptr<RecordingFile>(std::move(*made));

@@ -52,6 +52,8 @@ class Recorder {
   /// Another number after whatever may have changed active() or wants().
   std::uint64_t demand() const;
 
+  /// Where files go whose place was not chosen.
+  void setFolder(const std::filesystem::path& folder);
   /// Starts, stops, saves, or sets what is recorded. Fails if that cannot be done; what fails later is in
   /// status(). STOP returns before all is written.
   robotlink::Result<void> control(const robotcontrol::ControlRecording& control);

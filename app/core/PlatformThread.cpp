@@ -57,8 +57,9 @@ struct PlatformThread::Asked {
   std::vector<std::uint64_t> ids;
 };
 
-PlatformThread::PlatformThread(robotlink::Session& session)
+PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder)
     : session_(session),
+      recorder_(recorder),
       thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); }, [this] { feed_.reset(); }}) {}
 
 void PlatformThread::postOther(PacedThread::Job job) {
@@ -81,7 +82,7 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
 
 void PlatformThread::load(RunOptions options, LoadHandler handler) {
   postOther([this, options = std::move(options), handler = std::move(handler)] {
-    auto feed = SimulationFeed::create(options, session_);
+    auto feed = SimulationFeed::create(options, session_, recorder_);
     if (!feed) {
       handler(tl::unexpected(feed.error()));
       return;

@@ -9,6 +9,9 @@
 #include "app/core/PacedThread.h"
 #include "app/core/PlatformFeed.h"
 
+namespace logplayer {
+class Recorder;
+}
 namespace robotlink {
 class Session;
 }
@@ -19,13 +22,13 @@ namespace app {
 /// Opening another one ends the one before, once it is known that the other can be run.
 ///
 /// All functions may be called from any thread and return at once; what they ask for is done in their order, between two
-/// steps. The session must outlive it.
+/// steps. Session and recorder must outlive it.
 class PlatformThread {
  public:
   /// Called in the platform's thread: what runs now, or why what ran before goes on.
   using LoadHandler = std::function<void(const tl::expected<LoadedPlatform, robotlink::Errors>&)>;
 
-  explicit PlatformThread(robotlink::Session& session);
+  PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder);
 
   void load(RunOptions options, LoadHandler handler);
   /// Paused, at the first image.
@@ -47,6 +50,7 @@ class PlatformThread {
   void postOther(PacedThread::Job job);
 
   robotlink::Session& session_;
+  logplayer::Recorder& recorder_;
   std::unique_ptr<PlatformFeed> feed_;  // the platform's thread only; null: nothing runs
 
   std::mutex mutex_;                // protects newest_

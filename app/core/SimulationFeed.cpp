@@ -4,6 +4,7 @@
 #include "app/core/SceneMessages.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Scene.pb.h"
+#include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -19,9 +20,10 @@ constexpr std::chrono::milliseconds kStatusEvery{100};
 }  // namespace
 
 tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(RunOptions options,
-                                                                                        robotlink::Session& session) {
-  auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session));
-  auto run = SimulatedRun::create(std::move(options), feed->listeners());
+                                                                                        robotlink::Session& session,
+                                                                                        logplayer::Recorder& recorder) {
+  auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
+  auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
   return feed;
@@ -154,7 +156,10 @@ void SimulationFeed::publishStatus() {
   for (const auto& robot : run_->robots()) status->add_robots(robot);
   for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
   for (const auto& model : movableModels(world.simulation())) status->add_models(model);
-  outlet_.tell({robotlink::streams::kSimulation, now(), std::move(status)});
+  const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
+  if (recorder_.active()) recorder_.add({message});
+  outlet_.tell(message);
+  outlet_.tell({robotlink::streams::kRecording, now(), std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -14,11 +14,12 @@ class ControlSimulation;
 namespace app {
 
 /// A SimulatedRun in the workbench: stepped at a chosen speed, it tells a session what happens in the world and what the
-/// programs say. The session must outlive it.
+/// programs say, and a recorder. Both must outlive it.
 class SimulationFeed final : public PlatformFeed {
  public:
   static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(RunOptions options,
-                                                                                 robotlink::Session& session);
+                                                                                 robotlink::Session& session,
+                                                                                 logplayer::Recorder& recorder);
 
   /// Runs, and at the speed, as another one did that it takes the place of.
   void goOnLike(const SimulationFeed& before);
@@ -35,7 +36,7 @@ class SimulationFeed final : public PlatformFeed {
  private:
   using Clock = PacedThread::Clock;
 
-  explicit SimulationFeed(robotlink::Session& session) : outlet_(session) {}
+  SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder) : outlet_(session), recorder_(recorder) {}
   SimulatedRun::Listeners listeners();
   robotlink::Instant now() const { return run_->world().clock().now(); }
   void restartPace() { pace_.restart(Clock::now(), now()); }
@@ -45,6 +46,7 @@ class SimulationFeed final : public PlatformFeed {
   void publishTransforms();
 
   Outlet outlet_;
+  logplayer::Recorder& recorder_;
   std::unique_ptr<SimulatedRun> run_;
   bool running_ = false;
   int stepsWanted_ = 0;

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/core/LogCommands.h"
+#include "app/core/RecordingCommands.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -38,12 +39,16 @@ std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shippe
 }  // namespace
 
 Workbench::Workbench(std::filesystem::path userFolder)
-    : userFolder_(std::move(userFolder)), lastSimulation_(defaultOptions()), platform_(session_) {
-  session_.setRequestSink([this](const robotcontrol::Request& request) { platform_.request(request); });
+    : userFolder_(std::move(userFolder)),
+      recording_(userFolder_),
+      lastSimulation_(defaultOptions()),
+      platform_(session_, recording_.recorder()) {
+  session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   addSimulationCommands();
   addLayoutCommand();
   addRobotCommands();
   addLogCommands(*this);
+  addRecordingCommands(*this);
 }
 
 Workbench::~Workbench() { session_.setRequestSink({}); }
@@ -87,8 +92,19 @@ void Workbench::ask(robotcontrol::Request request) {
   });
 }
 
+void Workbench::take(const robotcontrol::Request& request) {
+  if (!request.has_control_recording()) return platform_.request(request);
+  const auto done = recording_.control(request.control_recording());
+  robotcontrol::RequestResult result;
+  result.set_id(request.id());
+  result.set_accepted(done.has_value());
+  if (!done) result.set_reason(done.error().text);
+  session_.pushResult(result);
+}
+
 void Workbench::tick() {
   for (Outcome& outcome : outcomes_.drain()) takeIn(std::move(outcome));
+  if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) tell(warnings);
   session_.tick();
 }
 

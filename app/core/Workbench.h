@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/core/PlatformThread.h"
+#include "app/core/Recording.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
@@ -23,6 +24,7 @@ class Workbench {
 
   robotlink::Session& session() { return session_; }
   robotlink::CommandTable& commands() { return commands_; }
+  Recording& recording() { return recording_; }
 
   /// Starts loading a simulation; the outcome arrives in a later tick().
   void load(RunOptions options);
@@ -70,6 +72,7 @@ class Workbench {
   void addLayoutCommand();
   PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);
+  void take(const robotcontrol::Request& request);
   void tell(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
   robotlink::Result<void> control(int action, double speed = -1);
@@ -77,6 +80,7 @@ class Workbench {
   std::filesystem::path userFolder_;
   robotlink::Session session_;
   robotlink::CommandTable commands_;
+  Recording recording_;
   robotlink::BoundedQueue<Outcome> outcomes_{64};
   std::optional<LoadedPlatform> loaded_;
   RunOptions lastSimulation_;  ///< another scene is opened with its layout
