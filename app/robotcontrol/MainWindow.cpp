@@ -12,6 +12,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/StatusLine.h"
 #include "app/robotcontrol/ViewDocks.h"
@@ -79,6 +80,8 @@ void MainWindow::createActions() {
   actions_ = new CommandActions(workbench_.commands(), this);
   toolBar_ = new SimulationToolBar(workbench_, *actions_, this);
   addToolBar(toolBar_);
+  recordingBar_ = new RecordingToolBar(workbench_, *actions_, this);
+  addToolBar(recordingBar_);
   addAction(toolBar_->stopAction());
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
@@ -144,6 +147,7 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
 void MainWindow::tick() {
   workbench_.tick();
   toolBar_->refresh();
+  recordingBar_->refresh();
   status_->refresh();
   docks_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs) return;

@@ -20,6 +20,7 @@ class CDockManager;
 namespace app {
 
 class CommandActions;
+class RecordingToolBar;
 class SimulationToolBar;
 class StatusLine;
 class ViewDocks;
@@ -77,6 +78,7 @@ class MainWindow : public QMainWindow {
   ads::CDockManager* dockManager_ = nullptr;
   ViewDocks* docks_ = nullptr;
   SimulationToolBar* toolBar_ = nullptr;
+  RecordingToolBar* recordingBar_ = nullptr;
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;

@@ -11,6 +11,7 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "widgets/Icon.h"
@@ -56,6 +57,7 @@ void MainWindow::createRobotMenus() {
   QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
   simulation->setObjectName(QStringLiteral("simulationMenu"));
   simulation->addActions(toolBar_->simulationActions());
+  menuBar()->addMenu(recordingBar_->menu());
   QMenu* speed = simulation->addMenu(tr("S&peed"));
   for (const double value : SimulationToolBar::speeds()) {
     QAction* action = speed->addAction(SimulationToolBar::speedText(value), this, [this, value] {

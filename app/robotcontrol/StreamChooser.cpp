@@ -8,7 +8,6 @@
 #include <QPushButton>
 #include <QSignalBlocker>
 #include <QVBoxLayout>
-#include <algorithm>
 
 #include "logplayer/RecordedStreams.h"
 
@@ -19,7 +18,9 @@ using robotcontrol::StreamSelection;
 namespace {
 
 void removeExact(google::protobuf::RepeatedPtrField<std::string>& patterns, const std::string& path) {
-  patterns.erase(std::remove(patterns.begin(), patterns.end(), path), patterns.end());
+  for (int i = patterns.size() - 1; i >= 0; --i) {
+    if (patterns.Get(i) == path) patterns.DeleteSubrange(i, 1);
+  }
 }
 
 }  // namespace
@@ -41,7 +42,7 @@ StreamSelection withStream(const StreamSelection& selection, const std::string& 
   // Left out by a pattern, or by default: everything, without each of those that were not recorded.
   const logplayer::RecordedStreams before(selection);
   StreamSelection named;
-  named.add_include("*");
+  named.add_include(std::string(1, '*'));
   for (const std::string& other : known) {
     if (other != path && !before.contains(other)) named.add_exclude(other);
   }

@@ -2,7 +2,9 @@
 #pragma once
 
 #include <algorithm>
+#include <cstdlib>
 #include <filesystem>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -67,7 +69,7 @@ inline RecordedFramePtr frameOf(std::vector<StreamMessage> messages) {
 class TestFolder {
  public:
   TestFolder() {
-    std::string name = (std::filesystem::path(::testing::TempDir()) / "recordingXXXXXX").string();
+    std::string name = (std::filesystem::temp_directory_path() / "recordingXXXXXX").string();
     path_ = ::mkdtemp(name.data());
   }
   ~TestFolder() { std::filesystem::remove_all(path_); }

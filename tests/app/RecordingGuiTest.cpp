@@ -1,0 +1,288 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recording as a person does it: the toolbar, its menu and its dialogs, in a window in which a robot plays.
+#include <QAction>
+#include <QDialogButtonBox>
+#include <QInputDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QListWidget>
+#include <QMenu>
+#include <QPushButton>
+#include <QToolBar>
+#include <QToolButton>
+#include <QtTest>
+#include <fstream>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/RecordingToolBar.h"
+#include "app/robotcontrol/StreamChooser.h"
+#include "foxglove/Event.pb.h"
+#include "logplayer/RecordedStreams.h"
+#include "robotcontrol/Requests.pb.h"
+#include "tests/logplayer/RecordedMessages.h"
+#include "tests/widgets/Bench.h"
+#include "tests/widgets/DialogAnswer.h"
+
+using logplayer::testing::ReadLog;
+using logplayer::testing::TestFolder;
+using robotcontrol::ControlRecording;
+
+namespace {
+
+constexpr int kWaitMs = 20000;
+
+class Desk {
+ public:
+  explicit Desk(const std::filesystem::path& home, bool simulates = false) : workbench(home), window(workbench, home) {
+    window.resize(1600, 900);
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
+    if (simulates) workbench.load(app::Workbench::defaultOptions());
+  }
+  bool plays() {
+    if (workbench.loaded() == nullptr) return false;
+    if (!started_) started_ = workbench.commands().runLine("simulation.start").has_value();
+    return workbench.session().timeline().newest() > robotlink::Instant(std::chrono::milliseconds(200));
+  }
+  robotcontrol::RecordingStatus status() { return workbench.recording().status(); }
+  void run(const std::string& line) {
+    const auto done = workbench.commands().runLine(line);
+    QVERIFY2(done.has_value(), done ? "" : done.error().text.c_str());
+  }
+  QMenu& menu() { return child<QMenu>(window, "recordingMenu"); }
+  /// Clicks an entry of the record button's menu, or of one of its submenus.
+  void choose(const char* action, const char* submenu = nullptr) {
+    QMenu& in = submenu != nullptr ? child<QMenu>(window, submenu) : menu();
+    auto* entry = window.findChild<QAction*>(QLatin1String(action));
+    QVERIFY2(entry != nullptr && entry->isEnabled(), action);
+    in.popup({10, 10});
+    QVERIFY(QTest::qWaitForWindowExposed(&in));
+    QTest::mouseClick(&in, Qt::LeftButton, {}, in.actionGeometry(entry).center());
+  }
+  void clickButton(const char* action) {
+    auto& bar = child<QToolBar>(window, "recordingToolBar");
+    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(window.findChild<QAction*>(QLatin1String(action))));
+    QVERIFY2(button != nullptr, action);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  QString shown() { return child<QLabel>(window, "recordingStatus").text(); }
+
+  app::Workbench workbench;
+  app::MainWindow window;
+
+ private:
+  bool started_ = false;
+};
+
+std::string only(const TestFolder& folder) {
+  const auto files = folder.files();
+  return files.size() == 1 ? files[0] : "";
+}
+
+}  // namespace
+
+class RecordingGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString());
+  }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void theButtonStartsAndStopsAndShowsWhatIsDone() {
+    const TestFolder folder;
+    Desk desk(home_ / "button", true);
+    desk.run("recording.folder " + folder.path().string());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
+    QCOMPARE(desk.shown(), QStringLiteral("not recording"));
+    auto& button = child<QToolButton>(desk.window, "recordButton");
+    QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
+    QVERIFY(desk.status().recording());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status().messages() > 500, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.shown().contains(QStringLiteral(" MB")) && desk.shown().startsWith(QStringLiteral("0:0")), kWaitMs);
+    QVERIFY(button.isChecked());
+    QCOMPARE(button.text(), QStringLiteral("Stop"));
+    look(desk.window, "recording");
+    QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
+    QVERIFY(!desk.status().recording());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.shown(), QStringLiteral("not recording"), kWaitMs);
+    desk.workbench.recording().recorder().finish();
+    const ReadLog log = logplayer::testing::readLog(folder / only(folder));
+    QVERIFY(log.complete);
+    QVERIFY(log.count("red1/joints/states") > 20);
+    QVERIFY(log.count("red1/program") > 0);
+    QVERIFY(log.count("simulation") > 0);
+    QVERIFY(child<QLabel>(desk.window, "recordingStatus").toolTip().contains(QString::fromStdString(only(folder))));
+  }
+
+  void keysRecordMarkAndSaveTheLastSeconds() {
+    const TestFolder folder;
+    Desk desk(home_ / "keys", true);
+    desk.run("recording.folder " + folder.path().string());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
+    QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(desk.status().recording());
+    const std::string recorded = only(folder);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled(), kWaitMs);
+    DialogAnswer answer([](QDialog& dialog) {
+      QTest::keyClicks(dialog.findChild<QLineEdit*>(), QStringLiteral("ball missed"));
+      QTest::keyClick(&dialog, Qt::Key_Return);
+    });
+    QTest::keyClick(&desk.window, Qt::Key_B, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(answer.asked());
+    desk.choose("recording.keep.10", "recording.keep");
+    QCOMPARE(desk.status().keep_last(), 10.0);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status().kept_seconds() > 0.1 && desk.shown().contains(QStringLiteral("keeps")), kWaitMs);
+    QTest::keyClick(&desk.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
+    QTRY_COMPARE_WITH_TIMEOUT(folder.files().size(), std::size_t{2}, kWaitMs);
+    QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(!desk.status().recording());
+    desk.workbench.recording().recorder().finish();
+    const ReadLog log = logplayer::testing::readLog(folder / recorded);
+    QCOMPARE(log.count("bookmarks"), std::size_t{1});
+    for (const auto& entry : log.entries) {
+      if (entry.path == "bookmarks") QVERIFY(entry.data.find("ball missed") != std::string::npos);
+    }
+    QVERIFY(logplayer::testing::readLog(desk.status().saved_path()).count("red1/joints/states") > 10);
+  }
+
+  void buttonsSaveAndMark() {
+    const TestFolder folder;
+    Desk desk(home_ / "buttons", true);
+    desk.run("recording.folder " + folder.path().string());
+    desk.run("recording.keep 5");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.plays() && desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled(), kWaitMs);
+    desk.clickButton("recording.save-last");
+    desk.workbench.recording().recorder().finish();
+    QCOMPARE(folder.files().size(), std::size_t{1});
+    DialogAnswer answer([](QDialog& dialog) { QTest::keyClick(&dialog, Qt::Key_Return); });
+    desk.clickButton("recording.bookmark");
+    QVERIFY(answer.asked());
+    desk.workbench.recording().recorder().finish();
+    QCOMPARE(folder.files().size(), std::size_t{2});
+    QCOMPARE(logplayer::testing::readLog(desk.status().saved_path()).count("bookmarks"), std::size_t{1});
+  }
+
+  void whatIsChosenInTheMenuHoldsAfterARestart() {
+    const TestFolder folder;
+    const auto home = home_ / "choices";
+    {
+      Desk desk(home);
+      desk.choose("recording.images.jpeg", "recording.images");
+      desk.choose("recording.compression.zstd", "recording.compression");
+      desk.choose("recording.keep.30", "recording.keep");
+      DialogAnswer trigger([](QDialog& dialog) {
+        auto* field = dialog.findChild<QLineEdit*>();
+        field->selectAll();
+        QTest::keyClicks(field, QStringLiteral("*/plots/lost"));
+        QTest::keyClick(&dialog, Qt::Key_Return);
+      });
+      desk.choose("recording.trigger");
+      QVERIFY(trigger.asked());
+      DialogAnswer streams([](QDialog& dialog) {
+        QTest::keyClicks(&child<QLineEdit>(dialog, "streamPatterns"), QStringLiteral("red1/*,-*/log"));
+        QTest::keyClick(&dialog, Qt::Key_Return);
+      });
+      desk.choose("recording.streams");
+      QVERIFY(streams.asked());
+      auto chosen = DialogAnswer::file(QString::fromStdString(folder.path().string()));
+      desk.choose("recording.folder");
+      QVERIFY(chosen.asked());
+    }
+    Desk desk(home);
+    const auto status = desk.status();
+    QCOMPARE(status.image_coding(), ControlRecording::JPEG);
+    QCOMPARE(status.compression(), ControlRecording::ZSTD);
+    QCOMPARE(status.keep_last(), 30.0);
+    QCOMPARE(status.trigger(), std::string("*/plots/lost"));
+    QCOMPARE(logplayer::textOf(status.selection()), std::string("red1/*,-*/log"));
+    QCOMPARE(desk.workbench.recording().folder(), folder.path());
+    desk.window.tick();
+    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.images.jpeg"))->isChecked());
+    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.keep.30"))->isChecked());
+    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.compression.zstd"))->isChecked());
+    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.trigger"))->text().contains(QStringLiteral("lost")));
+  }
+
+  void whatCannotBeDoneIsSaid() {
+    Desk desk(home_ / "refused");
+    QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled());
+    QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled());
+    for (const char* line : {"recording.stop", "recording.save-last", "recording.bookmark x", "recording.images gif",
+                             "recording.compression zip", "recording.keep -1", "recording.streams a,,b",
+                             "recording.folder /no/such/folder", "recording.start-file /no/such/folder/a.mcap"}) {
+      QVERIFY2(!desk.workbench.commands().runLine(line).has_value(), line);
+    }
+    desk.run("recording.folder " + home_.string());
+    std::filesystem::create_directories(home_ / "gone");
+    desk.run("recording.folder " + (home_ / "gone").string());
+    std::filesystem::remove(home_ / "gone");
+    std::ofstream(home_ / "gone") << "a file in its place";
+    QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
+    QVERIFY(child<QLabel>(desk.window, "errorText").isVisible());
+    desk.window.tick();
+    QVERIFY(!child<QToolButton>(desk.window, "recordButton").isChecked());
+  }
+
+  void streamsAreTickedAndThePatternsSayTheSame() {
+    const std::vector<std::string> known{"red1/camera/image", "red1/images/x", "red1/log", "scene"};
+    app::StreamChooser chooser({}, known, nullptr);
+    chooser.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&chooser));
+    auto& list = child<QListWidget>(chooser, "streamList");
+    auto& patterns = child<QLineEdit>(chooser, "streamPatterns");
+    const auto ticked = [&list] {
+      std::string rows;
+      for (int row = 0; row < list.count(); ++row) rows += list.item(row)->checkState() == Qt::Checked ? 'x' : '-';
+      return rows;
+    };
+    const auto tick = [&list](int row) {
+      list.setCurrentRow(row);
+      QTest::keyClick(&list, Qt::Key_Space);
+    };
+    QCOMPARE(ticked(), std::string("x-xx"));
+    tick(2);
+    QCOMPARE(patterns.text(), QStringLiteral("-red1/log"));
+    tick(1);
+    QCOMPARE(ticked(), std::string("xx-x"));
+    QCOMPARE(patterns.text(), QStringLiteral("*,-red1/log"));
+    patterns.clear();
+    QTest::keyClicks(&patterns, QStringLiteral("red1/*"));
+    QCOMPARE(ticked(), std::string("xxx-"));
+    tick(3);
+    QCOMPARE(patterns.text(), QStringLiteral("red1/*,scene"));
+    tick(3);
+    QCOMPARE(patterns.text(), QStringLiteral("red1/*"));
+    QTest::keyClicks(&patterns, QStringLiteral(",,"));
+    QVERIFY(!child<QLabel>(chooser, "streamProblem").text().isEmpty());
+    QVERIFY(!chooser.findChild<QDialogButtonBox*>()->button(QDialogButtonBox::Ok)->isEnabled());
+    look(chooser, "chooser");
+  }
+
+  void theTextBesideTheButtonSaysWhatWasLeftOut() {
+    robotcontrol::RecordingStatus status;
+    status.set_recording(true);
+    status.set_seconds(75.9);
+    status.set_bytes(12'340'000);
+    status.set_keep_last(10);
+    status.set_kept_seconds(7.7);
+    status.set_dropped_messages(3);
+    QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("1:15  12.3 MB  keeps 7 s  3 left out"));
+    status = {};
+    status.set_failure("the disk is full");
+    QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("recording failed"));
+  }
+
+ private:
+  /// With ROBOTCONTROL_LOOKS=FOLDER: a picture to be looked at.
+  static void look(QWidget& widget, const char* name) {
+    const QString looks = qEnvironmentVariable("ROBOTCONTROL_LOOKS");
+    if (!looks.isEmpty()) QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
+  }
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(RecordingGuiTest)
+#include "RecordingGuiTest.moc"
