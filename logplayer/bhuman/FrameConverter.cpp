@@ -17,6 +17,13 @@ namespace {
 /// Frames that may wait for the first time that is known.
 constexpr std::size_t kMaximumUntimed = 100;
 
+/// Whether two neighbouring frames may have these times. Robots log some frames a second; a longer gap is
+/// believed when the frame behind it confirms it.
+bool near(Instant one, Instant other) {
+  constexpr robotlink::Duration kMaximumGap = std::chrono::seconds(60);
+  return (one > other ? one - other : other - one) <= kMaximumGap;
+}
+
 std::string processName(std::uint8_t letter) {
   switch (letter) {
     case 'c':
@@ -48,6 +55,7 @@ std::optional<Instant> FrameConverter::Contents::time() const {
 }
 
 Result<void> FrameConverter::add(const QueueMessage& message) {
+  if (contents_.empty()) contents_.offset = message.offset;
   const auto understood = take(message);
   if (!understood) return tl::unexpected(understood.error());
   ++(*understood ? imported_ : notUnderstood_)[kindName(message.id)];
@@ -120,29 +128,51 @@ Result<bool> FrameConverter::put(std::optional<Value> Contents::*slot, std::opti
 Result<void> FrameConverter::close() {
   Contents contents = std::exchange(contents_, Contents());
   if (contents.empty()) return {};
-  if (!lastTime_ && !contents.time() && untimed_.size() < kMaximumUntimed) {
+  const auto stated = contents.time();
+  if (!lastTime_ && !stated && untimed_.size() < kMaximumUntimed) {
     untimed_.push_back(std::move(contents));
     return {};
   }
-  if (!lastTime_) lastTime_ = contents.time().value_or(Instant{});
-  for (const Contents& earlier : std::exchange(untimed_, {}))
-    if (auto told = tell(earlier); !told) return told;
-  return tell(contents);
+  if (!lastTime_) lastTime_ = stated.value_or(Instant{});
+  if (auto told = tellUntimed(); !told) return told;
+  // A frame without a time cannot contradict the one before it.
+  const auto next = stated || !doubtful_ ? stated : doubtful_->time();
+  if (auto told = tellDoubtful(next); !told) return told;
+  if (stated && !near(*stated, *lastTime_)) {
+    doubtful_ = std::move(contents);
+    return {};
+  }
+  return tell(contents, stated);
 }
 
 Result<void> FrameConverter::finish() {
   if (auto closed = close(); !closed) return closed;
-  if (untimed_.empty()) return {};
-  lastTime_ = Instant{};
+  if (auto told = tellDoubtful(std::nullopt); !told) return told;
+  if (!lastTime_) lastTime_ = Instant{};
+  return tellUntimed();
+}
+
+Result<void> FrameConverter::tellUntimed() {
   for (const Contents& earlier : std::exchange(untimed_, {}))
-    if (auto told = tell(earlier); !told) return told;
+    if (auto told = tell(earlier, std::nullopt); !told) return told;
   return {};
 }
 
-Result<void> FrameConverter::tell(const Contents& contents) {
+Result<void> FrameConverter::tellDoubtful(std::optional<Instant> next) {
+  if (!doubtful_) return {};
+  const Contents contents = *std::exchange(doubtful_, std::nullopt);
+  const auto stated = contents.time();
+  const bool confirmed = next && near(*stated, *next);
+  if (!confirmed)
+    trouble_(contents.offset, "the time of a frame, " + std::to_string(robotlink::seconds(*stated)) +
+                                  " s, lies far from those around it; that of the one before was taken");
+  return tell(contents, confirmed ? stated : std::nullopt);
+}
+
+Result<void> FrameConverter::tell(const Contents& contents, std::optional<Instant> stated) {
   const auto before = timeOfProcess_.find(contents.process);
   const Instant usual = before != timeOfProcess_.end() ? before->second : *lastTime_;
-  const Instant time = contents.time().value_or(usual);
+  const Instant time = stated.value_or(usual);
   lastTime_ = time;
   timeOfProcess_[contents.process] = time;
   Frame frame = messagesOf(contents, time);

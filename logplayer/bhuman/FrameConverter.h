@@ -38,7 +38,8 @@ class FrameConverter {
  private:
   /// What was read between two ProcessBegin.
   struct Contents {
-    std::string process;  ///< empty: none has begun
+    std::string process;       ///< empty: none has begun
+    std::uint64_t offset = 0;  ///< of its first message, in the file
     std::optional<CameraImage> image;
     std::optional<CameraPlace> place;
     std::optional<CameraOptics> optics;
@@ -59,7 +60,10 @@ class FrameConverter {
   template <typename Value>
   robotlink::Result<bool> put(std::optional<Value> Contents::*slot, std::optional<Value> value);
   robotlink::Result<void> close();
-  robotlink::Result<void> tell(const Contents& contents);
+  robotlink::Result<void> tellUntimed();
+  /// `next`: the time of the frame behind it, if it is known.
+  robotlink::Result<void> tellDoubtful(std::optional<robotlink::Instant> next);
+  robotlink::Result<void> tell(const Contents& contents, std::optional<robotlink::Instant> stated);
 
   Frame messagesOf(const Contents& contents, robotlink::Instant time);
   void tellCamera(const Contents& contents, robotlink::Instant time, Frame& frame);
@@ -71,7 +75,8 @@ class FrameConverter {
   Trouble trouble_;
   Counts imported_, notUnderstood_;
   Contents contents_;
-  std::vector<Contents> untimed_;  ///< before the first time that is known
+  std::vector<Contents> untimed_;     ///< before the first time that is known
+  std::optional<Contents> doubtful_;  ///< its time lies far from that of the frame before it
   std::optional<robotlink::Instant> lastTime_;
   std::map<std::string, robotlink::Instant> timeOfProcess_;
   std::map<std::string, std::uint64_t> frames_;

@@ -153,6 +153,45 @@ TEST(FrameConverter, aFrameThatWouldTellNothingIsNone) {
   EXPECT_EQ(imported.report.imported.at("ImageCoordinateSystem"), 2U);
 }
 
+TEST(FrameConverter, aTimeFarFromThoseAroundItIsDamaged) {
+  const auto imported = import(QueueBuilder()
+                                   .begin('m')
+                                   .joints(1000)
+                                   .end('m')
+                                   .begin('m')
+                                   .joints(0x80000000U + 1100)
+                                   .end('m')
+                                   .begin('m')
+                                   .joints(1200)
+                                   .end('m')
+                                   .file());
+  EXPECT_EQ(imported.text(),
+            "motion 1 @1000: joints/states frames/motion\n"
+            "motion 2 @1000: joints/states frames/motion\n"
+            "motion 3 @1200: joints/states frames/motion\n");
+  EXPECT_NE(imported.report.damage.find("the time of a frame, 2147484.748"), std::string::npos)
+      << imported.report.damage;
+}
+
+TEST(FrameConverter, aGapThatTheNextFrameConfirmsIsOne) {
+  const auto imported = import(QueueBuilder()
+                                   .begin('m')
+                                   .joints(1000)
+                                   .end('m')
+                                   .begin('m')
+                                   .joints(900000)
+                                   .end('m')
+                                   .begin('m')
+                                   .joints(900100)
+                                   .end('m')
+                                   .file());
+  EXPECT_EQ(imported.text(),
+            "motion 1 @1000: joints/states frames/motion\n"
+            "motion 2 @900000: joints/states frames/motion\n"
+            "motion 3 @900100: joints/states frames/motion\n");
+  EXPECT_EQ(imported.report.damage, "");
+}
+
 TEST(FrameConverter, framesWithoutTheirEndOrBeginningAreKeptAndTold) {
   const auto imported = import(QueueBuilder()
                                    .begin('m')
