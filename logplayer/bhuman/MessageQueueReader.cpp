@@ -115,7 +115,10 @@ std::optional<QueueMessage> MessageQueueReader::next() {
       return message;
     }
     const std::uint64_t found = endOfDamage();
-    addDamage(position_, std::to_string(found - position_) + " bytes that are no messages were left out");
+    const std::string bytes = std::to_string(found - position_) + " bytes";
+    addDamage(position_, found == bytes_.size()
+                             ? "the last " + bytes + " are no whole message and were left out"
+                             : bytes + " that are no messages were left out");
     position_ = found;
   }
   finish();
@@ -167,8 +170,8 @@ void MessageQueueReader::finish() {
   if (finished_) return;
   finished_ = true;
   if (position_ < bytes_.size())
-    addDamage(position_, "the file ends within a message, of which " +
-                             std::to_string(bytes_.size() - position_) + " bytes were left out");
+    addDamage(position_, "the last " + std::to_string(bytes_.size() - position_) +
+                             " bytes are no whole message and were left out");
   position_ = bytes_.size();
   if (statedBytes_ == -1 && statedMessages_ == -1) return;  // written straight to the disk
   if (bytes_.size() >= kFileHeader && statedBytes_ != static_cast<std::int64_t>(bytes_.size() - kFileHeader))
