@@ -38,9 +38,10 @@ struct ReplayOptions {
   /// "compact".
   std::filesystem::path layout;
   std::map<std::string, std::string> solutions;  ///< task -> solution, instead of the layout's
-  /// By "<robot>/<package>"; what is not named is chosen by what the logs hold.
+  /// By "<robot>/<package>", or "*/<package>" for all robots; what is not named is chosen by what the logs hold.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
   std::filesystem::path colorTable;  ///< .c64; empty: the one in the log
+  bool tellPackages = false;  ///< programs tell all packages that they yield, whether or not their keys are on
   /// How much of the log the program runs on before a jump's aim, so that its models are settled.
   robotlink::Duration preroll = std::chrono::seconds(2);
   logplayer::LogFile::Progress progress;

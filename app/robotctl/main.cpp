@@ -24,6 +24,7 @@ int run(int argc, char** argv) {
   addSimCommand(app, status);
   addLayoutCommand(app, status);
   addLogCommand(app, status);
+  addRunCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -33,8 +33,9 @@ int RobotDescription::jointIndex(const std::string& joint) const {
   return found == joints.end() ? -1 : static_cast<int>(found - joints.begin());
 }
 
-tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesystem::path& file) {
-  auto reader = YamlReader::load(file);
+namespace {
+
+tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   if (!reader) return tl::unexpected(Errors{reader.error()});
   const YamlNode root = reader->root();
   RobotDescription robot;
@@ -53,6 +54,16 @@ tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesyste
   robot.takes = platform.required<std::vector<std::string>>("takes");
   if (auto finished = reader->finish(); !finished) return tl::unexpected(finished.error());
   return robot;
+}
+
+}  // namespace
+
+tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesystem::path& file) {
+  return read(YamlReader::load(file));
+}
+
+tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text, const std::string& file) {
+  return read(YamlReader::parse(text, file));
 }
 
 }  // namespace robotlink

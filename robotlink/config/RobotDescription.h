@@ -29,5 +29,7 @@ struct RobotDescription {
 };
 
 tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesystem::path& file);
+/// `file` is the name that errors carry.
+tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text, const std::string& file);
 
 }  // namespace robotlink

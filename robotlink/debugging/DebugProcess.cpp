@@ -109,6 +109,15 @@ void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
 }
 
+void DebugProcess::offer(const PackagePtr& package) {
+  if (dynamic_cast<const robotcontrol::RemoteMotion*>(package.get()) != nullptr) {
+    implementation_->remoteMotion.send(std::static_pointer_cast<const robotcontrol::RemoteMotion>(package));
+  } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(package.get())) {
+    if (!wrongWith(*table).empty()) return;
+    implementation_->colorTable.send(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
+  }
+}
+
 bool DebugProcess::request(const Request& request) {
   return implementation_->inbox.push(request);
 }

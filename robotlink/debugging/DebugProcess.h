@@ -37,6 +37,9 @@ class DebugProcess final : public Process {
   /// A process for the table, in this program: itself, a task process, the platform. It must outlive this
   /// one. Before it runs.
   void watch(const Process& process);
+  /// Before it runs: sends one of the packages that it offers, so that it is there in the first frame. Others
+  /// are ignored.
+  void offer(const PackagePtr& package);
   /// Hands a request in; any thread. False: too many wait, this one was dropped.
   bool request(const robotcontrol::Request& request);
 

@@ -38,4 +38,12 @@ TaskCatalog registeredTasks() {
   return catalog;
 }
 
+std::map<std::string, const google::protobuf::Descriptor*> packageTypes() {
+  std::map<std::string, const google::protobuf::Descriptor*> types;
+  for (const SolutionDescription& solution : SolutionRegistry::all()) {
+    for (const auto& [package, descriptor] : solution.types) types.emplace(package, descriptor());
+  }
+  return types;
+}
+
 }  // namespace robotlink

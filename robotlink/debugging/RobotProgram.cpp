@@ -126,6 +126,11 @@ std::vector<std::string> debugPackages() {
   return {kRemoteMotion.name, kColorTable.name};
 }
 
+bool isDebugPackage(const std::string& package) {
+  const auto all = debugPackages();
+  return std::find(all.begin(), all.end(), package) != all.end();
+}
+
 const RobotSetup& RobotProgram::robot() const {
   return implementation_->robot;
 }
@@ -155,6 +160,12 @@ std::vector<std::string> RobotProgram::yieldedPackages() const {
 void RobotProgram::recordPackages(const std::set<std::string>& packages) {
   for (Process* process : implementation_->processes) {
     if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->recordPackages(packages);
+  }
+}
+
+void RobotProgram::setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes) {
+  for (Process* process : implementation_->processes) {
+    if (auto* tasks = dynamic_cast<TaskProcess*>(process)) tasks->setKeys(modes);
   }
 }
 

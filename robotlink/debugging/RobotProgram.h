@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <set>
 #include <string>
@@ -39,6 +40,8 @@ class RobotProgram {
   std::vector<std::string> yieldedPackages() const;
   /// Before it runs: as if all processes had been asked by RecordPackages, from the first frame on.
   void recordPackages(const std::set<std::string>& packages);
+  /// Before it runs: modes of debug keys, of packages too, from the first frame on. Unknown ones are ignored.
+  void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes);
   /// What the solutions of all tasks have for parameters. Before it runs.
   std::vector<robotcontrol::ParameterValues> parameters() const;
 
@@ -56,5 +59,9 @@ TaskCatalog registeredTasks();
 
 /// The packages that every debug process offers: a person's wishes.
 std::vector<std::string> debugPackages();
+bool isDebugPackage(const std::string& package);
+
+/// The packages of all registered solutions with their types, for those who make packages otherwise, from a log.
+std::map<std::string, const google::protobuf::Descriptor*> packageTypes();
 
 }  // namespace robotlink

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -11,6 +12,10 @@
 #include "robotlink/debugging/DebugContext.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/process/Link.h"
+
+namespace google::protobuf {
+class Descriptor;
+}
 
 namespace robotlink {
 
@@ -106,6 +111,8 @@ struct SolutionDescription {
   std::vector<std::string> required;
   std::vector<std::string> optional;
   std::vector<std::string> outputs;
+  /// Of all these packages. Functions, as descriptors can be asked for only after main() has started.
+  std::map<std::string, const google::protobuf::Descriptor* (*)()> types;
   std::vector<int> keys;                                  ///< indices of its debug keys
   const google::protobuf::Message* parameters = nullptr;  ///< prototype; null if it has none
   std::function<std::unique_ptr<Solution>(SolutionContext&)> create;
@@ -132,16 +139,19 @@ class SolutionBuilder {
   template <typename T>
   SolutionBuilder& needs(Package<T> package) {
     description_.required.emplace_back(package.name);
+    description_.types[package.name] = &T::descriptor;
     return *this;
   }
   template <typename T>
   SolutionBuilder& uses(Package<T> package) {
     description_.optional.emplace_back(package.name);
+    description_.types[package.name] = &T::descriptor;
     return *this;
   }
   template <typename T>
   SolutionBuilder& yields(Package<T> package) {
     description_.outputs.emplace_back(package.name);
+    description_.types[package.name] = &T::descriptor;
     return *this;
   }
   SolutionBuilder& keys(std::initializer_list<const DebugKey*> keys) {

@@ -54,6 +54,7 @@ struct TaskProcess::Implementation {
   void takeRequests();
   void handle(const Request& request);
   void setKey(const Request& request);
+  void setKey(int key, const robotcontrol::KeyMode& mode);
   Result<void> select(const std::string& task, const std::string& solution);
   Result<void> getParameters(const std::string& task, const std::string& solution);
   Result<void> setParameters(const robotcontrol::SetParameters& wish);
@@ -143,6 +144,16 @@ DebugContext& TaskProcess::debug() {
 
 void TaskProcess::recordPackages(const std::set<std::string>& packages) {
   implementation_->board.record(packages);
+}
+
+void TaskProcess::setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes) {
+  for (const auto& [name, mode] : modes) {
+    if (const std::string package = packageOfKey(name); !package.empty()) {
+      implementation_->board.show(package, mode);
+    } else {
+      implementation_->setKey(DebugKey::find(name), mode);
+    }
+  }
 }
 
 std::vector<robotcontrol::ParameterValues> TaskProcess::parameters() const {
@@ -281,8 +292,11 @@ void TaskProcess::Implementation::setKey(const Request& request) {
     if (board.show(package, wish.mode())) return answer(request, {});
     return answer(request, refused("key.unknown", "process " + process.name() + " does not show " + package));
   }
-  const int key = DebugKey::find(wish.name());
-  debug.setMode(key, wish.mode());
+  setKey(DebugKey::find(wish.name()), wish.mode());
+}
+
+void TaskProcess::Implementation::setKey(int key, const robotcontrol::KeyMode& mode) {
+  debug.setMode(key, mode);
   std::erase(limitedKeys, key);
   if (debug.mode(key).kind() == robotcontrol::KeyMode::N_TIMES) limitedKeys.push_back(key);
 }

@@ -38,6 +38,8 @@ class TaskProcess final : public Process {
   DebugContext& debug();
   /// Before it runs: as if it had been asked by RecordPackages, from the first frame on.
   void recordPackages(const std::set<std::string>& packages);
+  /// Before it runs: modes of debug keys, of packages too, from the first frame on. Unknown ones are ignored.
+  void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes);
   /// What all of its solutions have for parameters. Before it runs.
   std::vector<robotcontrol::ParameterValues> parameters() const;
   /// Which solution a task uses now. Only while the process does not run, or from its own thread.

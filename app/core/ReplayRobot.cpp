@@ -1,0 +1,231 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/ReplayRobot.h"
+
+#include <algorithm>
+
+#include "app/core/ProgramSetups.h"
+#include "app/core/ReplayRobotProgram.h"
+#include "app/core/SimulatedPlatform.h"
+#include "foxglove/Image.pb.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+
+namespace streams = robotlink::streams;
+
+using robotcontrol::ControlReplay;
+using robotcontrol::ProgramSetup;
+using robotcontrol::Request;
+using robotlink::Errors;
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+namespace {
+
+/// How long what a process told may wait in it before it is taken.
+constexpr robotlink::Duration kQueueDelay = std::chrono::milliseconds(100);
+
+/// Whether the packages of a stream can be given to those who expect `type`.
+bool fits(const google::protobuf::Descriptor& type, const std::string& streamType) {
+  const bool isImage = &type == foxglove::RawImage::descriptor();
+  return streamType == type.full_name() ||
+         (isImage && streamType == foxglove::CompressedImage::descriptor()->full_name());
+}
+
+}  // namespace
+
+ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
+                         ReplayChoices choices, Listeners listeners)
+    : log_(std::move(log)),
+      logName_(std::move(logName)),
+      name_(std::move(name)),
+      listeners_(std::move(listeners)),
+      types_(robotlink::packageTypes()),
+      choices_(std::move(choices)) {
+  for (const auto& stream : log_->streams()) {
+    if (!stream.path.starts_with(logName_ + "/")) continue;
+    const std::string path = below(stream.path);
+    streams_.insert(path);
+    const auto type = types_.find(path);
+    if (type == types_.end() || !fits(*type->second, stream.type) || robotlink::isDebugPackage(path)) continue;
+    logged_.insert(path);
+    // What programs told last waits in their queues when a recording ends, and is lost; it is not missed.
+    const bool untilTheEnd = log_->end() - stream.last < kQueueDelay;
+    comparedUntil_[path] = untilTheEnd ? stream.last : Instant::max();
+  }
+}
+
+ReplayRobot::~ReplayRobot() = default;
+
+// ---- Making the program
+
+std::optional<ProgramSetup> ReplayRobot::loggedSetupAt(Instant time) const {
+  const std::string stream = logName_ + "/" + streams::kProgram;
+  auto message = log_->latest(stream, time);
+  // Some recorders tell it with the first frame.
+  if (!message) {
+    if (const auto first = log_->timeAfter(stream, time)) message = log_->latest(stream, *first);
+  }
+  const auto* setup = message ? dynamic_cast<const ProgramSetup*>(message->value.get()) : nullptr;
+  return setup != nullptr ? std::optional(*setup) : std::nullopt;
+}
+
+Errors ReplayRobot::readSetupAt(Instant time) {
+  auto logged = loggedSetupAt(time);
+  auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
+  if (!setup) return setup.error();
+  for (auto& process : setup->layout.processes) {
+    for (auto& task : process.tasks) {
+      const auto chosen = choices_.solutions.find(task.task);
+      if (chosen != choices_.solutions.end()) task.solution = chosen->second;
+    }
+  }
+  for (const auto& [solution, values] : choices_.parameters) setup->parameters.recorded.push_back(values);
+  if (setup->team.empty()) setup->team = teamOf(logName_);
+  setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
+  loggedSetup_ = std::move(logged);
+  return {};
+}
+
+Errors ReplayRobot::start(Instant time) { return start(time, choices_); }
+
+Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
+  const auto before = std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
+  clock_.set(time);
+  Errors errors = readSetupAt(time);
+  if (errors.empty()) errors = makeProgram();
+  if (!errors.empty()) {
+    Instant then;
+    std::tie(choices_, loggedSetup_, setup_, then) = before;
+    clock_.set(then);
+    return errors;
+  }
+  giveWhatIsBefore(time);
+  return {};
+}
+
+ReplayWishes ReplayRobot::wishes() const {
+  ReplayWishes wishes;
+  wishes.layout = setup_->layout;
+  wishes.fromLog = setup_->layoutFromLog;
+  wishes.logged = logged_;
+  wishes.debugOffers = robotlink::debugPackages();
+  wishes.packages = choices_.packages;
+  return wishes;
+}
+
+/// A solution that cannot be made here, say because the robot lacks a joint, counts as unavailable.
+Errors ReplayRobot::makeProgram() {
+  const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
+  for (ReplayWishes wished = wishes();;) {
+    auto plan = planReplay(wished, catalog);
+    if (!plan) return plan.error();
+    auto program = programFor(*plan);
+    if (program) {
+      plan_ = std::move(*plan);
+      paths_ = LoggedPaths(plan_);
+      program_ = std::move(*program);
+      describeProgram(*program_);
+      due_.clear();
+      differences_.dropInstant();
+      for (const auto& [id, request] : unanswered_) program_->program->debugProcess().request(request);
+      return {};
+    }
+    const std::size_t before = wished.broken.size();
+    for (const robotlink::Error& error : program.error()) {
+      if (error.id != "solution.broken" || error.arguments.size() != 3) continue;
+      wished.broken.emplace(std::pair(error.arguments[0], error.arguments[1]), error.arguments[2]);
+    }
+    if (wished.broken.size() == before) return program.error();
+  }
+}
+
+std::vector<logplayer::LogPlatform::Package> ReplayRobot::platformPackages(const ReplayPlan& plan) const {
+  std::vector<logplayer::LogPlatform::Package> packages;
+  for (const auto& package : plan.packages) {
+    if (package.source != ControlReplay::AS_LOGGED) continue;
+    packages.push_back({package.name, package.process, types_.at(package.name)});
+  }
+  return packages;
+}
+
+tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::programFor(const ReplayPlan& plan) {
+  robotlink::LockstepExecutor::Options options;
+  options.onStarved = [this](const auto& process, const auto& what) {
+    listeners_.trouble(process, "waits for " + what);
+  };
+  options.onFailed = [this](const auto& process) {
+    listeners_.trouble(process, "was stopped because it threw: " + process.failure());
+  };
+  auto made = std::make_unique<Program>(clock_, platformPackages(plan), std::move(options));
+  const robotlink::RobotSetup robot{name_, setup_->team, *setup_->description, setup_->field};
+  auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
+  if (!program) return tl::unexpected(program.error());
+  made->program = std::move(*program);
+  made->program->setKeys(choices_.keys);
+  std::set<std::string> recorded = choices_.recordedPackages;
+  if (choices_.tellPackages) {
+    const auto yielded = made->program->yieldedPackages();
+    recorded.insert(yielded.begin(), yielded.end());
+  }
+  made->program->recordPackages(recorded);
+  made->executor.add(made->platform);
+  for (const auto& process : setup_->layout.processes) {
+    if (robotlink::Process* turn = made->platform.turnOf(process.name)) made->executor.add(*turn);
+    for (robotlink::Process* running : made->program->processes()) {
+      if (running->name() == process.name) made->executor.add(*running);
+    }
+  }
+  listen(*made, plan);
+  return made;
+}
+
+void ReplayRobot::describeProgram(const Program& program) {
+  auto own = std::make_shared<ProgramSetup>(programSetup(*program.program, program.platform, {{}, {}, {}, "lockstep"}));
+  own->set_robot(name_);
+  *own->mutable_layout() = setup_->files.layout();
+  *own->mutable_description() = setup_->files.description();
+  *own->mutable_field() = setup_->files.field();
+  ownSetup_ = std::move(own);
+}
+
+void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
+  program.program->debugProcess().setListener([this](const auto& queue) {
+    noticeAnswers(*queue);
+    listeners_.queue(queue);
+  });
+  for (const robotlink::Process* process : program.program->processes()) {
+    for (robotlink::AnySender* sender : process->senders()) {
+      const auto* package = plan.find(sender->package());
+      if (package == nullptr || !package->logged) continue;
+      sender->addTap([this, name = package->name](const robotlink::PackagePtr& value) {
+        const bool counts = countsDifferences_ && clock_.now() <= comparedUntil_.at(name);
+        if (counts) differences_.addRecomputed(name, value);
+      });
+    }
+  }
+}
+
+/// What is not told in every frame must be there from the start. What processes wait for is left out: they ran for it then.
+void ReplayRobot::giveWhatIsBefore(Instant time) {
+  std::set<std::string> awaited;
+  for (const auto& process : plan_.layout.processes) {
+    for (const auto& input : process.blocking) awaited.insert(input.package);
+  }
+  const auto before = [&](const std::string& package, Instant last) {
+    return log_->latest(logName_ + "/" + package, last);
+  };
+  const Instant earlier = time - robotlink::Duration(1);
+  for (const auto& package : plan_.packages) {
+    if (package.source != ControlReplay::AS_LOGGED || awaited.contains(package.name)) continue;
+    if (const auto message = before(package.name, earlier)) program_->platform.put(package.name, message->value);
+  }
+  // What one asked for at `time` itself comes with the requests of that instant, if the log has them.
+  for (const std::string& package : robotlink::debugPackages()) {
+    const auto message = before(package, hasRequests() ? earlier : time);
+    if (message) program_->program->debugProcess().offer(message->value);
+  }
+  if (choices_.colorTable) program_->program->debugProcess().offer(choices_.colorTable);
+}
+
+}  // namespace app

@@ -1,0 +1,190 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a ReplayRobot goes over its log.
+#include <algorithm>
+
+#include "app/core/ReplayRobotProgram.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+
+namespace streams = robotlink::streams;
+
+using robotcontrol::ProgramSetup;
+using robotcontrol::Request;
+using robotlink::Errors;
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+// ---- Running it
+
+bool ReplayRobot::computes() const {
+  const auto& all = plan_.layout.processes;
+  return std::any_of(all.begin(), all.end(), [](const auto& process) { return !process.tasks.empty(); });
+}
+
+std::vector<std::string> ReplayRobot::neededStreams() const {
+  std::vector<std::string> needed;
+  for (const std::string& path : streams_) {
+    const bool needs = plan_.isAsLogged(path) || path.starts_with(streams::kFrames) || path == streams::kRequests ||
+                       path == streams::kProgram || robotlink::isDebugPackage(path);
+    if (needs) needed.push_back(logName_ + "/" + path);
+  }
+  return needed;
+}
+
+void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
+  // A program that was started anew then is started anew now, before it gets anything.
+  for (const StreamMessage& message : messages) {
+    const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
+    if (setup != nullptr && below(message.path) == streams::kProgram) takeSetup(*setup, now);
+  }
+  clock_.set(now);
+  for (const StreamMessage& message : messages) {
+    const std::string path = below(message.path);
+    if (logged_.contains(path)) takePackage(path, message);
+    const auto* request = dynamic_cast<const Request*>(message.value.get());
+    if (request != nullptr && path == streams::kRequests) takeRequest(*request);
+    if (!hasRequests() && robotlink::isDebugPackage(path)) takeWish(*message.value);
+  }
+  // As late as then: the debug process here runs at every instant, so that what programs tell is heard at once.
+  if (!debugProcessRan(messages)) return;
+  for (const Request& request : std::exchange(due_, {})) program_->program->debugProcess().request(request);
+}
+
+bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) const {
+  for (const auto& process : setup_->layout.processes) {
+    const std::string frames = streams::kFrames + process.name;
+    if (!process.debug || !streams_.contains(frames)) continue;
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const StreamMessage& message) { return below(message.path) == frames; });
+  }
+  return true;  // the log does not tell
+}
+
+void ReplayRobot::takePackage(const std::string& package, const StreamMessage& message) {
+  if (program_->platform.put(package, message.value)) return;
+  if (countsDifferences_ && !plan_.isAsLogged(package)) differences_.addLogged(package, message.value);
+}
+
+void ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
+  const bool another = loggedSetup_ && isAnotherProgram(*loggedSetup_, setup);
+  if (!another) return;
+  if (const Errors errors = start(now); !errors.empty()) {
+    listeners_.trouble(program_->platform, "cannot be started anew as in the log: " + robotlink::describe(errors));
+  }
+}
+
+/// What a person chooses now counts more than what one chose then; and what one looked at then does not matter.
+void ReplayRobot::takeRequest(const Request& request) {
+  bool counts = false;
+  if (request.has_select_solution()) {
+    const std::string& task = request.select_solution().task();
+    counts = plan_.runs(task) && !choices_.solutions.contains(task);
+  } else if (request.has_set_parameters()) {
+    const auto& wish = request.set_parameters();
+    counts = plan_.runs(wish.task()) && !choices_.parameters.contains({wish.task(), wish.solution()});
+  } else if (request.has_motion()) {
+    counts = true;
+  } else if (request.has_set_color_table()) {
+    counts = choices_.colorTable == nullptr;
+  }
+  if (!counts) return;
+  due_.push_back(request);
+  due_.back().clear_id();
+  due_.back().set_robot(name_);
+}
+
+/// A log may hold what the debug process sent, but not who asked for it.
+void ReplayRobot::takeWish(const google::protobuf::Message& package) {
+  Request request;
+  if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
+    *request.mutable_motion() = *motion;
+  } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(&package)) {
+    *request.mutable_set_color_table()->mutable_table() = *table;
+  }
+  takeRequest(request);
+}
+
+void ReplayRobot::run() {
+  program_->executor.stepPlatforms();
+  program_->executor.runProcesses();
+  if (countsDifferences_) {
+    differences_.endInstant(clock_.now());
+  } else {
+    differences_.dropInstant();
+  }
+}
+
+StreamMessage ReplayRobot::told(StreamMessage message) const {
+  const std::string path = below(message.path);
+  const bool anew = paths_.isToldAnew(path, *message.value);
+  message.path = name_ + "/" + (anew ? streams::kLogged : "") + path;
+  // The process counts other frames here; drawings are told apart by their times.
+  if (!anew && paths_.runs(message.process)) message.frame = 0;
+  return message;
+}
+
+// ---- Requests
+
+robotlink::Result<void> ReplayRobot::request(const Request& request) {
+  if (request.has_stop()) {
+    return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {}, {name_});
+  }
+  remember(request);
+  if (!program_->program->debugProcess().request(request)) {
+    return robotlink::failure("request.queue-full",
+                              "robot " + name_ + " does not take requests now: too many wait already", {}, {name_});
+  }
+  if (request.id() != 0) unanswered_[request.id()] = request;
+  return {};
+}
+
+bool ReplayRobot::isAvailable(const std::string& task, const std::string& solution) const {
+  robotlink::PlatformPackages platform;
+  for (const auto& package : platformPackages(plan_)) platform.offers.push_back(package.name);
+  platform.debugOffers = robotlink::debugPackages();
+  return robotlink::unavailability(plan_.layout, robotlink::registeredTasks(), platform, task, solution).empty();
+}
+
+void ReplayRobot::remember(const Request& request) {
+  if (request.has_set_key()) {
+    const auto& mode = request.set_key().mode();
+    // What was to happen n times has happened.
+    if (mode.kind() == robotcontrol::KeyMode::OFF || mode.kind() == robotcontrol::KeyMode::N_TIMES) {
+      choices_.keys.erase(request.set_key().name());
+    } else {
+      choices_.keys[request.set_key().name()] = mode;
+    }
+    return;
+  }
+  if (request.has_record_packages()) {
+    choices_.recordedPackages = {request.record_packages().packages().begin(),
+                                 request.record_packages().packages().end()};
+    return;
+  }
+  if (request.has_select_solution()) {
+    const auto& wish = request.select_solution();
+    if (!isAvailable(wish.task(), wish.solution())) return;
+    choices_.solutions[wish.task()] = wish.solution();
+  } else if (request.has_set_parameters()) {
+    const auto& wish = request.set_parameters();
+    auto& values = choices_.parameters[{wish.task(), wish.solution()}];
+    values.set_task(wish.task());
+    values.set_solution(wish.solution());
+    *values.mutable_value() = wish.value();
+  } else if (request.has_set_color_table()) {
+    choices_.colorTable = std::make_shared<const robotcontrol::ColorTable>(request.set_color_table().table());
+  } else {
+    return;
+  }
+  differences_.clear();
+}
+
+void ReplayRobot::noticeAnswers(const robotcontrol::DebugQueue& queue) {
+  if (unanswered_.empty()) return;
+  for (const auto& message : queue.messages()) {
+    if (message.has_result()) unanswered_.erase(message.result().id());
+  }
+}
+
+}  // namespace app

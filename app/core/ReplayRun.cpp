@@ -1,0 +1,348 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/ReplayRun.h"
+
+#include <algorithm>
+
+#include "app/core/ColorTables.h"
+#include "app/core/ReplayRunParts.h"
+#include "foxglove/Scene.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/session/QueueMessages.h"
+
+namespace app {
+
+namespace streams = robotlink::streams;
+
+using logplayer::LogFile;
+using robotcontrol::ControlReplay;
+using robotcontrol::DebugQueue;
+using robotlink::Duration;
+using robotlink::Errors;
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+namespace {
+
+std::string robotOf(const std::string& path) {
+  const auto slash = path.find('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+/// A frame's end comes after what the frame told.
+bool isFrameEnd(const StreamMessage& message) {
+  return dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
+}
+
+std::shared_ptr<const DebugQueue> moved(const std::shared_ptr<const DebugQueue>& queue, Duration offset) {
+  if (offset == Duration::zero()) return queue;
+  auto copy = std::make_shared<DebugQueue>(*queue);
+  for (auto& message : *copy->mutable_messages()) {
+    robotlink::assign(*message.mutable_timestamp(), robotlink::instant(message.timestamp()) + offset);
+  }
+  return copy;
+}
+
+}  // namespace
+
+ReplayRun::ReplayRun(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+
+ReplayRun::~ReplayRun() = default;
+
+// ---- Making it
+
+tl::expected<std::unique_ptr<ReplayRun>, Errors> ReplayRun::create(ReplayOptions options, Listeners listeners) {
+  auto made = std::make_unique<Implementation>();
+  made->options = std::move(options);
+  made->listeners = std::move(listeners);
+  if (Errors errors = made->open(); !errors.empty()) return tl::unexpected(std::move(errors));
+  std::unique_ptr<ReplayRun> run(new ReplayRun(std::move(made)));
+  run->implementation_->now = run->begin();
+  run->implementation_->findStepProcess();
+  return run;
+}
+
+Errors ReplayRun::Implementation::open() {
+  if (options.logs.empty()) return {{"replay.no-log", "there is no log to be played", {}, {}}};
+  if (!options.colorTable.empty()) {
+    auto table = readColorTable(options.colorTable);
+    if (!table) return {table.error()};
+    colorTable = std::move(*table);
+  }
+  bool hasWorld = false;
+  for (std::size_t i = 0; i < options.logs.size(); ++i) {
+    LogFile::Options wishes;
+    if (options.progress) {
+      const double count = static_cast<double>(options.logs.size());
+      wishes.progress = [this, i, count](double share) {
+        return options.progress((static_cast<double>(i) + share) / count);
+      };
+    }
+    auto file = LogFile::open(options.logs[i].file, std::move(wishes));
+    if (!file) return {file.error()};
+    auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
+    hasWorld = hasWorld || std::any_of((*file)->streams().begin(), (*file)->streams().end(),
+                                       [](const auto& stream) { return stream.path == streams::kScene; });
+    if (Errors errors = addRobots(source); !errors.empty()) return errors;
+    source.reader.seek((*file)->begin());
+    source.reader.onBrokenImage([this, &source](const StreamMessage& message, const std::string& why) {
+      note(source, robotOf(message.path), message.time, foxglove::Log::ERROR,
+           "an image on " + message.path + " could not be decoded: " + why);
+    });
+  }
+  return {};
+}
+
+Errors ReplayRun::Implementation::addRobots(Source& source) {
+  for (const std::string& logName : source.reader.file().robots()) {
+    const std::string name = freeName(logName);
+    ReplayChoices choices;
+    choices.layout = options.layout;
+    choices.solutions = options.solutions;
+    choices.colorTable = colorTable;
+    choices.tellPackages = options.tellPackages;
+    for (const std::string& prefix : {std::string("*/"), name + "/"}) {
+      for (const auto& [package, choice] : options.packages) {
+        if (package.starts_with(prefix)) choices.packages[package.substr(prefix.size())] = choice;
+      }
+    }
+    ReplayRobot::Listeners ears;
+    ears.queue = [this, &source, name](const auto& queue) { hear(source, name, queue); };
+    ears.trouble = [this, name](const robotlink::Process& process, const std::string& text) {
+      if (listeners.trouble) listeners.trouble(name, process, "Process " + process.name() + " " + text);
+    };
+    auto& robot = *source.robots.emplace_back(std::make_unique<ReplayRobot>(
+        source.reader.filePointer(), logName, name, std::move(choices), std::move(ears)));
+    source.byLogName[logName] = &robot;
+    if (Errors errors = robot.start(source.reader.file().begin()); !errors.empty()) return errors;
+  }
+  return {};
+}
+
+std::string ReplayRun::Implementation::freeName(const std::string& robot) const {
+  std::string name = robot;
+  for (int number = 2; findRobot(name) != nullptr; ++number) name = robot + "-" + std::to_string(number);
+  return name;
+}
+
+// ---- Going on
+
+bool ReplayRun::Implementation::step() {
+  const auto time = nextTime();
+  if (!time) return false;
+  now = *time;
+  begun = true;
+  for (const auto& source : sources) {
+    const Instant logTime = source->inLog(now);
+    if (source->reader.nextTime() != logTime) continue;
+    const std::vector<StreamMessage> messages = source->reader.next();
+    give(*source, logTime, messages);
+    tell(*source, messages);
+    for (const auto& robot : source->robots) robot->run();
+  }
+  return true;
+}
+
+/// To the robots that it is about; those without a message see the time go on.
+void ReplayRun::Implementation::give(Source& source, Instant logTime, const std::vector<StreamMessage>& messages) {
+  std::map<std::string, std::vector<StreamMessage>> byRobot;
+  for (const StreamMessage& message : messages) byRobot[robotOf(message.path)].push_back(message);
+  for (const auto& [logName, robot] : source.byLogName) robot->take(logTime, byRobot[logName]);
+}
+
+std::optional<StreamMessage> ReplayRun::Implementation::told(Source& source, const StreamMessage& message) const {
+  const auto robot = source.byLogName.find(robotOf(message.path));
+  if (robot == source.byLogName.end() && !source.tellsWorld) return std::nullopt;
+  StreamMessage result = robot == source.byLogName.end() ? message : robot->second->told(message);
+  result.time = source.onLine(result.time);
+  return result;
+}
+
+void ReplayRun::Implementation::tell(Source& source, const std::vector<StreamMessage>& messages) {
+  std::vector<StreamMessage> all = std::exchange(notes, {});
+  for (const StreamMessage& message : messages) {
+    if (auto shown = told(source, message)) all.push_back(std::move(*shown));
+  }
+  if (!all.empty() && listeners.logged) listeners.logged(std::move(all));
+}
+
+void ReplayRun::Implementation::hear(const Source& source, const std::string& robot,
+                                     const std::shared_ptr<const DebugQueue>& queue) {
+  const auto shown = moved(queue, source.log.offset);
+  if (!quiet) {
+    if (listeners.queue) listeners.queue(robot, shown);
+    return;
+  }
+  const auto reader = options.tellPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
+  auto taken = robotlink::messagesOf(robot, shown, now, reader);
+  for (StreamMessage& message : taken.messages) newest[message.path] = std::move(message);
+  for (const auto& message : shown->messages()) {
+    if (!message.has_result()) continue;
+    if (!answers) answers = std::make_shared<DebugQueue>();
+    answers->set_process(shown->process());
+    *answers->add_messages() = message;
+  }
+}
+
+void ReplayRun::Implementation::note(const Source& source, const std::string& robot, Instant logTime, int level,
+                                     const std::string& text) {
+  auto log = std::make_shared<foxglove::Log>();
+  const Instant time = source.onLine(logTime);
+  robotlink::assign(*log->mutable_timestamp(), time);
+  log->set_level(static_cast<foxglove::Log::Level>(level));
+  log->set_name("replay");
+  log->set_message(text);
+  notes.push_back({robot + "/" + streams::kLog, time, std::move(log)});
+}
+
+// ---- Jumps
+
+Errors ReplayRun::Implementation::jump(Instant time) {
+  quiet = true;
+  newest.clear();
+  answers.reset();
+  notes.clear();
+  now = time;
+  begun = true;
+  Errors errors;
+  for (const auto& source : sources) {
+    const Errors own = jump(*source, time);
+    errors.insert(errors.end(), own.begin(), own.end());
+  }
+  quiet = false;
+  std::vector<StreamMessage> messages;
+  for (const auto& source : sources) {
+    for (const StreamMessage& message : source->reader.newest(source->inLog(time))) {
+      if (auto shown = told(*source, message)) messages.push_back(std::move(*shown));
+    }
+  }
+  for (auto& [path, message] : newest) messages.push_back(std::move(message));
+  newest.clear();
+  std::move(notes.begin(), notes.end(), std::back_inserter(messages));
+  notes.clear();
+  std::stable_sort(messages.begin(), messages.end(), [](const StreamMessage& a, const StreamMessage& b) {
+    return std::pair(a.time, isFrameEnd(a)) < std::pair(b.time, isFrameEnd(b));
+  });
+  if (listeners.logged) listeners.logged(std::move(messages));
+  if (answers && listeners.queue) listeners.queue(sources.front()->robots.front()->name(), std::exchange(answers, nullptr));
+  return errors;
+}
+
+Errors ReplayRun::Implementation::jump(Source& source, Instant time) {
+  const Instant target = source.inLog(time);
+  const Instant begin = source.reader.file().begin();
+  const Instant from = std::max(begin, std::min(target, source.reader.file().end()) - options.preroll);
+  Errors errors;
+  for (const auto& robot : source.robots) {
+    const Errors own = robot->start(from);
+    errors.insert(errors.end(), own.begin(), own.end());
+    notes.push_back({robot->name() + "/" + streams::kProgram, time, robot->ownSetup()});
+    for (const std::string& text : robot->plan().notes) {
+      note(source, robot->name(), target, foxglove::Log::WARNING, text);
+    }
+  }
+  runQuietly(source, from, target);
+  source.reader.seek(target + Duration(1));
+  return errors;
+}
+
+void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant to) {
+  std::vector<std::string> needed;
+  bool computes = false;
+  for (const auto& robot : source.robots) {
+    const auto own = robot->neededStreams();
+    needed.insert(needed.end(), own.begin(), own.end());
+    computes = computes || robot->computes();
+  }
+  if (needed.empty() || !computes) {
+    // What is only played has no past; but what its program says of itself is told.
+    for (const auto& robot : source.robots) {
+      robot->take(to, {});
+      robot->run();
+    }
+    return;
+  }
+  source.reader.seek(from, needed);
+  for (auto next = source.reader.nextTime(); next && *next <= to;) {
+    const std::vector<StreamMessage> messages = source.reader.next();
+    const Instant logTime = *next;
+    next = source.reader.nextTime();
+    const bool last = !next || *next > to;
+    for (const auto& robot : source.robots) robot->countDifferences(last);
+    give(source, logTime, messages);
+    for (const auto& robot : source.robots) robot->run();
+  }
+}
+
+// ---- What a person asks for
+
+Errors ReplayRun::Implementation::changeChoices(
+    const std::function<void(const std::string&, ReplayChoices&)>& change) {
+  std::vector<std::pair<ReplayRobot*, ReplayChoices>> before;
+  Errors errors;
+  for (const auto& source : sources) {
+    for (const auto& robot : source->robots) {
+      ReplayChoices choices = robot->choices();
+      change(robot->name(), choices);
+      before.emplace_back(robot.get(), robot->choices());
+      errors = robot->start(source->inLog(now), std::move(choices));
+      if (!errors.empty()) break;
+      robot->differences().clear();
+    }
+    if (!errors.empty()) break;
+  }
+  if (!errors.empty()) {
+    before.pop_back();  // refused, so nothing has changed there
+    for (auto& [robot, choices] : before) (void)robot->start(now, std::move(choices));
+  }
+  const Errors jumped = jump(now);
+  errors.insert(errors.end(), jumped.begin(), jumped.end());
+  return errors;
+}
+
+Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::PackageSource>& packages) {
+  Implementation& self = *implementation_;
+  for (const auto& [package, source] : packages) {
+    if (self.findRobot(robotOf(package)) != nullptr) continue;
+    return {{"replay.no-robot", "there is no robot " + robotOf(package) + " in the logs", {robotOf(package)}, {}}};
+  }
+  return self.changeChoices([&](const std::string& robot, ReplayChoices& choices) {
+    for (const auto& [package, source] : packages) {
+      if (package.starts_with(robot + "/")) choices.packages[package.substr(robot.size() + 1)] = source;
+    }
+  });
+}
+
+Errors ReplayRun::setLayout(const std::filesystem::path& file) {
+  Errors errors = implementation_->changeChoices([&](const std::string&, ReplayChoices& choices) {
+    choices.layout = file;
+    choices.solutions.clear();
+  });
+  if (errors.empty()) implementation_->options.layout = file;
+  return errors;
+}
+
+void ReplayRun::setOffset(const std::filesystem::path& log, Duration offset) {
+  for (const auto& source : implementation_->sources) {
+    if (source->log.file == log) source->log.offset = offset;
+  }
+  for (ReplayLog& known : implementation_->options.logs) {
+    if (known.file == log) known.offset = offset;
+  }
+  (void)implementation_->jump(std::clamp(now(), begin(), end()));
+}
+
+robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request) {
+  ReplayRobot* robot = implementation_->findRobot(request.robot());
+  if (robot == nullptr) {
+    return robotlink::failure("request.no-robot", "there is no robot " + request.robot() + " in the logs", {},
+                              {request.robot()});
+  }
+  return robot->request(request);
+}
+
+bool ReplayRun::step() { return implementation_->step(); }
+
+Errors ReplayRun::jump(Instant time) { return implementation_->jump(std::clamp(time, begin(), end())); }
+
+}  // namespace app

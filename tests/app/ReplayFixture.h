@@ -1,0 +1,149 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "app/core/ReplayRun.h"
+#include "app/core/SimulatedRun.h"
+#include "app/core/Workbench.h"
+#include "logplayer/Recorder.h"
+#include "logplayer/TemporaryFolder.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
+#include "robotlink/session/QueueMessages.h"
+
+namespace app::testing {
+
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+inline Instant at(double seconds) { return Instant(robotlink::fromSeconds(seconds)); }
+
+inline std::filesystem::path realLog() { return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log"; }
+
+inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task, const std::string& solution) {
+  robotcontrol::Request request;
+  request.set_robot(robot);
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  return request;
+}
+
+inline robotcontrol::Request keyRequest(const std::string& robot, const std::string& key) {
+  robotcontrol::Request request;
+  request.set_robot(robot);
+  request.mutable_set_key()->set_name(key);
+  request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  return request;
+}
+
+/// Records the simulated robot in a layout from its start, in steps of 8 ms; `before` is called before each.
+inline void recordSimulation(const std::filesystem::path& file, const std::string& layout, int steps,
+                             const std::function<void(SimulatedRun&, int step)>& before = {}) {
+  logplayer::Recorder recorder({});
+  robotcontrol::ControlRecording control;
+  control.set_action(robotcontrol::ControlRecording::START);
+  control.set_path(file.string());
+  ASSERT_TRUE(recorder.control(control).has_value());
+  RunOptions options = Workbench::defaultOptions();
+  options.layout = robotlink::resource("layouts/" + layout + ".yaml");
+  auto run = SimulatedRun::create(options, {}, &recorder);
+  ASSERT_TRUE(run.has_value()) << robotlink::describe(run.error());
+  for (int i = 0; i < steps; ++i) {
+    if (before) before(**run, i);
+    (*run)->step();
+  }
+  run->reset();
+  control.set_action(robotcontrol::ControlRecording::STOP);
+  ASSERT_TRUE(recorder.control(control).has_value());
+  recorder.finish();
+}
+
+inline ReplayOptions replayOf(std::vector<ReplayLog> logs) {
+  ReplayOptions options;
+  options.logs = std::move(logs);
+  return options;
+}
+
+/// A replay and all that it tells.
+struct Replay {
+  explicit Replay(ReplayOptions options) {
+    ReplayRun::Listeners listeners;
+    listeners.logged = [this](std::vector<StreamMessage> messages) {
+      told.insert(told.end(), messages.begin(), messages.end());
+    };
+    listeners.queue = [this](const std::string& robot, const auto& queue) {
+      auto taken = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
+      told.insert(told.end(), taken.messages.begin(), taken.messages.end());
+      for (const auto& result : taken.results) results.push_back(*result);
+    };
+    listeners.trouble = [this](const std::string& robot, const robotlink::Process&, const std::string& text) {
+      troubles.push_back(robot + ": " + text);
+    };
+    auto made = ReplayRun::create(std::move(options), std::move(listeners));
+    if (made) {
+      run = std::move(*made);
+    } else {
+      errors = made.error();
+    }
+  }
+  explicit Replay(const std::filesystem::path& file) : Replay(replayOf({{file}})) {}
+
+  void playToEnd() {
+    while (run->step()) {
+    }
+  }
+  robotcontrol::ReplayStatus status() const {
+    robotcontrol::ReplayStatus status;
+    run->describe(status);
+    return status;
+  }
+  /// A hash of all that was told on a path; empty if that is nothing.
+  std::string digestOn(const std::string& path) const {
+    std::string bytes;
+    for (const auto& message : told) {
+      if (message.path == path) bytes += message.value->SerializeAsString() + "\n";
+    }
+    return bytes.empty() ? "" : std::to_string(std::hash<std::string>{}(bytes));
+  }
+  std::size_t countOn(const std::string& path) const {
+    std::size_t count = 0;
+    for (const auto& message : told) count += message.path == path ? 1 : 0;
+    return count;
+  }
+  /// The last one; null if there is none.
+  const StreamMessage* lastOn(const std::string& path) const {
+    const StreamMessage* last = nullptr;
+    for (const auto& message : told) {
+      if (message.path == path) last = &message;
+    }
+    return last;
+  }
+
+  std::unique_ptr<ReplayRun> run;
+  robotlink::Errors errors;
+  std::vector<StreamMessage> told;
+  std::vector<robotcontrol::RequestResult> results;
+  std::vector<std::string> troubles;
+};
+
+/// Options that recompute all packages that can be.
+inline ReplayOptions recomputingAll(const std::filesystem::path& file) {
+  ReplayOptions options = replayOf({{file}});
+  const Replay asLogged(options);
+  if (!asLogged.run) return options;
+  const auto status = asLogged.status();
+  for (const auto& package : status.packages()) {
+    if (package.can_recompute()) options.packages[package.package()] = robotcontrol::ControlReplay::RECOMPUTED;
+  }
+  return options;
+}
+
+}  // namespace app::testing

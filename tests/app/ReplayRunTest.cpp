@@ -1,0 +1,362 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Recordings of the simulated robot, played.
+#include "app/core/ReplayRun.h"
+
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <fstream>
+
+#include "ReplayFixture.h"
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotlink/packages/Conversions.h"
+
+using namespace app;
+using namespace app::testing;
+using namespace std::chrono_literals;
+using robotcontrol::ControlReplay;
+using ::testing::Contains;
+using ::testing::HasSubstr;
+using ::testing::IsEmpty;
+using ::testing::Not;
+
+namespace {
+
+const std::string kRegions = "red1/percepts/regions";
+
+/// Two seconds of the simulated robot, recorded once for all tests.
+class ReplayRunTest : public ::testing::Test {
+ protected:
+  static void SetUpTestSuite() {
+    folder_ = new logplayer::TemporaryFolder(std::move(*logplayer::TemporaryFolder::make()));
+    recordSimulation(file(), "compact", 254, [](SimulatedRun& run, int step) {
+      if (step == 20) (void)run.request(keyRequest("red1", "segmentation/regions"));
+      if (step == 20) (void)run.request(keyRequest("red1", "camera-pose/horizon"));
+    });
+  }
+  static void TearDownTestSuite() {
+    delete folder_;
+    folder_ = nullptr;
+  }
+  static std::filesystem::path file() { return folder_->path() / "sim.mcap"; }
+  static ReplayOptions recomputingRegions() {
+    ReplayOptions options = replayOf({{file()}});
+    options.packages[kRegions] = ControlReplay::RECOMPUTED;
+    options.tellPackages = true;
+    return options;
+  }
+  static logplayer::TemporaryFolder* folder_;
+};
+
+logplayer::TemporaryFolder* ReplayRunTest::folder_ = nullptr;
+
+std::vector<std::string> recomputedPackages(const robotcontrol::ReplayStatus& status) {
+  std::vector<std::string> names;
+  for (const auto& package : status.packages()) {
+    if (package.source() == ControlReplay::RECOMPUTED && package.can_recompute()) names.push_back(package.package());
+  }
+  return names;
+}
+
+}  // namespace
+
+class RecomputedLayout : public ::testing::TestWithParam<std::string> {};
+
+/// With requests at times at which the debug process does not run.
+TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
+  const auto folder = logplayer::TemporaryFolder::make();
+  const auto file = folder->path() / "sim.mcap";
+  recordSimulation(file, GetParam(), 400, [](SimulatedRun& run, int step) {
+    if (step == 101) (void)run.request(selectRequest("red1", "ball-model", "last-percept"));
+    if (step == 203) (void)run.request(selectRequest("red1", "segmentation", "whole-image"));
+    if (step == 250) (void)run.request(selectRequest("red1", "behavior", "obey"));
+    if (step != 254) return;
+    robotcontrol::Request request;
+    request.set_robot("red1");
+    request.mutable_motion()->mutable_motion()->set_kind(robotcontrol::MotionRequest::WALK);
+    request.mutable_motion()->mutable_motion()->mutable_walk()->set_x(0.05);
+    (void)run.request(request);
+  });
+  Replay replay(recomputingAll(file));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  replay.playToEnd();
+  EXPECT_THAT(replay.troubles, IsEmpty());
+  const auto status = replay.status();
+  EXPECT_THAT(status.unavailable_tasks(), IsEmpty());
+  EXPECT_GE(recomputedPackages(status).size(), 12U);
+  EXPECT_EQ(static_cast<std::size_t>(status.differences_size()), recomputedPackages(status).size());
+  for (const auto& difference : status.differences()) {
+    EXPECT_GT(difference.compared(), 70U) << difference.package();
+    EXPECT_EQ(difference.different(), 0U) << difference.package() << " first at " << difference.first_time() << ", "
+                                          << difference.largest_field() << " by " << difference.largest();
+    EXPECT_EQ(difference.only_logged(), 0U) << difference.package();
+    EXPECT_EQ(difference.only_recomputed(), 0U) << difference.package();
+  }
+}
+
+INSTANTIATE_TEST_SUITE_P(Layouts, RecomputedLayout, ::testing::Values("compact", "balanced", "parallel"),
+                         [](const auto& layout) { return layout.param; });
+
+TEST_F(ReplayRunTest, byItselfItPlaysWhatIsLoggedAndComputesNothing) {
+  Replay replay(file());
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
+  EXPECT_THAT(replay.run->robots(), ::testing::ElementsAre("red1"));
+  EXPECT_EQ(replay.run->now(), replay.run->begin());
+  EXPECT_EQ(replay.run->stepProcess(), "red1/cognition");
+  replay.playToEnd();
+  EXPECT_EQ(replay.run->now(), at(2.032));
+  EXPECT_EQ(replay.run->now(), replay.run->end());
+  EXPECT_EQ(replay.countOn("red1/camera/image"), 50U);
+  EXPECT_EQ(replay.countOn(kRegions), 50U);
+  EXPECT_EQ(replay.countOn("red1/logged/percepts/regions"), 0U);
+  EXPECT_GT(replay.countOn("red1/drawings/image/segmentation/regions"), 10U);
+  EXPECT_GT(replay.countOn("transforms"), 10U);
+  EXPECT_EQ(replay.status().differences_size(), 0);
+  ASSERT_TRUE(replay.run->description("red1"));
+  EXPECT_EQ(replay.run->description("red1")->name, "ers210");
+  EXPECT_TRUE(replay.run->field());
+}
+
+TEST_F(ReplayRunTest, oneRecomputedPackageAmongLoggedOnesIsTheSameToTheBit) {
+  Replay replay(recomputingRegions());
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  EXPECT_THAT(recomputedPackages(replay.status()), ::testing::ElementsAre(kRegions));
+  replay.playToEnd();
+  const auto status = replay.status();
+  ASSERT_EQ(status.differences_size(), 1);
+  EXPECT_EQ(status.differences(0).compared(), 50U);
+  EXPECT_EQ(status.differences(0).different(), 0U);
+  EXPECT_EQ(replay.countOn(kRegions), 50U);
+  EXPECT_EQ(replay.digestOn(kRegions), replay.digestOn("red1/logged/percepts/regions"));
+}
+
+TEST_F(ReplayRunTest, whatIsToldAnewTakesThePathAndWhatWasLoggedStandsBesideIt) {
+  ReplayOptions options = recomputingRegions();
+  Replay replay(options);
+  ASSERT_TRUE(replay.run);
+  ASSERT_TRUE(replay.run->request(keyRequest("red1", "segmentation/regions")));
+  replay.playToEnd();
+  // Of the task that runs...
+  EXPECT_GT(replay.countOn("red1/logged/drawings/image/segmentation/regions"), 10U);
+  EXPECT_GT(replay.countOn("red1/drawings/image/segmentation/regions"), 45U) << "from the first frame on";
+  EXPECT_EQ(replay.countOn("red1/logged/frames/cognition"), 50U);
+  EXPECT_EQ(replay.countOn("red1/frames/cognition"), 50U);
+  // ...and of one that does not, in a process that does.
+  EXPECT_EQ(replay.countOn("red1/logged/drawings/image/camera-pose/horizon"), 0U);
+  const StreamMessage* horizon = replay.lastOn("red1/drawings/image/camera-pose/horizon");
+  ASSERT_NE(horizon, nullptr);
+  EXPECT_EQ(horizon->process, "cognition");
+  EXPECT_EQ(horizon->frame, 0U) << "the process counts its frames anew: drawings go by time";
+  // The platform and processes that do not run.
+  EXPECT_EQ(replay.countOn("red1/frames/platform"), 254U);
+  EXPECT_EQ(replay.countOn("red1/logged/frames/motion"), 0U);
+  EXPECT_EQ(replay.countOn("red1/camera/image"), 50U);
+}
+
+TEST_F(ReplayRunTest, anotherSolutionGivesOtherBytesAndTheFirstOneItsOwnAgain) {
+  Replay first(recomputingRegions());
+  ASSERT_TRUE(first.run);
+  first.playToEnd();
+  const std::string before = first.digestOn(kRegions);
+  EXPECT_FALSE(before.empty());
+  ReplayOptions options = recomputingRegions();
+  options.solutions["segmentation"] = "whole-image";
+  Replay other(options);
+  ASSERT_TRUE(other.run) << robotlink::describe(other.errors);
+  other.playToEnd();
+  EXPECT_NE(other.digestOn(kRegions), before);
+  EXPECT_GT(other.status().differences(0).different(), 0U);
+  EXPECT_FALSE(other.status().differences(0).largest_field().empty());
+
+  // The same by switching, and stepping over the same frames again.
+  ASSERT_TRUE(other.run->request(selectRequest("red1", "segmentation", "scan-lines")));
+  other.told.clear();
+  ASSERT_TRUE(other.run->jump(other.run->begin()).empty());
+  other.playToEnd();
+  EXPECT_EQ(other.digestOn(kRegions), before);
+  EXPECT_EQ(other.status().differences(0).different(), 0U);
+}
+
+TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndNothingOlder) {
+  Replay replay(file());
+  ASSERT_TRUE(replay.run);
+  ASSERT_TRUE(replay.run->jump(at(1.003)).empty());
+  EXPECT_EQ(replay.run->now(), at(1.003));
+  EXPECT_EQ(replay.run->nextTime(), at(1.008));
+  EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
+  EXPECT_EQ(replay.lastOn("red1/camera/image")->time, at(1.0));
+  EXPECT_EQ(replay.lastOn("red1/joints/states")->time, at(1.0));
+  EXPECT_EQ(replay.countOn("scene"), 1U);
+  EXPECT_EQ(replay.countOn("red1/program"), 1U);
+  EXPECT_EQ(replay.countOn("red1/logged/program"), 1U);
+  EXPECT_EQ(replay.countOn("red1/tables/solutions"), 1U);
+  for (std::size_t i = 1; i < replay.told.size(); ++i) EXPECT_LE(replay.told[i - 1].time, replay.told[i].time);
+  const auto* drawing = replay.lastOn("red1/drawings/image/segmentation/regions");
+  ASSERT_NE(drawing, nullptr);
+  EXPECT_EQ(drawing->frame, replay.lastOn("red1/frames/cognition")->frame) << "a drawing of the last whole frame";
+  // On from there without a gap.
+  replay.told.clear();
+  ASSERT_TRUE(replay.run->step());
+  EXPECT_EQ(replay.lastOn("red1/joints/states")->time, at(1.008));
+}
+
+TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
+  ReplayOptions options = recomputingAll(file());
+  options.tellPackages = true;
+  options.preroll = 10s;  // all of it
+  Replay played(options);
+  ASSERT_TRUE(played.run);
+  while (played.run->now() < at(1.2)) ASSERT_TRUE(played.run->step());
+  Replay jumped(options);
+  ASSERT_TRUE(jumped.run->jump(at(1.2)).empty());
+  for (const char* path : {"red1/models/ball", "red1/models/pose", "red1/motion/status", "red1/logged/models/pose"}) {
+    ASSERT_NE(jumped.lastOn(path), nullptr) << path;
+    EXPECT_EQ(jumped.countOn(path), 1U) << path;
+    EXPECT_EQ(jumped.lastOn(path)->value->SerializeAsString(), played.lastOn(path)->value->SerializeAsString()) << path;
+  }
+  // And both go on alike.
+  played.told.clear();
+  jumped.told.clear();
+  played.playToEnd();
+  jumped.playToEnd();
+  EXPECT_EQ(jumped.digestOn("red1/joints/request"), played.digestOn("red1/joints/request"));
+  EXPECT_FALSE(jumped.digestOn("red1/joints/request").empty());
+  // Nobody heard what was computed on the way: one instant counts, and what came after it.
+  const auto status = jumped.status();
+  for (const auto& difference : status.differences()) EXPECT_LT(difference.compared(), 102U) << difference.package();
+}
+
+TEST_F(ReplayRunTest, framesAreCountedFromNowAndFoundByTheirNumbers) {
+  Replay replay(file());
+  ASSERT_TRUE(replay.run);
+  ReplayRun& run = *replay.run;
+  ASSERT_TRUE(run.jump(at(1.0)).empty());
+  EXPECT_EQ(run.frameTime("red1/cognition", 1), at(1.04));
+  EXPECT_EQ(run.frameTime("red1/cognition", -1), at(0.96));
+  EXPECT_EQ(run.frameTime("red1/cognition", 1000), at(2.0));
+  EXPECT_EQ(run.frameTime("red1/cognition", -1000), at(0.04));
+  EXPECT_EQ(run.frameTime("red1/motion", 1), at(1.008));
+  EXPECT_FALSE(run.frameTime("red1/nobody", 1));
+  EXPECT_FALSE(run.frameTime("nonsense", 1));
+  EXPECT_EQ(run.timeOfFrame("red1/cognition", 3), at(0.12));
+  EXPECT_FALSE(run.timeOfFrame("red1/cognition", 3000));
+  EXPECT_EQ(run.messageTime("red1/camera/image", 2), at(1.08));
+  EXPECT_EQ(run.messageTime("red1/camera/image", -1), at(0.96));
+  EXPECT_TRUE(run.messageTime("transforms", 1));
+  EXPECT_FALSE(run.messageTime("red1/nothing", 1));
+  EXPECT_EQ(replay.status().frame(), 25U);
+  EXPECT_EQ(replay.status().frame_index(), 25U);
+  EXPECT_TRUE(run.setStepProcess("red1/motion"));
+  EXPECT_EQ(replay.status().step_process(), "red1/motion");
+  EXPECT_EQ(replay.status().frame(), 125U);
+  EXPECT_FALSE(run.setStepProcess("red1/nobody"));
+  EXPECT_EQ(run.stepProcess(), "red1/motion");
+}
+
+TEST_F(ReplayRunTest, packagesCanBeChosenWhileItPlaysAndWhatCannotBeChangesNothing) {
+  Replay replay(file());
+  ASSERT_TRUE(replay.run->jump(at(1)).empty());
+  ASSERT_TRUE(replay.run->choosePackages({{kRegions, ControlReplay::RECOMPUTED}}).empty());
+  EXPECT_EQ(replay.run->now(), at(1));
+  EXPECT_THAT(recomputedPackages(replay.status()), ::testing::ElementsAre(kRegions));
+  const auto refused = replay.run->choosePackages({{"red1/camera/image", ControlReplay::RECOMPUTED}});
+  ASSERT_EQ(refused.size(), 1U);
+  EXPECT_EQ(refused[0].id, "replay.cannot-recompute");
+  EXPECT_EQ(replay.run->choosePackages({{"blue7/camera/image", ControlReplay::RECOMPUTED}}).front().id, "replay.no-robot");
+  EXPECT_THAT(recomputedPackages(replay.status()), ::testing::ElementsAre(kRegions));
+  ASSERT_TRUE(replay.run->choosePackages({{kRegions, ControlReplay::AUTOMATIC}}).empty());
+  EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
+}
+
+TEST_F(ReplayRunTest, aLayoutCanBeChosenAndABadOneChangesNothing) {
+  Replay replay(recomputingAll(file()));
+  ASSERT_TRUE(replay.run);
+  ASSERT_TRUE(replay.run->setLayout(robotlink::resource("layouts/parallel.yaml")).empty());
+  EXPECT_EQ(replay.run->options().layout.stem(), "parallel");
+  replay.told.clear();
+  for (int i = 0; i < 100; ++i) replay.run->step();
+  EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 5U);
+  const auto bad = std::filesystem::path(::testing::TempDir()) / "bad.yaml";
+  std::ofstream(bad) << "version: 1\nname: bad\n";
+  EXPECT_FALSE(replay.run->setLayout(bad).empty());
+  EXPECT_EQ(replay.run->options().layout.stem(), "parallel");
+  replay.told.clear();
+  for (int i = 0; i < 50; ++i) replay.run->step();
+  EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 2U);
+}
+
+TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
+  Replay replay(recomputingRegions());
+  ASSERT_TRUE(replay.run->jump(at(0.5)).empty());
+  replay.told.clear();
+  replay.results.clear();
+  auto request = keyRequest("red1", "segmentation/regions");
+  request.set_id(77);
+  ASSERT_TRUE(replay.run->request(request));
+  // It waits while nothing moves; a jump to where one is shows what it changes.
+  ASSERT_TRUE(replay.run->jump(replay.run->now()).empty());
+  ASSERT_EQ(replay.results.size(), 1U);
+  EXPECT_EQ(replay.results[0].id(), 77U);
+  EXPECT_TRUE(replay.results[0].accepted());
+  const auto* drawing = replay.lastOn("red1/drawings/image/segmentation/regions");
+  ASSERT_NE(drawing, nullptr);
+  EXPECT_EQ(drawing->time, at(0.48));
+  robotcontrol::Request stop;
+  stop.set_robot("red1");
+  stop.mutable_stop()->set_engaged(true);
+  EXPECT_THAT(replay.run->request(stop).error().text, HasSubstr("nothing to stop"));
+  EXPECT_FALSE(replay.run->request(keyRequest("blue7", "segmentation/regions")));
+}
+
+TEST_F(ReplayRunTest, aTaskThatIsReplacedSaysSoAndCannotBeSwitched) {
+  Replay replay(file());
+  ASSERT_TRUE(replay.run->jump(at(0.5)).empty());
+  const auto* table = dynamic_cast<const robotcontrol::SolutionTable*>(replay.lastOn("red1/tables/solutions")->value.get());
+  ASSERT_NE(table, nullptr);
+  bool found = false;
+  for (const auto& task : table->tasks()) {
+    if (task.name() != "segmentation") continue;
+    found = true;
+    for (const auto& solution : task.solutions()) {
+      EXPECT_EQ(solution.unavailable(), "unavailable because what it yields is as logged: percepts/regions");
+    }
+  }
+  EXPECT_TRUE(found);
+  auto request = selectRequest("red1", "segmentation", "whole-image");
+  request.set_id(5);
+  ASSERT_TRUE(replay.run->request(request));
+  for (int i = 0; i < 3; ++i) replay.run->step();
+  ASSERT_EQ(replay.results.size(), 1U);
+  EXPECT_FALSE(replay.results[0].accepted());
+}
+
+TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
+  ReplayOptions options = replayOf({{file()}, {file(), 500ms}});
+  options.tellPackages = true;
+  options.packages["*/percepts/regions"] = ControlReplay::RECOMPUTED;
+  Replay replay(options);
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  EXPECT_THAT(replay.run->robots(), ::testing::ElementsAre("red1", "red1-2"));
+  EXPECT_EQ(replay.run->begin(), at(0));
+  EXPECT_EQ(replay.run->end(), at(2.532));
+  replay.playToEnd();
+  EXPECT_EQ(replay.countOn(kRegions), 50U);
+  EXPECT_EQ(replay.digestOn(kRegions), replay.digestOn("red1-2/percepts/regions")) << "an offset changes no bytes";
+  EXPECT_EQ(replay.lastOn("red1-2/percepts/regions")->time, at(2.5));
+  EXPECT_EQ(replay.lastOn("red1-2/camera/image")->time, at(2.5));
+  EXPECT_EQ(replay.countOn("scene"), 1U) << "of the first log";
+  replay.run->setOffset(file(), 0ms);
+  EXPECT_EQ(replay.run->end(), at(2.032));
+  EXPECT_EQ(replay.status().logs(1).offset(), 0);
+  ASSERT_TRUE(replay.run->jump(at(1)).empty());
+  EXPECT_EQ(replay.countOn("scene"), 3U) << "and at each jump";
+}
+
+TEST(ReplayRun, whatIsNoLogIsRefused) {
+  EXPECT_EQ(Replay(replayOf({})).errors.front().id, "replay.no-log");
+  const Replay missing(std::filesystem::path("/no/such.mcap"));
+  ASSERT_FALSE(missing.run);
+  EXPECT_THAT(robotlink::describe(missing.errors), HasSubstr("/no/such.mcap"));
+}
