@@ -12,12 +12,16 @@
 
 namespace app {
 
-void PackageDifferences::endInstant(robotlink::Instant now) {
+using robotlink::Instant;
+
+void PackageDifferences::endInstant(Instant now) {
   std::set<std::string> packages;
   for (const auto& [package, values] : logged_) packages.insert(package);
   for (const auto& [package, values] : recomputed_) packages.insert(package);
   for (const std::string& package : packages) {
-    outcomes_[package][now] = compare(logged_[package], recomputed_[package]);
+    Largest largest;
+    const Counts counts = compare(logged_[package], recomputed_[package], largest);
+    summaries_[package].add(now, counts, std::move(largest));
   }
   dropInstant();
 }
@@ -29,24 +33,36 @@ void PackageDifferences::dropInstant() {
 
 void PackageDifferences::clear() {
   dropInstant();
-  outcomes_.clear();
+  summaries_.clear();
 }
 
-PackageDifferences::Outcome PackageDifferences::compare(const Values& logged, const Values& recomputed) {
-  Outcome outcome;
+void PackageDifferences::describe(const std::string& robot, robotlink::Duration offset,
+                                  robotcontrol::ReplayStatus& to) const {
+  for (const auto& [package, summary] : summaries_) {
+    auto& row = *to.add_differences();
+    row.set_package(robot + "/" + package);
+    summary.describe(offset, row);
+  }
+}
+
+// ---- An instant
+
+PackageDifferences::Counts PackageDifferences::compare(const Values& logged, const Values& recomputed,
+                                                       Largest& largest) {
   const std::size_t both = std::min(logged.size(), recomputed.size());
-  outcome.compared = static_cast<std::uint32_t>(both);
-  outcome.onlyLogged = static_cast<std::uint32_t>(logged.size() - both);
-  outcome.onlyRecomputed = static_cast<std::uint32_t>(recomputed.size() - both);
+  Counts counts;
+  counts.compared = static_cast<std::uint16_t>(both);
+  counts.onlyLogged = static_cast<std::uint16_t>(logged.size() - both);
+  counts.onlyRecomputed = static_cast<std::uint16_t>(recomputed.size() - both);
   for (std::size_t i = 0; i < both; ++i) {
     if (logged[i]->GetDescriptor() == recomputed[i]->GetDescriptor() &&
         logged[i]->SerializeAsString() == recomputed[i]->SerializeAsString()) {
       continue;
     }
-    ++outcome.different;
-    compareNumbers(*logged[i], *recomputed[i], outcome.largest);
+    ++counts.different;
+    compareNumbers(*logged[i], *recomputed[i], largest);
   }
-  return outcome;
+  return counts;
 }
 
 /// What only one of them has differs in its presence, not in a number.
@@ -61,30 +77,66 @@ void PackageDifferences::compareNumbers(const google::protobuf::Message& logged,
     if (std::isnan(difference)) {
       difference = std::isnan(*before) == std::isnan(*after) ? 0 : std::numeric_limits<double>::infinity();
     }
-    if (difference > largest.difference) largest = {field, difference};
+    if (difference <= largest.difference) continue;
+    largest.field = field;
+    largest.difference = difference;
   }
 }
 
-void PackageDifferences::describe(const std::string& robot, robotlink::Duration offset,
-                                  robotcontrol::ReplayStatus& to) const {
-  const auto time = [&](robotlink::Instant instant) { return (instant + offset).time_since_epoch().count(); };
-  for (const auto& [package, outcomes] : outcomes_) {
-    auto& row = *to.add_differences();
-    row.set_package(robot + "/" + package);
-    bool any = false;
-    for (const auto& [instant, outcome] : outcomes) {
-      row.set_compared(row.compared() + outcome.compared);
-      row.set_different(row.different() + outcome.different);
-      row.set_only_logged(row.only_logged() + outcome.onlyLogged);
-      row.set_only_recomputed(row.only_recomputed() + outcome.onlyRecomputed);
-      const bool differs = outcome.different + outcome.onlyLogged + outcome.onlyRecomputed > 0;
-      if (differs && !std::exchange(any, true)) row.set_first_time(time(instant));
-      if (outcome.largest.difference <= row.largest()) continue;
-      row.set_largest(outcome.largest.difference);
-      row.set_largest_field(outcome.largest.field);
-      row.set_largest_time(time(instant));
-    }
+// ---- A package
+
+/// `sign`: 1, or its complement to take counts back; unsigned numbers wrap around.
+void PackageDifferences::Summary::count(const Counts& counts, std::uint64_t sign) {
+  compared_ += sign * counts.compared;
+  different_ += sign * counts.different;
+  onlyLogged_ += sign * counts.onlyLogged;
+  onlyRecomputed_ += sign * counts.onlyRecomputed;
+}
+
+void PackageDifferences::Summary::add(Instant now, const Counts& counts, Largest largest) {
+  const auto at = std::lower_bound(entries_.begin(), entries_.end(), now,
+                                   [](const Entry& entry, Instant time) { return entry.time < time; });
+  if (at != entries_.end() && at->time == now) {
+    count(at->counts, ~std::uint64_t{0});
+    at->counts = counts;
+  } else {
+    entries_.insert(at, {now, counts});
   }
+  count(counts, 1);
+  largest.time = now;
+  const bool differs = counts.different + counts.onlyLogged + counts.onlyRecomputed > 0;
+  const bool wasLargest = largest_.difference > 0 && largest_.time == now;
+  if (differs) {
+    differing_[now] = largest;
+  } else {
+    differing_.erase(now);
+  }
+  if (largest.difference > largest_.difference) {
+    largest_ = std::move(largest);
+  } else if (wasLargest) {
+    findLargest();
+  }
+}
+
+void PackageDifferences::Summary::findLargest() {
+  largest_ = {};
+  for (const auto& [time, candidate] : differing_) {
+    if (candidate.difference > largest_.difference) largest_ = candidate;
+  }
+}
+
+void PackageDifferences::Summary::describe(robotlink::Duration offset,
+                                           robotcontrol::ReplayStatus::Difference& to) const {
+  const auto time = [&](Instant instant) { return (instant + offset).time_since_epoch().count(); };
+  to.set_compared(compared_);
+  to.set_different(different_);
+  to.set_only_logged(onlyLogged_);
+  to.set_only_recomputed(onlyRecomputed_);
+  if (!differing_.empty()) to.set_first_time(time(differing_.begin()->first));
+  if (largest_.difference <= 0) return;
+  to.set_largest(largest_.difference);
+  to.set_largest_field(largest_.field);
+  to.set_largest_time(time(largest_.time));
 }
 
 }  // namespace app

@@ -90,6 +90,12 @@ Errors ReplayRobot::readSetupAt(Instant time) {
 Errors ReplayRobot::start(Instant time) { return start(time, choices_); }
 
 Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
+  Errors errors = startWith(time, std::move(choices));
+  if (errors.empty()) giveWhatIsBefore(time);
+  return errors;
+}
+
+Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
   const auto before = std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
   clock_.set(time);
   Errors errors = readSetupAt(time);
@@ -98,10 +104,8 @@ Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
     Instant then;
     std::tie(choices_, loggedSetup_, setup_, then) = before;
     clock_.set(then);
-    return errors;
   }
-  giveWhatIsBefore(time);
-  return {};
+  return errors;
 }
 
 ReplayWishes ReplayRobot::wishes() const {

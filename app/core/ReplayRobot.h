@@ -90,13 +90,14 @@ class ReplayRobot {
   std::vector<logplayer::LogPlatform::Package> platformPackages(const ReplayPlan& plan) const;
   void describeProgram(const Program& program);
   void listen(Program& program, const ReplayPlan& plan);
+  robotlink::Errors startWith(robotlink::Instant time, ReplayChoices choices);
   void giveWhatIsBefore(robotlink::Instant time);
   std::string below(const std::string& path) const { return path.substr(logName_.size() + 1); }
   void takePackage(const std::string& package, const robotlink::StreamMessage& message);
   void takeRequest(const robotcontrol::Request& request);
   void takeWish(const google::protobuf::Message& package);
   bool hasRequests() const { return streams_.contains(robotlink::streams::kRequests); }
-  void takeSetup(const robotcontrol::ProgramSetup& setup, robotlink::Instant now);
+  bool takeSetup(const robotcontrol::ProgramSetup& setup, robotlink::Instant now);
   bool debugProcessRan(const std::vector<robotlink::StreamMessage>& messages) const;
   bool isAvailable(const std::string& task, const std::string& solution) const;
   void remember(const robotcontrol::Request& request);

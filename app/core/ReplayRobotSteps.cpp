@@ -33,15 +33,17 @@ std::vector<std::string> ReplayRobot::neededStreams() const {
 }
 
 void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
-  // A program that was started anew then is started anew now, before it gets anything.
+  clock_.set(now);
+  bool startedAnew = false;
   for (const StreamMessage& message : messages) {
     const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
-    if (setup != nullptr && below(message.path) == streams::kProgram) takeSetup(*setup, now);
+    const bool isSetup = setup != nullptr && below(message.path) == streams::kProgram;
+    if (isSetup && takeSetup(*setup, now)) startedAnew = true;
   }
-  clock_.set(now);
   for (const StreamMessage& message : messages) {
     const std::string path = below(message.path);
-    if (logged_.contains(path)) takePackage(path, message);
+    // What was sent in the instant of a start went to the program before.
+    if (logged_.contains(path) && !startedAnew) takePackage(path, message);
     const auto* request = dynamic_cast<const Request*>(message.value.get());
     if (request != nullptr && path == streams::kRequests) takeRequest(*request);
     if (!hasRequests() && robotlink::isDebugPackage(path)) takeWish(*message.value);
@@ -66,12 +68,13 @@ void ReplayRobot::takePackage(const std::string& package, const StreamMessage& m
   if (countsDifferences_ && !plan_.isAsLogged(package)) differences_.addLogged(package, message.value);
 }
 
-void ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
-  const bool another = loggedSetup_ && isAnotherProgram(*loggedSetup_, setup);
-  if (!another) return;
-  if (const Errors errors = start(now); !errors.empty()) {
-    listeners_.trouble(program_->platform, "cannot be started anew as in the log: " + robotlink::describe(errors));
-  }
+/// A program that was started anew then is started anew now; true if it was.
+bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
+  if (!loggedSetup_ || !isAnotherProgram(*loggedSetup_, setup)) return false;
+  const Errors errors = startWith(now, choices_);
+  if (errors.empty()) return true;
+  listeners_.trouble(program_->platform, "cannot be started anew as in the log: " + robotlink::describe(errors));
+  return false;
 }
 
 /// What a person chooses now counts more than what one chose then; and what one looked at then does not matter.

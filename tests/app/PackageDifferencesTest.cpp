@@ -58,6 +58,19 @@ TEST(PackageDifferences, anInstantThatIsGoneOverAgainCountsOnce) {
   EXPECT_EQ(only(differences).largest(), 0);
 }
 
+TEST(PackageDifferences, theLargestIsFoundAnewWhenItsInstantIsGoneOverAgain) {
+  PackageDifferences differences;
+  compare(differences, Instant(1s), 1, 2);
+  compare(differences, Instant(3s), 1, 9);
+  compare(differences, Instant(2s), 1, 4);
+  EXPECT_EQ(only(differences).largest(), 8);
+  compare(differences, Instant(3s), 1, 1.5);
+  EXPECT_EQ(only(differences).largest(), 3);
+  EXPECT_EQ(only(differences).largest_time(), 2'000'000'000);
+  EXPECT_EQ(only(differences).different(), 3U);
+  EXPECT_EQ(only(differences).compared(), 3U);
+}
+
 TEST(PackageDifferences, whatOnlyOneOfThemHasIsCountedApart) {
   PackageDifferences differences;
   differences.addLogged("models/ball", ball(1));

@@ -95,6 +95,26 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
   }
 }
 
+TEST(ReplayRun, aLayoutThatWasChangedInTheRecordingChangesInItsReplay) {
+  const auto folder = logplayer::TemporaryFolder::make();
+  const auto file = folder->path() / "sim.mcap";
+  recordSimulation(file, "compact", 304, [](SimulatedRun& run, int step) {
+    if (step != 131) return;
+    EXPECT_TRUE(run.setLayout(robotlink::resource("layouts/parallel.yaml")).empty());
+  });
+  Replay replay(recomputingAll(file));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  replay.playToEnd();
+  EXPECT_EQ(replay.countOn("red1/frames/self-localisation"), replay.countOn("red1/logged/frames/self-localisation"));
+  EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 20U);
+  const auto status = replay.status();
+  EXPECT_GE(status.differences_size(), 12);
+  for (const auto& difference : status.differences()) {
+    EXPECT_GT(difference.compared(), 50U) << difference.package();
+    EXPECT_EQ(difference.different(), 0U) << difference.package() << " first at " << difference.first_time();
+  }
+}
+
 INSTANTIATE_TEST_SUITE_P(Layouts, RecomputedLayout, ::testing::Values("compact", "balanced", "parallel"),
                          [](const auto& layout) { return layout.param; });
 

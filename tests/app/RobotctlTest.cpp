@@ -89,6 +89,64 @@ TEST(Robotctl, aSceneThatIsNotThereAndABadLayoutFailWithTheirPlace) {
   EXPECT_NE(layout.text.find(file.string() + ":5:"), std::string::npos) << layout.text;
 }
 
+TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
+  const auto folder = std::filesystem::path(testing::TempDir());
+  const auto remove = [&](const char* name) { std::filesystem::remove(folder / name); };
+  const auto path = [&](const char* name) { return (folder / name).string(); };
+  for (const char* name : {"run-in.mcap", "run-a.mcap", "run-b.mcap"}) remove(name);
+  ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + path("run-in.mcap")).status, 0);
+  const std::string command = "run --json --platform log:" + path("run-in.mcap") +
+                              " --package percepts/regions=recomputed --package models/ball=recomputed --record ";
+  const Outcome first = robotctl(command + path("run-a.mcap"));
+  ASSERT_EQ(first.status, 0) << first.text;
+  const auto summary = nlohmann::json::parse(first.text);
+  ASSERT_EQ(summary.at("differences").size(), 2U);
+  for (const auto& difference : summary["differences"]) {
+    EXPECT_GT(difference.at("compared"), 20);
+    EXPECT_EQ(difference.at("different"), 0) << difference.dump();
+    EXPECT_TRUE(difference.at("first_s").is_null());
+  }
+  ASSERT_EQ(robotctl(command + path("run-b.mcap")).status, 0);
+  const auto bytes = [&](const char* name) {
+    std::ifstream file(folder / name, std::ios::binary);
+    return std::string(std::istreambuf_iterator<char>(file), {});
+  };
+  EXPECT_GT(bytes("run-a.mcap").size(), 10'000U);
+  EXPECT_TRUE(bytes("run-a.mcap") == bytes("run-b.mcap"));
+  EXPECT_EQ(robotctl(command + path("run-a.mcap")).status, 1) << "it must not exist";
+
+  const Outcome other = robotctl("run --platform log:" + path("run-in.mcap") +
+                                 " --package percepts/regions=recomputed --solution segmentation=whole-image");
+  EXPECT_EQ(other.status, 0);
+  EXPECT_NE(other.text.find("red1/percepts/regions: "), std::string::npos) << other.text;
+  EXPECT_NE(other.text.find("largest: "), std::string::npos) << other.text;
+  // A log that was made by a replay can be replayed.
+  EXPECT_EQ(robotctl("run --platform log:" + path("run-a.mcap")).status, 0);
+}
+
+TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
+  EXPECT_EQ(robotctl("run").status, 2);
+  EXPECT_EQ(robotctl("run --platform sim:x.sdf").status, 2);
+  EXPECT_EQ(robotctl("run --platform log:").status, 2);
+  EXPECT_EQ(robotctl("run --platform log:x.mcap --package percepts/ball=maybe").status, 2);
+  EXPECT_EQ(robotctl("run --platform log:x.mcap --offset 1 --offset 2").status, 2);
+  const Outcome missing = robotctl("run --platform log:/no/such.mcap");
+  EXPECT_EQ(missing.status, 1);
+  EXPECT_NE(missing.text.find("/no/such.mcap"), std::string::npos) << missing.text;
+  // One that was not closed: what is there is played, and the loss told.
+  const auto cut = std::filesystem::path(testing::TempDir()) / "run-cut.mcap";
+  std::filesystem::remove(cut);
+  ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + cut.string()).status, 0);
+  std::filesystem::resize_file(cut, std::filesystem::file_size(cut) - 100);
+  const Outcome lossy = robotctl("run --platform log:" + cut.string());
+  EXPECT_EQ(lossy.status, 3) << lossy.text;
+  EXPECT_NE(lossy.text.find("not closed"), std::string::npos) << lossy.text;
+  const Outcome refused = robotctl("run --platform log:" + cut.string() + " --package camera/image=recomputed");
+  EXPECT_EQ(refused.status, 1);
+  EXPECT_NE(refused.text.find("camera/image cannot be recomputed: no task of layout compact yields it"), std::string::npos)
+      << refused.text;
+}
+
 TEST(Robotctl, layoutsAreCheckedAndDrawn) {
   EXPECT_EQ(robotctl("layout check " + kLayout).status, 0);
   const Outcome graph = robotctl("layout graph " + kLayout);

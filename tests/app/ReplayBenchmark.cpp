@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a replay of the real log costs: opening it, a frame forwards, a frame backwards.
+#include <benchmark/benchmark.h>
+
+#include "app/core/ReplayRun.h"
+
+namespace {
+
+constexpr char kProcess[] = "nao/cognition";
+
+std::unique_ptr<app::ReplayRun> openReplay(benchmark::State& state) {
+  app::ReplayOptions options;
+  options.logs = {{ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log"}};
+  auto run = app::ReplayRun::create(std::move(options), {});
+  if (!run) state.SkipWithError(robotlink::describe(run.error()).c_str());
+  return run ? std::move(*run) : nullptr;
+}
+
+void open(benchmark::State& state) {
+  for (auto _ : state) {
+    const auto run = openReplay(state);
+    if (!run) return;
+    benchmark::DoNotOptimize(run->jump(*run->frameTime(kProcess, 0)));
+  }
+}
+
+void stepForwards(benchmark::State& state) {
+  const auto run = openReplay(state);
+  if (!run) return;
+  for (auto _ : state) {
+    const auto next = *run->frameTime(kProcess, 1);
+    if (next <= run->now()) {
+      state.PauseTiming();
+      (void)run->jump(run->begin());
+      state.ResumeTiming();
+      continue;
+    }
+    while (run->now() < next) run->step();
+  }
+}
+
+void stepBackwards(benchmark::State& state) {
+  const auto run = openReplay(state);
+  if (!run) return;
+  (void)run->jump(run->end());
+  for (auto _ : state) {
+    const auto before = *run->frameTime(kProcess, -1);
+    benchmark::DoNotOptimize(run->jump(before < run->now() ? before : run->end()));
+  }
+}
+
+}  // namespace
+
+BENCHMARK(open)->Unit(benchmark::kMillisecond)->MeasureProcessCPUTime();
+BENCHMARK(stepForwards)->Unit(benchmark::kMillisecond);
+BENCHMARK(stepBackwards)->Unit(benchmark::kMillisecond);
