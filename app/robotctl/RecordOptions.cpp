@@ -32,6 +32,10 @@ void RecordOptions::addTo(CLI::App& command) {
       .add_option("--streams", streams,
                   "What is recorded: paths with * for any text between commas, - before what is left out (red1/*,-*/log); all that a "
                   "replay needs if it is not given")
+      ->check([](const std::string& text) {
+        const auto read = logplayer::readSelection(text);
+        return read ? std::string() : read.error().text;
+      })
       ->needs(record);
   command.add_option("--images", images, "How images are recorded: as-is, jpeg or png")
       ->check(CLI::IsMember({"as-is", "jpeg", "png"}))

@@ -132,8 +132,8 @@ void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder*
     run.step();
     if (recorder != nullptr) recorder->waitForRoom();
     if (!arguments.progress || clock.now() - told < kProgressEvery) continue;
-    told = clock.now();
-    std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(told) << " s" << std::endl;
+    told += kProgressEvery;
+    std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(clock.now()) << " s" << std::endl;
   }
 }
 
@@ -148,8 +148,8 @@ int runOnce(const SimArguments& arguments) {
   }
   const auto start = std::chrono::steady_clock::now();
   play(**run, arguments, recorder->get());
-  const int status = *recorder ? finishRecording(**recorder) : kDone;
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  const int status = *recorder ? finishRecording(**recorder) : kDone;
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";

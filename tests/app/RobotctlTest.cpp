@@ -147,6 +147,35 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
       << refused.text;
 }
 
+TEST(Robotctl, simRecordsIntoANewFileAndNeverOverAnOldOne) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "robotctl-record.mcap";
+  std::filesystem::remove(file);
+  const std::string command = "sim " + kScene + " --seconds 0.5 --record " + file.string();
+  const Outcome recorded = robotctl(command + " --streams '*/camera/*,-*/pose' --images jpeg --compression zstd");
+  EXPECT_EQ(recorded.status, 0) << recorded.text;
+  EXPECT_NE(recorded.text.find("messages"), std::string::npos);
+  const auto size = std::filesystem::file_size(file);
+  EXPECT_GT(size, 10'000U);
+  const Outcome again = robotctl(command);
+  EXPECT_EQ(again.status, 1);
+  EXPECT_NE(again.text.find(file.string()), std::string::npos) << again.text;
+  EXPECT_EQ(std::filesystem::file_size(file), size);
+  std::filesystem::remove(file);
+  EXPECT_EQ(robotctl(command + " --layout /no/such.yaml").status, 1);
+  EXPECT_FALSE(std::filesystem::exists(file));
+  EXPECT_EQ(robotctl(command + " --streams a,,b").status, 2);
+  EXPECT_EQ(robotctl(command + " --trials 3").status, 2);
+  EXPECT_EQ(robotctl("sim " + kScene + " --images jpeg").status, 2);
+}
+
+TEST(Robotctl, simKeepsTheSpeedAndTellsHowFarItIs) {
+  const Outcome outcome = robotctl("sim " + kScene + " --seconds 0.6 --speed 2 --progress --json");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_NE(outcome.text.find("0.504 s\n"), std::string::npos) << outcome.text;
+  const auto figures = nlohmann::json::parse(outcome.text.substr(outcome.text.find('{')));
+  EXPECT_GT(figures.at("real_seconds").get<double>(), 0.29);
+}
+
 TEST(Robotctl, layoutsAreCheckedAndDrawn) {
   EXPECT_EQ(robotctl("layout check " + kLayout).status, 0);
   const Outcome graph = robotctl("layout graph " + kLayout);
