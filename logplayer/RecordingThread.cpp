@@ -6,7 +6,11 @@
 namespace logplayer {
 namespace {
 
-constexpr std::chrono::milliseconds kTick{100};
+constexpr std::chrono::milliseconds kTick{50};
+/// Less than this need not wake the thread: the next tick takes it. Then it takes many frames at once, so that those who push
+/// seldom meet it.
+constexpr std::size_t kWorthWaking = 1U << 20U;
+constexpr std::size_t kMostAtOnce = 256;
 constexpr std::chrono::seconds kWarnEvery{5};
 
 }  // namespace
@@ -29,16 +33,19 @@ void RecordingThread::pushJob(FrameQueue::Job job) {
   {
     const std::lock_guard lock(mutex_);
     queue_.push(std::move(job));
+    hurry_ = true;
   }
   work_.notify_one();
 }
 
 void RecordingThread::push(RecordedFramePtr frame) {
+  bool wakes = false;
   {
     const std::lock_guard lock(mutex_);
     queue_.push(std::move(frame));
+    wakes = queue_.bytes() > kWorthWaking;
   }
-  work_.notify_one();
+  if (wakes) work_.notify_one();
 }
 
 void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
@@ -81,20 +88,38 @@ void RecordingThread::run() {
   std::unique_lock lock(mutex_);
   while (true) {
     if (queue_.empty()) {
-      busy_ = false;
+      hurry_ = false;
       done_.notify_all();
       if (quit_) return;
-      work_.wait_for(lock, kTick, [this] { return quit_ || !queue_.empty(); });
     }
-    auto entry = queue_.pop();
+    work_.wait_for(lock, kTick, [this] { return quit_ || hurry_ || queue_.bytes() > kWorthWaking; });
+    std::vector<FrameQueue::Entry> entries = takeSome();
     busy_ = true;
     lock.unlock();
-    if (entry && entry->frame) write(*entry->frame);
-    if (entry && entry->job) entry->job();
+    for (const FrameQueue::Entry& entry : entries) {
+      if (entry.frame) write(*entry.frame);
+      if (entry.job) entry.job();
+    }
+    entries.clear();
     tick();
     lock.lock();
+    busy_ = false;
+    if (file_) progress_.messages = file_->messages();
+    if (file_) progress_.bytes = file_->bytes();
     if (queue_.bytes() <= options_.queueBytes / 2) done_.notify_all();
   }
+}
+
+std::vector<FrameQueue::Entry> RecordingThread::takeSome() {
+  std::vector<FrameQueue::Entry> entries;
+  std::size_t bytes = 0;
+  while (entries.size() < kMostAtOnce && bytes < kWorthWaking) {
+    auto entry = queue_.pop();
+    if (!entry) break;
+    bytes += entry->frame ? entry->frame->bytes : 0;
+    entries.push_back(std::move(*entry));
+  }
+  return entries;
 }
 
 void RecordingThread::begin(std::shared_ptr<RecordingFile> file, Held before) {
@@ -105,10 +130,7 @@ void RecordingThread::begin(std::shared_ptr<RecordingFile> file, Held before) {
 
 void RecordingThread::write(const RecordedFrame& frame) {
   if (!file_) return;
-  if (const auto written = file_->write(frame); !written) return fail(written.error());
-  const std::lock_guard lock(mutex_);
-  progress_.messages = file_->messages();
-  progress_.bytes = file_->bytes();
+  if (const auto written = file_->write(frame); !written) fail(written.error());
 }
 
 void RecordingThread::end() {
@@ -174,12 +196,17 @@ RecordingThread::Progress RecordingThread::progress() const {
 
 void RecordingThread::waitForRoom() {
   std::unique_lock lock(mutex_);
+  if (queue_.bytes() <= options_.queueBytes / 2) return;
+  hurry_ = true;
+  work_.notify_one();
   done_.wait(lock, [this] { return queue_.bytes() <= options_.queueBytes / 2; });
 }
 
 void RecordingThread::finish() {
   std::unique_lock lock(mutex_);
-  done_.wait(lock, [this] { return queue_.empty() && !busy_; });
+  hurry_ = true;
+  work_.notify_one();
+  done_.wait(lock, [this] { return queue_.empty() && !busy_ && !hurry_; });
 }
 
 }  // namespace logplayer

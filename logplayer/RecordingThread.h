@@ -57,6 +57,7 @@ class RecordingThread {
   using Clock = std::chrono::steady_clock;
   void pushJob(FrameQueue::Job job);
   void run();
+  std::vector<FrameQueue::Entry> takeSome();
   void write(const RecordedFrame& frame);
   void begin(std::shared_ptr<RecordingFile> file, Held before);
   void end();
@@ -72,6 +73,7 @@ class RecordingThread {
   DroppedMessages droppedBefore_;  // the newest file
   Progress progress_;
   bool busy_ = false;
+  bool hurry_ = false;  // somebody waits for it
   bool quit_ = false;
 
   // Its own.
