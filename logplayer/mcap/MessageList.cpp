@@ -51,7 +51,7 @@ std::optional<MessageList> MessageList::fromIndexes(Bytes indexes, const Section
   if (!visitRecords(indexes, addIndex) || !good) return std::nullopt;
   list.sortChannels();
   if (!std::ranges::equal(list.channels_, section.channels, {}, &Channel::id)) return std::nullopt;
-  return list;
+  return list.listsEachOnce() ? std::optional(std::move(list)) : std::nullopt;
 }
 
 MessageList MessageList::fromRecords(Bytes records) {
@@ -78,6 +78,15 @@ MessageList MessageList::fromRecords(Bytes records) {
   }
   list.sortChannels();
   return list;
+}
+
+bool MessageList::listsEachOnce() const {
+  const auto isTwice = [](const Channel& a, const Channel& b) { return a.id == b.id; };
+  if (std::ranges::adjacent_find(channels_, isTwice) != channels_.end()) return false;
+  return std::ranges::all_of(channels_, [&](const Channel& channel) {
+    const auto entries = of(channel.id);
+    return std::ranges::adjacent_find(entries) == entries.end();
+  });
 }
 
 void MessageList::sortChannels() {

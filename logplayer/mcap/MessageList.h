@@ -37,6 +37,7 @@ class MessageList {
 
  private:
   void sortChannels();
+  bool listsEachOnce() const;
 
   std::vector<Entry> entries_;     // channel by channel
   std::vector<Channel> channels_;  // by id
