@@ -66,9 +66,11 @@ class Scanner {
   std::uint64_t offset_ = 0;      // of the record looked at
   std::uint64_t end_ = 0;         // where the next one begins
   std::uint64_t certain_ = 0;     // all before this was understood
+  std::uint64_t read_ = 0;        // messages outside of chunks go to here, if their lengths are right
   std::uint64_t told_ = 0;        // progress
   std::uint64_t searchFrom_ = 0;  // behind where it could be read again after the last damage
   bool open_ = false;             // the last section may still grow
+  bool unsure_ = false;           // indexes of the last section may be missing
   bool ended_ = false;            // the footer was there
   bool sawStrayIndex_ = false;
   std::map<std::uint16_t, std::uint64_t> sectionCounts_;  // of the open section
@@ -78,6 +80,7 @@ FileIndex Scanner::run() {
   if (begin()) {
     while (offset_ < source_.bytes() && !atEnd() && goOn()) hop();
   }
+  unsure_ = true;
   finishSection();
   finish();
   return std::move(index_);
@@ -113,12 +116,11 @@ bool Scanner::goOn() {
 void Scanner::hop() {
   const Bytes head = window_.look(offset_, kRecordHeadBytes);
   Taken taken = Taken::kNot;
+  const auto opcode = static_cast<Opcode>(head.empty() ? 0 : head[0]);
   if (head.size() == kRecordHeadBytes && head[0] != 0) {
-    const auto opcode = static_cast<Opcode>(head[0]);
     const auto length = loadNumber<std::uint64_t>(head.data() + 1);
     if (length <= source_.bytes() - offset_ - kRecordHeadBytes) {
       end_ = offset_ + kRecordHeadBytes + length;
-      if (opcode != Opcode::kMessageIndex && opcode != Opcode::kMessage) finishSection();
       taken = take(opcode, length);
       if (taken == Taken::kNot && recordMayBeAt(window_, source_, end_) && end_ != source_.bytes()) {
         note(offset_, end_ - offset_, "a record contradicts itself");
@@ -127,22 +129,30 @@ void Scanner::hop() {
     }
   }
   if (taken == Taken::kNot) {
-    finishSection();
     if (!recover()) offset_ = source_.bytes();
     return;
   }
   offset_ = end_;
   if (taken == Taken::kWhole) certain_ = end_;
+  const bool isOfSection =
+      opcode == Opcode::kChunk || opcode == Opcode::kMessage || opcode == Opcode::kMessageIndex;
+  if (isOfSection) return;
+  // It may be a message index that is damaged, and others may follow.
+  if (taken == Taken::kPart) unsure_ = true;
+  if (taken == Taken::kWhole) finishSection();
 }
 
 /// Goes on where something can be read again.
 bool Scanner::recover() {
+  unsure_ = true;
+  finishSection();
   const bool loose = index_.sections.empty() || index_.sections.back().loose;
   // Not the same place again: what begins there was not understood.
   certain_ = std::max(certain_, searchFrom_);
   const auto found = resync_.find(certain_, loose, index_.channels);
   const std::uint64_t next = found.value_or(source_.bytes());
-  note(certain_, next - certain_,
+  const std::uint64_t lost = next < read_ ? certain_ : std::max(certain_, read_);
+  note(lost, next - lost,
        found ? "the file is damaged; it can be read again behind that"
              : "the file ends within a record, or is damaged to its end");
   offset_ = certain_ = next;
@@ -179,9 +189,10 @@ Scanner::Taken Scanner::takeChunk(std::uint64_t length) {
                                     ? compressionName(section->info.compression)
                                     : section->unknownCompression;
   const std::uint64_t understood = chunkHeadBytes(name.size()) + section->info.compressedBytes;
+  finishSection();
   open_ = true;
+  unsure_ = false;
   sawStrayIndex_ = false;
-  sectionCounts_.clear();
   section->indexOffset = end_;
   index_.sections.push_back(std::move(*section));
   // If its length is a lie, what follows its records is looked at again.
@@ -216,7 +227,10 @@ Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
   if (length < kMessageHeadBytes - kRecordHeadBytes) return Taken::kNot;
   const std::optional<Message> message =
       decodeMessage(window_.look(offset_ + kRecordHeadBytes, kMessageHeadBytes - kRecordHeadBytes));
-  if (!message || !index_.channels.contains(message->channelId)) return Taken::kNot;
+  if (!message || index_.dataEnd != 0 || !index_.channels.contains(message->channelId)) return Taken::kNot;
+  // A message index whose opcode is damaged looks like this: its length is where a message's sequence is.
+  const bool behindChunk = open_ && !index_.sections.back().loose;
+  if (behindChunk && message->sequence + std::uint64_t{6} == length) return Taken::kNot;
   const bool goesOn =
       open_ && index_.sections.back().loose && index_.sections.back().info.length + length <= kLooseBytes;
   if (!goesOn) {
@@ -235,6 +249,7 @@ Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
   ++info.messages;
   ++sectionCounts_[message->channelId];
   certain_ = offset_ + kMessageHeadBytes;  // nothing but its length tells where it ends
+  read_ = end_;
   return Taken::kPart;
 }
 
@@ -308,6 +323,12 @@ void Scanner::finishSection() {
   if (!open_) return;
   open_ = false;
   Section& section = index_.sections.back();
+  if (unsure_ && !section.loose) {
+    section.indexed = false;
+    section.channels.clear();
+    section.info.messages = 0;
+    sectionCounts_.clear();
+  }
   std::ranges::sort(section.channels);
   const auto isKnown = [&](std::uint16_t id) { return index_.channels.contains(id); };
   const bool mustRead =

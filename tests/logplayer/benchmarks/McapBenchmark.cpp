@@ -15,13 +15,13 @@
 #include "logplayer/mcap/Reader.h"
 #include "logplayer/mcap/Writer.h"
 
-// Writes and reads 400 MB of messages on 20 channels in memory, for three sizes of messages, three ways to write
-// them, and two kinds of data: hardly compressible (A), and like a robot's sensor readings (B). What counts is
-// the processor time of the thread, the system's part included, so others on the machine count little. Each
-// row's reference is the bare write() of as many bytes, measured in the same row: uncompressed messages of
-// 10 kB, with CRC, are to be written at no less than 0.6 of its speed. Columns: MB/s of messages' data written,
-// read in the order of the file, and in the order of time with next() and read(); ms to open; us to find and
-// read the newest message of a channel at a random time, and that of all channels.
+// Writes and reads 400 MB of messages on 20 channels in memory, for three sizes of messages, three ways to
+// write them, and two kinds of data: hardly compressible (A), and like a robot's sensor readings (B). What
+// counts is the processor time of the thread, the system's part included, so others on the machine count
+// little. Each row's reference is the bare write() of as many bytes, measured in the same row: uncompressed
+// messages of 10 kB, with CRC, are to be written at no less than 0.6 of its speed. Columns: MB/s of messages'
+// data written, read in the order of the file, and in the order of time with next() and read(); ms to open;
+// us to find and read the newest message of a channel at a random time, and that of all channels.
 namespace {
 
 using namespace logplayer::mcap;
@@ -64,7 +64,8 @@ std::vector<std::uint8_t> robotLike() {
     const double phase = static_cast<double>(i) * 1e-4;
     storeNumber(pool.data() + i, static_cast<std::uint32_t>(i / 32));
     for (std::size_t k = 2; k < 12; ++k) {
-      const double signal = 8000 * std::sin(phase * static_cast<double>(k)) + static_cast<double>(random() & 0x0F);
+      const double signal =
+          8000 * std::sin(phase * static_cast<double>(k)) + static_cast<double>(random() & 0x0F);
       storeNumber(pool.data() + i + 2 * k, static_cast<std::uint16_t>(static_cast<int>(signal)));
     }
     storeNumber(pool.data() + i + 24, std::uint64_t{0x0001000200030004});
@@ -170,7 +171,9 @@ Seeks seekAtRandom(std::size_t messages) {
     const auto position = (*reader)->latest(channel, time);
     if (position) benchmark::DoNotOptimize((*reader)->read(*position));
   };
-  const auto randomTime = [&] { return Instant{std::chrono::microseconds(100 * (kChannels + random() % messages))}; };
+  const auto randomTime = [&] {
+    return Instant{std::chrono::microseconds(100 * (kChannels + random() % messages))};
+  };
   for (int i = 0; i < 400; ++i) {
     const auto channel = static_cast<std::uint16_t>(1 + random() % kChannels);
     const Instant time = randomTime();
@@ -204,7 +207,8 @@ void measure(benchmark::State& state, const Cell& cell) {
     std::size_t read = 0;
     const double fileOrder = secondsFor([&] { read = readInFileOrder(); });
     const double timeOrder = secondsFor([&] { read += readInOrderOfTime(); });
-    if (!written || read != 2 * messages * cell.messageBytes) return state.SkipWithError("not all was read back");
+    if (!written || read != 2 * messages * cell.messageBytes)
+      return state.SkipWithError("not all was read back");
     const double opening = medianOpening();
     const Seeks seeks = seekAtRandom(messages);
     std::filesystem::remove(kFile);

@@ -24,7 +24,8 @@ class Fields {
   std::string text(const std::string& name) const { return fields_.at(name).get<std::string>(); }
   std::string bytes(const std::string& name) const {
     std::string bytes;
-    for (const auto& byte : fields_.at(name)) bytes.push_back(static_cast<char>(std::stoi(byte.get<std::string>())));
+    for (const auto& byte : fields_.at(name))
+      bytes.push_back(static_cast<char>(std::stoi(byte.get<std::string>())));
     return bytes;
   }
   std::map<std::string, std::string> map(const std::string& name) const {
@@ -32,7 +33,8 @@ class Fields {
   }
   std::map<std::uint16_t, std::uint64_t> numbers(const std::string& name) const {
     std::map<std::uint16_t, std::uint64_t> numbers;
-    for (const auto& [key, value] : map(name)) numbers[static_cast<std::uint16_t>(std::stoul(key))] = std::stoull(value);
+    for (const auto& [key, value] : map(name))
+      numbers[static_cast<std::uint16_t>(std::stoul(key))] = std::stoull(value);
     return numbers;
   }
 
@@ -57,10 +59,14 @@ ChunkIndex chunkIndexOf(const Fields& f) {
 }
 
 Statistics statisticsOf(const Fields& f) {
-  return {f.number<std::uint64_t>("message_count"),    f.number<std::uint16_t>("schema_count"),
-          f.number<std::uint32_t>("channel_count"),    f.number<std::uint32_t>("attachment_count"),
-          f.number<std::uint32_t>("metadata_count"),   f.number<std::uint32_t>("chunk_count"),
-          f.time("message_start_time"),                f.time("message_end_time"),
+  return {f.number<std::uint64_t>("message_count"),
+          f.number<std::uint16_t>("schema_count"),
+          f.number<std::uint32_t>("channel_count"),
+          f.number<std::uint32_t>("attachment_count"),
+          f.number<std::uint32_t>("metadata_count"),
+          f.number<std::uint32_t>("chunk_count"),
+          f.time("message_start_time"),
+          f.time("message_end_time"),
           f.numbers("channel_message_counts")};
 }
 
@@ -84,18 +90,23 @@ Record recordOf(const std::string& type, const Fields& f) {
   }
   if (type == "ChunkIndex") return chunkIndexOf(f);
   if (type == "Attachment") {
-    return Attachment{f.time("log_time"), f.time("create_time"), f.text("name"), f.text("media_type"), f.bytes("data")};
+    return Attachment{f.time("log_time"), f.time("create_time"), f.text("name"), f.text("media_type"),
+                      f.bytes("data")};
   }
   if (type == "AttachmentIndex") {
-    return AttachmentIndex{f.number<std::uint64_t>("offset"),    f.number<std::uint64_t>("length"),
-                           f.time("log_time"),                   f.time("create_time"),
-                           f.number<std::uint64_t>("data_size"), f.text("name"),
+    return AttachmentIndex{f.number<std::uint64_t>("offset"),
+                           f.number<std::uint64_t>("length"),
+                           f.time("log_time"),
+                           f.time("create_time"),
+                           f.number<std::uint64_t>("data_size"),
+                           f.text("name"),
                            f.text("media_type")};
   }
   if (type == "Statistics") return statisticsOf(f);
   if (type == "Metadata") return Metadata{f.text("name"), f.map("metadata")};
   if (type == "MetadataIndex") {
-    return MetadataIndex{f.number<std::uint64_t>("offset"), f.number<std::uint64_t>("length"), f.text("name")};
+    return MetadataIndex{f.number<std::uint64_t>("offset"), f.number<std::uint64_t>("length"),
+                         f.text("name")};
   }
   if (type == "SummaryOffset") {
     return SummaryOffset{static_cast<Opcode>(f.number<std::uint8_t>("group_opcode")),
@@ -116,18 +127,30 @@ bool appendAll(std::vector<Record>& records, Bytes bytes);
 bool appendDecoded(std::vector<Record>& records, const RecordView& record) {
   const Bytes content = record.content;
   switch (static_cast<Opcode>(record.opcode)) {
-    case Opcode::kHeader: return append(records, decodeHeader(content));
-    case Opcode::kFooter: return append(records, decodeFooter(content));
-    case Opcode::kSchema: return append(records, decodeSchema(content));
-    case Opcode::kChannel: return append(records, decodeChannel(content));
-    case Opcode::kChunkIndex: return append(records, decodeChunkIndex(content));
-    case Opcode::kAttachmentIndex: return append(records, decodeAttachmentIndex(content));
-    case Opcode::kStatistics: return append(records, decodeStatistics(content));
-    case Opcode::kMetadata: return append(records, decodeMetadata(content));
-    case Opcode::kMetadataIndex: return append(records, decodeMetadataIndex(content));
-    case Opcode::kSummaryOffset: return append(records, decodeSummaryOffset(content));
-    case Opcode::kDataEnd: return append(records, decodeDataEnd(content));
-    case Opcode::kMessageIndex: return decodeMessageIndex(content).has_value();
+    case Opcode::kHeader:
+      return append(records, decodeHeader(content));
+    case Opcode::kFooter:
+      return append(records, decodeFooter(content));
+    case Opcode::kSchema:
+      return append(records, decodeSchema(content));
+    case Opcode::kChannel:
+      return append(records, decodeChannel(content));
+    case Opcode::kChunkIndex:
+      return append(records, decodeChunkIndex(content));
+    case Opcode::kAttachmentIndex:
+      return append(records, decodeAttachmentIndex(content));
+    case Opcode::kStatistics:
+      return append(records, decodeStatistics(content));
+    case Opcode::kMetadata:
+      return append(records, decodeMetadata(content));
+    case Opcode::kMetadataIndex:
+      return append(records, decodeMetadataIndex(content));
+    case Opcode::kSummaryOffset:
+      return append(records, decodeSummaryOffset(content));
+    case Opcode::kDataEnd:
+      return append(records, decodeDataEnd(content));
+    case Opcode::kMessageIndex:
+      return decodeMessageIndex(content).has_value();
     case Opcode::kMessage: {
       const auto message = decodeMessage(content);
       if (message) records.emplace_back(OwnedMessage::of(*message));
@@ -150,7 +173,9 @@ bool appendDecoded(std::vector<Record>& records, const RecordView& record) {
 
 bool appendAll(std::vector<Record>& records, Bytes bytes) {
   bool good = true;
-  return visitRecords(bytes, [&](const RecordView& r, std::size_t) { good = good && appendDecoded(records, r); }) && good;
+  return visitRecords(bytes,
+                      [&](const RecordView& r, std::size_t) { good = good && appendDecoded(records, r); }) &&
+         good;
 }
 
 }  // namespace
@@ -160,8 +185,8 @@ Message OwnedMessage::view() const {
 }
 
 OwnedMessage OwnedMessage::of(const Message& message) {
-  return {message.channelId, message.sequence, nanosecondsOf(message.logTime), nanosecondsOf(message.publishTime),
-          std::string(textOf(message.data))};
+  return {message.channelId, message.sequence, nanosecondsOf(message.logTime),
+          nanosecondsOf(message.publishTime), std::string(textOf(message.data))};
 }
 
 std::vector<ConformanceCase> conformanceCases(const std::string& json) {

@@ -23,18 +23,19 @@ struct OwnedMessage {
   static OwnedMessage of(const Message& message);
 };
 
-using Record = std::variant<Header, Footer, Schema, Channel, OwnedMessage, ChunkIndex, Attachment, AttachmentIndex,
-                            Statistics, Metadata, MetadataIndex, SummaryOffset, DataEnd>;
+using Record = std::variant<Header, Footer, Schema, Channel, OwnedMessage, ChunkIndex, Attachment,
+                            AttachmentIndex, Statistics, Metadata, MetadataIndex, SummaryOffset, DataEnd>;
 
 /// One of the files of the MCAP project's conformance suite, as its known answers tell of it.
 ///
-/// Features: ch all in a chunk, mx message indexes, st statistics, rsh and rch schemas and channels repeated in
-/// the summary, ax, mdx and chx indexes of attachments, metadata and chunks, sum summary offsets, pad unknown
-/// bytes behind the content of records.
+/// Features: ch all in a chunk, mx message indexes, st statistics, rsh and rch schemas and channels repeated
+/// in the summary, ax, mdx and chx indexes of attachments, metadata and chunks, sum summary offsets, pad
+/// unknown bytes behind the content of records.
 struct ConformanceCase {
   std::string name;
   std::set<std::string> features;
-  /// In the order of the file, those of a chunk in its place; chunks and message indexes themselves are left out.
+  /// In the order of the file, those of a chunk in its place; chunks and message indexes themselves are left
+  /// out.
   std::vector<Record> records;
 
   bool has(const std::string& feature) const { return features.contains(feature); }
@@ -43,8 +44,8 @@ struct ConformanceCase {
 /// From the JSON text of the known answers.
 std::vector<ConformanceCase> conformanceCases(const std::string& json);
 
-/// The file that a case tells of, written from its schemas, channels, messages, attachments and metadata alone:
-/// everything else, its CRCs too, is computed.
+/// The file that a case tells of, written from its schemas, channels, messages, attachments and metadata
+/// alone: everything else, its CRCs too, is computed.
 Buffer writtenBy(const ConformanceCase& conformance);
 
 /// All records of a file, as ConformanceCase has them. Nothing: something cannot be decoded.

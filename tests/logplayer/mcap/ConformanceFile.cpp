@@ -105,8 +105,10 @@ void FileOfCase::addChunk() {
     encode(records, message->view());
   }
   const Statistics times = statistics();
-  ChunkIndex index{times.messageStart, times.messageEnd, out_.size(), 0, {}, 0, "", records.size(), records.size()};
-  encode(out_, ChunkHead{times.messageStart, times.messageEnd, records.size(), crc32(records), "", records.size()});
+  ChunkIndex index{times.messageStart, times.messageEnd, out_.size(), 0, {}, 0, "",
+                   records.size(),     records.size()};
+  encode(out_,
+         ChunkHead{times.messageStart, times.messageEnd, records.size(), crc32(records), "", records.size()});
   out_.insert(out_.end(), records.begin(), records.end());
   index.chunkLength = out_.size() - index.chunkOffset;
   if (case_.has("mx")) {
@@ -139,7 +141,8 @@ void FileOfCase::addSummary() {
   }
   Footer footer{offsetStart > start ? start : 0, out_.size() > offsetStart ? offsetStart : 0, 0};
   encode(out_, footer);
-  storeNumber(out_.data() + out_.size() - 4, crc32(Bytes(out_).subspan(start).first(out_.size() - start - 4)));
+  storeNumber(out_.data() + out_.size() - 4,
+              crc32(Bytes(out_).subspan(start).first(out_.size() - start - 4)));
 }
 
 Statistics FileOfCase::statistics() const {
@@ -162,6 +165,8 @@ Statistics FileOfCase::statistics() const {
 
 }  // namespace
 
-Buffer writtenBy(const ConformanceCase& conformance) { return FileOfCase(conformance).write(); }
+Buffer writtenBy(const ConformanceCase& conformance) {
+  return FileOfCase(conformance).write();
+}
 
 }  // namespace logplayer::mcap::test

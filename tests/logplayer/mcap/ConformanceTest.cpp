@@ -14,7 +14,9 @@ namespace {
 
 const std::filesystem::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/mcap-conformance";
 
-bool runs(const std::string& command) { return std::system((command + " >/dev/null 2>&1").c_str()) == 0; }
+bool runs(const std::string& command) {
+  return std::system((command + " >/dev/null 2>&1").c_str()) == 0;
+}
 
 /// All files of the MCAP project's conformance suite, unpacked once.
 class ConformanceTest : public testing::Test {
@@ -26,13 +28,16 @@ class ConformanceTest : public testing::Test {
   };
 
   static void SetUpTestSuite() {
-    if (!std::filesystem::exists(kData)) return void(problem_ = "the conformance suite is not in " + kData.string());
-    if (!runs("xz --version") || !runs("tar --version")) return void(problem_ = "it takes the programs xz and tar");
+    if (!std::filesystem::exists(kData))
+      return void(problem_ = "the conformance suite is not in " + kData.string());
+    if (!runs("xz --version") || !runs("tar --version"))
+      return void(problem_ = "it takes the programs xz and tar");
     suite_ = std::make_unique<Suite>();
     const std::string json = (suite_->folder / "answers.json").string();
-    const std::string unpackJson = "xz -dc '" + (kData / "known-answers.json.xz").string() + "' >'" + json + "'";
-    const std::string unpackFiles = "tar -xJf '" + (kData / "files.tar.xz").string() + "' -C '" +
-                                    (suite_->folder / "").string() + "'";
+    const std::string unpackJson =
+        "xz -dc '" + (kData / "known-answers.json.xz").string() + "' >'" + json + "'";
+    const std::string unpackFiles =
+        "tar -xJf '" + (kData / "files.tar.xz").string() + "' -C '" + (suite_->folder / "").string() + "'";
     ASSERT_EQ(std::system(unpackJson.c_str()), 0);
     ASSERT_EQ(std::system(unpackFiles.c_str()), 0);
     suite_->cases = conformanceCases(readBytes(json));
@@ -89,8 +94,10 @@ TEST_F(ConformanceTest, everyFileIsReadWithAllThatIsInIt) {
       return true;
     });
     EXPECT_TRUE(messages == dataOf<OwnedMessage>(conformance));
-    for (const Schema& schema : dataOf<Schema>(conformance)) EXPECT_EQ(reader->schemas().at(schema.id), schema);
-    for (const Channel& channel : dataOf<Channel>(conformance)) EXPECT_EQ(reader->channels().at(channel.id), channel);
+    for (const Schema& schema : dataOf<Schema>(conformance))
+      EXPECT_EQ(reader->schemas().at(schema.id), schema);
+    for (const Channel& channel : dataOf<Channel>(conformance))
+      EXPECT_EQ(reader->channels().at(channel.id), channel);
     for (const Attachment& attachment : dataOf<Attachment>(conformance)) {
       EXPECT_EQ(reader->attachment(attachment.name).value(), attachment);
     }
