@@ -9,6 +9,7 @@
 #include "app/core/RecordingTap.h"
 #include "app/core/SimulatedRun.h"
 #include "app/core/Workbench.h"
+#include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "tests/logplayer/RecordedMessages.h"
@@ -241,6 +242,47 @@ TEST_F(RecordingTest, parametersThatAreSetAreInTheSetUp) {
   ASSERT_EQ(setups.size(), 2U) << values.task() << "/" << values.solution();
   EXPECT_NE(parsed<ProgramSetup>(setups[0]).parameters(0).value().data(), "");
   EXPECT_EQ(parsed<ProgramSetup>(setups[1]).parameters(0).value().data(), "");
+}
+
+TEST_F(RecordingTest, theColourTableInForceIsPartOfALogThatBeginsLater) {
+  make(false);
+  Request request;
+  request.set_robot("red1");
+  auto& table = *request.mutable_set_color_table()->mutable_table();
+  table.add_class_names("orange");
+  table.set_cells(std::string(262'144, '\1'));
+  ASSERT_TRUE(run->request(request).has_value());
+  steps(10);
+  start("a.mcap");
+  steps(10);
+  const auto tables = on(stop(), "red1/colors/table");
+  ASSERT_EQ(tables.size(), 1U);
+  EXPECT_EQ(parsed<robotcontrol::ColorTable>(tables[0]).cells(), table.cells());
+}
+
+TEST_F(RecordingTest, aDebugKeyTriggersThatTheLastSecondsAreSaved) {
+  make(false);
+  ControlRecording control;
+  control.set_keep_last(0.5);
+  control.set_trigger("red1/drawings/image/ball-percept/*");
+  ASSERT_TRUE(recorder->control(control).has_value());
+  recorder->setFolder(folder.path());
+  steps(125);
+  recorder->finish();
+  EXPECT_THAT(folder.files(), ElementsAre());
+  Request request;
+  request.set_robot("red1");
+  request.mutable_set_key()->set_name("ball-percept/disc");
+  request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  ASSERT_TRUE(run->request(request).has_value());
+  steps(40);
+  recorder->finish();
+  ASSERT_EQ(folder.files().size(), 1U);
+  const ReadLog log = logplayer::testing::readLog(folder / folder.files()[0]);
+  EXPECT_TRUE(log.complete);
+  EXPECT_NEAR(static_cast<double>(log.count("red1/joints/states")), 63, 3);
+  EXPECT_EQ(log.count("red1/program"), 1U);
+  EXPECT_GT(log.count("red1/drawings/image/ball-percept/disc"), 0U);
 }
 
 TEST_F(RecordingTest, anotherLayoutGoesOnInTheSameFileAndAResetInANewOne) {
