@@ -100,12 +100,22 @@ Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
   clock_.set(time);
   Errors errors = readSetupAt(time);
   if (errors.empty()) errors = makeProgram();
+  if (!errors.empty() && setup_ && setup_->layoutFromLog && choices_.packages.empty()) errors = playOnly(errors);
   if (!errors.empty()) {
     Instant then;
     std::tie(choices_, loggedSetup_, setup_, then) = before;
     clock_.set(then);
   }
   return errors;
+}
+
+/// A log can be played even if today's program cannot run in its layout.
+Errors ReplayRobot::playOnly(const Errors& why) {
+  ReplaySetup setup = *setup_;
+  setup.layout = emptyLayout(setup.layout);
+  setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " + robotlink::describe(why));
+  setup_ = std::make_shared<const ReplaySetup>(std::move(setup));
+  return makeProgram();
 }
 
 ReplayWishes ReplayRobot::wishes() const {

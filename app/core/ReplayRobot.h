@@ -85,6 +85,7 @@ class ReplayRobot {
   std::optional<robotcontrol::ProgramSetup> loggedSetupAt(robotlink::Instant time) const;
   robotlink::Errors readSetupAt(robotlink::Instant time);
   robotlink::Errors makeProgram();
+  robotlink::Errors playOnly(const robotlink::Errors& why);
   ReplayWishes wishes() const;
   tl::expected<std::unique_ptr<Program>, robotlink::Errors> programFor(const ReplayPlan& plan);
   std::vector<logplayer::LogPlatform::Package> platformPackages(const ReplayPlan& plan) const;

@@ -237,8 +237,8 @@ Errors ReplayRun::Implementation::jump(Source& source, Instant time) {
     const Errors own = robot->start(from);
     errors.insert(errors.end(), own.begin(), own.end());
     notes.push_back({robot->name() + "/" + streams::kProgram, time, robot->ownSetup()});
-    for (const std::string& text : robot->plan().notes) {
-      note(source, robot->name(), target, foxglove::Log::WARNING, text);
+    for (const auto* texts : {&robot->setup().notes, &robot->plan().notes}) {
+      for (const std::string& text : *texts) note(source, robot->name(), target, foxglove::Log::WARNING, text);
     }
   }
   runQuietly(source, from, target);

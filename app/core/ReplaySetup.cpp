@@ -66,10 +66,8 @@ bool sameFile(const ProgramSetup::File& one, const ProgramSetup::File& other) {
   return one.name() == other.name() && one.text() == other.text();
 }
 
-}  // namespace
-
-tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, const std::string& robot,
-                                                  const std::filesystem::path& layoutFile) {
+tl::expected<ReplaySetup, Errors> read(const ProgramSetup* logged, const std::string& robot,
+                                       const std::filesystem::path& layoutFile) {
   auto files = filesOf(logged, robot, layoutFile);
   if (!files) return tl::unexpected(files.error());
   auto layout = robotlink::parseLayout(files->layout().text(), files->layout().name());
@@ -91,6 +89,31 @@ tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, co
   setup.description = std::make_shared<const RobotDescription>(std::move(*description));
   setup.field = std::make_shared<const FieldDescription>(std::move(*field));
   return setup;
+}
+
+}  // namespace
+
+tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, const std::string& robot,
+                                                  const std::filesystem::path& layoutFile) {
+  auto setup = read(logged, robot, layoutFile);
+  if (setup || logged == nullptr) return setup;
+  auto shipped = read(nullptr, robot, layoutFile);
+  if (!shipped) return setup;  // What is wrong with the log is not all that is wrong.
+  shipped->notes.push_back("the program's set-up in the log cannot be used; shipped files are taken instead: " +
+                           robotlink::describe(setup.error()));
+  return shipped;
+}
+
+Layout emptyLayout(const Layout& instead) {
+  Layout layout;
+  layout.name = instead.name;
+  layout.file = instead.file;
+  Layout::Process debug;
+  debug.name = "debug";
+  debug.debug = true;
+  debug.period = std::chrono::milliseconds(16);
+  layout.processes.push_back(std::move(debug));
+  return layout;
 }
 
 bool isAnotherProgram(const ProgramSetup& one, const ProgramSetup& other) {

@@ -1,16 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a replay of the real log costs: opening it, a frame forwards, a frame backwards.
+// What a replay of the real log costs: opening it, a frame forwards, a frame backwards. ROBOTCONTROL_REPLAY_LOG names another log.
 #include <benchmark/benchmark.h>
+
+#include <cstdlib>
 
 #include "app/core/ReplayRun.h"
 
 namespace {
 
-constexpr char kProcess[] = "nao/cognition";
-
 std::unique_ptr<app::ReplayRun> openReplay(benchmark::State& state) {
   app::ReplayOptions options;
-  options.logs = {{ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log"}};
+  const char* other = std::getenv("ROBOTCONTROL_REPLAY_LOG");
+  options.logs = {{other != nullptr ? other : ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log"}};
   auto run = app::ReplayRun::create(std::move(options), {});
   if (!run) state.SkipWithError(robotlink::describe(run.error()).c_str());
   return run ? std::move(*run) : nullptr;
@@ -20,7 +21,7 @@ void open(benchmark::State& state) {
   for (auto _ : state) {
     const auto run = openReplay(state);
     if (!run) return;
-    benchmark::DoNotOptimize(run->jump(*run->frameTime(kProcess, 0)));
+    benchmark::DoNotOptimize(run->jump(*run->frameTime(run->stepProcess(), 0)));
   }
 }
 
@@ -28,7 +29,7 @@ void stepForwards(benchmark::State& state) {
   const auto run = openReplay(state);
   if (!run) return;
   for (auto _ : state) {
-    const auto next = *run->frameTime(kProcess, 1);
+    const auto next = *run->frameTime(run->stepProcess(), 1);
     if (next <= run->now()) {
       state.PauseTiming();
       (void)run->jump(run->begin());
@@ -44,7 +45,7 @@ void stepBackwards(benchmark::State& state) {
   if (!run) return;
   (void)run->jump(run->end());
   for (auto _ : state) {
-    const auto before = *run->frameTime(kProcess, -1);
+    const auto before = *run->frameTime(run->stepProcess(), -1);
     benchmark::DoNotOptimize(run->jump(before < run->now() ? before : run->end()));
   }
 }

@@ -8,7 +8,9 @@
 #include <fstream>
 
 #include "ReplayFixture.h"
+#include "foxglove/Image.pb.h"
 #include "foxglove/Scene.pb.h"
+#include "logplayer/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
 
@@ -372,6 +374,54 @@ TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   EXPECT_EQ(replay.status().logs(1).offset(), 0);
   ASSERT_TRUE(replay.run->jump(at(1)).empty());
   EXPECT_EQ(replay.countOn("scene"), 3U) << "and at each jump";
+}
+
+/// Logs of other programs, older or newer.
+class ForeignSetup : public ::testing::Test {
+ protected:
+  /// One image of a robot whose program was made of this.
+  std::filesystem::path write(const std::string& layout, const std::string& description = {}) {
+    auto setup = std::make_shared<robotcontrol::ProgramSetup>();
+    setup->mutable_layout()->set_name("layouts/foreign.yaml");
+    setup->mutable_layout()->set_text(layout);
+    setup->mutable_description()->set_text(description);
+    auto image = std::make_shared<foxglove::RawImage>();
+    const auto file = folder_->path() / "foreign.mcap";
+    auto writer = logplayer::LogWriter::create(file, {});
+    EXPECT_TRUE((*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
+    return file;
+  }
+  static std::string replayTexts(const Replay& replay) {
+    std::string texts;
+    for (const auto& message : replay.told) {
+      const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+      if (text != nullptr && text->name() == "replay") texts += text->message() + "\n";
+    }
+    return texts;
+  }
+
+ private:
+  robotlink::Result<logplayer::TemporaryFolder> folder_ = logplayer::TemporaryFolder::make();
+};
+
+TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {
+  Replay replay(write("version: 9\nname: later\n"));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  ASSERT_TRUE(replay.run->jump(at(1)).empty());
+  EXPECT_THAT(replayTexts(replay), HasSubstr("shipped files are taken instead: layouts/foreign.yaml:1"));
+  EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
+}
+
+TEST_F(ForeignSetup, aLayoutThatCannotBeRunIsPlayedWithoutAProgram) {
+  Replay replay(write("version: 1\nname: twice\nprocesses:\n"
+                      "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
+                      "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
+                      "  - {name: debug, debug: true, period_ms: 16}\n"));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  ASSERT_TRUE(replay.run->jump(at(1)).empty());
+  EXPECT_THAT(replayTexts(replay), HasSubstr("nothing is recomputed, as the log's layout cannot be run: "));
+  EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
+  EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
 }
 
 TEST(ReplayRun, whatIsNoLogIsRefused) {
