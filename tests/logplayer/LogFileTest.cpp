@@ -251,6 +251,57 @@ TEST(LogFile, aDamagedChunkCostsNothingElse) {
   EXPECT_NE(log->damageText().find("1 damaged place"), std::string::npos) << log->damageText();
 }
 
+namespace {
+
+/// Reads all that there is; how many messages that is, nothing if it is refused.
+std::optional<std::size_t> readThrough(const std::filesystem::path& file) {
+  const auto log = LogFile::open(file, {});
+  if (!log) {
+    EXPECT_FALSE(log.error().text.empty());
+    return std::nullopt;
+  }
+  std::size_t count = 0;
+  LogFile::Cursor cursor(*log, {});
+  for (auto message = cursor.next(); message; message = cursor.next()) ++count;
+  for (const auto& stream : (*log)->streams()) {
+    (void)(*log)->latest(stream.path, stream.last);
+    (void)(*log)->times(stream.path);
+  }
+  (void)(*log)->damageText();
+  return count;
+}
+
+}  // namespace
+
+/// Every byte of the container is hit in the tests of logplayer/mcap; here it is about frames.
+TEST(LogFile, cutAnywhereItIsReadAsFarAsItGoes) {
+  const LogFixture fixture;
+  writeFrames(*fixture.write());
+  const auto whole = readThrough(fixture.path());
+  ASSERT_EQ(whole, 20U);
+  std::size_t before = *whole;
+  for (auto bytes = std::filesystem::file_size(fixture.path()); bytes > 11; bytes -= 11) {
+    fixture.truncate(bytes - 11);
+    const std::size_t count = readThrough(fixture.path()).value_or(0);
+    EXPECT_LE(count, before) << bytes;
+    EXPECT_EQ(count % 2, 0U) << "half a frame is shown, cut at " << bytes - 11;
+    before = count;
+  }
+}
+
+TEST(LogFile, anyFlippedByteHarmsAtMostItsChunk) {
+  const LogFixture fixture;
+  writeFrames(*fixture.write());
+  const auto bytes = static_cast<std::streamoff>(std::filesystem::file_size(fixture.path()));
+  for (std::streamoff at = 0; at < bytes; at += 13) {
+    fixture.flipByte(at);
+    const auto count = readThrough(fixture.path());
+    EXPECT_TRUE(at < 8 || count.has_value()) << at;
+    EXPECT_LE(count.value_or(0), 20U) << at;
+    fixture.flipByte(at);
+  }
+}
+
 TEST(LogFile, whatIsNoLogIsRefusedWithItsName) {
   const LogFixture fixture;
   std::ofstream(fixture.path("text.mcap")) << "Dear diary, today I recorded nothing at all, and I am not ashamed of it.";
