@@ -73,6 +73,14 @@ Result<std::int64_t> timeAt(const ReplayStatus& status, double seconds) {
   return std::min(status.end(), status.begin() + robotlink::fromSeconds(seconds).count());
 }
 
+/// An open log by its path, or by its file's name; as it was given if it is neither.
+std::string logNamed(const std::string& name, const ReplayStatus& status) {
+  for (const auto& log : status.logs()) {
+    if (std::filesystem::path(log.path()).filename() == name) return log.path();
+  }
+  return name;
+}
+
 void addOpening(CommandTable& commands, const Logs& logs) {
   commands.add({"log.open",
                 "Opens a log file, paused at its first image; what ran before ends",
@@ -88,6 +96,10 @@ void addOpening(CommandTable& commands, const Logs& logs) {
                   logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
                   return {};
                 }});
+  commands.add({"log.cancel", "Gives up opening a log; what ran before goes on", {}, [logs](const Values&) -> Result<void> {
+                  logs.workbench().cancelOpening();
+                  return {};
+                }});
   commands.add({"log.close", "Closes the logs that are open", {}, [logs](const Values&) -> Result<void> {
                   if (auto status = logs.status(); !status) return tl::unexpected(status.error());
                   logs.workbench().close();
@@ -96,9 +108,11 @@ void addOpening(CommandTable& commands, const Logs& logs) {
   commands.add({"log.offset",
                 "Shifts one of the open logs on the time line",
                 {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds that are added to its times"}},
-                [logs](const Values& values) {
+                [logs](const Values& values) -> Result<void> {
+                  const auto status = logs.status();
+                  if (!status) return tl::unexpected(status.error());
                   ControlReplay control;
-                  control.add_offsets()->set_log(text(values, 0));
+                  control.add_offsets()->set_log(logNamed(text(values, 0), **status));
                   control.mutable_offsets(0)->set_offset(robotlink::fromSeconds(number(values, 1)).count());
                   return logs.control(control);
                 }});

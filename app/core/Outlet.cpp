@@ -17,6 +17,16 @@ void Outlet::open() {
   kept_.clear();
 }
 
+void Outlet::close() {
+  const std::lock_guard lock(mutex_);
+  open_ = false;
+}
+
+void Outlet::discard() {
+  const std::lock_guard lock(mutex_);
+  kept_.clear();
+}
+
 void Outlet::pass(std::function<void()> push) {
   {
     const std::lock_guard lock(mutex_);
@@ -40,14 +50,18 @@ void Outlet::tellQueue(const std::string& robot, std::shared_ptr<const robotcont
   pass([this, robot, queue = std::move(queue)] { session_.pushQueue(robot, queue); });
 }
 
-void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text) {
-  const robotlink::Instant now = process.clock().now();
+void Outlet::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
+                       const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
   log->set_level(foxglove::Log::ERROR);
-  log->set_name(process.name());
+  log->set_name(source);
   log->set_message(text);
-  robotlink::assign(*log->mutable_timestamp(), now);
-  tell({robot + "/" + robotlink::streams::kLog, now, std::move(log)});
+  robotlink::assign(*log->mutable_timestamp(), time);
+  tell({robot + "/" + robotlink::streams::kLog, time, std::move(log)});
+}
+
+void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text) {
+  tellError(robot, process.name(), process.clock().now(), text);
 }
 
 }  // namespace app

@@ -19,8 +19,8 @@ class Session;
 
 namespace app {
 
-/// The way of all that a run tells to the session. It keeps everything back until it is opened, because a run tells things while
-/// it is being made, when the session still belongs to another one that goes on if that fails.
+/// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back: a run tells things
+/// while it is being made, when the session still belongs to another one that goes on if that fails.
 ///
 /// Any thread. The session must outlive it.
 class Outlet {
@@ -28,12 +28,17 @@ class Outlet {
   explicit Outlet(robotlink::Session& session) : session_(session) {}
 
   void open();
+  void close();
+  /// Forgets what it keeps back.
+  void discard();
 
   void tell(robotlink::StreamMessage message);
   /// What belongs together.
   void tellFrame(std::vector<robotlink::StreamMessage> frame);
   void tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
-  /// That something is wrong with a process, as an error in the robot's log.
+  /// In the robot's log.
+  void tellError(const std::string& robot, const std::string& source, robotlink::Instant time, const std::string& text);
+  /// That something is wrong with a process.
   void tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 
  private:

@@ -1,55 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
-#include <algorithm>
-#include <cstdint>
-#include <limits>
-
+#include "app/core/ReplayFeed.h"
+#include "app/core/ReplayMoves.h"
 #include "app/core/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
 
 namespace app {
-namespace {
-
-using robotcontrol::ControlReplay;
-
-/// What a request does besides its action; where that is nothing, it may join another one.
-bool onlyMoves(const robotcontrol::Request& request) {
-  if (!request.has_control_replay()) return false;
-  ControlReplay rest = request.control_replay();
-  rest.clear_action();
-  rest.clear_count();
-  rest.clear_time();
-  rest.clear_frame();
-  rest.clear_process();
-  rest.clear_stream();
-  return rest.ByteSizeLong() == 0 && request.control_replay().action() >= ControlReplay::STEP_FRAME;
-}
-
-bool isJump(const ControlReplay& move) {
-  return move.action() == ControlReplay::JUMP_TO_TIME || move.action() == ControlReplay::JUMP_TO_FRAME;
-}
-
-/// Makes the first do what both would do one after the other. Both only move; false if that is not one movement.
-bool join(ControlReplay& first, const ControlReplay& second) {
-  if (isJump(second)) {
-    first = second;
-    return true;
-  }
-  if (first.action() != second.action() || first.process() != second.process() || first.stream() != second.stream()) {
-    return false;
-  }
-  // A step there and one back need not lead to where one was: that is only so for steps in the same direction.
-  if ((first.count() < 0) != (second.count() < 0)) return false;
-  constexpr std::int64_t kMostFrames = std::numeric_limits<std::int32_t>::max();
-  const std::int64_t sum = std::int64_t{first.count()} + second.count();
-  first.set_count(static_cast<std::int32_t>(std::clamp(sum, -kMostFrames, kMostFrames)));
-  return true;
-}
-
-}  // namespace
 
 /// A request that waits, with those that joined it.
 struct PlatformThread::Asked {
@@ -94,15 +53,36 @@ void PlatformThread::load(RunOptions options, LoadHandler handler) {
 }
 
 void PlatformThread::open(ReplayOptions options, LoadHandler handler) {
-  postOther([options = std::move(options), handler = std::move(handler)] {
-    handler(tl::unexpected(robotlink::Errors{{"log.open", options.logs.front().file.string() + ": logs cannot be replayed yet", {}, {}}}));
+  postOther([this, options = std::move(options), handler = std::move(handler)] {
+    auto feed = ReplayFeed::create(options, session_);
+    if (!feed) {
+      handler(tl::unexpected(feed.error()));
+      return;
+    }
+    start(std::move(*feed));
+    handler(describe());
   });
 }
 
-void PlatformThread::addLog(ReplayLog log, LoadHandler handler) {
-  ReplayOptions options;
-  options.logs.push_back(std::move(log));
-  open(std::move(options), std::move(handler));
+void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress, LoadHandler handler) {
+  postOther([this, log = std::move(log), progress = std::move(progress), handler = std::move(handler)] {
+    const auto* before = dynamic_cast<const ReplayFeed*>(feed_.get());
+    if (before == nullptr) {
+      handler(tl::unexpected(robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}}));
+      return;
+    }
+    ReplayOptions options = before->options();
+    options.logs.push_back(log);
+    options.progress = progress;
+    auto feed = ReplayFeed::create(std::move(options), session_, before->now());
+    if (!feed) {
+      handler(tl::unexpected(feed.error()));
+      return;
+    }
+    (*feed)->goOnLike(*before);
+    start(std::move(*feed));
+    handler(describe());
+  });
 }
 
 void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) {
@@ -125,11 +105,11 @@ void PlatformThread::close(LoadHandler handler) {
 }
 
 void PlatformThread::request(const robotcontrol::Request& request) {
-  const bool moves = onlyMoves(request);
+  const bool moves = request.has_control_replay() && onlyMoves(request.control_replay());
   std::shared_ptr<Asked> asked;
   {
     const std::lock_guard lock(mutex_);
-    if (moves && newest_ && join(*newest_->request.mutable_control_replay(), request.control_replay())) {
+    if (moves && newest_ && joinMoves(*newest_->request.mutable_control_replay(), request.control_replay())) {
       newest_->ids.push_back(request.id());
       return;
     }

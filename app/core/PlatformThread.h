@@ -34,7 +34,7 @@ class PlatformThread {
   /// Paused, at the first image.
   void open(ReplayOptions options, LoadHandler handler);
   /// One more to the logs that are open; what was chosen for those stays.
-  void addLog(ReplayLog log, LoadHandler handler);
+  void addLog(ReplayLog log, logplayer::LogFile::Progress progress, LoadHandler handler);
   void setLayout(std::filesystem::path file, LoadHandler handler);
   /// Nothing runs then.
   void close(LoadHandler handler);

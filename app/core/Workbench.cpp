@@ -76,13 +76,31 @@ PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
 
 void Workbench::load(RunOptions options) { platform_.load(std::move(options), outcomeOf(Change::kPlatform)); }
 
-void Workbench::openLogs(std::vector<ReplayLog> logs) {
+logplayer::LogFile::Progress Workbench::newOpening() {
+  opening_ = std::make_shared<Opening>();
+  return [opening = opening_](double share) {
+    opening->share = share;
+    return !opening->cancelled;
+  };
+}
+
+std::optional<double> Workbench::progress() const {
+  return loading() && opening_ ? std::optional(opening_->share.load()) : std::nullopt;
+}
+
+void Workbench::cancelOpening() {
+  if (opening_) opening_->cancelled = true;
+}
+
+void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout) {
   ReplayOptions options;
+  options.layout = layout;
   options.logs = std::move(logs);
+  options.progress = newOpening();
   platform_.open(std::move(options), outcomeOf(Change::kPlatform));
 }
 
-void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), outcomeOf(Change::kPlatform)); }
+void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), newOpening(), outcomeOf(Change::kPlatform)); }
 void Workbench::close() { platform_.close(outcomeOf(Change::kPlatform)); }
 void Workbench::setLayout(const std::filesystem::path& file) { platform_.setLayout(file, outcomeOf(Change::kLayout)); }
 
@@ -113,7 +131,7 @@ void Workbench::tell(const robotlink::Errors& errors) {
 }
 
 void Workbench::takeIn(Outcome outcome) {
-  --loading_;
+  if (--loading_ == 0) opening_.reset();
   if (!outcome.loaded) return tell(outcome.loaded.error());
   loaded_ = std::move(*outcome.loaded);
   if (loaded_->simulation) lastSimulation_ = *loaded_->simulation;

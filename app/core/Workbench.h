@@ -1,8 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <atomic>
 #include <filesystem>
 #include <functional>
+#include <memory>
 #include <optional>
 #include <vector>
 
@@ -28,8 +30,8 @@ class Workbench {
 
   /// Starts loading a simulation; the outcome arrives in a later tick().
   void load(RunOptions options);
-  /// The same for logs.
-  void openLogs(std::vector<ReplayLog> logs);
+  /// The same for logs; the layout is that of the programs that run on them, empty: the one in the log.
+  void openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout = {});
   /// One more to those that are open.
   void addLog(ReplayLog log);
   /// Ends what runs.
@@ -50,6 +52,10 @@ class Workbench {
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Is something being loaded now?
   bool loading() const { return loading_ > 0; }
+  /// How much of the log that is being opened has been read, in [0, 1]; nothing if none is.
+  std::optional<double> progress() const;
+  /// Gives up opening it.
+  void cancelOpening();
 
   /// Keeps the debug keys that are on, for the next start.
   robotlink::Result<void> keepKeys();
@@ -62,6 +68,11 @@ class Workbench {
   static RunOptions defaultOptions();
 
  private:
+  /// Of a log that is opened in the platform's thread.
+  struct Opening {
+    std::atomic<double> share = 0;
+    std::atomic<bool> cancelled = false;
+  };
   enum class Change { kPlatform, kLayout };
   struct Outcome {
     Change change;
@@ -70,6 +81,7 @@ class Workbench {
   void addSimulationCommands();
   void addRobotCommands();
   void addLayoutCommand();
+  logplayer::LogFile::Progress newOpening();
   PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);
   void take(const robotcontrol::Request& request);
@@ -87,6 +99,7 @@ class Workbench {
   std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   int loading_ = 0;
+  std::shared_ptr<Opening> opening_;  ///< the last one that was begun
   PlatformThread platform_;  // last: it uses the others
 };
 

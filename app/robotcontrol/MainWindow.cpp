@@ -127,7 +127,8 @@ void MainWindow::connectSignals() {
 
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
-  context_.field = loaded->field;
+  const bool open = loaded->simulation || !loaded->logs.empty();
+  context_.field = open ? loaded->field : defaultField();
   context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();

@@ -75,6 +75,8 @@ void SimulationToolBar::createBoxes() {
                     tr("Which process of the robot's program does which tasks; a change starts the program anew"));
   robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars talk about"));
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
+  scene_->setPlaceholderText(tr("none"));
+  layout_->setPlaceholderText(tr("none"));
   addFiles(scene_, Workbench::scenes());
   addFiles(layout_, Workbench::layouts());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
@@ -124,6 +126,7 @@ void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
   selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
+  layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));
   selectFile(layout_, loaded->layout);
   robot_->clear();
   for (const std::string& robot : workbench_.session().robots()) robot_->addItem(QString::fromStdString(robot));

@@ -5,7 +5,9 @@
 #include <QStatusBar>
 
 #include "app/core/Workbench.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
 
 namespace app {
 namespace {
@@ -25,29 +27,49 @@ QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int char
 StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
     : QObject(&bar),
       workbench_(workbench),
-      state_(addLabel(bar, "statusState", tr("What the simulation does"), 10)),
-      time_(addLabel(bar, "statusTime", tr("Simulated time"), 12)),
-      speed_(addLabel(bar, "statusSpeed", tr("How many times real time the simulation runs"), 10)),
+      state_(addLabel(bar, "statusState", tr("What the simulation or the log does"), 10)),
+      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time since its begin, and its frame"), 12)),
+      speed_(addLabel(bar, "statusSpeed", tr("How many times real time the simulation runs or the log is played"), 10)),
       contacts_(addLabel(bar, "statusContacts", tr("How often a robot and the ball began to touch"), 16)),
       dropped_(addLabel(bar, "statusDropped",
                         tr("Messages that were lost because more came than could be taken in"), 12)) {}
 
 void StatusLine::refresh() {
   auto& session = workbench_.session();
+  const auto newest = session.timeline().newest();
   dropped_->setText(tr("%1 dropped").arg(session.dropped()));
-  const auto* status = session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
-  if (status == nullptr) {
-    state_->setText(workbench_.loading() ? tr("loading…") : tr("no simulation"));
-    return;
+  if (const auto* log = session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay, newest)) {
+    showLog(*log);
+  } else if (const auto* simulation =
+                 session.store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation, newest)) {
+    showSimulation(*simulation);
+  } else {
+    showNothing();
   }
+}
+
+void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
   state_->setText(workbench_.loading()               ? tr("loading…")
-                  : status->stopped_robots_size() > 0 ? tr("STOP engaged")
-                  : status->running()                 ? tr("running")
-                                                      : tr("paused"));
-  time_->setText(tr("%1 s").arg(status->time(), 0, 'f', 3));
-  speed_->setText(tr("sim %1×").arg(status->speed(), 0, 'f', 1));
-  const auto contacts = status->ball_contacts();
+                  : status.stopped_robots_size() > 0 ? tr("STOP engaged")
+                  : status.running()                 ? tr("running")
+                                                     : tr("paused"));
+  time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
+  speed_->setText(tr("sim %1×").arg(status.speed(), 0, 'f', 1));
+  const auto contacts = status.ball_contacts();
   contacts_->setText(contacts == 1 ? tr("1 ball contact") : tr("%1 ball contacts").arg(contacts));
+}
+
+void StatusLine::showLog(const robotcontrol::ReplayStatus& status) {
+  state_->setText(workbench_.loading() ? tr("loading…") : status.playing() ? tr("playing") : tr("paused"));
+  const double time = 1e-9 * static_cast<double>(status.time() - status.begin());
+  time_->setText(tr("%1 s  frame %2").arg(time, 0, 'f', 3).arg(status.frame()));
+  speed_->setText(tr("log %1×").arg(status.speed()));
+  contacts_->clear();
+}
+
+void StatusLine::showNothing() {
+  state_->setText(workbench_.loading() ? tr("loading…") : tr("nothing is open"));
+  for (QLabel* label : {time_, speed_, contacts_}) label->clear();
 }
 
 }  // namespace app

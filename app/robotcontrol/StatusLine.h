@@ -5,12 +5,17 @@
 
 class QLabel;
 class QStatusBar;
+namespace robotcontrol {
+class ReplayStatus;
+class SimulationStatus;
+}  // namespace robotcontrol
 
 namespace app {
 
 class Workbench;
 
-/// What always stands at the window's lower edge: simulated time, speed, ball contacts, dropped messages. GUI thread.
+/// What always stands at the window's lower edge: of a simulation its time, speed and ball contacts, of a log where it is and how
+/// it is played; dropped messages. GUI thread.
 class StatusLine : public QObject {
   Q_OBJECT
  public:
@@ -18,6 +23,10 @@ class StatusLine : public QObject {
   void refresh();
 
  private:
+  void showSimulation(const robotcontrol::SimulationStatus& status);
+  void showLog(const robotcontrol::ReplayStatus& status);
+  void showNothing();
+
   Workbench& workbench_;
   QLabel* state_;
   QLabel* time_;

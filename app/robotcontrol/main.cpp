@@ -14,7 +14,7 @@ namespace {
 enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
 
 struct Arguments {
-  std::string scene;
+  std::vector<std::string> files;
   std::string layout;
   std::uint64_t seed = 1;
   bool paused = false;
@@ -26,10 +26,11 @@ struct Arguments {
 
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
-  app.add_option("scene", arguments.scene, "An SDFormat world to open; the field of 2002 if none is given");
+  app.add_option("files", arguments.files,
+                 "An SDFormat world (.sdf, .world) to simulate, or log files to open on one time line; the field of 2002 if none is given");
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
-  app.add_flag("--paused", arguments.paused, "Do not start the simulation");
+  app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
   app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Motion, Processes, or one of your own");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
@@ -48,27 +49,76 @@ bool hasDisplay() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
-app::RunOptions optionsOf(const Arguments& arguments) {
+bool isScene(const std::string& file) {
+  const auto extension = std::filesystem::path(file).extension();
+  return extension == ".sdf" || extension == ".world" || extension == ".xml";
+}
+
+bool opensLogs(const Arguments& arguments) { return !arguments.files.empty() && !isScene(arguments.files.front()); }
+
+app::RunOptions simulationOf(const Arguments& arguments) {
   app::RunOptions options = app::Workbench::defaultOptions();
-  if (!arguments.scene.empty()) options.scene = arguments.scene;
-  for (const auto& layout : app::Workbench::layouts()) {
-    if (layout.stem() == arguments.layout) options.layout = layout;
-  }
-  if (!arguments.layout.empty() && options.layout.stem() != arguments.layout) options.layout = arguments.layout;
+  if (!arguments.files.empty()) options.scene = arguments.files.front();
+  if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
   options.world.seed = arguments.seed;
   return options;
 }
 
-/// What was asked for on the command line, once there is a simulation that can do it.
-void runCommands(app::Workbench& workbench, const Arguments& arguments) {
-  std::vector<std::string> lines = arguments.commands;
-  if (!arguments.paused) lines.insert(lines.begin(), "simulation.start");
-  for (const std::string& line : lines) {
-    if (const auto done = workbench.commands().runLine(line); !done) {
-      std::cerr << "robotcontrol: " << line << ": " << done.error().describe() << "\n";
+/// Starts what the command line asks for. False: it makes no sense.
+bool load(app::Workbench& workbench, const Arguments& arguments) {
+  if (!opensLogs(arguments)) {
+    if (arguments.files.size() > 1) {
+      std::cerr << "robotcontrol: one world can be simulated at a time; several files must all be logs\n";
+      return false;
     }
+    workbench.load(simulationOf(arguments));
+    return true;
   }
+  std::vector<app::ReplayLog> logs;
+  for (const std::string& file : arguments.files) {
+    if (isScene(file)) {
+      std::cerr << "robotcontrol: " << file << " is a world; it cannot be opened together with logs\n";
+      return false;
+    }
+    logs.push_back({file});
+  }
+  workbench.openLogs(std::move(logs), arguments.layout.empty() ? std::filesystem::path()
+                                                               : app::Workbench::layoutNamed(arguments.layout));
+  return true;
 }
+
+/// Starts the simulation that is being loaded, and runs what was asked for on the command line, one after the other, each when
+/// what the one before opens is there.
+class Script : public QObject {
+ public:
+  Script(app::Workbench& workbench, const Arguments& arguments, QObject* parent)
+      : QObject(parent),
+        workbench_(workbench),
+        lines_(arguments.commands),
+        start_(!arguments.paused && !opensLogs(arguments)) {
+    startTimer(20);
+  }
+
+ protected:
+  void timerEvent(QTimerEvent* event) override {
+    if (workbench_.loading()) return;
+    if (start_ && workbench_.loaded() != nullptr) run("simulation.start");
+    start_ = false;
+    while (next_ < lines_.size() && !workbench_.loading()) run(lines_[next_++]);
+    if (next_ == lines_.size()) killTimer(event->timerId());
+  }
+
+ private:
+  void run(const std::string& line) {
+    const auto done = workbench_.commands().runLine(line);
+    if (!done) std::cerr << "robotcontrol: " << line << ": " << done.error().describe() << "\n";
+  }
+
+  app::Workbench& workbench_;
+  const std::vector<std::string> lines_;
+  bool start_;
+  std::size_t next_ = 0;
+};
 
 /// Without a display Qt says of each window what it cannot do with it; nobody wants to know.
 void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
@@ -96,8 +146,8 @@ int run(const Arguments& arguments) {
   app::MainWindow window(workbench, robotlink::userDirectory());
   if (!arguments.perspective.empty()) window.showPerspective(QString::fromStdString(arguments.perspective));
   window.show();
-  workbench.load(optionsOf(arguments));
-  runCommands(workbench, arguments);
+  if (!load(workbench, arguments)) return kUsage;
+  new Script(workbench, arguments, &window);
   if (!arguments.screenshot.empty()) {
     QTimer::singleShot(static_cast<int>(arguments.after * 1000), &window, [&] {
       QApplication::exit(takePicture(window, arguments.screenshot));

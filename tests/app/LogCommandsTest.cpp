@@ -24,6 +24,7 @@ class LogCommandsTest : public testing::Test {
     status->set_begin(486'000'000'000);
     status->set_end(496'000'000'000);
     status->add_packages()->set_package("nao/models/ball");
+    status->add_logs()->set_path("/logs/a.mcap");
     workbench.session().push({"replay", robotlink::Instant(std::chrono::seconds(486)), status});
     workbench.session().setRobots({"nao"});
     workbench.tick();
@@ -76,7 +77,13 @@ TEST_F(LogCommandsTest, packagesAreChosenWithOrWithoutTheirRobot) {
   EXPECT_EQ(run("log.package models/ball recomputed"), "packages { package: \"nao/models/ball\" source: RECOMPUTED }");
   EXPECT_EQ(run("log.package nao/models/ball logged"), "packages { package: \"nao/models/ball\" source: AS_LOGGED }");
   EXPECT_EQ(run("log.package models/ball automatic"), "packages { package: \"nao/models/ball\" }");
-  EXPECT_EQ(run("log.offset a.mcap -1.5"), "offsets { log: \"a.mcap\" offset: -1500000000 }");
+}
+
+TEST_F(LogCommandsTest, aLogIsShiftedByItsPathOrName) {
+  openLog();
+  EXPECT_EQ(run("log.offset /logs/a.mcap -1.5"), "offsets { log: \"/logs/a.mcap\" offset: -1500000000 }");
+  EXPECT_EQ(run("log.offset a.mcap 2"), "offsets { log: \"/logs/a.mcap\" offset: 2000000000 }");
+  EXPECT_EQ(run("log.offset b.mcap 2"), "offsets { log: \"b.mcap\" offset: 2000000000 }");
 }
 
 TEST_F(LogCommandsTest, whatIsWrongIsSaidWithWhatIsAllowed) {

@@ -6,6 +6,7 @@
 #include <fstream>
 
 #include "tests/app/Desk.h"
+#include "tests/app/ShortLog.h"
 
 namespace {
 
@@ -183,6 +184,27 @@ class WorkbenchGuiTest : public QObject {
              qPrintable(desk.find<QLabel>("errorText").text()));
     const double time = desk.status()->time();
     QTRY_VERIFY_WITH_TIMEOUT(desk.status()->time() > time, kWaitMs);
+  }
+
+  void aLogTakesTheSimulationsPlaceUntilASceneIsChosen() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto file = home_ / "short.mcap";
+    QCOMPARE(app::test::ShortLog::write(file), std::string());
+    QVERIFY(desk.workbench.commands().runLine("log.open \"" + file.string() + "\""));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("statusTime").text().contains(QStringLiteral("frame 102")), kWaitMs);
+    QCOMPARE(desk.find<QLabel>("statusState").text(), QStringLiteral("paused"));
+    QVERIFY(desk.window.windowTitle().startsWith(QStringLiteral("short.mcap")));
+    QVERIFY(desk.status() == nullptr);
+    QVERIFY(!desk.find<QAction>("simulation.start").isEnabled());
+    QVERIFY(!desk.find<QToolButton>("stopButton").isEnabled());
+    auto& scene = desk.find<QComboBox>("sceneBox");
+    QCOMPARE(scene.currentText(), QString());
+    scene.setFocus();
+    QTest::keyClick(&scene, Qt::Key_Down);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(!desk.window.windowTitle().startsWith(QStringLiteral("short.mcap")));
+    QVERIFY(!desk.find<QLabel>("errorText").isVisible());
   }
 
   void lightAndDarkReachEveryView() {

@@ -75,6 +75,20 @@ class FieldViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(-2.05, 1.3), s.named("white"), 2));  // a corner's triangle
   }
 
+  void anotherFieldIsFollowed() {
+    Shown s;
+    const QRgb green = s.colorAt(1.2, 0.9).rgb();
+    auto other = std::make_shared<robotlink::FieldDescription>(*s.world.context.field);
+    other->length *= 1.5;
+    const double before = s.canvas->transform().m11();
+    s.world.context.field = other;
+    s.step();
+    QVERIFY(s.canvas->transform().m11() < before);
+    s.world.context.field = nullptr;
+    s.step();
+    QVERIFY(s.colorAt(1.2, 0.9).rgb() != green);
+  }
+
   void trueAndEstimatedPosesDiffer() {
     Shown s;
     s.placeThings();

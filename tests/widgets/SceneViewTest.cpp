@@ -9,6 +9,7 @@
 #include <QTest>
 #include <set>
 
+#include "robotcontrol/Logging.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
@@ -75,6 +76,15 @@ class SceneViewTest : public QObject {
     const auto renderer = SceneRenderer::create();
     if (!renderer) QSKIP(renderer.error().text.c_str());
     qInfo("drawn by %s", renderer->device().c_str());
+  }
+
+  void withoutASceneItIsSaidWhy() {
+    Shown s;
+    QVERIFY(s.step());
+    QVERIFY(s.canvas->hint().contains(QStringLiteral("start a simulation")));
+    s.world.session.push({"replay", robotlink::Instant{}, std::make_shared<robotcontrol::ReplayStatus>()});
+    QVERIFY(s.step());
+    QVERIFY(s.canvas->hint().contains(QStringLiteral("log holds no scene")));
   }
 
   void theBallIsOrangeWhereItLies() {

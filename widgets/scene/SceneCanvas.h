@@ -28,6 +28,7 @@ class SceneCanvas final : public QWidget {
   /// A sentence at the upper edge; empty: none. And what is said where there is no scene.
   void setNotice(const QString& text);
   void setHint(const QString& text);
+  const QString& hint() const { return hint_; }
 
   const SceneCamera& camera() const { return camera_; }
   void setCamera(const SceneCamera& camera);

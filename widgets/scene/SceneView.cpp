@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/DrawingsPanel.h"
@@ -91,7 +92,6 @@ void SceneView::createCameraActions() {
 void SceneView::createViews() {
   canvas_ = new SceneCanvas(SceneRenderer::create, this);
   canvas_->setContextMenuPolicy(Qt::PreventContextMenu);
-  canvas_->setHint(tr("No scene yet: start a simulation, or connect to a robot."));
   auto* panel = new DrawingsPanel(*drawings_, this);
   panel->hide();
   splitter_ = new QSplitter(this);
@@ -178,6 +178,9 @@ void SceneView::tick() {
   drag_.tick(session());
   const QString refusal = drag_.refusal();
   canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
+  const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
+  canvas_->setHint(log ? tr("This log holds no scene; the field view shows where its robots believe they are.")
+                       : tr("No scene yet: start a simulation, or open a log."));
   canvas_->setMovable(scene_.models(), move_->isChecked());
   follow();
   canvas_->setContents(contents(beliefs_));

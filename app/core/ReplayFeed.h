@@ -1,0 +1,80 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <map>
+#include <memory>
+#include <optional>
+#include <string>
+
+#include "app/core/Outlet.h"
+#include "app/core/PlatformFeed.h"
+#include "app/core/Playback.h"
+#include "robotcontrol/Requests.pb.h"
+
+namespace app {
+
+/// A ReplayRun in the workbench: played, stepped and jumped in as requests say, it tells a session what the logs hold and what the
+/// programs say that run on them, and its own status on the stream "replay". The session must outlive it.
+///
+/// After a jump, the session is told anew, as a whole. While it is paused, what was asked of a program is shown at once: the
+/// programs run again up to where the log stands.
+class ReplayFeed final : public PlatformFeed {
+ public:
+  /// Paused: at `time`, or, if that is not given, at the first image.
+  static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(ReplayOptions options,
+                                                                             robotlink::Session& session,
+                                                                             std::optional<robotlink::Instant> time = {});
+  /// Plays as another one did that it takes the place of; both have logs in common.
+  void goOnLike(const ReplayFeed& before);
+
+  void begin() override;
+  std::optional<PacedThread::Clock::time_point> due() override;
+  void step() override;
+  robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
+  robotlink::Errors setLayout(const std::filesystem::path& file) override;
+  LoadedPlatform describe() const override;
+  void publishStatus() override;
+
+  robotlink::Instant now() const { return run_->now(); }
+  /// With what was chosen since.
+  ReplayOptions options() const;
+
+ private:
+  using Clock = PacedThread::Clock;
+  using Change = std::function<robotlink::Errors()>;
+
+  explicit ReplayFeed(robotlink::Session& session) : session_(session), outlet_(session) {}
+  ReplayRun::Listeners listeners();
+  Playback::Place place() const;
+  robotlink::Instant firstImage() const;
+  /// That something failed for which nobody asked just now; it is paused.
+  void tellFailure(const robotlink::Result<void>& done);
+  /// What the change tells takes the place of all that was told; if it fails, that stays.
+  robotlink::Errors tellAnew(const Change& change);
+  robotlink::Result<void> changed(const Change& change);
+  robotlink::Result<void> jump(robotlink::Instant time);
+  robotlink::Result<void> goTo(robotlink::Instant time);
+
+  robotlink::Result<void> control(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> set(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> change(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> askProgram(const robotcontrol::Request& request);
+  robotlink::Result<void> act(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> play();
+  bool leads(robotlink::Instant to, int count) const;
+  robotlink::Result<void> stepFrames(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> stepMessages(const robotcontrol::ControlReplay& control);
+  robotlink::Result<void> jumpToFrame(const robotcontrol::ControlReplay& control);
+
+  robotlink::Session& session_;
+  Outlet outlet_;
+  std::unique_ptr<ReplayRun> run_;
+  Playback playback_;
+  // What programs were asked for and keep: solutions, parameters, colour tables; each as it was asked for last.
+  std::map<std::string, robotcontrol::Request> chosen_;
+  bool stale_ = false;  // a program was asked for something that it has not yet done with the log where it stands
+  Clock::time_point lastStatus_;
+};
+
+}  // namespace app
