@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "bhuman/QueueText.h"
+#include "bhuman/QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/mcap/Reader.h"
 #include "robotcontrol/Logging.pb.h"

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "QueueText.h"
+#include "QueueBuilder.h"
 #include "logplayer/bhuman/QueueImport.h"
 #include "robotlink/base/Random.h"
 
@@ -66,8 +66,8 @@ TEST(DamagedLog, headersOfMessagesCostFewMessages) {
     while (const auto message = reader.next()) offsets.push_back(message->offset);
   }
   robotlink::Random random(7);
-  for (int i = 0; i < 1000; ++i) {
-    const std::size_t at = static_cast<std::size_t>(offsets[random.bits() % offsets.size()]) + i % 4;
+  for (std::uint64_t i = 0; i < 1000; ++i) {
+    const std::size_t at = static_cast<std::size_t>(offsets[random.bits() % offsets.size()] + i % 4);
     const std::uint8_t was = log[at];
     log[at] = static_cast<std::uint8_t>(random.bits());
     EXPECT_GE(readAround(log, at) + 3, all)

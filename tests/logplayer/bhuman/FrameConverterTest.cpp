@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "QueueText.h"
+#include "QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/bhuman/QueueImport.h"

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "QueueText.h"
+#include "QueueBuilder.h"
 
 using namespace logplayer::bhuman;
 

@@ -4,7 +4,7 @@
 
 #include <cmath>
 
-#include "QueueText.h"
+#include "QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/bhuman/QueueImport.h"

@@ -5,7 +5,7 @@
 #include <cstdlib>
 
 #include "logplayer/bhuman/QueueImport.h"
-#include "tests/logplayer/bhuman/QueueText.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "tests/logplayer/fuzz/FuzzTarget.h"
 
 using namespace logplayer;

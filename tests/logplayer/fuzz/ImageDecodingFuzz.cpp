@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "logplayer/ImageCoding.h"
-#include "tests/logplayer/bhuman/QueueText.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "tests/logplayer/fuzz/FuzzTarget.h"
 
 using namespace logplayer;

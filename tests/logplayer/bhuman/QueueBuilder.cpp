@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "QueueText.h"
+#include "QueueBuilder.h"
 
 #include <bit>
 #include <cmath>
