@@ -31,7 +31,7 @@ void PackageBoard::beginFrame() {
 
 void PackageBoard::send(Entry& entry, PackagePtr package) {
   put(entry, package);
-  if (entry.sender) entry.sender->send(package);
+  if (entry.sender) entry.sender->send(std::move(package));
 }
 
 void PackageBoard::put(Entry& entry, PackagePtr package) {

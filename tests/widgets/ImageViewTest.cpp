@@ -191,6 +191,23 @@ class ImageViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(40, 40), QColor(40, 90, 230)));
   }
 
+  void theListOfDrawingsSaysWhyItIsEmpty() {
+    Shown s;
+    s.click("imageDrawings");
+    auto* hint = child<QLabel>(*child<QListView>(s.view, "drawingsList"), "emptyHint");
+    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("Debug keys")));
+    s.world.pushImage("red1/camera/image", kImage, kGrass);
+    s.world.pushFrame({square("ball", colors::kPink)});
+    s.step();
+    QVERIFY(!hint->isVisible());
+    auto* search = child<QLineEdit>(s.view, "drawingsSearch");
+    search->setFocus();
+    QTest::keyClicks(search, QStringLiteral("x"));
+    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("No drawing")));
+    QTest::keyClick(search, Qt::Key_Escape);
+    QVERIFY(!hint->isVisible());
+  }
+
   void theWheelZoomsToTheCursor() {
     Shown s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);

@@ -309,6 +309,8 @@ class SceneViewTest : public QObject {
     s.click("sceneDrawings");
     auto* list = child<QListView>(s.view, "drawingsList");
     QVERIFY(list->isVisible());
+    QVERIFY(s.step());  // the canvas is narrower now
+    QVERIFY(isNear(s.colorAt({1, 0.6, 0}), QColor(250, 90, 170)));
     QTest::mouseClick(list->viewport(), Qt::LeftButton, {},
                       list->visualRect(list->model()->index(0, 0)).topLeft() + QPoint(10, 8));
     QTRY_VERIFY(isNear(s.colorAt({1, 0.6, 0}), s.named("green"), 8));
