@@ -140,6 +140,7 @@ BookmarkChanges readBookmarks(mcap::Reader& log) {
 }
 
 Result<void> writeBookmarks(mcap::Writer& log, const BookmarkChanges& changes) {
+  if (changes.empty()) return {};
   const auto* type = foxglove::Event::descriptor();
   const auto schema = log.addSchema(type->full_name(), "protobuf", robotlink::schemaOf(*type));
   if (!schema) return tl::unexpected(schema.error());

@@ -9,6 +9,7 @@
 #include <random>
 
 #include "logplayer/BookmarkStorage.h"
+#include "logplayer/LogAppend.h"
 #include "robotlink/session/VersionedFile.h"
 
 namespace logplayer {
@@ -40,13 +41,6 @@ class FileLock {
   int file_;
   bool held_;
 };
-
-Result<void> append(const std::filesystem::path& file, const BookmarkChanges& changes) {
-  auto writer = mcap::Writer::append(file, {});
-  if (!writer) return tl::unexpected(writer.error());
-  if (const auto written = writeBookmarks(**writer, changes); !written) return written;
-  return (*writer)->close();
-}
 
 }  // namespace
 
@@ -137,7 +131,10 @@ Result<void> Bookmarks::save() {
   const BookmarkChanges toLog = difference(inLog, result);
 
   bool inFile = stored->canAppend;
-  if (inFile && !toLog.empty()) inFile = append(file_, toLog).has_value();
+  if (inFile && !toLog.empty()) {
+    const auto write = [&](mcap::Writer& writer) { return writeBookmarks(writer, toLog); };
+    inFile = appendToLog(file_, write).has_value();
+  }
   if (const auto written = writeBookmarksBeside(file_, inFile ? BookmarkChanges{} : toLog); !written)
     return written;
   savedIn_ = inFile ? file_ : fileBeside(file_);

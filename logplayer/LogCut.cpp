@@ -1,15 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/LogCut.h"
 
-#include <google/protobuf/message.h>
-
 #include <algorithm>
 #include <iterator>
 
 #include "logplayer/BookmarkStorage.h"
 #include "logplayer/LogSource.h"
 #include "logplayer/MessageChange.h"
-#include "logplayer/MessageType.h"
+#include "logplayer/MessageCopier.h"
 #include "logplayer/OutputFile.h"
 #include "logplayer/mcap/Writer.h"
 #include "robotlink/debugging/Streams.h"
@@ -28,21 +26,14 @@ tl::unexpected<robotlink::Error> givenUp() {
   return robotlink::failure("log.given-up", "given up; nothing was written");
 }
 
-/// How an input's channel comes into the new log.
-struct TargetChannel {
-  std::uint16_t id = 0;
-  std::optional<MessageType> type;  ///< only where messages may have to be changed
-};
-
 struct Input {
   explicit Input(LogSource opened) : source(std::move(opened)) {}
 
   LogSource source;
   Duration offset{0};
-  MessageChange change;
-  std::map<std::uint16_t, TargetChannel> targets;  // by channel
-  std::optional<LogUnit> unit;                     // the next
-  std::uint64_t unchanged = 0;  // messages that should have been changed, but make no sense
+  std::map<std::string, std::string> names;  // of robots that get new ones
+  std::optional<MessageCopier> copier;
+  std::optional<LogUnit> unit;  // the next
 };
 
 /// One rewriting, from the inputs to the file.
@@ -58,8 +49,6 @@ class Rewriting {
   Result<void> writeHeld();
   Result<void> writeUnits();
   Result<void> writeUnit(Input& input, const LogUnit& unit);
-  Result<void> writeMessage(Input& input, const mcap::Message& message);
-  Result<TargetChannel*> targetOf(Input& input, std::uint16_t channel);
   Result<void> writeRest();
   Result<void> writeAllBookmarks();
   Result<void> writeOrigin(const Input& input);
@@ -88,6 +77,10 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
   auto writer = mcap::Writer::create(output->temporary(), wishes);
   if (!writer) return tl::unexpected(writer.error());
   writer_ = std::move(*writer);
+  for (const auto& input : inputs_) {
+    input->copier.emplace(input->source.reader(), *writer_, input->offset,
+                          MessageChange(input->offset, input->names));
+  }
   for (const auto step : {&Rewriting::writeHeld, &Rewriting::writeUnits, &Rewriting::writeRest}) {
     if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
   }
@@ -124,7 +117,7 @@ Result<void> Rewriting::openInputs() {
 }
 
 void Rewriting::nameRobots(Input& input) {
-  std::map<std::string, std::string> names;
+  auto& names = input.names;
   for (const std::string& robot : input.source.robots()) {
     std::string name = robot;
     for (int number = 2; robots_.contains(name); ++number) name = robot + "-" + std::to_string(number);
@@ -134,7 +127,6 @@ void Rewriting::nameRobots(Input& input) {
   }
   for (const std::string& robot : input.source.robots())
     robots_.insert(names.contains(robot) ? names[robot] : robot);
-  input.change = MessageChange(input.offset, std::move(names));
 }
 
 // A world is told once, or robots would be seen twice at different places.
@@ -171,7 +163,7 @@ Result<void> Rewriting::writeHeld() {
       mcap::Message message = data.message;
       message.logTime = *options_.from - input->offset;
       message.sequence = 0;
-      if (const auto written = writeMessage(*input, message); !written) return written;
+      if (const auto written = input->copier->copy(message); !written) return written;
     }
   }
   return writer_->endGroup();
@@ -213,54 +205,10 @@ tl::unexpected<robotlink::Error> Rewriting::nothingLeft() const {
 Result<void> Rewriting::writeUnit(Input& input, const LogUnit& unit) {
   writer_->beginGroup();
   for (const auto& data : unit.messages) {
-    if (const auto written = writeMessage(input, data.message); !written) return written;
+    if (const auto written = input.copier->copy(data.message); !written) return written;
   }
   if (unit.frame) ++report_.frames;
   return writer_->endGroup();
-}
-
-Result<TargetChannel*> Rewriting::targetOf(Input& input, std::uint16_t channel) {
-  const auto [found, added] = input.targets.try_emplace(channel);
-  if (!added) return &found->second;
-  const auto& from = input.source.reader().channels().at(channel);
-  const auto schema = input.source.reader().schemas().find(from.schemaId);
-  const bool hasSchema = schema != input.source.reader().schemas().end();
-  std::uint16_t schemaId = 0;
-  if (hasSchema) {
-    const auto id = writer_->addSchema(schema->second.name, schema->second.encoding, schema->second.data);
-    if (!id) return tl::unexpected(id.error());
-    schemaId = *id;
-    MessageType type(&schema->second, from.messageEncoding);
-    const auto empty = type.read({});
-    if (empty && input.change.concerns(*empty->GetDescriptor())) found->second.type = std::move(type);
-  }
-  const auto id =
-      writer_->addChannel(input.change.renamed(from.topic), schemaId, from.messageEncoding, from.metadata);
-  if (!id) return tl::unexpected(id.error());
-  found->second.id = *id;
-  return &found->second;
-}
-
-Result<void> Rewriting::writeMessage(Input& input, const mcap::Message& message) {
-  const auto target = targetOf(input, message.channelId);
-  if (!target) return tl::unexpected(target.error());
-  mcap::Message moved = message;
-  moved.channelId = (*target)->id;
-  moved.logTime += input.offset;
-  moved.publishTime += input.offset;
-  std::string data;
-  if ((*target)->type) {
-    if (const auto value = (*target)->type->read(message.data)) {
-      const std::unique_ptr<google::protobuf::Message> changed(value->New());
-      changed->CopyFrom(*value);
-      input.change.apply(*changed);
-      data = changed->SerializeAsString();
-      moved.data = {reinterpret_cast<const std::uint8_t*>(data.data()), data.size()};
-    } else {
-      ++input.unchanged;
-    }
-  }
-  return writer_->write(moved);
 }
 
 Result<void> Rewriting::writeRest() {
@@ -336,9 +284,9 @@ void Rewriting::conclude() {
   for (const auto& input : inputs_) {
     append(report_.notes, input->source.notes());
     append(report_.losses, input->source.losses());
-    if (input->unchanged == 0) continue;
+    if (input->copier->unchanged() == 0) continue;
     report_.losses.push_back(
-        input->source.file().string() + ": " + std::to_string(input->unchanged) +
+        input->source.file().string() + ": " + std::to_string(input->copier->unchanged()) +
         " messages make no sense by their schemas; times and names in them stay as they were");
   }
 }

@@ -38,7 +38,7 @@ void describeContainer(mcap::Reader& reader, LogInfo& info) {
     info.uncompressedBytes += chunk.uncompressedBytes;
   }
   info.attachments = reader.attachmentNames();
-  for (const mcap::Metadata& metadata : reader.metadata()) info.metadata[metadata.name] = metadata.values;
+  info.metadata = reader.metadata();
 }
 
 void count(const LogFile::Stream& stream, LogInfo& info) {

@@ -42,7 +42,7 @@ struct LogInfo {
   std::map<std::string, std::uint64_t> compressions;         ///< chunks by "none", "lz4", "zstd"
   std::string library;                                       ///< that wrote it
   std::vector<std::string> attachments;
-  std::map<std::string, std::map<std::string, std::string>> metadata;
+  std::vector<mcap::Metadata> metadata;
 
   bool complete = true;  ///< ends as it should
   std::vector<mcap::Damage> damage;

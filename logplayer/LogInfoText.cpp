@@ -3,6 +3,8 @@
 #include <array>
 #include <cstdio>
 #include <nlohmann/json.hpp>
+#include <string_view>
+#include <utility>
 
 #include "logplayer/LogInfo.h"
 
@@ -85,10 +87,45 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-std::string list(const std::map<std::string, std::uint64_t>& counts) {
+std::vector<std::string> list(const std::map<std::string, std::uint64_t>& counts) {
   std::vector<std::string> parts;
   for (const auto& [name, count] : counts) parts.push_back(countText(count) + " " + name);
-  return joined(parts);
+  return parts;
+}
+
+/// Adds a named row, or several if there is too much for one line.
+void addParts(Table& table, std::string name, const std::vector<std::string>& parts) {
+  constexpr std::size_t kWidth = 90;
+  std::string line;
+  for (std::size_t i = 0; i < parts.size(); ++i) {
+    if (!line.empty() && line.size() + parts[i].size() > kWidth) {
+      table.add({std::exchange(name, ""), std::exchange(line, "")});
+    }
+    line += (line.empty() ? "" : " ") + parts[i] + (i + 1 < parts.size() ? "," : "");
+  }
+  if (!line.empty()) table.add({name, line});
+}
+
+std::vector<std::string> frameParts(const LogInfo& info) {
+  std::map<std::string, std::uint64_t> steps, frames;
+  for (const auto& [process, count] : info.framesOf)
+    (process.ends_with("/platform") ? steps : frames)[process] = count;
+  std::vector<std::string> parts = list(frames);
+  if (parts.size() > 1) parts.insert(parts.begin(), countText(info.frames) + " in all");
+  for (const auto& [process, count] : steps) parts.push_back(countText(count) + " steps of " + process);
+  return parts;
+}
+
+std::vector<std::string> valueParts(const mcap::Metadata& record) {
+  std::vector<std::string> parts;
+  for (const auto& [key, value] : record.values) parts.push_back(key + " " + value);
+  return parts;
+}
+
+/// Names of our own records without what they begin with.
+std::string recordName(const std::string& name) {
+  constexpr std::string_view kOurs = "robotcontrol.";
+  return name.starts_with(kOurs) ? name.substr(kOurs.size()) : name;
 }
 
 std::string compressionText(const LogInfo& info) {
@@ -115,18 +152,14 @@ std::string figures(const LogInfo& info) {
                   ? "no messages"
                   : timeText(info.begin) + " to " + timeText(info.end) + ", " +
                         formatted("%.3f s", robotlink::seconds(info.end - info.begin)) + " long");
-  add("robots", joined(info.robots));
+  addParts(table, "robots", info.robots);
   add("messages", countText(info.messages) + " in " + countText(info.streams.size()) + " streams");
-  add("frames", info.framesOf.empty() ? "" : countText(info.frames) + " (" + list(info.framesOf) + ")");
+  addParts(table, "frames", frameParts(info));
   add("images", countText(info.images));
-  add("attachments", joined(info.attachments));
-  add("not understood", list(info.notUnderstood));
-  for (const auto& [name, values] : info.metadata) {
-    std::vector<std::string> parts;
-    for (const auto& [key, value] : values) parts.push_back(key + " " + value);
-    add(name.starts_with("robotcontrol.") ? name.c_str() + std::string("robotcontrol.").size() : name.c_str(),
-        joined(parts));
-  }
+  addParts(table, "attachments", info.attachments);
+  addParts(table, "not understood", list(info.notUnderstood));
+  for (const mcap::Metadata& record : info.metadata)
+    addParts(table, recordName(record.name), valueParts(record));
   return table.text();
 }
 
@@ -173,7 +206,10 @@ json toJson(const LogInfo& info) {
   result["uncompressed_bytes"] = info.uncompressedBytes;
   result["library"] = info.library;
   result["attachments"] = info.attachments;
-  result["metadata"] = info.metadata;
+  result["metadata"] = json::array();
+  for (const auto& record : info.metadata) {
+    result["metadata"].push_back({{"name", record.name}, {"values", record.values}});
+  }
   result["not_understood"] = info.notUnderstood;
   result["damage"] = json::array();
   for (const auto& damage : info.damage) {

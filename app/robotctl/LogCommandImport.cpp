@@ -89,7 +89,8 @@ int repair(const ImportArguments& arguments) {
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
   std::cout << arguments.to << ": " << report->messages << " messages";
   if (report->chunksLost > 0 || report->bytesLost > 0) {
-    std::cout << "; lost: " << report->chunksLost << " chunks, " << report->bytesLost << " bytes";
+    std::cout << "; lost: " << report->chunksLost << (report->chunksLost == 1 ? " chunk, " : " chunks, ")
+              << report->bytesLost << " bytes";
   }
   std::cout << "\n";
   return printLosses(logplayer::lossesOf(arguments.from, true, report->damage));

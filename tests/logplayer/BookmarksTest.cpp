@@ -4,6 +4,7 @@
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/file.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -42,6 +43,15 @@ class BookmarksTest : public testing::Test {
     EXPECT_TRUE((*reader)->complete());
     EXPECT_TRUE((*reader)->verify());
     EXPECT_TRUE((*reader)->damage().empty());
+  }
+
+  /// Whether `work` said yes there. For what a process cannot take back.
+  static bool inAnotherProcess(const std::function<bool()>& work) {
+    const pid_t child = ::fork();
+    if (child == 0) ::_exit(work() ? 0 : 1);
+    int status = 0;
+    ::waitpid(child, &status, 0);
+    return WIFEXITED(status) && WEXITSTATUS(status) == 0;
   }
 
   TestFolder folder_;
@@ -158,14 +168,36 @@ TEST_F(BookmarksTest, savingWithoutChangesTouchesNothing) {
 }
 
 TEST_F(BookmarksTest, aReadOnlyLogGetsAFileBesideIt) {
-  if (::geteuid() == 0) GTEST_SKIP() << "root may write everywhere";
-  std::filesystem::permissions(log(), std::filesystem::perms::owner_read);
-  Bookmarks bookmarks = opened();
-  EXPECT_EQ(bookmarks.savedIn(), fileBeside(log()));
-  bookmarks.add(Instant(1s), Instant(1s), "a");
-  ASSERT_TRUE(bookmarks.save());
+  using std::filesystem::perms;
+  std::filesystem::permissions(log(), perms::owner_read | perms::group_read | perms::others_read);
+  std::filesystem::permissions(folder_.path(), perms::all);
+  const auto before = robotlink::readFile(log());
+  EXPECT_TRUE(inAnotherProcess([&] {
+    if (::geteuid() == 0 && ::setuid(65534) != 0) return false;  // root may write everywhere
+    Bookmarks bookmarks = opened();
+    const bool beside = bookmarks.savedIn() == fileBeside(log());
+    bookmarks.add(Instant(1s), Instant(1s), "a");
+    return beside && bookmarks.save();
+  }));
   EXPECT_EQ(folder_.contents(), "a.mcap a.mcap.bookmarks.json");
+  EXPECT_EQ(robotlink::readFile(log()), before);
   EXPECT_EQ(savedTexts(), "a");
+}
+
+TEST_F(BookmarksTest, ifTheDiskIsFullTheLogKeepsItsEndAndTheyAreSavedBesideIt) {
+  const auto before = robotlink::readFile(log());
+  EXPECT_TRUE(inAnotherProcess([&] {
+    Bookmarks bookmarks = opened();
+    for (int i = 0; i < 100; ++i) bookmarks.add(Instant(1s), Instant(1s), std::to_string(i));
+    // Files can become hardly larger than the log is.
+    const rlimit limit{before->size() + 100, before->size() + 100};
+    std::signal(SIGXFSZ, SIG_IGN);
+    return ::setrlimit(RLIMIT_FSIZE, &limit) == 0 && bookmarks.save() &&
+           bookmarks.savedIn() == fileBeside(log());
+  }));
+  EXPECT_EQ(robotlink::readFile(log()), before);
+  EXPECT_EQ(opened().all().size(), 100U);
+  expectLogIsWhole();
 }
 
 TEST_F(BookmarksTest, aLogWithoutItsSummaryGetsAFileBesideItUntilItIsWhole) {

@@ -211,6 +211,7 @@ TEST_F(LogCutTest, messagesOfUnknownTypesAreCopiedAsTheyAre) {
     EXPECT_EQ(std::string(message.data.begin(), message.data.end()), "{\"x\": 1}");
     return true;
   });
+  ASSERT_EQ((*reader)->schemas().size(), 1U) << "and nothing else is in it";
   EXPECT_EQ((*reader)->schemas().begin()->second.encoding, "jsonschema");
 }
 
