@@ -30,9 +30,8 @@ class DamageTest : public testing::TestWithParam<Compression> {
   void SetUp() override {
     Writer::Options options;
     options.compression = GetParam();
-    options.chunkBytes = isSlow() ? 8000 : 700;
-    messages_ =
-        isSlow() ? someMessages(GetParam() == Compression::kNone ? 520 : 700, 80) : someMessages(40, 24);
+    options.chunkBytes = isSlow() ? 8000 : 500;
+    messages_ = isSlow() ? someMessages(480, 80) : someMessages(32, 16);
     writeLog(log_, messages_, options);
     bytes_ = readBytes(log_);
     chunks_ = test::open(log_)->chunks();

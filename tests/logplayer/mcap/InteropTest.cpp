@@ -49,13 +49,13 @@ std::string lineOf(const std::string& reader, const Told& told) {
 
 class InteropTest : public testing::TestWithParam<Compression> {
  protected:
+  static void SetUpTestSuite() { check_ = runScript("--check"); }
   void SetUp() override {
-    const Output output = runScript("--check");
-    if (output.status == 0) return;
+    if (check_.status == 0) return;
     GTEST_SKIP()
-        << "it takes node with the packages @mcap/core and @mcap/support: npm install them anywhere, and set "
-           "ROBOTCONTROL_NODE_MODULES to the folder node_modules there ("
-        << output.text << ")";
+        << "it takes node with the packages @mcap/core and @mcap/support: npm install them anywhere, "
+           "and set ROBOTCONTROL_NODE_MODULES to the folder node_modules there ("
+        << check_.text << ")";
   }
   /// What the script must print of these messages, given in the order of the file.
   static std::vector<std::string> expectedLines(std::vector<Told> messages) {
@@ -88,6 +88,7 @@ class InteropTest : public testing::TestWithParam<Compression> {
     return options;
   }
 
+  static inline Output check_;
   TemporaryFolder folder_;
   std::filesystem::path log_ = folder_ / "log.mcap";
   std::vector<std::string> others_;
