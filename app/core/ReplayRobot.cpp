@@ -222,6 +222,7 @@ void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
 
 /// What is not told in every frame must be there from the start. What processes wait for is left out: they ran for it then.
 void ReplayRobot::giveWhatIsBefore(Instant time) {
+  if (!computes()) return;
   std::set<std::string> awaited;
   for (const auto& process : plan_.layout.processes) {
     for (const auto& input : process.blocking) awaited.insert(input.package);

@@ -131,7 +131,6 @@ bool ReplayRun::Implementation::step() {
   const auto time = nextTime();
   if (!time) return false;
   now = *time;
-  begun = true;
   for (const auto& source : sources) {
     const Instant logTime = source->inLog(now);
     if (source->reader.nextTime() != logTime) continue;
@@ -175,7 +174,13 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
   }
   const auto reader = options.tellPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
   auto taken = robotlink::messagesOf(robot, shown, now, reader);
-  for (StreamMessage& message : taken.messages) newest[message.path] = std::move(message);
+  for (StreamMessage& message : taken.messages) {
+    if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
+      history.push_back(std::move(message));
+    } else {
+      newest[message.path] = std::move(message);
+    }
+  }
   for (const auto& message : shown->messages()) {
     if (!message.has_result()) continue;
     if (!answers) answers = std::make_shared<DebugQueue>();
@@ -200,19 +205,20 @@ void ReplayRun::Implementation::note(const Source& source, const std::string& ro
 Errors ReplayRun::Implementation::jump(Instant time) {
   quiet = true;
   newest.clear();
+  history.clear();
   answers.reset();
   notes.clear();
   now = time;
-  begun = true;
   Errors errors;
   for (const auto& source : sources) {
     const Errors own = jump(*source, time);
     errors.insert(errors.end(), own.begin(), own.end());
   }
   quiet = false;
-  std::vector<StreamMessage> messages;
+  std::vector<StreamMessage> messages = std::exchange(history, {});
   for (const auto& source : sources) {
-    for (const StreamMessage& message : source->reader.newest(source->inLog(time))) {
+    const Instant logTime = source->inLog(time);
+    for (const StreamMessage& message : source->reader.past(logTime - options.preroll, logTime)) {
       if (auto shown = told(*source, message)) messages.push_back(std::move(*shown));
     }
   }
@@ -278,22 +284,23 @@ void ReplayRun::Implementation::runQuietly(Source& source, Instant from, Instant
 
 Errors ReplayRun::Implementation::changeChoices(
     const std::function<void(const std::string&, ReplayChoices&)>& change) {
-  std::vector<std::pair<ReplayRobot*, ReplayChoices>> before;
+  std::vector<std::function<void()>> takeBack;
   Errors errors;
   for (const auto& source : sources) {
     for (const auto& robot : source->robots) {
       ReplayChoices choices = robot->choices();
       change(robot->name(), choices);
-      before.emplace_back(robot.get(), robot->choices());
-      errors = robot->start(source->inLog(now), std::move(choices));
-      if (!errors.empty()) break;
+      const Instant logTime = source->inLog(now);
+      const auto undo = [&changed = *robot, before = robot->choices(), logTime] { (void)changed.start(logTime, before); };
+      errors = robot->start(logTime, std::move(choices));
+      if (!errors.empty()) break;  // nothing has changed there
+      takeBack.emplace_back(undo);
       robot->differences().clear();
     }
     if (!errors.empty()) break;
   }
   if (!errors.empty()) {
-    before.pop_back();  // refused, so nothing has changed there
-    for (auto& [robot, choices] : before) (void)robot->start(now, std::move(choices));
+    for (const auto& undo : takeBack) undo();
   }
   const Errors jumped = jump(now);
   errors.insert(errors.end(), jumped.begin(), jumped.end());

@@ -78,7 +78,8 @@ class ReplayRun {
   /// On to nextTime(); false at the end.
   bool step();
   /// Programs start anew, run over the preroll without being heard, and then over what is at `time` or last before it. Then the
-  /// newest message of every stream up to `time` is told, in order of time, also of what was recomputed on the way.
+  /// newest message of every stream up to `time` is told, in order of time, also of what was recomputed on the way; of numbers and
+  /// texts all of the preroll, so that plots and lists do not begin with a jump.
   robotlink::Errors jump(robotlink::Instant time);
 
   /// The process by whose frames one steps: "<robot>/<process>"; at first the one that takes the images. False: there is none

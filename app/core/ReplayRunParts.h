@@ -40,7 +40,6 @@ struct ReplayRun::Implementation {
   void runQuietly(Source& source, robotlink::Instant from, robotlink::Instant to);
   void give(Source& source, robotlink::Instant logTime, const std::vector<robotlink::StreamMessage>& messages);
   void tell(Source& source, const std::vector<robotlink::StreamMessage>& messages);
-  void tellNewest(Source& source, robotlink::Instant logTime);
   std::optional<robotlink::StreamMessage> told(Source& source, const robotlink::StreamMessage& message) const;
   void hear(const Source& source, const std::string& robot,
             const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
@@ -64,11 +63,11 @@ struct ReplayRun::Implementation {
   std::vector<std::unique_ptr<Source>> sources;
   std::shared_ptr<const robotcontrol::ColorTable> colorTable;
   robotlink::Instant now;
-  bool begun = false;  // something was shown: what is at now() is over
   std::string stepProcess;
 
-  // During a jump nobody listens: the newest message of each stream, and answers, to be told at its end.
+  // During a jump nobody listens: what programs tell, of streams without a history only the newest, is told at its end, and answers.
   bool quiet = false;
+  std::vector<robotlink::StreamMessage> history;
   std::map<std::string, robotlink::StreamMessage> newest;
   std::shared_ptr<robotcontrol::DebugQueue> answers;
   std::vector<robotlink::StreamMessage> notes;

@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/ReplaySource.h"
 
+#include <algorithm>
+#include <array>
+#include <string_view>
+
 #include "foxglove/Image.pb.h"
 #include "logplayer/ImageCoding.h"
+#include "robotlink/session/HeldMessages.h"
 
 namespace app {
 
@@ -14,6 +19,13 @@ namespace {
 constexpr std::size_t kMaxImageBytes = 64U << 20U;
 
 }  // namespace
+
+bool hasHistory(const std::string& path, const std::string& type) {
+  constexpr std::array<std::string_view, 4> kPictures{"foxglove.RawImage", "foxglove.CompressedImage",
+                                                      "foxglove.ImageAnnotations", "foxglove.SceneUpdate"};
+  return std::find(kPictures.begin(), kPictures.end(), type) == kPictures.end() &&
+         !robotlink::holdsUntilToldAnew(path, type);
+}
 
 ReplaySource::ReplaySource(std::shared_ptr<logplayer::LogFile> file)
     : file_(std::move(file)), cursor_(file_, {}) {}
@@ -42,10 +54,22 @@ std::vector<StreamMessage> ReplaySource::next() {
   return messages;
 }
 
-std::vector<StreamMessage> ReplaySource::newest(Instant time) {
+std::vector<StreamMessage> ReplaySource::past(Instant from, Instant to) {
   std::vector<StreamMessage> messages;
+  std::vector<std::string> withHistory;
   for (const auto& stream : file_->streams()) {
-    if (auto message = latest(stream.path, time)) messages.push_back(std::move(*message));
+    if (stream.first > to) continue;
+    if (hasHistory(stream.path, stream.type)) {
+      if (stream.last >= from) withHistory.push_back(stream.path);
+      if (file_->timeAfter(stream.path, from - robotlink::Duration(1)).value_or(Instant::max()) <= to) continue;
+    }
+    if (auto message = latest(stream.path, to)) messages.push_back(std::move(*message));
+  }
+  if (withHistory.empty()) return messages;
+  logplayer::LogFile::Cursor cursor(file_, withHistory);
+  cursor.seek(from);
+  while (cursor.nextTime() && *cursor.nextTime() <= to) {
+    if (auto message = cursor.next(); message && message->time <= to) messages.push_back(std::move(*message));
   }
   return messages;
 }

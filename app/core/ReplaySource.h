@@ -32,8 +32,8 @@ class ReplaySource {
   std::optional<robotlink::Instant> nextTime();
   /// All that was told at nextTime().
   std::vector<robotlink::StreamMessage> next();
-  /// The newest message of each stream not later than `time`.
-  std::vector<robotlink::StreamMessage> newest(robotlink::Instant time);
+  /// The newest message of each stream not later than `to`, and of streams with a history all since `from`.
+  std::vector<robotlink::StreamMessage> past(robotlink::Instant from, robotlink::Instant to);
   std::optional<robotlink::StreamMessage> latest(const std::string& stream, robotlink::Instant time);
 
   /// Of all messages of a stream, sorted; kept.
@@ -55,5 +55,9 @@ class ReplaySource {
   std::deque<ImageKey> imagesInOrder_;
   std::size_t imageBytes_ = 0;
 };
+
+/// Whether one looks back at what a stream told: at numbers and texts, but not at images, drawings, and what holds until it is told
+/// anew. `type` is the full name of its messages' type.
+bool hasHistory(const std::string& path, const std::string& type);
 
 }  // namespace app

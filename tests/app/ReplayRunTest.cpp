@@ -201,8 +201,10 @@ TEST_F(ReplayRunTest, anotherSolutionGivesOtherBytesAndTheFirstOneItsOwnAgain) {
   EXPECT_EQ(other.status().differences(0).different(), 0U);
 }
 
-TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndNothingOlder) {
-  Replay replay(file());
+TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndOfNumbersALittleMore) {
+  ReplayOptions options = replayOf({{file()}});
+  options.preroll = 100ms;
+  Replay replay(options);
   ASSERT_TRUE(replay.run);
   ASSERT_TRUE(replay.run->jump(at(1.003)).empty());
   EXPECT_EQ(replay.run->now(), at(1.003));
@@ -210,6 +212,8 @@ TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndNothingOlder) {
   EXPECT_EQ(replay.countOn("red1/camera/image"), 1U);
   EXPECT_EQ(replay.lastOn("red1/camera/image")->time, at(1.0));
   EXPECT_EQ(replay.lastOn("red1/joints/states")->time, at(1.0));
+  EXPECT_EQ(replay.countOn("red1/joints/states"), 13U) << "0.904 s to 1 s";
+  EXPECT_EQ(replay.countOn("red1/percepts/ball"), 3U) << "0.92 s to 1 s";
   EXPECT_EQ(replay.countOn("scene"), 1U);
   EXPECT_EQ(replay.countOn("red1/program"), 1U);
   EXPECT_EQ(replay.countOn("red1/logged/program"), 1U);
@@ -235,7 +239,6 @@ TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
   ASSERT_TRUE(jumped.run->jump(at(1.2)).empty());
   for (const char* path : {"red1/models/ball", "red1/models/pose", "red1/motion/status", "red1/logged/models/pose"}) {
     ASSERT_NE(jumped.lastOn(path), nullptr) << path;
-    EXPECT_EQ(jumped.countOn(path), 1U) << path;
     EXPECT_EQ(jumped.lastOn(path)->value->SerializeAsString(), played.lastOn(path)->value->SerializeAsString()) << path;
   }
   // And both go on alike.
