@@ -99,8 +99,10 @@ Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
   const auto before = std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
   clock_.set(time);
   Errors errors = readSetupAt(time);
-  if (errors.empty()) errors = makeProgram();
-  if (!errors.empty() && setup_ && setup_->layoutFromLog && choices_.packages.empty()) errors = playOnly(errors);
+  if (errors.empty()) {
+    errors = makeProgram();
+    if (!errors.empty() && setup_->layoutFromLog && choices_.packages.empty()) errors = playOnly(errors);
+  }
   if (!errors.empty()) {
     Instant then;
     std::tie(choices_, loggedSetup_, setup_, then) = before;

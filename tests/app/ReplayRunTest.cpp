@@ -310,6 +310,10 @@ TEST_F(ReplayRunTest, aLayoutCanBeChosenAndABadOneChangesNothing) {
   replay.told.clear();
   for (int i = 0; i < 50; ++i) replay.run->step();
   EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 2U);
+  // Nor where the log's own layout is in use.
+  Replay asLogged(file());
+  EXPECT_FALSE(asLogged.run->setLayout("/no/such.yaml").empty());
+  EXPECT_EQ(asLogged.run->options().layout, "");
 }
 
 TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
