@@ -20,12 +20,15 @@ struct RobotDescription;
 
 namespace widgets {
 
+class OpenLogs;
+
 /// What a view may use. All of it outlives the view.
 struct ViewContext {
   robotlink::Session& session;
   robotlink::CommandTable& commands;
   std::shared_ptr<const robotlink::FieldDescription> field;  ///< null: none is known
   std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> robots;  ///< by robot's name, "red1"
+  std::shared_ptr<OpenLogs> logs = {};  ///< those of the replay; see openLogs()
 };
 
 /// A dockable view of a session: everything it shows comes from the session's streams, everything it does is a request.

@@ -4,6 +4,7 @@
 #include <QApplication>
 #include <QCloseEvent>
 #include <QHBoxLayout>
+#include <QJsonArray>
 #include <QLabel>
 #include <QStatusBar>
 #include <QToolButton>
@@ -12,6 +13,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/StatusLine.h"
@@ -19,6 +21,7 @@
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Icon.h"
+#include "widgets/log/OpenLogs.h"
 
 namespace app {
 namespace {
@@ -47,6 +50,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   setWindowIcon(widgets::icon("app"));
   createDocks();
   createActions();
+  createLogs();
   createErrorBar();
   createMenus();
   connectSignals();
@@ -149,6 +153,7 @@ void MainWindow::tick() {
   workbench_.tick();
   toolBar_->refresh();
   recordingBar_->refresh();
+  tickLogs();
   status_->refresh();
   docks_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs) return;
@@ -166,6 +171,7 @@ void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
   resize(1600, 1000);
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
+  opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
   perspectives_.show(perspectives_.current(), *docks_);
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
@@ -176,11 +182,13 @@ void MainWindow::keepWindow() {
   perspectives_.keep(perspectives_.current(), *docks_);
   perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
                            {QStringLiteral("toolbars"), toText(saveState())},
+                           {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
                            {QStringLiteral("appearance"), nameOf(appearance_)}});
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  widgets::openLogs(context_).saveBookmarks();
   keepWindow();
   QMainWindow::closeEvent(event);
 }

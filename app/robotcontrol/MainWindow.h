@@ -20,6 +20,9 @@ class CDockManager;
 namespace app {
 
 class CommandActions;
+class LogOpening;
+class LogToolBar;
+class OpeningBar;
 class RecordingToolBar;
 class SimulationToolBar;
 class StatusLine;
@@ -46,19 +49,26 @@ class MainWindow : public QMainWindow {
  protected:
   void closeEvent(QCloseEvent* event) override;
   bool event(QEvent* event) override;
+  /// What no view wanted: the keys that play a log.
+  void keyPressEvent(QKeyEvent* event) override;
+  void dragEnterEvent(QDragEnterEvent* event) override;
+  void dropEvent(QDropEvent* event) override;
 
  private:
   void createDocks();
   void createActions();
+  void createLogs();
   void createErrorBar();
   void createMenus();
   void createFileMenu();
   void createViewMenu();
   void createRobotMenus();
+  void createLogMenu();
   void createWindowMenu();
   void createHelpMenu();
   void fillPerspectiveMenu();
   void connectSignals();
+  void tickLogs();
   void restoreWindow();
   void keepWindow();
   void openScene();
@@ -79,6 +89,9 @@ class MainWindow : public QMainWindow {
   ViewDocks* docks_ = nullptr;
   SimulationToolBar* toolBar_ = nullptr;
   RecordingToolBar* recordingBar_ = nullptr;
+  LogToolBar* logToolBar_ = nullptr;
+  LogOpening* opening_ = nullptr;
+  OpeningBar* openingBar_ = nullptr;
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;

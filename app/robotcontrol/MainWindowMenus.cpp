@@ -10,6 +10,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationToolBar.h"
@@ -22,6 +23,7 @@ void MainWindow::createMenus() {
   createFileMenu();
   createViewMenu();
   createRobotMenus();
+  createLogMenu();
   createWindowMenu();
   createHelpMenu();
 }
@@ -33,6 +35,9 @@ void MainWindow::createFileMenu() {
       ->setObjectName(QStringLiteral("file.openScene"));
   menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
       ->setObjectName(QStringLiteral("file.openLayout"));
+  menu->addSeparator();
+  opening_->fillMenu(*menu);
+  menu->addSeparator();
   menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture)
       ->setObjectName(QStringLiteral("file.savePicture"));
   menu->addSeparator();

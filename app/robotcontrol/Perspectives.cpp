@@ -60,6 +60,21 @@ void buildMotion(ViewDocks& docks) {
   setColumns(motion, {820, 780});
 }
 
+void buildLog(ViewDocks& docks) {
+  ads::CDockWidget* image = docks.add(QStringLiteral("image"), Place::kLeft);
+  ads::CDockWidget* packages = docks.add(QStringLiteral("replay-packages"), Place::kRight);
+  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kRight);
+  for (const char* id : {"log-streams", "bookmarks"}) docks.add(QLatin1String(id), Place::kTab, packages);
+  docks.add(QStringLiteral("messages"), Place::kBottom, packages);
+  docks.add(QStringLiteral("field"), Place::kBottom, solutions);
+  ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom);
+  if (packages != nullptr) packages->setAsCurrentTab();
+  setSizes(packages, {400, 220});
+  setSizes(solutions, {330, 290});
+  setSizes(image, {600, 600, 400});
+  setSizes(timeLine, {620, 320});
+}
+
 void buildProcesses(ViewDocks& docks) {
   ads::CDockWidget* processes = docks.add(QStringLiteral("processes"), Place::kLeft);
   docks.add(QStringLiteral("timing"), Place::kBottom, processes);
@@ -73,7 +88,7 @@ struct Shipped {
   const char* name;
   void (*build)(ViewDocks&);
 };
-constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
+constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
 
 const Shipped* shipped(const QString& name) {
   for (const Shipped& candidate : kShipped) {

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What the main window does with logs: menu, keys, dropped files, the toolbar.
+#include <QDragEnterEvent>
+#include <QJsonArray>
+#include <QKeyEvent>
+#include <QMenu>
+#include <QMenuBar>
+#include <QMimeData>
+#include <QVBoxLayout>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/LogOpening.h"
+#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/OpeningBar.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "widgets/log/OpenLogs.h"
+
+namespace app {
+
+void MainWindow::createLogs() {
+  auto& logs = widgets::openLogs(context_);
+  opening_ = new LogOpening(*actions_, this);
+  addToolBarBreak();
+  logToolBar_ = new LogToolBar(*actions_, logs, this);
+  addToolBar(logToolBar_);
+  setAcceptDrops(true);
+  openingBar_ = new OpeningBar(workbench_, *actions_, centralWidget());
+  static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, openingBar_);
+  connect(&logs, &widgets::OpenLogs::failed, this, [this](const QString& reason) {
+    showErrors({{"log.failed", reason.toStdString(), {}, {}}});
+  });
+  connect(&logs, &widgets::OpenLogs::logsChanged, this, [this, &logs] {
+    opening_->setLogOpen(!logs.logs().empty());
+    for (const auto& log : logs.logs()) opening_->remember(QString::fromStdString(log->path));
+  });
+  if (workbench_.commands().find("log.bookmark") != nullptr) return;
+  workbench_.commands().add({"log.bookmark",
+                             "Marks the moment of the log that is shown",
+                             {{"text", robotlink::CommandTable::Type::kText, "what is to be remembered"}},
+                             [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
+                               const auto open = shared.lock();
+                               auto* log = open != nullptr ? open->current() : nullptr;
+                               if (log == nullptr || !log->bookmarks) {
+                                 return robotlink::failure("log.none", "no log is open whose bookmarks are read; open one first: log.open FILE");
+                               }
+                               const auto time = open->replay().shown() - log->offset;
+                               open->addBookmark(*log, time, time, QString::fromStdString(std::get<std::string>(values[0])));
+                               return {};
+                             }});
+}
+
+void MainWindow::createLogMenu() {
+  QMenu* menu = menuBar()->addMenu(tr("&Log"));
+  menu->setObjectName(QStringLiteral("logMenu"));
+  logToolBar_->fillMenu(*menu);
+}
+
+void MainWindow::tickLogs() {
+  widgets::openLogs(context_).tick();
+  logToolBar_->refresh();
+  openingBar_->refresh();
+}
+
+void MainWindow::keyPressEvent(QKeyEvent* event) {
+  if (!logToolBar_->press(*event)) QMainWindow::keyPressEvent(event);
+}
+
+void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
+  if (LogOpening::takes(*event->mimeData())) event->acceptProposedAction();
+}
+
+void MainWindow::dropEvent(QDropEvent* event) {
+  event->acceptProposedAction();
+  opening_->drop(*event->mimeData(), (event->keyboardModifiers() & Qt::ControlModifier) != 0);
+}
+
+}  // namespace app

@@ -1,0 +1,31 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+
+class QLabel;
+class QProgressBar;
+class QToolButton;
+
+namespace app {
+
+class CommandActions;
+class Workbench;
+
+/// How far the opening of a log is, with a button that gives it up. Hidden while none is opened, and for what takes no
+/// longer than a moment. GUI thread.
+class OpeningBar : public QWidget {
+  Q_OBJECT
+ public:
+  OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* parent);
+  /// Called after each tick.
+  void refresh();
+
+ private:
+  Workbench& workbench_;
+  QProgressBar* progress_;
+  QToolButton* cancel_;
+  int ticks_ = 0;  // for which something has been opened
+};
+
+}  // namespace app

@@ -1,0 +1,277 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a person does with a log in the main window: toolbar, menu, keys, opening. The test tells what the replay says.
+#include <QAction>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFileDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMimeData>
+#include <QToolBar>
+#include <QToolButton>
+#include <QTreeView>
+#include <QUrl>
+#include <QtTest>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "robotcontrol/Requests.pb.h"
+#include "tests/widgets/Bench.h"
+
+using robotcontrol::ControlReplay;
+
+namespace {
+
+constexpr char kFile[] = "/no/such/folder/game.mcap";
+
+class Desk {
+ public:
+  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
+    workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
+      if (request.has_control_replay()) asked.push_back(request.control_replay());
+    });
+    window.resize(1400, 900);
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
+    status.set_begin(at(10));
+    status.set_end(at(40));
+    status.set_time(at(20));
+    status.set_speed(1);
+    status.set_frame(309);
+    status.set_frame_index(101);
+    status.set_step_process("nao/cognition");
+    for (const char* name : {"nao/cognition", "nao/motion"}) {
+      auto& process = *status.add_processes();
+      process.set_name(name);
+      process.set_frames(434);
+    }
+  }
+  static std::int64_t at(double seconds) { return robotlink::fromSeconds(seconds).count(); }
+  void openLog() {
+    status.add_logs()->set_path(kFile);
+    tell();
+  }
+  void tell() {
+    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)), std::make_shared<const robotcontrol::ReplayStatus>(status)});
+    window.tick();
+  }
+  template <typename W>
+  W& find(const char* name) {
+    auto* widget = window.findChild<W*>(QLatin1String(name));
+    if (widget == nullptr) qFatal("there is no %s", name);
+    return *widget;
+  }
+  void click(const char* action) {
+    auto* button = qobject_cast<QToolButton*>(find<QToolBar>("logToolBar").widgetForAction(&find<QAction>(action)));
+    if (button == nullptr) qFatal("there is no button for %s", action);
+    QTest::mouseClick(button, Qt::LeftButton);
+  }
+  const ControlReplay& last() const {
+    if (asked.empty()) qFatal("nothing was asked of the replay");
+    return asked.back();
+  }
+
+  app::Workbench workbench;
+  app::MainWindow window;
+  robotcontrol::ReplayStatus status;
+  std::vector<ControlReplay> asked;
+};
+
+}  // namespace
+
+class LogWindowTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void theToolBarIsThereWhileALogIsOpen() {
+    Desk desk(home_ / "bar");
+    auto& bar = desk.find<QToolBar>("logToolBar");
+    desk.window.tick();
+    QVERIFY(!bar.isVisible());
+    desk.openLog();
+    QVERIFY(bar.isVisible());
+    QCOMPARE(desk.find<QLineEdit>("logTime").text(), QStringLiteral("10.000"));
+    QCOMPARE(desk.find<QLineEdit>("logFrame").text(), QStringLiteral("309"));
+    QVERIFY(desk.find<QLabel>("logFrames").text().contains(QStringLiteral("101 / 434")));
+    QVERIFY(desk.find<QLabel>("logEnd").text().contains(QStringLiteral("30.000")));
+    desk.status.clear_logs();
+    desk.tell();
+    QVERIFY(!bar.isVisible());
+  }
+
+  void itsButtonsPlayStopAndStep() {
+    Desk desk(home_ / "buttons");
+    desk.openLog();
+    desk.click("log.playOrPause");
+    QCOMPARE(desk.last().action(), ControlReplay::PLAY);
+    desk.status.set_playing(true);
+    desk.tell();
+    desk.click("log.playOrPause");
+    QCOMPARE(desk.last().action(), ControlReplay::PAUSE);
+    desk.click("log.stop");
+    QCOMPARE(desk.last().action(), ControlReplay::STOP);
+    desk.click("log.frameOn");
+    QCOMPARE(desk.last().action(), ControlReplay::STEP_FRAME);
+    QCOMPARE(desk.last().count(), 1);
+    desk.click("log.frameBack");
+    QCOMPARE(desk.last().count(), -1);
+    desk.click("log.loop");
+    QVERIFY(desk.last().loop());
+    desk.click("log.skipGaps");
+    QVERIFY(desk.last().skip_gaps());
+  }
+
+  void speedAndProcessAreChosenInTheirBoxes() {
+    Desk desk(home_ / "boxes");
+    desk.openLog();
+    auto& speed = desk.find<QComboBox>("logSpeed");
+    QCOMPARE(speed.currentText(), QStringLiteral("1×"));
+    speed.setFocus();
+    QTest::keyClick(&speed, Qt::Key_Down);
+    QCOMPARE(desk.last().speed(), 2.0);
+    auto& process = desk.find<QComboBox>("logProcess");
+    process.setFocus();
+    QTest::keyClick(&process, Qt::Key_Down);
+    QCOMPARE(desk.last().step_process(), std::string("nao/motion"));
+  }
+
+  void timesAndFramesAreTyped() {
+    Desk desk(home_ / "typed");
+    desk.openLog();
+    const auto type = [&](const char* field, const char* text) {
+      auto& edit = desk.find<QLineEdit>(field);
+      edit.setFocus();
+      edit.selectAll();
+      QTest::keyClicks(&edit, QLatin1String(text));
+      QTest::keyClick(&edit, Qt::Key_Return);
+    };
+    type("logTime", "12.5");
+    QCOMPARE(desk.last().action(), ControlReplay::JUMP_TO_TIME);
+    QCOMPARE(desk.last().time(), Desk::at(22.5));
+    type("logFrame", "17");
+    QCOMPARE(desk.last().action(), ControlReplay::JUMP_TO_FRAME);
+    QCOMPARE(desk.last().frame(), 17U);
+    const auto requests = desk.asked.size();
+    type("logTime", "soon");
+    QCOMPARE(desk.asked.size(), requests);
+    QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("soon")));
+  }
+
+  void keysPlayWhereverTheFocusDoesNotNeedThem() {
+    Desk desk(home_ / "keys");
+    desk.openLog();
+    desk.window.setFocus();
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&desk.window, key, modifiers); };
+    press(Qt::Key_Space);
+    QCOMPARE(desk.last().action(), ControlReplay::PLAY);
+    press(Qt::Key_Right, Qt::ShiftModifier);
+    QCOMPARE(desk.last().count(), 10);
+    press(Qt::Key_BracketLeft);
+    QCOMPARE(desk.last().range().from(), Desk::at(20));
+    press(Qt::Key_Home);
+    QCOMPARE(desk.last().time(), Desk::at(10));
+    const auto requests = desk.asked.size();
+    auto& search = desk.find<QLineEdit>("keysSearch");
+    search.setFocus();
+    for (const auto key : {Qt::Key_Space, Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_BracketLeft, Qt::Key_Comma, Qt::Key_Period}) {
+      QTest::keyClick(&search, key);
+    }
+    QTest::keyClicks(&search, QStringLiteral("b[].,"));
+    QCOMPARE(desk.asked.size(), requests);
+    QVERIFY(search.text().contains(QStringLiteral("b[].,")));
+  }
+
+  void everyKeyIsInTheMenuAndInATip() {
+    Desk desk(home_ / "menu");
+    desk.openLog();
+    auto& menu = desk.find<QMenu>("logMenu");
+    QStringList keys;
+    for (const QAction* action : menu.actions()) {
+      if (action->shortcut().isEmpty()) continue;
+      keys << action->shortcut().toString();
+      QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
+    }
+    for (const char* key : {"Space", "Left", "Right", "Shift+Left", "Shift+Right", "Home", "End", "[", "]", "B", ",", "."}) {
+      QVERIFY2(keys.contains(QLatin1String(key)), key);
+    }
+    desk.find<QAction>("log.toEnd").trigger();
+    QCOMPARE(desk.last().time(), Desk::at(40));
+    desk.find<QAction>("log.tenFramesBack").trigger();
+    QCOMPARE(desk.last().count(), -10);
+    desk.find<QAction>("log.rangeEnd").trigger();
+    QCOMPARE(desk.last().range().from(), Desk::at(10));
+  }
+
+  void droppedFilesAreOpened() {
+    Desk desk(home_ / "drop");
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(QLatin1String(kFile))});
+    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&desk.window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&desk.window, &drop);
+    QTRY_VERIFY(desk.find<QLabel>("errorText").isVisible());  // it is not there, and that is said
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)), qPrintable(desk.find<QLabel>("errorText").text()));
+  }
+
+  void recentLogsAreRememberedOverRestarts() {
+    const auto home = home_ / "recent";
+    {
+      Desk desk(home);
+      QVERIFY(!desk.find<QMenu>("recentLogs").isEnabled());
+      desk.openLog();
+      QCOMPARE(desk.find<QMenu>("recentLogs").actions().size(), 1);
+      desk.window.close();
+    }
+    Desk desk(home);
+    auto& recent = desk.find<QMenu>("recentLogs");
+    QCOMPARE(recent.actions().size(), 1);
+    QCOMPARE(recent.actions().first()->toolTip(), QLatin1String(kFile));
+    recent.actions().first()->trigger();
+    QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)));
+  }
+
+  void theDialogOpensWhatIsChosen() {
+    Desk desk(home_ / "dialog");
+    const QString file = QString::fromStdString((home_ / "empty.mcap").string());
+    std::filesystem::create_directories(home_);
+    QFile empty(file);
+    QVERIFY(empty.open(QIODevice::WriteOnly));
+    empty.close();
+    desk.find<QAction>("openLog").trigger();
+    auto& dialog = desk.find<QFileDialog>("openLogDialog");
+    dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
+    QTest::keyClick(dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
+    QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("empty.mcap")));
+  }
+
+  void theLogPerspectiveHasWhatOneNeeds() {
+    Desk desk(home_ / "perspective");
+    desk.find<QAction>("perspective.Log").trigger();
+    for (const char* view : {"image", "time-line", "replay-packages", "log-streams", "bookmarks", "solutions", "messages"}) {
+      QVERIFY2(desk.window.docks().docks(QLatin1String(view)).size() == 1, view);
+    }
+  }
+
+  void aBookmarkWithoutItsLogIsRefusedInWords() {
+    Desk desk(home_ / "bookmark");
+    const auto refused = desk.workbench.commands().runLine("log.bookmark here");
+    QVERIFY(!refused);
+    QVERIFY(refused.error().text.find("open one first") != std::string::npos);
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(LogWindowTest)
+#include "LogWindowTest.moc"

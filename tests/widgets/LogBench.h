@@ -1,0 +1,133 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cmath>
+#include <map>
+#include <memory>
+#include <string>
+#include <utility>
+#include <vector>
+
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "tests/widgets/Bench.h"
+#include "widgets/log/OpenLogs.h"
+
+/// A log as it would be read, told by the test.
+class ToldReading final : public widgets::LogReading {
+ public:
+  struct Wanted {
+    std::string stream;
+    std::vector<robotlink::Instant> times;
+  };
+  std::shared_ptr<const widgets::LogOverview> overview() override { return told; }
+  void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int) override {
+    wanted = {stream, std::move(times)};
+  }
+  std::vector<widgets::Thumbnail> takeThumbnails() override { return std::exchange(thumbnails, {}); }
+  std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() override {
+    return std::exchange(bookmarks, std::nullopt);
+  }
+
+  std::shared_ptr<const widgets::LogOverview> told;
+  Wanted wanted;
+  std::vector<widgets::Thumbnail> thumbnails;
+  std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks;
+};
+
+inline robotlink::Instant at(double seconds) { return robotlink::Instant(robotlink::fromSeconds(seconds)); }
+
+/// A log from 10 to 40 s: images at 5 Hz, joints at 100 Hz with a gap from 20 to 25 s, a warning and an error.
+inline widgets::LogOverview overviewOfTest(const std::string& file) {
+  using robotlink::Instant;
+  widgets::LogOverview overview;
+  overview.file = file;
+  overview.stage = widgets::LogOverview::Stage::kDone;
+  overview.robots = {"nao"};
+  overview.begin = at(10);
+  overview.end = at(40);
+  const auto add = [&](const char* path, const char* type, double rate, double gapFrom, double gapTo) {
+    std::vector<Instant> times;
+    for (double t = 10; t <= 40 + 1e-9; t += 1 / rate) {
+      if (t < gapFrom || t >= gapTo) times.push_back(at(t));
+    }
+    widgets::LogOverview::Stream stream{path, type, times.size(), times.size() * 1000, times.front(), times.back()};
+    stream.density = widgets::MessageDensity(times);
+    overview.streams.push_back(std::move(stream));
+  };
+  add("nao/camera/image", "foxglove.CompressedImage", 5, 50, 50);
+  add("nao/frames/cognition", "robotcontrol.FrameInfo", 10, 50, 50);
+  add("nao/joints/states", "foxglove.JointStates", 100, 20, 25);
+  add("nao/log", "foxglove.Log", 0.5, 50, 50);
+  overview.said.push_back({at(18), widgets::LogEntry::Level::kWarning, QStringLiteral("nao"), QStringLiteral("cognition"), QStringLiteral("the ball was lost")});
+  overview.said.push_back({at(31), widgets::LogEntry::Level::kError, QStringLiteral("nao"), QStringLiteral("motion"), QStringLiteral("a servo does not answer")});
+  return overview;
+}
+
+/// A Bench with logs: the replay's status is told by the test, requests change nothing by themselves.
+class LogBench : public Bench {
+ public:
+  LogBench() {
+    context.logs = std::make_shared<widgets::OpenLogs>(session, [this](const std::filesystem::path& file) {
+      auto reading = std::make_unique<ToldReading>();
+      auto overview = overviewOfTest(file.string());
+      if (shapeOverview) shapeOverview(overview);
+      reading->told = std::make_shared<const widgets::LogOverview>(std::move(overview));
+      readings[file.string()] = reading.get();
+      return reading;
+    });
+    status.set_begin(at(10).time_since_epoch().count());
+    status.set_end(at(40).time_since_epoch().count());
+    status.set_time(status.begin());
+    status.set_speed(1);
+    status.set_step_process("nao/cognition");
+    auto& process = *status.add_processes();
+    process.set_name("nao/cognition");
+    process.set_frames(301);
+    status.add_processes()->set_name("nao/motion");
+  }
+
+  void openLog(const std::string& path, double offset = 0) {
+    auto& log = *status.add_logs();
+    log.set_path(path);
+    log.set_offset(robotlink::fromSeconds(offset).count());
+    status.set_end(std::max(status.end(), at(40 + offset).time_since_epoch().count()));
+    tell();
+  }
+  void showTime(double seconds) {
+    status.set_time(at(seconds).time_since_epoch().count());
+    tell();
+  }
+  void setRange(double from, double to) {
+    status.mutable_range()->set_from(at(from).time_since_epoch().count());
+    status.mutable_range()->set_to(at(to).time_since_epoch().count());
+    tell();
+  }
+  /// The session and the logs take in the status as it is now.
+  void tell() {
+    push("replay", status, 1);
+    session.tick();
+    context.logs->tick();
+  }
+  void tick(widgets::View& view) {
+    session.tick();
+    context.logs->tick();
+    view.tick();
+  }
+  template <typename V>
+  std::unique_ptr<V> openView(QSize size = {1000, 400}) {
+    auto view = open<V>(size);
+    tick(*view);
+    return view;
+  }
+  /// The last request to the replay.
+  const robotcontrol::ControlReplay& asked() const {
+    if (requests.empty() || !requests.back().has_control_replay()) qFatal("nothing was asked of the replay");
+    return requests.back().control_replay();
+  }
+  widgets::OpenLogs& logs() { return *context.logs; }
+
+  robotcontrol::ReplayStatus status;
+  std::map<std::string, ToldReading*> readings;
+  std::function<void(widgets::LogOverview&)> shapeOverview;
+};

@@ -1,0 +1,123 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/BookmarksView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+#include <QToolButton>
+
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"bookmarks", QT_TRANSLATE_NOOP("View", "Bookmarks"),
+     QT_TRANSLATE_NOOP("View", "Lists the bookmarks of the open logs; lets one jump to them, edit and remove them."), "bookmark",
+     false, create<BookmarksView>}};
+
+}  // namespace
+
+BookmarksView::BookmarksView(ViewContext& context, QWidget* parent)
+    : View(context, parent), logs_(openLogs(context)), filtered_(new QSortFilterProxyModel(this)) {
+  setObjectName(QStringLiteral("bookmarksView"));
+  createActions();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+void BookmarksView::createActions() {
+  add_ = makeAction(this, "bookmark", {"bookmarkAdd", tr("Bookmark"), tr("Marks this moment")});
+  remove_ = makeAction(this, "remove", {"bookmarkRemove", tr("Remove"), tr("Removes the chosen bookmark"), Qt::Key_Delete});
+  undo_ = makeAction(this, "undo", {"bookmarkUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+  redo_ = makeAction(this, "redo", {"bookmarkRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+}
+
+void BookmarksView::createViews() {
+  auto* search = makeSearchField(this, {"bookmarksSearch", tr("Search bookmarks"), tr("Shows only bookmarks whose text contains this")});
+  filtered_->setSourceModel(&model_);
+  filtered_->setFilterKeyColumn(BookmarkModel::kText);
+  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  filtered_->setSortRole(BookmarkModel::kSortRole);
+  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+  table_ = new QTableView(this);
+  describe(*table_, {"bookmarksTable", tr("Bookmarks"), tr("Enter jumps to a bookmark, F2 edits its text")});
+  table_->setToolTip({});
+  table_->setModel(filtered_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(BookmarkModel::kTime, Qt::AscendingOrder);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  auto& header = *table_->horizontalHeader();
+  header.setHighlightSections(false);
+  header.setSectionResizeMode(BookmarkModel::kText, QHeaderView::Stretch);
+  header.resizeSection(BookmarkModel::kTime, textWidth(*table_, QStringLiteral("Time [s]____")));
+  header.resizeSection(BookmarkModel::kLength, textWidth(*table_, QStringLiteral("Length [s]__")));
+  hint_ = new EmptyHint(table_);
+
+  auto* row = new QHBoxLayout;
+  row->setSpacing(2);
+  row->addWidget(search, 1);
+  for (QAction* action : {add_, remove_, undo_, redo_}) row->addWidget(makeButton(this, action));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 0);
+  layout->setSpacing(4);
+  layout->addLayout(row);
+  layout->addWidget(table_, 1);
+}
+
+const BookmarkModel::Row* BookmarksView::chosen() const {
+  const QModelIndex index = table_->currentIndex();
+  return index.isValid() ? &model_.row(filtered_->mapToSource(index).row()) : nullptr;
+}
+
+void BookmarksView::connectSignals() {
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    const auto& row = model_.row(filtered_->mapToSource(index).row());
+    logs_.replay().jumpTo(row.bookmark.from + row.offset);
+  });
+  connect(&model_, &BookmarkModel::changeWanted, this, [this](const std::string& path, const logplayer::Bookmark& bookmark) {
+    if (auto* log = logs_.find(path)) logs_.changeBookmark(*log, bookmark);
+  });
+  connect(add_, &QAction::triggered, this, [this] { logs_.addBookmarkHere(); });
+  connect(remove_, &QAction::triggered, this, [this] {
+    const auto* row = chosen();
+    auto* log = row != nullptr ? logs_.find(row->log) : nullptr;
+    if (log != nullptr) logs_.removeBookmark(*log, row->bookmark.id);
+  });
+  connect(undo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::undo);
+  connect(redo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::redo);
+}
+
+void BookmarksView::tick() {
+  std::vector<BookmarkModel::Row> rows;
+  bool there = false;
+  for (const auto& log : logs_.logs()) {
+    if (!log->bookmarks) continue;
+    there = true;
+    for (const auto& bookmark : log->bookmarks->all()) rows.push_back({log->path, log->offset, bookmark});
+  }
+  // Whoever edits a text is not disturbed by what others change.
+  if (table_->indexWidget(table_->currentIndex()) == nullptr) model_.setRows(std::move(rows), logs_.replay().begin());
+  table_->setColumnHidden(BookmarkModel::kLog, logs_.logs().size() < 2);
+  add_->setEnabled(there);
+  remove_->setEnabled(table_->currentIndex().isValid());
+  undo_->setEnabled(logs_.undoStack().canUndo());
+  redo_->setEnabled(logs_.undoStack().canRedo());
+  hint_->setHint(logs_.logs().empty()    ? tr("No log is open.")
+                 : model_.rowCount() > 0 ? QString()
+                                         : tr("There are no bookmarks. Press B to mark the moment that is shown."));
+}
+
+}  // namespace widgets

@@ -1,0 +1,41 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/View.h"
+#include "widgets/log/OpenLogs.h"
+#include "widgets/models/BookmarkModel.h"
+
+class QAction;
+class QSortFilterProxyModel;
+class QTableView;
+
+namespace widgets {
+
+class EmptyHint;
+
+/// The bookmarks of the open logs as a list: Enter or a double click on a time jumps there, a text is edited in place (F2),
+/// Delete removes.
+class BookmarksView final : public View {
+  Q_OBJECT
+ public:
+  explicit BookmarksView(ViewContext& context, QWidget* parent = nullptr);
+  void tick() override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  const BookmarkModel::Row* chosen() const;
+
+  OpenLogs& logs_;
+  BookmarkModel model_;
+  QSortFilterProxyModel* filtered_;
+  QTableView* table_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* add_ = nullptr;
+  QAction* remove_ = nullptr;
+  QAction* undo_ = nullptr;
+  QAction* redo_ = nullptr;
+};
+
+}  // namespace widgets

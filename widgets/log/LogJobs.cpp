@@ -1,0 +1,120 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/LogJobs.h"
+
+#include <QCoreApplication>
+#include <QStringList>
+
+#include "logplayer/LogCut.h"
+#include "logplayer/LogExport.h"
+#include "logplayer/LogFile.h"
+#include "logplayer/mcap/Reader.h"
+#include "widgets/models/StreamListModel.h"
+
+namespace widgets {
+namespace {
+
+using Outcome = LogJob::Outcome;
+using Progress = LogJob::Progress;
+
+QString tr(const char* text, int n = -1) { return QCoreApplication::translate("LogJobs", text, nullptr, n); }
+
+QString nameOf(const std::filesystem::path& file) { return QString::fromStdString(file.filename().string()); }
+
+Outcome failed(const robotlink::Error& error) { return {false, false, QString::fromStdString(error.describe()), {}}; }
+
+QString withLosses(QString text, const std::vector<std::string>& losses) {
+  for (const std::string& loss : losses) text += QLatin1Char('\n') + QString::fromStdString(loss);
+  return text;
+}
+
+logplayer::ExportOptions exportOptions(const LogRange& range, const Progress& progress) {
+  logplayer::ExportOptions options;
+  if (range) {
+    options.from = range->first;
+    options.to = range->second;
+  }
+  options.overwrite = true;  // who chose the name was asked
+  options.progress = progress;
+  return options;
+}
+
+/// Opens the log and lets `what` export from it.
+template <typename What>
+Outcome exported(const std::string& path, const Progress& progress, const char* text, const std::filesystem::path& to, What what) {
+  logplayer::LogFile::Options options;
+  options.progress = [&progress](double) { return progress(0); };
+  const auto log = logplayer::LogFile::open(path, options);
+  if (!log) return failed(log.error());
+  const auto report = what(*log);
+  if (!report) return failed(report.error());
+  return {true, false, withLosses(tr(text, static_cast<int>(report->written)).arg(QString::fromStdString(to.string())), report->losses), {}};
+}
+
+}  // namespace
+
+LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> logs, LogRange range, std::filesystem::path to) {
+  return [logs = std::move(logs), range, to = std::move(to)](const Progress& progress) -> Outcome {
+    logplayer::RewriteOptions options;
+    for (const auto& [file, offset] : logs) options.inputs.push_back({file, offset});
+    if (range) {
+      options.from = range->first;
+      options.to = range->second;
+    }
+    options.overwrite = true;
+    options.progress = progress;
+    const auto report = logplayer::rewriteLogs(options, to);
+    if (!report) return failed(report.error());
+    const QString text = tr("%1: %2 messages in %3 frames, %4")
+                             .arg(nameOf(to))
+                             .arg(report->messages)
+                             .arg(report->frames)
+                             .arg(bytesText(report->bytes));
+    return {true, false, withLosses(text, report->losses), to};
+  };
+}
+
+LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range, std::filesystem::path folder) {
+  return [=](const Progress& progress) {
+    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n image(s) written into %1"), folder, [&](const auto& file) {
+      return logplayer::exportImages(file, {{stream}, {}}, folder, exportOptions(range, progress));
+    });
+  };
+}
+
+LogJob::Work exportTableOf(std::string log, std::string stream, LogRange range, std::filesystem::path to) {
+  return [=](const Progress& progress) {
+    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n row(s) written into %1"), to, [&](const auto& file) {
+      return logplayer::exportCsv(file, stream, to, exportOptions(range, progress));
+    });
+  };
+}
+
+LogJob::Work exportTextsOf(std::string log, LogRange range, std::filesystem::path to) {
+  return [=](const Progress& progress) {
+    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n text(s) written into %1"), to, [&](const auto& file) {
+      return logplayer::exportTexts(file, {}, to, exportOptions(range, progress));
+    });
+  };
+}
+
+LogJob::Work repairLog(std::string log, std::filesystem::path to) {
+  return [log = std::move(log), to = std::move(to)](const Progress& progress) -> Outcome {
+    // The new file must not exist; whoever chose its name was asked whether an old one may go.
+    std::error_code error;
+    if (std::filesystem::equivalent(log, to, error)) {
+      return {false, false, tr("A log is not repaired in place; choose another name."), {}};
+    }
+    std::filesystem::remove(to, error);
+    const auto report = logplayer::mcap::repair(log, to, progress);
+    if (!report) return failed(report.error());
+    return {true, false,
+            tr("%1: %2 messages saved; %3 chunks and %4 were lost")
+                .arg(nameOf(to))
+                .arg(report->messages)
+                .arg(report->chunksLost)
+                .arg(bytesText(report->bytesLost)),
+            to};
+  };
+}
+
+}  // namespace widgets

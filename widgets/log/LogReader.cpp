@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/LogReader.h"
+
+#include <algorithm>
+
+#include "foxglove/Image.pb.h"
+#include "foxglove/Robot.pb.h"
+#include "logplayer/ImageCoding.h"
+#include "logplayer/LogFile.h"
+#include "logplayer/LogImport.h"
+#include "robotlink/packages/Conversions.h"
+#include "widgets/image/ImagePixels.h"
+
+namespace widgets {
+
+using robotlink::Instant;
+using Stage = LogOverview::Stage;
+
+namespace {
+
+constexpr std::size_t kMostSaid = 5000;
+/// What is read here is read once, but for thumbnails, which jump about.
+constexpr std::size_t kCacheBytes = 16U << 20U;
+
+LogEntry logEntry(const robotlink::StreamMessage& message, const foxglove::Log& log) {
+  LogEntry entry;
+  entry.time = message.time;
+  entry.level = static_cast<LogEntry::Level>(std::clamp(static_cast<int>(log.level()), 0, 5));
+  entry.robot = QString::fromStdString(message.path.substr(0, message.path.find('/')));
+  entry.source = QString::fromStdString(log.name());
+  entry.text = QString::fromStdString(log.message());
+  return entry;
+}
+
+}  // namespace
+
+std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file) { return std::make_unique<LogReader>(file); }
+
+LogReader::LogReader(std::filesystem::path file) : file_(std::move(file)) {
+  LogOverview overview;
+  overview.file = file_.string();
+  publish(overview);
+  overviewThread_ = std::thread([this] { readAll(); });
+  thumbnailThread_ = std::thread([this] { readThumbnails(); });
+}
+
+LogReader::~LogReader() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  wakeUp_.notify_all();
+  overviewThread_.join();
+  thumbnailThread_.join();
+}
+
+std::shared_ptr<const LogOverview> LogReader::overview() {
+  const std::lock_guard lock(mutex_);
+  return overview_;
+}
+
+std::optional<robotlink::Result<logplayer::Bookmarks>> LogReader::takeBookmarks() {
+  const std::lock_guard lock(mutex_);
+  auto taken = std::move(bookmarks_);
+  bookmarks_.reset();
+  return taken;
+}
+
+void LogReader::publish(const LogOverview& overview) {
+  auto shared = std::make_shared<const LogOverview>(overview);
+  const std::lock_guard lock(mutex_);
+  overview_ = std::move(shared);
+}
+
+bool LogReader::tell(LogOverview& overview, double share) {
+  // A copy of it all for each percent would cost more than the reading.
+  if (share - overview.progress >= 0.1 || share < overview.progress) {
+    overview.progress = share;
+    publish(overview);
+  }
+  return !quit_;
+}
+
+void LogReader::readAll() {
+  LogOverview overview;
+  overview.file = file_.string();
+  if (!open(overview)) return;
+  readTimes(overview);
+  if (!quit_) readBookmarks();
+  if (!quit_) readTexts(overview);
+  if (!quit_) countSizes(overview);
+}
+
+bool LogReader::open(LogOverview& overview) {
+  logplayer::LogFile::Options options;
+  options.cacheBytes = kCacheBytes;
+  options.progress = [&](double share) { return tell(overview, share); };
+  overview.converted = logplayer::canImport(file_);
+  auto opened = logplayer::LogFile::open(file_, options);
+  if (!opened) {
+    overview.failure = QString::fromStdString(opened.error().describe());
+    publish(overview);
+    return false;
+  }
+  auto& log = **opened;
+  overview.readOnly = log.readOnly();
+  overview.damage = QString::fromStdString(log.damageText());
+  overview.begin = log.begin();
+  overview.robots = log.robots();
+  overview.end = log.end();
+  for (const auto& stream : log.streams()) {
+    overview.streams.push_back({stream.path, stream.type, stream.count, stream.bytes, stream.first, stream.last});
+  }
+  overview.stage = Stage::kTimes;
+  overview.progress = 0;
+  publish(overview);
+  {
+    const std::lock_guard lock(mutex_);
+    log_ = std::move(*opened);
+  }
+  wakeUp_.notify_all();
+  return true;
+}
+
+void LogReader::readTimes(LogOverview& overview) {
+  const double count = static_cast<double>(overview.streams.size());
+  double done = 0;
+  for (auto& stream : overview.streams) {
+    if (!tell(overview, done++ / count)) return;
+    stream.density = MessageDensity(log_->times(stream.path));
+  }
+  overview.stage = Stage::kTexts;
+  overview.progress = 0;
+  publish(overview);
+}
+
+void LogReader::readBookmarks() {
+  auto bookmarks = logplayer::Bookmarks::open(file_, [this](double) { return !quit_; });
+  if (quit_) return;
+  const std::lock_guard lock(mutex_);
+  bookmarks_.emplace(std::move(bookmarks));
+}
+
+void LogReader::readTexts(LogOverview& overview) {
+  std::vector<std::string> streams;
+  std::uint64_t messages = 0, seen = 0;
+  for (const auto& stream : overview.streams) {
+    if (stream.type != "foxglove.Log") continue;
+    streams.push_back(stream.path);
+    messages += stream.count;
+  }
+  if (!streams.empty()) {
+    logplayer::LogFile::Cursor cursor(log_, streams);
+    while (const auto message = cursor.next()) {
+      if (!tell(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages)))) return;
+      const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
+      if (log == nullptr || log->level() < foxglove::Log::WARNING) continue;
+      if (overview.said.size() < kMostSaid) {
+        overview.said.push_back(logEntry(*message, *log));
+      } else {
+        ++overview.saidLeftOut;
+      }
+    }
+  }
+  overview.stage = Stage::kSizes;
+  overview.progress = 0;
+  publish(overview);
+}
+
+void LogReader::countSizes(LogOverview& overview) {
+  const auto counted = log_->countBytes([&](double share) { return tell(overview, share); });
+  if (quit_) return;
+  for (const auto& stream : counted) {
+    for (auto& shown : overview.streams) {
+      if (shown.path == stream.path) shown.bytes = stream.bytes;
+    }
+  }
+  // What is only found by reading.
+  overview.damage = QString::fromStdString(log_->damageText());
+  overview.stage = Stage::kDone;
+  overview.progress = 1;
+  publish(overview);
+}
+
+void LogReader::wantThumbnails(const std::string& stream, std::vector<Instant> times, int height) {
+  std::reverse(times.begin(), times.end());
+  {
+    const std::lock_guard lock(mutex_);
+    if (stream != wanted_.stream) thumbnails_.clear();
+    wanted_ = {stream, std::move(times), height};
+  }
+  wakeUp_.notify_all();
+}
+
+std::vector<Thumbnail> LogReader::takeThumbnails() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(thumbnails_, {});
+}
+
+void LogReader::readThumbnails() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wakeUp_.wait(lock, [this] { return quit_ || (log_ != nullptr && !wanted_.times.empty()); });
+    if (quit_) return;
+    const Instant time = wanted_.times.back();
+    const std::string stream = wanted_.stream;
+    const int height = wanted_.height;
+    wanted_.times.pop_back();
+    lock.unlock();
+    QImage image = thumbnail(stream, time, height);
+    lock.lock();
+    if (stream == wanted_.stream) thumbnails_.push_back({time, std::move(image)});
+  }
+}
+
+QImage LogReader::thumbnail(const std::string& stream, Instant time, int height) {
+  const auto message = log_->latest(stream, time);
+  if (!message) return {};
+  std::shared_ptr<const foxglove::RawImage> raw;
+  if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(message->value)) {
+    if (auto decoded = logplayer::rawImage(*compressed)) raw = std::move(*decoded);
+  } else {
+    raw = std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
+  }
+  if (raw == nullptr) return {};
+  const QImage image = toQImage(robotlink::imageView(*raw));
+  return image.isNull() ? image : image.scaledToHeight(height, Qt::SmoothTransformation);
+}
+
+}  // namespace widgets

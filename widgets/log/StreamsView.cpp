@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/StreamsView.h"
+
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QTableView>
+
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"log-streams", QT_TRANSLATE_NOOP("View", "Streams"),
+     QT_TRANSLATE_NOOP("View", "Lists the streams of the open logs with count, size, rate and schema."), "streams", false,
+     create<StreamsView>}};
+
+}  // namespace
+
+StreamsView::StreamsView(ViewContext& context, QWidget* parent)
+    : View(context, parent), logs_(openLogs(context)), filtered_(new QSortFilterProxyModel(this)) {
+  setObjectName(QStringLiteral("streamsView"));
+  createViews();
+  connectSignals();
+  tick();
+}
+
+void StreamsView::createViews() {
+  auto* search = makeSearchField(this, {"streamsSearch", tr("Search streams"), tr("Shows only streams whose path or schema contains this")});
+  filtered_->setSourceModel(&model_);
+  filtered_->setFilterRole(StreamListModel::kFilterRole);
+  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  filtered_->setSortRole(StreamListModel::kSortRole);
+  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+
+  table_ = new QTableView(this);
+  describe(*table_, {"streamsTable", tr("Streams of the logs"),
+                     tr("The check shows a stream in the time line; a double click lets its messages be stepped")});
+  table_->setToolTip({});
+  table_->setModel(filtered_);
+  table_->setSortingEnabled(true);
+  table_->sortByColumn(StreamListModel::kPath, Qt::AscendingOrder);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->setWordWrap(false);
+  table_->setTextElideMode(Qt::ElideMiddle);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  auto& header = *table_->horizontalHeader();
+  header.setHighlightSections(false);
+  header.setStretchLastSection(true);
+  const char* texts[] = {"____nao/drawings/image/segmentation", "Messages__", "999.9 kB__", "100.0__", "foxglove.CompressedImage"};
+  for (int column = 0; column < StreamListModel::kLog; ++column) {
+    header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
+  }
+  hint_ = new EmptyHint(table_);
+  summary_ = new QLabel(this);
+  summary_->setObjectName(QStringLiteral("streamsSummary"));
+  summary_->setMargin(4);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 0);
+  layout->setSpacing(4);
+  layout->addWidget(search);
+  layout->addWidget(table_, 1);
+  layout->addWidget(summary_);
+}
+
+void StreamsView::connectSignals() {
+  connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
+    const auto& row = model_.row(filtered_->mapToSource(index).row());
+    if (const auto* log = logs_.find(row.log)) logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, row.path));
+  });
+  connect(&model_, &StreamListModel::shownChanged, this, [this](const std::string& path, const std::string& stream, bool shown) {
+    if (auto* log = logs_.find(path)) logs_.setHidden(*log, stream, !shown);
+  });
+  connect(&logs_.replay(), &ReplayControl::steppedStreamChanged, this, [this] { shownVersion_ = 0; });
+}
+
+void StreamsView::tick() {
+  if (shownVersion_ == logs_.version()) return;
+  shownVersion_ = logs_.version();
+  std::vector<StreamListModel::Row> rows;
+  for (const auto& log : logs_.logs()) {
+    for (auto& row : StreamListModel::rowsOf(log->path, *log->overview, log->hidden)) {
+      row.stepped = OpenLogs::toldAs(*log, row.path) == logs_.replay().steppedStream();
+      rows.push_back(std::move(row));
+    }
+  }
+  model_.setRows(std::move(rows));
+  table_->setColumnHidden(StreamListModel::kLog, logs_.logs().size() < 2);
+  hint_->setHint(logs_.logs().empty()
+                     ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
+                     : QString());
+  showSummary();
+}
+
+void StreamsView::showSummary() {
+  std::uint64_t messages = 0, bytes = 0;
+  for (int row = 0; row < model_.rowCount(); ++row) {
+    messages += model_.row(row).count;
+    bytes += model_.row(row).bytes;
+  }
+  summary_->setVisible(model_.rowCount() > 0);
+  const QString all = tr("%n stream(s), %1 messages", nullptr, model_.rowCount()).arg(messages);
+  summary_->setText(bytes > 0 ? tr("%1, %2").arg(all, bytesText(bytes)) : all);
+}
+
+QJsonObject StreamsView::saveState() const {
+  return {{QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+}
+
+void StreamsView::restoreState(const QJsonObject& state) {
+  const QString columns = state.value(QStringLiteral("columns")).toString();
+  if (!columns.isEmpty()) table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+}
+
+}  // namespace widgets
