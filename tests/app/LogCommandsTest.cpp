@@ -2,6 +2,7 @@
 #include "app/core/LogCommands.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
@@ -15,7 +16,7 @@ namespace {
 /// A workbench whose requests are seen, with the status of a log of ten seconds that begins at 486 s.
 class LogCommandsTest : public testing::Test {
  protected:
-  LogCommandsTest() : workbench(std::filesystem::path(testing::TempDir()) / "log-commands") {
+  LogCommandsTest() : workbench(std::filesystem::path(testing::TempDir()) / ("log-commands-" + std::to_string(::getpid()))) {
     workbench.session().setRequestSink([this](const robotcontrol::Request& request) { asked.push_back(request); });
     workbench.onErrors([this](const robotlink::Errors& told) { errors = robotlink::describe(told); });
   }

@@ -2,6 +2,7 @@
 #include "app/core/ReplayFeed.h"
 
 #include <gmock/gmock.h>
+#include <unistd.h>
 
 #include <thread>
 
@@ -22,10 +23,18 @@ constexpr double kGap = 3;  // s, in the middle of the log
 /// A workbench in which a log is open, ticked until something holds.
 class ReplayFeedTest : public testing::Test {
  protected:
-  static void SetUpTestSuite() { EXPECT_EQ(ShortLog::write(logFile()), ""); }
-  static std::filesystem::path logFile() { return std::filesystem::path(testing::TempDir()) / "replay-feed.mcap"; }
+  static void SetUpTestSuite() {
+    std::filesystem::create_directories(folder());
+    EXPECT_EQ(ShortLog::write(logFile()), "");
+  }
+  static void TearDownTestSuite() { std::filesystem::remove_all(folder()); }
+  /// Of this process alone: the same tests may run in another one.
+  static std::filesystem::path folder() {
+    return std::filesystem::path(testing::TempDir()) / ("replay-feed-" + std::to_string(::getpid()));
+  }
+  static std::filesystem::path logFile() { return folder() / "replay-feed.mcap"; }
 
-  ReplayFeedTest() : workbench(std::filesystem::path(testing::TempDir()) / "replay-workbench") {
+  ReplayFeedTest() : workbench(folder() / "workbench") {
     workbench.onErrors([this](const robotlink::Errors& told) { errors += robotlink::describe(told); });
     run("log.open \"" + logFile().string() + "\"");
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; })) << errors;

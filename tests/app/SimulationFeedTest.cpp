@@ -2,6 +2,7 @@
 #include "app/core/SimulationFeed.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include "app/core/Workbench.h"
 #include "foxglove/Scene.pb.h"
@@ -15,7 +16,7 @@ namespace {
 /// A workbench that is ticked until something holds.
 class SimulationFeedTest : public testing::Test {
  protected:
-  SimulationFeedTest() : workbench(std::filesystem::path(testing::TempDir()) / "workbench") {
+  SimulationFeedTest() : workbench(std::filesystem::path(testing::TempDir()) / ("workbench-" + std::to_string(::getpid()))) {
     workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
     workbench.load(Workbench::defaultOptions());
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; }));
