@@ -23,6 +23,7 @@ constexpr char kStreams[] = "streams", kImages[] = "images", kCompression[] = "c
 
 logplayer::Recorder::Options recorderOptions(robotlink::BoundedQueue<std::string>& warnings) {
   logplayer::Recorder::Options options;
+  options.software = "robotcontrol " ROBOTCONTROL_VERSION;
   options.warn = [&warnings](const std::string& text) { warnings.push(text); };
   return options;
 }

@@ -54,10 +54,6 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
   return {robot + "/" + robotlink::streams::kFrames + process, time, std::move(info), process, number};
 }
 
-bool endsFrame(const StreamMessage& message) {
-  return dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
-}
-
 /// Whether something in it is to be known also while nothing is recorded.
 bool tellsWhatHolds(const DebugQueue& queue) {
   return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
@@ -164,18 +160,17 @@ void RecordingTap::add(const std::string& name, const std::shared_ptr<const Debu
   const bool own = queue->process() == robot->wishes->process;
   if (recorder_.active() || tellsWhatHolds(*queue) || (own && !robot->wishes->messages.empty())) {
     auto parts = robotlink::messagesOf(name, queue, robot->lastTime, robotlink::QueueReader::kRecorder);
-    std::vector<StreamMessage> frame;
-    for (StreamMessage& message : parts.messages) {
-      robot->lastTime = message.time;
-      if (robot->sensors->paths.contains(message.path) || robot->wishes->paths.contains(message.path)) continue;
-      const bool ends = endsFrame(message);
-      if (ends && own) {
-        for (StreamMessage& wish : std::exchange(robot->wishes->messages, {})) frame.push_back(std::move(wish));
+    if (!parts.messages.empty()) robot->lastTime = parts.messages.back().time;
+    for (std::vector<StreamMessage>& frame : robotlink::framesOf(std::move(parts.messages))) {
+      std::erase_if(frame, [robot](const StreamMessage& message) {
+        return robot->sensors->paths.contains(message.path) || robot->wishes->paths.contains(message.path);
+      });
+      if (own && !frame.empty()) {  // What was sent in this frame was so before its end.
+        auto wishes = std::exchange(robot->wishes->messages, {});
+        frame.insert(frame.end() - 1, std::make_move_iterator(wishes.begin()), std::make_move_iterator(wishes.end()));
       }
-      frame.push_back(std::move(message));
-      if (ends) recorder_.add(std::exchange(frame, {}));
+      recorder_.add(std::move(frame));
     }
-    if (!frame.empty()) recorder_.add(std::move(frame));
   }
   if (setupChanged) recorder_.add({robot->setupMessage(robot->lastTime)});
 }

@@ -109,4 +109,15 @@ QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instan
   return result;
 }
 
+std::vector<std::vector<StreamMessage>> framesOf(std::vector<StreamMessage> messages) {
+  std::vector<std::vector<StreamMessage>> frames;
+  bool ended = true;
+  for (StreamMessage& message : messages) {
+    if (ended) frames.emplace_back();
+    ended = dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr;
+    frames.back().push_back(std::move(message));
+  }
+  return frames;
+}
+
 }  // namespace robotlink

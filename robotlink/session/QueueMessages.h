@@ -32,4 +32,7 @@ QueueMessages messagesOf(const std::string& robot,
                          const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime,
                          QueueReader reader = QueueReader::kViews);
 
+/// The messages of a queue frame by frame: each ends with its FrameInfo, but for the last if that lacks one.
+std::vector<std::vector<StreamMessage>> framesOf(std::vector<StreamMessage> messages);
+
 }  // namespace robotlink
