@@ -2,17 +2,22 @@
 #include "app/core/Outlet.h"
 
 #include "foxglove/Robot.pb.h"
+#include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/process/Process.h"
+#include "robotlink/session/QueueMessages.h"
 #include "robotlink/session/Session.h"
+
+#include <set>
 
 namespace app {
 
 void Outlet::open() {
   const std::lock_guard lock(mutex_);
   open_ = true;
+  if (recorder_ != nullptr && !kept_.empty()) recorder_->restart();
   for (const auto& push : kept_) push();
   kept_.clear();
 }
@@ -38,16 +43,44 @@ void Outlet::pass(std::function<void()> push) {
   push();
 }
 
+/// What belongs to frames whose end is not among it belongs to none here: after a jump these are the newest of each stream.
+void Outlet::record(std::vector<robotlink::StreamMessage> frame) {
+  if (recorder_ == nullptr) return;
+  std::set<std::pair<std::string, std::uint64_t>> whole;
+  for (const auto& message : frame) {
+    if (dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr) whole.emplace(message.process, message.frame);
+  }
+  for (auto& message : frame) {
+    if (!whole.contains({message.process, message.frame})) message.frame = 0;
+  }
+  recorder_->add(std::move(frame));
+}
+
+void Outlet::recordQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+  if (recorder_ == nullptr || !recorder_->active()) return;
+  auto parts = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
+  for (auto& frame : robotlink::framesOf(std::move(parts.messages))) record(std::move(frame));
+}
+
 void Outlet::tell(robotlink::StreamMessage message) {
-  pass([this, message = std::move(message)]() mutable { session_.push(std::move(message)); });
+  pass([this, message = std::move(message)]() mutable {
+    record({message});
+    session_.push(std::move(message));
+  });
 }
 
 void Outlet::tellFrame(std::vector<robotlink::StreamMessage> frame) {
-  pass([this, frame = std::move(frame)]() mutable { session_.push(std::move(frame)); });
+  pass([this, frame = std::move(frame)]() mutable {
+    record(frame);
+    session_.push(std::move(frame));
+  });
 }
 
 void Outlet::tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue) {
-  pass([this, robot, queue = std::move(queue)] { session_.pushQueue(robot, queue); });
+  pass([this, robot, queue = std::move(queue)] {
+    recordQueue(robot, queue);
+    session_.pushQueue(robot, queue);
+  });
 }
 
 void Outlet::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,

@@ -9,6 +9,9 @@
 
 #include "robotlink/session/StreamMessage.h"
 
+namespace logplayer {
+class Recorder;
+}
 namespace robotcontrol {
 class DebugQueue;
 }
@@ -22,10 +25,14 @@ namespace app {
 /// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back: a run tells things
 /// while it is being made, when the session still belongs to another one that goes on if that fails.
 ///
-/// Any thread. The session must outlive it.
+/// A recorder may be told the same (that of a simulation taps the run itself, at full rate): each time that the outlet is opened
+/// with something kept back is another telling, for which it begins a new file.
+///
+/// Any thread. Session and recorder must outlive it.
 class Outlet {
  public:
-  explicit Outlet(robotlink::Session& session) : session_(session) {}
+  explicit Outlet(robotlink::Session& session, logplayer::Recorder* recorder = nullptr)
+      : session_(session), recorder_(recorder) {}
 
   void open();
   void close();
@@ -43,8 +50,11 @@ class Outlet {
 
  private:
   void pass(std::function<void()> push);
+  void record(std::vector<robotlink::StreamMessage> frame);
+  void recordQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
 
   robotlink::Session& session_;
+  logplayer::Recorder* recorder_;  // null: there is none
   std::mutex mutex_;  // protects the following
   bool open_ = false;
   std::vector<std::function<void()>> kept_;

@@ -54,7 +54,7 @@ void PlatformThread::load(RunOptions options, LoadHandler handler) {
 
 void PlatformThread::open(ReplayOptions options, LoadHandler handler) {
   postOther([this, options = std::move(options), handler = std::move(handler)] {
-    auto feed = ReplayFeed::create(options, session_);
+    auto feed = ReplayFeed::create(options, session_, recorder_);
     if (!feed) {
       handler(tl::unexpected(feed.error()));
       return;
@@ -74,7 +74,7 @@ void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress
     ReplayOptions options = before->options();
     options.logs.push_back(log);
     options.progress = progress;
-    auto feed = ReplayFeed::create(std::move(options), session_, before->now());
+    auto feed = ReplayFeed::create(std::move(options), session_, recorder_, before->now());
     if (!feed) {
       handler(tl::unexpected(feed.error()));
       return;

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <limits>
 
+#include "logplayer/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
@@ -28,8 +29,9 @@ std::string imagesOf(const ReplayRun& run) {
 }  // namespace
 
 tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptions options, robotlink::Session& session,
+                                                                     logplayer::Recorder& recorder,
                                                                      std::optional<Instant> time) {
-  auto feed = std::unique_ptr<ReplayFeed>(new ReplayFeed(session));
+  auto feed = std::unique_ptr<ReplayFeed>(new ReplayFeed(session, recorder));
   auto run = ReplayRun::create(std::move(options), feed->listeners());
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -191,6 +193,7 @@ void ReplayFeed::publishStatus() {
     status->mutable_range()->set_to(range->to.time_since_epoch().count());
   }
   outlet_.tell({robotlink::streams::kReplay, run_->now(), std::move(status)});
+  outlet_.tell({robotlink::streams::kRecording, run_->now(), std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -15,7 +15,7 @@
 namespace app {
 
 /// A ReplayRun in the workbench: played, stepped and jumped in as requests say, it tells a session what the logs hold and what the
-/// programs say that run on them, and its own status on the stream "replay". The session must outlive it.
+/// programs say that run on them, and its own status on the stream "replay"; and a recorder. Both must outlive it.
 ///
 /// After a jump, the session is told anew, as a whole. While it is paused, what was asked of a program is shown at once: the
 /// programs run again up to where the log stands.
@@ -24,6 +24,7 @@ class ReplayFeed final : public PlatformFeed {
   /// Paused: at `time`, or, if that is not given, at the first image.
   static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(ReplayOptions options,
                                                                              robotlink::Session& session,
+                                                                             logplayer::Recorder& recorder,
                                                                              std::optional<robotlink::Instant> time = {});
   /// Plays as another one did that it takes the place of; both have logs in common.
   void goOnLike(const ReplayFeed& before);
@@ -44,7 +45,8 @@ class ReplayFeed final : public PlatformFeed {
   using Clock = PacedThread::Clock;
   using Change = std::function<robotlink::Errors()>;
 
-  explicit ReplayFeed(robotlink::Session& session) : session_(session), outlet_(session) {}
+  ReplayFeed(robotlink::Session& session, logplayer::Recorder& recorder)
+      : session_(session), recorder_(recorder), outlet_(session, &recorder) {}
   ReplayRun::Listeners listeners();
   Playback::Place place() const;
   robotlink::Instant firstImage() const;
@@ -68,6 +70,7 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> jumpToFrame(const robotcontrol::ControlReplay& control);
 
   robotlink::Session& session_;
+  logplayer::Recorder& recorder_;
   Outlet outlet_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
