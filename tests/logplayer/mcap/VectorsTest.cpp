@@ -188,7 +188,8 @@ TEST_P(VectorsTest, unknownRecordsAreSkipped) {
   const std::vector<Told> messages{{1, 0, 10, "a"}, {2, 1, 20, "b"}};
   HandmadeFile file;
   file.addPrivate(0x80, 5).addPrivate(0x10, 0).add({messages, Compression::kNone, true, true, true});
-  file.addPrivate(0xFF, 70'000).add({{{1, 2, 30, "c"}}}).addPrivate(0x7F, 9);
+  const HandmadeFile::Chunk later{{{1, 2, 30, "c"}}};
+  file.addPrivate(0xFF, 70'000).add(later).addPrivate(0x7F, 9);
   const auto reader = written(file);
   EXPECT_THAT(readForwards(*reader), ElementsAre(messages[0], messages[1], Told{1, 2, 30, "c"}));
   expectNoLoss(*reader);
