@@ -13,14 +13,20 @@ namespace {
 std::atomic<std::size_t> taken{0};
 std::atomic<std::size_t> mostTaken{0};
 
-void* take(std::size_t bytes) {
+/// Null: there is none.
+void* take(std::size_t bytes) noexcept {
   void* const memory = std::malloc(bytes);
-  if (memory == nullptr) throw std::bad_alloc();
+  if (memory == nullptr) return nullptr;
   const std::size_t now = taken += ::malloc_usable_size(memory);
   std::size_t most = mostTaken;
   while (now > most && !mostTaken.compare_exchange_weak(most, now)) {
   }
   return memory;
+}
+
+void* takeOrThrow(std::size_t bytes) {
+  if (void* const memory = take(bytes)) return memory;
+  throw std::bad_alloc();
 }
 
 void giveBack(void* memory) noexcept {
@@ -31,9 +37,15 @@ void giveBack(void* memory) noexcept {
 }  // namespace
 
 void* operator new(std::size_t bytes) {
-  return take(bytes);
+  return takeOrThrow(bytes);
 }
 void* operator new[](std::size_t bytes) {
+  return takeOrThrow(bytes);
+}
+void* operator new(std::size_t bytes, const std::nothrow_t&) noexcept {
+  return take(bytes);
+}
+void* operator new[](std::size_t bytes, const std::nothrow_t&) noexcept {
   return take(bytes);
 }
 void operator delete(void* memory) noexcept {
