@@ -71,8 +71,8 @@ void buildLog(ViewDocks& docks) {
   if (packages != nullptr) packages->setAsCurrentTab();
   setSizes(packages, {400, 220});
   setSizes(solutions, {330, 290});
-  setSizes(image, {600, 600, 400});
-  setSizes(timeLine, {620, 320});
+  setSizes(image, {520, 680, 400});
+  setSizes(timeLine, {560, 380});
 }
 
 void buildProcesses(ViewDocks& docks) {

@@ -58,7 +58,8 @@ std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLi
   const double first = std::max(0.0, std::floor((look.gutter - begin) / width));
   for (double i = first; begin + i * width <= std::min(end, look.size.width()); ++i) {
     const double left = begin + i * width;
-    const Instant time = band.log->begin + Duration(std::llround(i * width * look.scale.nsPerPixel));
+    // That of its middle; at its left edge the first one would be empty, and all of them late.
+    const Instant time = band.log->begin + Duration(std::llround((i + 0.5) * width * look.scale.nsPerPixel));
     slots.push_back({left, left + width - kImageMargin, time});
   }
   return slots;
