@@ -56,7 +56,7 @@ void ReplayPackagesView::createViews() {
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
   header.setStretchLastSection(true);
-  const char* texts[] = {"nao/percepts/landmarks", "recomputed (automatic)", "Compared_", "12 + 2 alone", "First [s]_"};
+  const char* texts[] = {"nao/percepts/regions", "recomputed (automatic)", "Compared", "12 + 2 alone", "First [s]"};
   for (int column = 0; column < ReplayPackageModel::kLargest; ++column) {
     header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
   }
