@@ -122,6 +122,8 @@ void LogToolBar::createFields() {
   describe(frame_, "logFrame", tr("Frame"), tr("The number of the frame that is shown. Type another one to jump there"));
   end_ = new QLabel(this);
   describe(end_, "logEnd", tr("Length of the log"), tr("How long the log is"));
+  stamp_ = new QLabel(this);
+  describe(stamp_, "logStamp", tr("Time stamp"), tr("The time stamp that messages of this moment bear, in seconds"));
   frames_ = new QLabel(this);
   describe(frames_, "logFrames", tr("Frames"), tr("Which one it is, and how many frames of the process the log holds"));
   process_ = new QComboBox(this);
@@ -149,7 +151,7 @@ void LogToolBar::createBar() {
   }
   addAction(stop_);
   addSeparator();
-  add(tr("Time:"), {time_, end_});
+  add(tr("Time:"), {time_, end_, stamp_});
   add(tr("Frame:"), {frame_, frames_});
   add(tr("of"), {process_});
   addSeparator();
@@ -232,7 +234,8 @@ void LogToolBar::refreshFields() {
   show(time_, widgets::timeText(logs_.replay().shown() - begin));
   show(frame_, QString::number(status.frame()));
   end_->setText(tr(" / %1 s ").arg(widgets::timeText(logs_.replay().end() - begin)));
-  end_->setToolTip(tr("How long the log is. Its own time stamp here: %1 s").arg(widgets::timeText(logs_.replay().shown().time_since_epoch())));
+  // What messages of robots bear, in all other views.
+  stamp_->setText(tr("= %1 ").arg(widgets::timeText(logs_.replay().shown().time_since_epoch())));
   std::uint64_t frames = 0;
   for (const auto& process : status.processes()) {
     if (process.name() == status.step_process()) frames = process.frames();

@@ -73,6 +73,7 @@ class LogToolBar : public QToolBar {
   QComboBox* process_ = nullptr;
   QLineEdit* time_ = nullptr;
   QLabel* end_ = nullptr;
+  QLabel* stamp_ = nullptr;
   QLineEdit* frame_ = nullptr;
   QLabel* frames_ = nullptr;
   bool wasOpen_ = true;

@@ -102,6 +102,7 @@ class LogWindowTest : public QObject {
     QCOMPARE(desk.find<QLineEdit>("logFrame").text(), QStringLiteral("309"));
     QVERIFY(desk.find<QLabel>("logFrames").text().contains(QStringLiteral("101 / 434")));
     QVERIFY(desk.find<QLabel>("logEnd").text().contains(QStringLiteral("30.000")));
+    QVERIFY(desk.find<QLabel>("logStamp").text().contains(QStringLiteral("20.000")));
     desk.status.clear_logs();
     desk.tell();
     QVERIFY(!bar.isVisible());

@@ -16,7 +16,7 @@ namespace {
 using Outcome = LogJob::Outcome;
 using Progress = LogJob::Progress;
 
-QString tr(const char* text, int n = -1) { return QCoreApplication::translate("LogJobs", text, nullptr, n); }
+QString tr(const char* text) { return QCoreApplication::translate("LogJobs", text); }
 
 QString nameOf(const std::filesystem::path& file) { return QString::fromStdString(file.filename().string()); }
 
@@ -47,7 +47,7 @@ Outcome exported(const std::string& path, const Progress& progress, const char* 
   if (!log) return failed(log.error());
   const auto report = what(*log);
   if (!report) return failed(report.error());
-  return {true, false, withLosses(tr(text, static_cast<int>(report->written)).arg(QString::fromStdString(to.string())), report->losses), {}};
+  return {true, false, withLosses(tr(text).arg(QString::fromStdString(to.string())).arg(report->written), report->losses), {}};
 }
 
 }  // namespace
@@ -75,7 +75,7 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
 
 LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range, std::filesystem::path folder) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n image(s) written into %1"), folder, [&](const auto& file) {
+    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: images written: %2"), folder, [&](const auto& file) {
       return logplayer::exportImages(file, {{stream}, {}}, folder, exportOptions(range, progress));
     });
   };
@@ -83,7 +83,7 @@ LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range,
 
 LogJob::Work exportTableOf(std::string log, std::string stream, LogRange range, std::filesystem::path to) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n row(s) written into %1"), to, [&](const auto& file) {
+    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: rows written: %2"), to, [&](const auto& file) {
       return logplayer::exportCsv(file, stream, to, exportOptions(range, progress));
     });
   };
@@ -91,7 +91,7 @@ LogJob::Work exportTableOf(std::string log, std::string stream, LogRange range, 
 
 LogJob::Work exportTextsOf(std::string log, LogRange range, std::filesystem::path to) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_N_NOOP("LogJobs", "%n text(s) written into %1"), to, [&](const auto& file) {
+    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: texts written: %2"), to, [&](const auto& file) {
       return logplayer::exportTexts(file, {}, to, exportOptions(range, progress));
     });
   };

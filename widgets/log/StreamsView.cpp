@@ -109,8 +109,8 @@ void StreamsView::showSummary() {
     bytes += model_.row(row).bytes;
   }
   summary_->setVisible(model_.rowCount() > 0);
-  const QString all = tr("%n stream(s), %1 messages", nullptr, model_.rowCount()).arg(messages);
-  summary_->setText(bytes > 0 ? tr("%1, %2").arg(all, bytesText(bytes)) : all);
+  const QString all = tr("streams: %1, messages: %2").arg(model_.rowCount()).arg(messages);
+  summary_->setText(bytes > 0 ? tr("%1, size: %2").arg(all, bytesText(bytes)) : all);
 }
 
 QJsonObject StreamsView::saveState() const {

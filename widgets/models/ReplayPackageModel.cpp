@@ -194,7 +194,7 @@ bool ReplayPackageModel::setData(const QModelIndex& index, const QVariant& value
 
 QVariant ReplayPackageModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Package"), tr("Source"), tr("Compared"), tr("Different"), tr("First [s]"), tr("Largest difference")};
+  const QString titles[] = {tr("Package"), tr("Source"), tr("Compared"), tr("Different"), tr("First [s]"), tr("Largest")};
   return titles[section];
 }
 
