@@ -56,7 +56,9 @@ Result<void> ReplayFeed::askProgram(const robotcontrol::Request& request) {
 Result<void> ReplayFeed::control(const ControlReplay& control) {
   if (auto done = set(control); !done) return done;
   if (auto done = change(control); !done) return done;
-  return act(control);
+  const auto done = act(control);
+  if (!done || !stale_ || playback_.playing()) return done;
+  return jump(run_->now());  // Who is answered sees all that was asked for before.
 }
 
 /// What needs no telling anew. All or nothing.

@@ -153,7 +153,8 @@ void Workbench::switchKeysOn(const std::string& robot) {
     request.set_robot(robot);
     request.mutable_set_key()->set_name(key.name());
     *request.mutable_set_key()->mutable_mode() = key.mode();
-    session_.request(std::move(request));
+    // Another program may not have all keys that were on in the one before: that is nothing to be told of.
+    session_.request(std::move(request), [](const robotcontrol::RequestResult&) {});
   }
 }
 
