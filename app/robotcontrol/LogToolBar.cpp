@@ -89,7 +89,7 @@ void LogToolBar::createRangeActions() {
   make(ReplayKey::kRangeEnd, {"log.rangeEnd", "grab", tr("Range ends here"), tr("Selects up to the moment that is shown")},
        [&replay] { replay.endRangeHere(); });
   clearRange_ = make({"log.clearRange", "clear", tr("Clear range"), tr("Selects nothing")}, [&replay] { replay.clearRange(); });
-  make(ReplayKey::kBookmark, {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Marks the moment that is shown")}, [this] { addBookmark(); });
+  make(ReplayKey::kBookmark, {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Marks the moment that is shown")}, [this] { logs_.addBookmarkHere(); });
 }
 
 void LogToolBar::createOptions() {
@@ -188,10 +188,6 @@ bool LogToolBar::press(const QKeyEvent& event) {
   if (!key || !logs_.replay().open()) return false;
   keyed_.at(*key)->trigger();
   return true;
-}
-
-void LogToolBar::addBookmark() {
-  if (!logs_.addBookmarkHere()) Q_EMIT logs_.failed(tr("The bookmarks of this log are not yet read; try again in a moment."));
 }
 
 void LogToolBar::jumpToTypedTime() {

@@ -60,7 +60,6 @@ class LogToolBar : public QToolBar {
   void refreshProcesses();
   void refreshFields();
   void refreshTips();
-  void addBookmark();
 
   CommandActions& actions_;
   widgets::OpenLogs& logs_;

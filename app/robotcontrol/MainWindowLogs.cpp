@@ -41,13 +41,10 @@ void MainWindow::createLogs() {
                              {{"text", robotlink::CommandTable::Type::kText, "what is to be remembered"}},
                              [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
                                const auto open = shared.lock();
-                               auto* log = open != nullptr ? open->current() : nullptr;
-                               if (log == nullptr || !log->bookmarks) {
-                                 return robotlink::failure("log.none", "no log is open whose bookmarks are read; open one first: log.open FILE");
-                               }
-                               const auto time = open->replay().shown() - log->offset;
-                               open->addBookmark(*log, time, time, QString::fromStdString(std::get<std::string>(values[0])));
-                               return {};
+                               if (open != nullptr) open->tick();  // what was opened just now
+                               const QString text = QString::fromStdString(std::get<std::string>(values[0]));
+                               if (open != nullptr && open->addBookmarkHere(text)) return {};
+                               return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
                              }});
 }
 

@@ -88,6 +88,20 @@ class BookmarksTest : public QObject {
     QCOMPARE(bench.bookmarks()[0].text, std::string("b: missed [here]"));
   }
 
+  void whatIsMarkedBeforeTheBookmarksAreReadIsNotLost() {
+    BookmarkBench bench;
+    bench.openLog("/logs/slow.mcap", 100);
+    bench.showTime(120);
+    auto& slow = *bench.logs().find("/logs/slow.mcap");
+    QVERIFY(bench.logs().addBookmarkHere(QStringLiteral("early bird")));
+    QVERIFY(!slow.bookmarks);
+    bench.readings.at(slow.path)->bookmarks.emplace(logplayer::Bookmarks::open(bench.file));
+    bench.tell();
+    QCOMPARE(slow.bookmarks->all().size(), std::size_t{1});
+    QCOMPARE(slow.bookmarks->all()[0].text, std::string("early bird"));
+    QCOMPARE(slow.bookmarks->all()[0].from, at(20));
+  }
+
   void escapeKeepsTheOldName() {
     BookmarkBench bench;
     auto view = bench.openView<TimeLineView>();

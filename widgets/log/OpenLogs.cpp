@@ -137,6 +137,7 @@ void OpenLogs::takeNews(Log& log) {
     ++version_;
     const auto& problem = log.bookmarks->problem();
     if (problem) Q_EMIT failed(QString::fromStdString(problem->describe()));
+    addAsked(log);
   } else {
     Q_EMIT failed(tr("The bookmarks cannot be used: %1").arg(QString::fromStdString(bookmarks->error().describe())));
   }
@@ -168,11 +169,19 @@ std::uint64_t OpenLogs::addBookmark(Log& log, Instant from, Instant to, const QS
   return id;
 }
 
-std::optional<std::uint64_t> OpenLogs::addBookmarkHere() {
+bool OpenLogs::addBookmarkHere(const QString& text) {
   Log* log = current();
-  if (log == nullptr || !log->bookmarks) return std::nullopt;
-  const Instant time = replay_.shown() - log->offset;
-  return addBookmark(*log, time, time, tr("Bookmark %1").arg(log->bookmarks->all().size() + 1));
+  if (log == nullptr) return false;
+  log->toBookmark.emplace_back(replay_.shown() - log->offset, text);
+  addAsked(*log);
+  return true;
+}
+
+void OpenLogs::addAsked(Log& log) {
+  if (!log.bookmarks) return;
+  for (const auto& [time, text] : std::exchange(log.toBookmark, {})) {
+    addBookmark(log, time, time, text.isEmpty() ? tr("Bookmark %1").arg(log.bookmarks->all().size() + 1) : text);
+  }
 }
 
 void OpenLogs::changeBookmark(Log& log, const logplayer::Bookmark& bookmark) {

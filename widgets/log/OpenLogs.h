@@ -31,6 +31,7 @@ class OpenLogs final : public QObject {
     std::vector<std::string> robots;  ///< as the replay calls them: where names are equal they get "-2", "-3"
     std::shared_ptr<const LogOverview> overview;
     std::optional<logplayer::Bookmarks> bookmarks;
+    std::vector<std::pair<robotlink::Instant, QString>> toBookmark;  ///< was asked for before they were read
     std::string imageStream;  ///< whose images are shown; empty: none
     std::map<robotlink::Instant, QImage> thumbnails;
     std::set<std::string> hidden;  ///< streams without a row in the time line
@@ -58,8 +59,9 @@ class OpenLogs final : public QObject {
 
   /// All of them can be undone. Their times are the log's own.
   std::uint64_t addBookmark(Log& log, robotlink::Instant from, robotlink::Instant to, const QString& text);
-  /// At the play head, in current(); nothing if its bookmarks are not there.
-  std::optional<std::uint64_t> addBookmarkHere();
+  /// At the play head, in current(); later, if its bookmarks are not yet read. An empty text: "Bookmark 3". False: no log is
+  /// open.
+  bool addBookmarkHere(const QString& text = {});
   void changeBookmark(Log& log, const logplayer::Bookmark& bookmark);
   void removeBookmark(Log& log, std::uint64_t id);
   /// Writes what was not yet saved; tells failed() where that does not work.
@@ -81,6 +83,7 @@ class OpenLogs final : public QObject {
   void takeNews(Log& log);
   void chooseDefaults(Log& log);
   void changeBookmarks(Log& log, const QString& what, std::function<void(logplayer::Bookmarks&)> change);
+  void addAsked(Log& log);
   void save(Log& log);
 
   ReadLog read_;

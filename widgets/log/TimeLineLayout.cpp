@@ -76,7 +76,7 @@ QRectF bookmarkRect(const TimeLineBand& band, const logplayer::Bookmark& bookmar
 QRectF collapseRect(const QRectF& lane) { return {lane.left() + 2, lane.top(), 18, lane.height()}; }
 
 QRectF offsetRect(const QRectF& lane, const TimeLineLook& look) {
-  const double width = look.row * 4.5;
+  const double width = look.row * 3.8;
   return {look.gutter - width - 4, lane.top(), width, lane.height()};
 }
 
