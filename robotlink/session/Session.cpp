@@ -185,8 +185,9 @@ void Session::tick() {
   bool restarted = false;
   {
     const std::lock_guard lock(inbox_->mutex);
-    results.swap(inbox_->results);
+    // Answers wait, too: who gets one sees what came of the request.
     if (!inbox_->held) {
+      results.swap(inbox_->results);
       batches.swap(inbox_->batches);
       tables.swap(inbox_->tables);
       restarted = std::exchange(inbox_->restarted, false);

@@ -14,8 +14,8 @@
 
 namespace app::test {
 
-/// A log of fifty frames of red1/planner, a process that no layout knows, numbers 101 to 150, 40 ms from each other and with three seconds between the first
-/// half and the second. Every second frame, from the second on, has an image; two have a note.
+/// A log of fifty frames of red1/planner, a process that no layout knows, numbers 101 to 150, 40 ms from each other and with three
+/// seconds between the first half and the second. Every second frame, from the second on, has an image; two have a note.
 struct ShortLog {
   static constexpr int kFrames = 50;
   static constexpr std::uint64_t kFirstNumber = 101;

@@ -328,16 +328,22 @@ TEST(Session, whatARestartTellsAppearsAsAWhole) {
   EXPECT_NE(session.store().find("b"), nullptr);
 }
 
-TEST(Session, answersComeBackWhileARestartIsTold) {
+TEST(Session, anAnswerComesWithWhatARestartTells) {
   Session session;
   session.setRequestSink([](const robotcontrol::Request&) {});
   int answers = 0;
   robotcontrol::RequestResult result;
-  result.set_id(session.request({}, [&](const auto&) { ++answers; }));
+  result.set_id(session.request({}, [&](const auto&) {
+    ++answers;
+    EXPECT_NE(session.store().find("a"), nullptr);
+  }));
+  session.pushResult(result);
   session.restart([&] {
-    session.pushResult(result);
     session.tick();
+    EXPECT_EQ(answers, 0);
+    session.push(plot("a", 1));
   });
+  session.tick();
   EXPECT_EQ(answers, 1);
 }
 
