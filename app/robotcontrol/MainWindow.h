@@ -58,6 +58,7 @@ class MainWindow : public QMainWindow {
   void createDocks();
   void createActions();
   void createLogs();
+  void addBookmarkCommand();
   void createErrorBar();
   void createMenus();
   void createFileMenu();

@@ -35,17 +35,30 @@ void MainWindow::createLogs() {
     opening_->setLogOpen(!logs.logs().empty());
     for (const auto& log : logs.logs()) opening_->remember(QString::fromStdString(log->path));
   });
+  addBookmarkCommand();
+}
+
+void MainWindow::addBookmarkCommand() {
+  using Type = robotlink::CommandTable::Type;
   if (workbench_.commands().find("log.bookmark") != nullptr) return;
+  const auto run = [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
+    const auto open = shared.lock();
+    if (open != nullptr) open->tick();  // takes in what was opened just now
+    if (open == nullptr || !open->replay().open()) {
+      return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
+    }
+    const double seconds = std::get<double>(values[0]);
+    if (!(seconds >= 0 && seconds <= robotlink::seconds(open->replay().end() - open->replay().begin()))) {
+      return robotlink::failure("log.time", "the log does not last that long; choose a time within it");
+    }
+    open->addBookmarkAt(open->replay().begin() + robotlink::fromSeconds(seconds),
+                        QString::fromStdString(std::get<std::string>(values[1])));
+    return {};
+  };
   workbench_.commands().add({"log.bookmark",
-                             "Marks the moment of the log that is shown",
-                             {{"text", robotlink::CommandTable::Type::kText, "what is to be remembered"}},
-                             [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
-                               const auto open = shared.lock();
-                               if (open != nullptr) open->tick();  // what was opened just now
-                               const QString text = QString::fromStdString(std::get<std::string>(values[0]));
-                               if (open != nullptr && open->addBookmarkHere(text)) return {};
-                               return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
-                             }});
+                             "Marks a moment of the log",
+                             {{"seconds", Type::kNumber, "since the begin"}, {"text", Type::kText, "what is to be remembered"}},
+                             run});
 }
 
 void MainWindow::createLogMenu() {

@@ -265,7 +265,7 @@ class LogWindowTest : public QObject {
 
   void aBookmarkWithoutItsLogIsRefusedInWords() {
     Desk desk(home_ / "bookmark");
-    const auto refused = desk.workbench.commands().runLine("log.bookmark here");
+    const auto refused = desk.workbench.commands().runLine("log.bookmark 1 here");
     QVERIFY(!refused);
     QVERIFY(refused.error().text.find("open one first") != std::string::npos);
   }

@@ -93,7 +93,7 @@ class BookmarksTest : public QObject {
     bench.openLog("/logs/slow.mcap", 100);
     bench.showTime(120);
     auto& slow = *bench.logs().find("/logs/slow.mcap");
-    QVERIFY(bench.logs().addBookmarkHere(QStringLiteral("early bird")));
+    QVERIFY(bench.logs().addBookmarkAt(at(120), QStringLiteral("early bird")));
     QVERIFY(!slow.bookmarks);
     bench.readings.at(slow.path)->bookmarks.emplace(logplayer::Bookmarks::open(bench.file));
     bench.tell();

@@ -55,11 +55,10 @@ OpenLogs::Log* OpenLogs::find(const std::string& path) {
   return found == logs_.end() ? nullptr : found->get();
 }
 
-OpenLogs::Log* OpenLogs::current() {
-  const Instant shown = replay_.shown();
+OpenLogs::Log* OpenLogs::at(Instant time) {
   for (const auto& log : logs_) {
     const auto& overview = *log->overview;
-    if (shown >= overview.begin + log->offset && shown <= overview.end + log->offset) return log.get();
+    if (time >= overview.begin + log->offset && time <= overview.end + log->offset) return log.get();
   }
   return logs_.empty() ? nullptr : logs_.front().get();
 }
@@ -169,10 +168,10 @@ std::uint64_t OpenLogs::addBookmark(Log& log, Instant from, Instant to, const QS
   return id;
 }
 
-bool OpenLogs::addBookmarkHere(const QString& text) {
-  Log* log = current();
+bool OpenLogs::addBookmarkAt(Instant time, const QString& text) {
+  Log* log = at(time);
   if (log == nullptr) return false;
-  log->toBookmark.emplace_back(replay_.shown() - log->offset, text);
+  log->toBookmark.emplace_back(time - log->offset, text);
   addAsked(*log);
   return true;
 }

@@ -50,8 +50,10 @@ class OpenLogs final : public QObject {
   const std::vector<std::unique_ptr<Log>>& logs() const { return logs_; }
   /// A log by its path; null if it is not open.
   Log* find(const std::string& path);
-  /// The one that holds what is shown now, else the first; null without any.
-  Log* current();
+  /// The one that holds a time of the time line, else the first; null without any.
+  Log* at(robotlink::Instant time);
+  /// That of what is shown now.
+  Log* current() { return at(replay_.shown()); }
   /// What the replay calls a stream of a log: "nao-2/camera/image".
   static std::string toldAs(const Log& log, const std::string& stream);
   /// Grows with every change of anything of this but thumbnails.
@@ -59,9 +61,10 @@ class OpenLogs final : public QObject {
 
   /// All of them can be undone. Their times are the log's own.
   std::uint64_t addBookmark(Log& log, robotlink::Instant from, robotlink::Instant to, const QString& text);
-  /// At the play head, in current(); later, if its bookmarks are not yet read. An empty text: "Bookmark 3". False: no log is
-  /// open.
-  bool addBookmarkHere(const QString& text = {});
+  /// At a time of the time line, in the log that holds it; later, if its bookmarks are not yet read. An empty text:
+  /// "Bookmark 3". False: no log is open.
+  bool addBookmarkAt(robotlink::Instant time, const QString& text);
+  bool addBookmarkHere() { return addBookmarkAt(replay_.shown(), {}); }
   void changeBookmark(Log& log, const logplayer::Bookmark& bookmark);
   void removeBookmark(Log& log, std::uint64_t id);
   /// Writes what was not yet saved; tells failed() where that does not work.
