@@ -58,7 +58,7 @@ TimeLineCanvas& canvasOf(TimeLineView& view) { return child<TimeLineCanvas>(view
 /// The middle of a bookmark's flag.
 QPoint flag(TimeLineView& view, const logplayer::Bookmark& bookmark) {
   auto& canvas = canvasOf(view);
-  const auto& lane = canvas.layout().lanes.front();
+  const auto lane = canvas.layout().lanes.front();
   return widgets::bookmarkRect(canvas.bands()[0], bookmark, canvas.look(), lane.rect, QFontMetricsF(canvas.font())).center().toPoint();
 }
 

@@ -4,6 +4,7 @@
 #include <QHelpEvent>
 #include <QLabel>
 #include <QLineEdit>
+#include <QMenu>
 #include <QPainter>
 #include <QScrollBar>
 #include <QSignalSpy>
@@ -314,6 +315,24 @@ class TimeLineTest : public QObject {
     QCOMPARE(bench.logs().replay().steppedStream(), std::string("nao-2/joints/states"));
     bench.tick(*view);
     QCOMPARE(spots.canvas().look().stream, std::pair(1, std::string("nao/joints/states")));
+  }
+
+  void theMenuOfARowHidesItsStream() {
+    LogBench bench;
+    bench.openLog(kFile);
+    auto view = bench.openView<TimeLineView>();
+    Spots spots(*view);
+    const QPoint where = spots.on(Kind::kStream, 20, "nao/joints/states");
+    QContextMenuEvent event(QContextMenuEvent::Mouse, where, spots.viewport().mapToGlobal(where));
+    QApplication::sendEvent(&spots.viewport(), &event);
+    auto& menu = child<QMenu>(*view, "timeLineMenu");
+    for (QAction* action : menu.actions()) {
+      if (action->text() == QStringLiteral("Hide nao/joints/states")) action->trigger();
+    }
+    menu.close();
+    bench.tick(*view);
+    QVERIFY(bench.logs().logs()[0]->hidden.contains("nao/joints/states"));
+    QCOMPARE(spots.canvas().bands()[0].streams.size(), std::size_t{3});
   }
 
   void aBandIsCollapsedByItsTriangle() {

@@ -17,7 +17,7 @@ constexpr double kImageMargin = 2;
 
 }  // namespace
 
-const TimeLineLayout::Lane* TimeLineLayout::laneAt(const QPointF& point) const {
+const TimeLineLayout::Lane* TimeLineLayout::laneAt(const QPointF& point) const& {
   if (!body.contains(point)) return nullptr;
   const auto found = std::find_if(lanes.begin(), lanes.end(), [&](const Lane& lane) { return lane.rect.contains(point); });
   return found == lanes.end() ? nullptr : &*found;

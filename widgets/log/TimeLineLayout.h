@@ -59,7 +59,9 @@ struct TimeLineLayout {
   std::vector<Lane> lanes;
   double height = 0;  ///< that all bands need
 
-  const Lane* laneAt(const QPointF& point) const;
+  /// Null if there is none.
+  const Lane* laneAt(const QPointF& point) const&;
+  const Lane* laneAt(const QPointF& point) const&& = delete;  // it would not outlive the call
 };
 
 TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook& look);

@@ -308,7 +308,8 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   menu->setAttribute(Qt::WA_DeleteOnClose);
   menu->setObjectName(QStringLiteral("timeLineMenu"));
   const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
-  const auto* stream = canvas_->layout().laneAt(at);
+  const TimeLineLayout all = canvas_->layout();
+  const auto* stream = all.laneAt(at);
   auto& replay = logs_.replay();
   menu->addAction(bookmark_);
   menu->addAction(withKey(tr("Range begins here"), ReplayKey::kRangeStart), this, [&replay] { replay.beginRangeHere(); });
