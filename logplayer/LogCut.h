@@ -34,7 +34,7 @@ struct RewriteOptions {
 /// What a new log was made of.
 struct RewriteReport {
   std::uint64_t messages = 0;  ///< in the new file
-  std::uint64_t frames = 0;
+  std::uint64_t frames = 0;    ///< of the robots' processes, the platform's steps apart
   std::uint64_t bookmarks = 0;
   std::uint64_t bytes = 0;  ///< of the file
   robotlink::Instant begin, end;

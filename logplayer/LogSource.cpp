@@ -202,7 +202,8 @@ void LogSource::endFrame(Process& process, Reader::MessageData frameInfo) {
   process.done = frame;
   process.doneKept = inRange(time);
   if (!process.doneKept) return;
-  LogUnit unit{time, true, open.empty() ? std::vector<Reader::MessageData>() : std::move(open.mapped())};
+  LogUnit unit{time, !process.frames.ends_with("/platform"),
+               open.empty() ? std::vector<Reader::MessageData>() : std::move(open.mapped())};
   if (process.ends) unit.messages.push_back(std::move(frameInfo));
   if (!unit.messages.empty()) ready_.push_back(std::move(unit));
 }

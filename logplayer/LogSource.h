@@ -22,7 +22,7 @@ namespace logplayer {
 /// What of a log belongs together and is copied together: a frame, or a message that belongs to none.
 struct LogUnit {
   robotlink::Instant time;  ///< of the frame's FrameInfo
-  bool frame = false;
+  bool frame = false;       ///< of a program's process, not a step of the platform
   std::vector<mcap::Reader::MessageData> messages;
 };
 

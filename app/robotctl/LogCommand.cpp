@@ -99,7 +99,12 @@ TerminalProgress::TerminalProgress()
 
 TerminalProgress::~TerminalProgress() {
   std::signal(SIGINT, SIG_DFL);
+  erase();
+}
+
+void TerminalProgress::erase() {
   if (shown_ >= 0) std::fputs("\r       \r", stderr);
+  shown_ = -1;
 }
 
 logplayer::LogFile::Progress TerminalProgress::function() {

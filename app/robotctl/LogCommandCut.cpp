@@ -5,6 +5,7 @@
 #include <cstdio>
 #include <iostream>
 #include <memory>
+#include <string>
 
 #include "app/robotctl/LogCommands.h"
 #include "logplayer/LogCut.h"
@@ -26,17 +27,24 @@ const std::map<std::string, logplayer::mcap::Compression> kCompressions{
     {"zstd", logplayer::mcap::Compression::kZstd},
 };
 
-int write(logplayer::RewriteOptions& options, const std::string& to) {
+robotlink::Result<logplayer::RewriteReport> rewrite(logplayer::RewriteOptions& options,
+                                                    const std::string& to) {
   TerminalProgress progress;
   options.progress = progress.function();
-  const auto report = rewriteLogs(options, to);
+  return rewriteLogs(options, to);
+}
+
+std::string counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+int write(logplayer::RewriteOptions& options, const std::string& to) {
+  const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
   for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
   for (const std::string& note : report->notes) std::cout << note << "\n";
-  std::printf("%s: %llu messages, %llu frames, %llu bookmarks, %.3f s, %.2f MB\n", to.c_str(),
-              static_cast<unsigned long long>(report->messages),
-              static_cast<unsigned long long>(report->frames),
-              static_cast<unsigned long long>(report->bookmarks),
+  std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(), counted(report->messages, "message").c_str(),
+              counted(report->frames, "frame").c_str(), counted(report->bookmarks, "bookmark").c_str(),
               robotlink::seconds(report->end - report->begin), static_cast<double>(report->bytes) * 1e-6);
   std::fflush(stdout);
   return printLosses(report->losses);

@@ -28,7 +28,9 @@ constexpr char kStandardOutput[] = "-";
 /// What was written where, and with which losses.
 class ExportStatus {
  public:
+  explicit ExportStatus(TerminalProgress& progress) : progress_(progress) {}
   void add(const Result<ExportReport>& report, const std::string& what, const std::string& to) {
+    progress_.erase();
     if (!report) {
       status_ = printErrors({report.error()});
       return;
@@ -40,12 +42,15 @@ class ExportStatus {
   int value() const { return status_; }
 
  private:
+  TerminalProgress& progress_;
   int status_ = kDone;
 };
 
 int exportFrom(const std::shared_ptr<logplayer::LogFile>& log, const ExportArguments& arguments,
-               const logplayer::ExportOptions& options) {
-  ExportStatus status;
+               logplayer::ExportOptions options) {
+  TerminalProgress progress;
+  options.progress = progress.function();
+  ExportStatus status(progress);
   if (!arguments.images.empty()) {
     status.add(exportImages(log, arguments.streams, arguments.images, options), "images", arguments.images);
   }
@@ -67,6 +72,13 @@ int exportFrom(const std::shared_ptr<logplayer::LogFile>& log, const ExportArgum
   return kFailed;
 }
 
+Result<std::shared_ptr<logplayer::LogFile>> opened(const std::string& file) {
+  TerminalProgress progress;
+  logplayer::LogFile::Options options;
+  options.progress = progress.function();
+  return logplayer::LogFile::open(file, options);
+}
+
 int run(const ExportArguments& arguments) {
   if (arguments.images.empty() && arguments.csv.empty() && !arguments.texts) {
     std::cerr << "robotctl log export: say what: --images, --csv or --texts\n";
@@ -77,12 +89,9 @@ int run(const ExportArguments& arguments) {
     printErrors({range.error()});
     return range.error().id == "usage" ? kUsage : kFailed;
   }
-  TerminalProgress progress;
-  logplayer::LogFile::Options opening;
-  opening.progress = progress.function();
-  const auto log = logplayer::LogFile::open(arguments.file, opening);
+  const auto log = opened(arguments.file);
   if (!log) return printErrors({log.error()});
-  return exportFrom(*log, arguments, {range->from, range->to, arguments.force, progress.function()});
+  return exportFrom(*log, arguments, {range->from, range->to, arguments.force});
 }
 
 }  // namespace

@@ -66,6 +66,7 @@ int import(ImportArguments& arguments) {
   TerminalProgress progress;
   arguments.options.progress = progress.function();
   const auto report = logplayer::importLog(arguments.from, output->temporary(), arguments.options);
+  progress.erase();
   if (!report) return printErrors({report.error()});
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
   print(arguments, *report);
@@ -85,6 +86,7 @@ int repair(const ImportArguments& arguments) {
   if (!output) return printErrors({output.error()});
   TerminalProgress progress;
   const auto report = logplayer::mcap::repair(arguments.from, output->temporary(), progress.function());
+  progress.erase();
   if (!report) return printErrors({report.error()});
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
   std::cout << arguments.to << ": " << report->messages << " messages";

@@ -46,6 +46,8 @@ class TerminalProgress {
 
   /// For functions that report their progress; valid as long as this.
   logplayer::LogFile::Progress function();
+  /// Makes room for what is printed.
+  void erase();
 
  private:
   bool show(double share);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <algorithm>
 #include <chrono>
 #include <iostream>
 #include <memory>
@@ -57,7 +58,8 @@ class Recording {
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       write(messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder).messages);
     };
-    listeners.trouble = [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+    listeners.trouble = [this](const std::string& robot, const robotlink::Process& process,
+                               const std::string& text) {
       std::cerr << robot << ": " << text << "\n";
       failed_ = failed_ || !process.failure().empty();
     };
@@ -125,7 +127,9 @@ std::string takeChoices(const RunArguments& arguments, ReplayOptions& options) {
     const bool good = split(text, halves) && (halves.second == "logged" || halves.second == "recomputed");
     if (!good) return "--package takes PACKAGE=logged or PACKAGE=recomputed, not '" + text + "'";
     const auto source = halves.second == "logged" ? ControlReplay::AS_LOGGED : ControlReplay::RECOMPUTED;
-    options.packages["*/" + halves.first] = source;
+    // Packages are called "models/ball"; with a robot before it, that robot's is meant.
+    const bool ofOneRobot = std::count(halves.first.begin(), halves.first.end(), '/') > 1;
+    options.packages[ofOneRobot ? halves.first : "*/" + halves.first] = source;
   }
   return {};
 }
@@ -170,7 +174,8 @@ json summaryOf(const ReplayStatus& status, std::uint64_t instants, double realSe
                                    {"why_not", package.why_not()}});
   }
   summary["differences"] = json::array();
-  for (const auto& difference : status.differences()) summary["differences"].push_back(differenceJson(difference));
+  for (const auto& difference : status.differences())
+    summary["differences"].push_back(differenceJson(difference));
   summary["unavailable_tasks"] = status.unavailable_tasks();
   return summary;
 }
@@ -185,12 +190,15 @@ void printSummary(const ReplayStatus& status, const json& summary) {
   }
   for (const auto& task : status.unavailable_tasks()) std::cout << "not available: " << task << "\n";
   for (const auto& package : summary["packages"]) {
-    if (package["source"] == "recomputed") std::cout << "recomputed: " << package["package"].get<std::string>() << "\n";
+    if (package["source"] == "recomputed")
+      std::cout << "recomputed: " << package["package"].get<std::string>() << "\n";
   }
   for (const auto& difference : status.differences()) {
-    std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared() << " differ";
+    std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared()
+              << " differ";
     if (difference.only_logged() > 0) std::cout << ", " << difference.only_logged() << " only logged";
-    if (difference.only_recomputed() > 0) std::cout << ", " << difference.only_recomputed() << " only recomputed";
+    if (difference.only_recomputed() > 0)
+      std::cout << ", " << difference.only_recomputed() << " only recomputed";
     if (difference.largest() > 0) {
       std::cout << "; largest: " << difference.largest_field() << " by " << difference.largest() << " at "
                 << 1e-9 * static_cast<double>(difference.largest_time()) << " s";
@@ -247,15 +255,19 @@ int run(const RunArguments& arguments) {
 void addRunCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Runs robot programs on logs, as fast as possible");
-  command->add_option("--platform", arguments->platform, "log:FILE, or several logs: log:FILE,log:FILE...")->required();
-  command->add_option("--offset", arguments->offsets, "Seconds added to the times of a log; one for each, in their order");
+  command->add_option("--platform", arguments->platform, "log:FILE, or several logs: log:FILE,log:FILE...")
+      ->required();
+  command->add_option("--offset", arguments->offsets,
+                      "Seconds added to the times of a log; one for each, in their order");
   command->add_option("--layout", arguments->layout,
                       "A process layout: a file, or the name of a shipped one; else that of the log");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
   command->add_option("--package", arguments->packages,
-                      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed); else whatever is logged is as logged");
+                      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
+                      "red1/percepts/ball=recomputed for one); else whatever is logged is as logged");
   command->add_option("--color-table", arguments->colorTable, "A colour table (.c64) instead of the log's");
-  command->add_option("--record", arguments->record, "A new log (MCAP) of what was logged and what was recomputed");
+  command->add_option("--record", arguments->record,
+                      "A new log (MCAP) of what was logged and what was recomputed");
   command->add_option("--compression", arguments->compression, "Of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();

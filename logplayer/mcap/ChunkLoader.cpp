@@ -60,6 +60,10 @@ tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, c
   } else {
     compressed_.resize(static_cast<std::size_t>(head.recordsBytes));
     if (!source_.read(at, compressed_)) return problem("the system cannot read it");
+    if (!Decompressor::canYield(compression, compressed_, head.uncompressedBytes)) {
+      return problem("a chunk claims " + std::to_string(head.uncompressedBytes) + " bytes of only " +
+                     std::to_string(head.recordsBytes) + " compressed ones");
+    }
     records.resize(static_cast<std::size_t>(head.uncompressedBytes));
     if (!decompressor_.decompress(compression, compressed_, records)) {
       return problem("a chunk cannot be decompressed");

@@ -38,6 +38,11 @@ class Decompressor {
   Decompressor(const Decompressor&) = delete;
   Decompressor& operator=(const Decompressor&) = delete;
 
+  /// False: these records cannot become so many bytes, whatever they hold. Asked before memory is taken for a
+  /// size that a file claims: at most 255 bytes of lz4 and a block of 128 KiB in 4 of zstd come from one
+  /// byte, and zstd frames may tell their size.
+  static bool canYield(Compression compression, Bytes records, std::uint64_t bytes);
+
   /// False: damaged, or it does not yield exactly as many bytes as `out` holds. Never writes more.
   bool decompress(Compression compression, Bytes records, std::span<std::uint8_t> out);
 

@@ -53,7 +53,8 @@ TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
   EXPECT_EQ(figures.at("seed"), 5);
   EXPECT_EQ(figures.at("robots"), 1);
   EXPECT_NEAR(figures.at("simulated_seconds").get<double>(), 1, 0.009);
-  for (const char* name : {"real_time_factor", "ms_per_step", "ms_per_image"}) EXPECT_GT(figures.at(name).get<double>(), 0);
+  for (const char* name : {"real_time_factor", "ms_per_step", "ms_per_image"})
+    EXPECT_GT(figures.at(name).get<double>(), 0);
   EXPECT_TRUE(figures.contains("ball_contacts"));
   EXPECT_TRUE(figures.contains("digest"));
 }
@@ -95,8 +96,9 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
   const auto path = [&](const char* name) { return (folder / name).string(); };
   for (const char* name : {"run-in.mcap", "run-a.mcap", "run-b.mcap"}) remove(name);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 1 --record " + path("run-in.mcap")).status, 0);
-  const std::string command = "run --json --platform log:" + path("run-in.mcap") +
-                              " --package percepts/regions=recomputed --package models/ball=recomputed --record ";
+  const std::string command =
+      "run --json --platform log:" + path("run-in.mcap") +
+      " --package percepts/regions=recomputed --package red1/models/ball=recomputed --record ";
   const Outcome first = robotctl(command + path("run-a.mcap"));
   ASSERT_EQ(first.status, 0) << first.text;
   const auto summary = nlohmann::json::parse(first.text);
@@ -115,8 +117,9 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
   EXPECT_TRUE(bytes("run-a.mcap") == bytes("run-b.mcap"));
   EXPECT_EQ(robotctl(command + path("run-a.mcap")).status, 1) << "it must not exist";
 
-  const Outcome other = robotctl("run --platform log:" + path("run-in.mcap") +
-                                 " --package percepts/regions=recomputed --solution segmentation=whole-image");
+  const Outcome other =
+      robotctl("run --platform log:" + path("run-in.mcap") +
+               " --package percepts/regions=recomputed --solution segmentation=whole-image");
   EXPECT_EQ(other.status, 0);
   EXPECT_NE(other.text.find("red1/percepts/regions: "), std::string::npos) << other.text;
   EXPECT_NE(other.text.find("largest: "), std::string::npos) << other.text;
@@ -141,9 +144,11 @@ TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   const Outcome lossy = robotctl("run --platform log:" + cut.string());
   EXPECT_EQ(lossy.status, 3) << lossy.text;
   EXPECT_NE(lossy.text.find("not closed"), std::string::npos) << lossy.text;
-  const Outcome refused = robotctl("run --platform log:" + cut.string() + " --package camera/image=recomputed");
+  const Outcome refused =
+      robotctl("run --platform log:" + cut.string() + " --package camera/image=recomputed");
   EXPECT_EQ(refused.status, 1);
-  EXPECT_NE(refused.text.find("camera/image cannot be recomputed: no task of layout compact yields it"), std::string::npos)
+  EXPECT_NE(refused.text.find("camera/image cannot be recomputed: no task of layout compact yields it"),
+            std::string::npos)
       << refused.text;
 }
 
@@ -151,7 +156,8 @@ TEST(Robotctl, simRecordsIntoANewFileAndNeverOverAnOldOne) {
   const auto file = std::filesystem::path(testing::TempDir()) / "robotctl-record.mcap";
   std::filesystem::remove(file);
   const std::string command = "sim " + kScene + " --seconds 0.5 --record " + file.string();
-  const Outcome recorded = robotctl(command + " --streams '*/camera/*,-*/pose' --images jpeg --compression zstd");
+  const Outcome recorded =
+      robotctl(command + " --streams '*/camera/*,-*/pose' --images jpeg --compression zstd");
   EXPECT_EQ(recorded.status, 0) << recorded.text;
   EXPECT_NE(recorded.text.find("messages"), std::string::npos);
   const auto size = std::filesystem::file_size(file);

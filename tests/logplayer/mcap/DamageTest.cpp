@@ -186,6 +186,19 @@ TEST_F(LyingChunkTest, oneThatClaimsHugeRecordsIsLeftOut) {
   EXPECT_LE(largest.bytes(), kLittle);
 }
 
+TEST_F(LyingChunkTest, noMemoryIsTakenForMoreThanItCanBecome) {
+  const LargestAllocation largest;
+  const std::uint64_t claim = 512U << 20U;  // within the limit of a reader
+  for (const Compression compression : {Compression::kLz4, Compression::kZstd}) {
+    Compressor compressor(compression, 0);
+    const Bytes honest = compressor.compress(body_).value();
+    const std::string name(compressionName(compression));
+    expectNothing(*readerOf({at(5), at(5), claim, 0, name, honest.size()}, honest));
+    EXPECT_TRUE(Decompressor::canYield(compression, honest, body_.size()));
+  }
+  EXPECT_LE(largest.bytes(), kLittle);
+}
+
 TEST_F(LyingChunkTest, aBombIsNotInflatedPastWhatItClaims) {
   const std::vector<std::uint8_t> zeros(64U << 20U);
   for (const Compression compression : {Compression::kLz4, Compression::kZstd}) {
