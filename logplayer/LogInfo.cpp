@@ -84,18 +84,13 @@ Result<void> describeStreams(const std::filesystem::path& container, const LogFi
 }  // namespace
 
 Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Progress& progress) {
-  bool givenUp = false;
-  const auto opening = [&](double share) {
-    givenUp = givenUp || (progress && !progress(kOpeningShare * share));
-    return !givenUp;
-  };
+  const auto opening = [&](double share) { return !progress || progress(kOpeningShare * share); };
   const auto container = ContainerFile::of(file, opening);
   if (!container) return tl::unexpected(container.error());
   mcap::Reader::Options options;
   options.progress = opening;
   const auto reader = mcap::Reader::open(container->path(), options);
   if (!reader) return tl::unexpected(reader.error());
-  if (givenUp) return robotlink::failure("log.given-up", "given up", {file.string(), 0, 0});
   LogInfo info;
   info.file = file;
   std::error_code error;

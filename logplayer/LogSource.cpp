@@ -55,14 +55,9 @@ Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFi
   if (container->conversion()) source.noteConversion(*container->conversion());
   source.container_.emplace(std::move(*container));
   Reader::Options options;
-  bool givenUp = false;
-  options.progress = [&](double share) {
-    givenUp = givenUp || (progress && !progress(share));
-    return !givenUp;
-  };
+  options.progress = progress;
   auto reader = Reader::open(source.container_->path(), options);
   if (!reader) return tl::unexpected(reader.error());
-  if (givenUp) return robotlink::failure("log.given-up", "given up", {file.string(), 0, 0});
   source.reader_ = std::move(*reader);
   auto stored = readStoredBookmarks(file, {});
   if (!stored) return tl::unexpected(stored.error());

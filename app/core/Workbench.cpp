@@ -132,7 +132,12 @@ void Workbench::tell(const robotlink::Errors& errors) {
 
 void Workbench::takeIn(Outcome outcome) {
   if (--loading_ == 0) opening_.reset();
-  if (!outcome.loaded) return tell(outcome.loaded.error());
+  if (!outcome.loaded) {
+    const robotlink::Errors& errors = outcome.loaded.error();
+    const bool wanted = errors.size() == 1 && errors.front().id == "log.given-up";
+    if (!wanted) tell(errors);
+    return;
+  }
   loaded_ = std::move(*outcome.loaded);
   if (loaded_->simulation) lastSimulation_ = *loaded_->simulation;
   std::vector<std::string> robots;

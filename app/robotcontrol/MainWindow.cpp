@@ -6,6 +6,7 @@
 #include <QHBoxLayout>
 #include <QJsonArray>
 #include <QLabel>
+#include <QMenu>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -136,6 +137,7 @@ void MainWindow::onLoaded() {
   context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();
+  simulationMenu_->menuAction()->setVisible(loaded->logs.empty());
   const QString name = QString::fromStdString(loaded->name());
   setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
 }

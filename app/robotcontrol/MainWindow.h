@@ -96,6 +96,7 @@ class MainWindow : public QMainWindow {
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;
+  QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;
   QTimer tick_;
   QElapsedTimer sinceKept_;

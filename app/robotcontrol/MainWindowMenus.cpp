@@ -59,11 +59,11 @@ void MainWindow::createViewMenu() {
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
   robot->addAction(toolBar_->stopAction());
-  QMenu* simulation = menuBar()->addMenu(tr("&Simulation"));
-  simulation->setObjectName(QStringLiteral("simulationMenu"));
-  simulation->addActions(toolBar_->simulationActions());
+  simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
+  simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
+  simulationMenu_->addActions(toolBar_->simulationActions());
   menuBar()->addMenu(recordingBar_->menu());
-  QMenu* speed = simulation->addMenu(tr("S&peed"));
+  QMenu* speed = simulationMenu_->addMenu(tr("S&peed"));
   for (const double value : SimulationToolBar::speeds()) {
     QAction* action = speed->addAction(SimulationToolBar::speedText(value), this, [this, value] {
       actions_->run(QStringLiteral("simulation.speed"), {value});

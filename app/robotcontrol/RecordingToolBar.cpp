@@ -64,7 +64,7 @@ void RecordingToolBar::createActions() {
   record_->setCheckable(true);
   saveLast_ = actions_.make(tr("Save the last seconds"), "save", QStringLiteral("recording.save-last"), {},
                             {QKeySequence(QStringLiteral("Ctrl+Shift+S"))});
-  bookmark_ = new QAction(widgets::icon("bookmark"), tr("Mark this instant…"), this);
+  bookmark_ = new QAction(widgets::icon("bookmark-recording"), tr("Mark this instant…"), this);
   bookmark_->setObjectName(QStringLiteral("recording.bookmark"));
   bookmark_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+B")));
   bookmark_->setShortcutContext(Qt::ApplicationShortcut);

@@ -83,15 +83,14 @@ void SimulationToolBar::createBoxes() {
   const auto addLabelled = [this](const QString& text, QWidget* widget) {
     auto* label = new QLabel(text, this);
     label->setMargin(4);
-    addWidget(label);
-    addWidget(widget);
+    return QList<QAction*>{addWidget(label), addWidget(widget)};
   };
   addLabelled(tr("Scene:"), scene_);
   addLabelled(tr("Layout:"), layout_);
   addLabelled(tr("Robot:"), robot_);
   addSeparator();
   addActions(simulationActions_);
-  addLabelled(tr("Speed:"), speed_);
+  ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
   auto* gap = new QWidget(this);
   gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
   addWidget(gap);
@@ -125,6 +124,8 @@ void SimulationToolBar::connectSignals() {
 void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
+  // A log has a toolbar of its own to play it.
+  for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty());
   selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
   layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));
   selectFile(layout_, loaded->layout);

@@ -20,7 +20,7 @@ class SimulationToolBar : public QToolBar {
 
   /// Shows the simulation's state; called after each tick.
   void refresh();
-  /// A scene or layout was loaded or refused: shows what runs now.
+  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless it is a log.
   void showLoaded();
 
   const QList<QAction*>& simulationActions() const { return simulationActions_; }
@@ -47,6 +47,7 @@ class SimulationToolBar : public QToolBar {
   QAction* reset_ = nullptr;
   QAction* stop_ = nullptr;
   QList<QAction*> simulationActions_;
+  QList<QAction*> ofSimulation_;  ///< these, and the speed
 };
 
 }  // namespace app

@@ -35,6 +35,7 @@ struct FileIndex {
   std::uint64_t dataEnd = 0;  ///< offset of the DataEnd record; 0: there is none
   std::uint32_t dataCrc = 0;  ///< of all before it; 0: not known
   std::vector<Damage> damage;
+  bool givenUp = false;  ///< by Reader::Options::progress; there is more in the file than is told here
 };
 
 /// Why a file must be scanned.
@@ -45,7 +46,7 @@ struct NoSummary {
 /// From a file's summary, if it tells of all messages and fits the file.
 tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::size_t maxRecordBytes);
 
-/// By the summary, or else by a scan. Fails if nothing in the file is MCAP.
+/// By the summary, or else by a scan. Fails if nothing in the file is MCAP, or it is given up.
 robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options);
 
 /// The summary as it stands in a file; for going on with it.

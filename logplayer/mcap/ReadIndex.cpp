@@ -10,6 +10,9 @@ robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Optio
   if (index) return std::move(*index);
 
   FileIndex scanned = indexByScan(source, options);
+  if (scanned.givenUp) {
+    return robotlink::failure("log.given-up", "given up while it was looked through", {source.file().string(), 0, 0});
+  }
   if (const std::string& damage = index.error().damage; !damage.empty()) {
     scanned.complete = false;
     scanned.damage.insert(scanned.damage.begin(), {0, 0, damage});

@@ -43,7 +43,7 @@ class Reader {
     std::size_t cacheBytes = 64U << 20U;
     /// No chunk, attachment or record larger than this is read, whatever it says of itself.
     std::size_t maxRecordBytes = 1U << 30U;
-    /// Called now and then while a file is scanned, with the share done in [0, 1]; false: give up.
+    /// Called now and then while a file is scanned, with the share done in [0, 1]; false: give up, with "log.given-up".
     std::function<bool(double)> progress;
   };
   struct ChunkInfo {

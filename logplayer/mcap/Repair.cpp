@@ -64,7 +64,7 @@ Result<void> Salvage::copyInto(Writer& writer) {
   for (std::size_t i = 0; i < index_.sections.size(); ++i) {
     const double done = static_cast<double>(i) / static_cast<double>(index_.sections.size());
     if (options_.progress && !options_.progress(0.1 + 0.5 * done)) {
-      return failure("mcap.given-up", "the repair was given up");
+      return failure("log.given-up", "the repair was given up");
     }
     if (Result<void> copied = copySection(i, writer); !copied) return copied;
   }
@@ -160,7 +160,7 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   if (progress) options.progress = [&](double share) { return progress(0.6 + 0.3 * share); };
   const auto reader = Reader::open(file, options);
   if (!reader) return tl::unexpected(reader.error());
-  if (!(*reader)->verify()) return failure("mcap.given-up", "the repair was given up");
+  if (!(*reader)->verify()) return failure("log.given-up", "the repair was given up");
   Digest digest;
   (*reader)->readAll([&](const Message& message) {
     digest.add(message);

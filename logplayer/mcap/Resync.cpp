@@ -59,8 +59,10 @@ Resync::Resync(const Source& source, std::size_t maxRecordBytes)
       patience_(kPatience + 4 * source.bytes()) {}
 
 std::optional<std::uint64_t> Resync::find(std::uint64_t offset, bool loose,
-                                          const std::map<std::uint16_t, Channel>& channels) {
+                                          const std::map<std::uint16_t, Channel>& channels,
+                                          const std::function<bool(std::uint64_t)>& goOn) {
   for (; offset < source_.bytes(); offset += kBlock) {
+    if (!goOn(offset)) return std::nullopt;
     const Buffer block = source_.read(offset, kBlock);
     if (block.empty()) return std::nullopt;
     for (std::size_t i = 0; i < block.size(); ++i) {

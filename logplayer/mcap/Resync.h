@@ -21,9 +21,11 @@ class Resync {
   Resync(const Source& source, std::size_t maxRecordBytes);
 
   /// The first place from `offset` on where a chunk begins that can be read, with its CRC if it has one, or
-  /// where several records with known channels follow each other, if `loose`. Nothing: there is none.
+  /// where several records with known channels follow each other, if `loose`. Nothing: there is none, or
+  /// `goOn`, which is told every so often how far the search has come, said no.
   std::optional<std::uint64_t> find(std::uint64_t offset, bool loose,
-                                    const std::map<std::uint16_t, Channel>& channels);
+                                    const std::map<std::uint16_t, Channel>& channels,
+                                    const std::function<bool(std::uint64_t)>& goOn);
 
  private:
   bool chunkBeginsAt(std::uint64_t offset);

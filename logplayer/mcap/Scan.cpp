@@ -39,7 +39,7 @@ class Scanner {
   void hop();
   bool recover();
   bool atEnd();
-  bool goOn();
+  bool goOn(std::uint64_t at);
   Taken take(Opcode opcode, std::uint64_t length);
   Taken takeChunk(std::uint64_t length);
   Taken takeMessageIndex(std::uint64_t length);
@@ -78,7 +78,7 @@ class Scanner {
 
 FileIndex Scanner::run() {
   if (begin()) {
-    while (offset_ < source_.bytes() && !atEnd() && goOn()) hop();
+    while (offset_ < source_.bytes() && !atEnd() && goOn(offset_)) hop();
   }
   unsure_ = true;
   finishSection();
@@ -104,12 +104,12 @@ bool Scanner::atEnd() {
   return true;
 }
 
-bool Scanner::goOn() {
-  if (!options_.progress || offset_ - std::min(told_, offset_) < kProgressBytes) return true;
-  told_ = offset_;
-  if (options_.progress(static_cast<double>(offset_) / static_cast<double>(source_.bytes()))) return true;
-  note(offset_, source_.bytes() - offset_, "the scan was given up here");
-  certain_ = source_.bytes();
+bool Scanner::goOn(std::uint64_t at) {
+  if (!options_.progress || at - std::min(told_, at) < kProgressBytes) return true;
+  told_ = at;
+  if (options_.progress(static_cast<double>(at) / static_cast<double>(source_.bytes()))) return true;
+  index_.givenUp = true;
+  offset_ = certain_ = source_.bytes();
   return false;
 }
 
@@ -149,7 +149,9 @@ bool Scanner::recover() {
   const bool loose = index_.sections.empty() || index_.sections.back().loose;
   // Not the same place again: what begins there was not understood.
   certain_ = std::max(certain_, searchFrom_);
-  const auto found = resync_.find(certain_, loose, index_.channels);
+  const auto found =
+      resync_.find(certain_, loose, index_.channels, [this](std::uint64_t at) { return goOn(at); });
+  if (index_.givenUp) return false;
   const std::uint64_t next = found.value_or(source_.bytes());
   const std::uint64_t lost = next < read_ ? certain_ : std::max(certain_, read_);
   note(lost, next - lost,

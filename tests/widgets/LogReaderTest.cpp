@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Real files, read in threads as views read them, and what the time line does with them: cut, exported, repaired.
 #include <QAction>
+#include <QDir>
 #include <QFileDialog>
 #include <QLabel>
 #include <QLineEdit>
@@ -12,6 +13,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/LogFile.h"
 #include "logplayer/LogWriter.h"
+#include "tests/app/ShortLog.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogBars.h"
 #include "widgets/log/LogReader.h"
@@ -161,6 +163,24 @@ class LogReaderTest : public QObject {
     bench.answer(*view, "exportTableDialog", home() / "game.csv");
     QVERIFY(std::filesystem::file_size(home() / "game.csv") > 500);
     QVERIFY(child<QLabel>(*view, "logJobText").text().contains(QStringLiteral("game.csv")));
+  }
+
+  void imagesAreExportedIntoAFolder() {
+    const auto file = home() / "images.mcap";
+    QCOMPARE(app::test::ShortLog::write(file), std::string());
+    ReadBench bench;
+    bench.openLog(file.string());
+    bench.setRange(14, 15);  // the second half of it
+    auto view = bench.openView<TimeLineView>();
+    bench.waitUntilRead(*view);
+    QTRY_VERIFY_WITH_TIMEOUT((bench.tick(*view), bench.logs().current()->imageStream == "red1/camera/image"), kWaitMs);
+    const auto folder = home() / "pictures";
+    std::filesystem::create_directories(folder);
+    view->findChild<QAction*>(QStringLiteral("exportImages"))->trigger();
+    bench.answer(*view, "exportImagesDialog", folder);
+    const QStringList pictures = QDir(QString::fromStdString(folder.string())).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
+    QCOMPARE(pictures.size(), 13);  // every second frame from the 25th on
+    QCOMPARE(QImage(QDir(QString::fromStdString(folder.string())).filePath(pictures.front())).size(), QSize(176, 144));
   }
 
   void aDamagedLogIsRepairedIntoANewOne() {

@@ -134,6 +134,25 @@ TEST_P(DamageTest, aFileCutAtAnyByteKeepsAllChunksBeforeThat) {
   }
 }
 
+TEST_P(DamageTest, theSearchBehindDamageTellsHowFarItIsAndCanBeGivenUp) {
+  const auto file = folder_ / "hole.mcap";
+  const std::size_t cut = chunks_.back().offset;
+  writeBytes(file, bytes_.substr(0, cut));
+  std::filesystem::resize_file(file, cut + (40U << 20U));
+  int told = 0;
+  Reader::Options wishes = options();
+  wishes.progress = [&](double share) {
+    EXPECT_LE(share, 1);
+    return ++told != 5;
+  };
+  const auto reader = Reader::open(file, wishes);
+  EXPECT_EQ(told, 5);
+  ASSERT_FALSE(reader);
+  EXPECT_EQ(reader.error().id, "log.given-up");
+  EXPECT_EQ(test::open(file, wishes)->chunks().size(), chunks_.size() - 1);
+  EXPECT_GT(told, 12);
+}
+
 TEST_P(DamageTest, aFlippedByteCostsAtMostItsChunk) {
   flipAll(bytes_, 1);
 }

@@ -109,7 +109,7 @@ TEST_F(RepairTest, givenUpNothingIsLeft) {
   };
   const auto report = repair(whole_, repaired_, giveUp);
   ASSERT_FALSE(report);
-  EXPECT_EQ(report.error().id, "mcap.given-up");
+  EXPECT_EQ(report.error().id, "log.given-up");
   EXPECT_FALSE(std::filesystem::exists(repaired_));
 }
 

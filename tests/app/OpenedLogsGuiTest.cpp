@@ -1,0 +1,90 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Real log files in the whole window: opened, added, given up, closed again for a scene.
+#include <QComboBox>
+#include <QFileDialog>
+#include <QLineEdit>
+#include <QMenuBar>
+#include <QProgressBar>
+#include <fstream>
+
+#include "tests/app/Desk.h"
+#include "tests/app/ShortLog.h"
+#include "widgets/log/OpenLogs.h"
+
+using app::test::ShortLog;
+
+class OpenedLogsGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+    QVERIFY(folder_.isValid());
+    for (const char* name : {"first.mcap", "second.mcap"}) QCOMPARE(ShortLog::write(file(name)), std::string());
+  }
+  void init() { std::filesystem::remove_all(home_); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void theSimulationsButtonsGoWhileALogIsOpen() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto& menu = *desk.find<QMenu>("simulationMenu").menuAction();
+    const auto shown = [&] {
+      return std::array{desk.find<QAction>("simulation.step").isVisible(), desk.find<QComboBox>("speedBox").isVisible(), menu.isVisible()};
+    };
+    QCOMPARE(shown(), (std::array{true, true, true}));
+    open(desk, "first.mcap");
+    QCOMPARE(shown(), (std::array{false, false, false}));
+    QVERIFY(desk.find<QComboBox>("sceneBox").isVisible());  // the way back
+    QVERIFY(desk.find<QToolBar>("logToolBar").isVisible());
+    desk.choose("closeLog");
+    QTRY_COMPARE_WITH_TIMEOUT(shown(), (std::array{true, true, true}), kWaitMs);
+    QVERIFY(!desk.find<QToolBar>("logToolBar").isVisible());
+  }
+
+  void aSecondLogIsAddedByItsFile() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(!desk.find<QAction>("addLog").isEnabled());
+    open(desk, "first.mcap");
+    desk.choose("addLog");
+    auto& dialog = desk.find<QFileDialog>("openLogDialog");
+    auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
+    name->setText(QString::fromStdString(file("second.mcap").string()));
+    QTest::keyClick(name, Qt::Key_Return);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->logs.size(), std::size_t{2}, kWaitMs);
+  }
+
+  void openingSaysHowFarItIsAndCanBeGivenUp() {
+    // Nothing marks where anything begins in what it holds, and all of that must be looked through.
+    const auto slow = file("slow.mcap");
+    std::filesystem::copy_file(file("first.mcap"), slow);
+    std::error_code error;
+    std::filesystem::resize_file(slow, std::uintmax_t{40} << 30U, error);
+    if (error) QSKIP("files with holes cannot be made here");
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& bar = desk.find<QWidget>("openingBar");
+    QVERIFY(!bar.isVisible());
+    QVERIFY(desk.workbench.commands().run("log.open", {slow.string()}));
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && desk.find<QProgressBar>("openingProgress").value() > 0, kWaitMs);
+    QTest::mouseClick(&desk.find<QToolButton>("openingCancel"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
+    QVERIFY(desk.workbench.loaded()->logs.empty());
+    QVERIFY(desk.workbench.loaded()->simulation.has_value());
+    QVERIFY(!desk.find<QWidget>("errorBar").isVisible());  // it was wanted
+  }
+
+ private:
+  std::filesystem::path file(const char* name) const { return std::filesystem::path(folder_.path().toStdString()) / name; }
+  void open(Desk& desk, const char* name) {
+    QVERIFY(desk.workbench.commands().run("log.open", {file(name).string()}));
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loaded()->logs.empty() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
+  }
+
+  std::filesystem::path home_;
+  QTemporaryDir folder_;
+};
+
+QTEST_MAIN(OpenedLogsGuiTest)
+#include "OpenedLogsGuiTest.moc"
