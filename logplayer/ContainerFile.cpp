@@ -1,23 +1,74 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/ContainerFile.h"
 
+#include <map>
+#include <mutex>
+#include <tuple>
+
 namespace logplayer {
 
-robotlink::Result<ContainerFile> ContainerFile::of(const std::filesystem::path& log,
-                                                   const LogFile::Progress& progress) {
-  ContainerFile result;
-  result.path_ = log;
-  if (!canImport(log)) return result;
+using robotlink::Result;
+
+namespace {
+
+constexpr char kName[] = "log.mcap";
+
+}  // namespace
+
+/// The copies that somebody uses.
+class ContainerFile::Copies {
+ public:
+  /// A file as it is now: written anew, it is another one.
+  using Key = std::tuple<std::filesystem::path, std::uintmax_t, std::filesystem::file_time_type>;
+
+  static Copies& all() {
+    static Copies copies;
+    return copies;
+  }
+  static Key keyOf(const std::filesystem::path& log) {
+    std::error_code error;  // a file that is gone has a key, too
+    return {std::filesystem::weakly_canonical(log, error), std::filesystem::file_size(log, error),
+            std::filesystem::last_write_time(log, error)};
+  }
+  std::shared_ptr<const Copy> find(const Key& key) {
+    const std::lock_guard lock(mutex_);
+    const auto found = copies_.find(key);
+    return found == copies_.end() ? nullptr : found->second.lock();
+  }
+  void add(const Key& key, const std::shared_ptr<const Copy>& copy) {
+    const std::lock_guard lock(mutex_);
+    std::erase_if(copies_, [](const auto& entry) { return entry.second.expired(); });
+    copies_[key] = copy;
+  }
+
+ private:
+  std::mutex mutex_;
+  std::map<Key, std::weak_ptr<const Copy>> copies_;
+};
+
+Result<ContainerFile> ContainerFile::of(const std::filesystem::path& log, const LogFile::Progress& progress) {
+  if (!canImport(log)) return ContainerFile(log, nullptr);
+  const Copies::Key key = Copies::keyOf(log);
+  std::shared_ptr<const Copy> copy = Copies::all().find(key);
+  if (copy == nullptr) {
+    auto made = convert(log, progress);
+    if (!made) return tl::unexpected(made.error());
+    copy = std::move(*made);
+    Copies::all().add(key, copy);
+  }
+  std::filesystem::path path = copy->folder.path() / kName;
+  return ContainerFile(std::move(path), std::move(copy));
+}
+
+Result<std::shared_ptr<const ContainerFile::Copy>> ContainerFile::convert(const std::filesystem::path& log,
+                                                                          const LogFile::Progress& progress) {
   auto folder = TemporaryFolder::make();
   if (!folder) return tl::unexpected(folder.error());
-  result.folder_ = std::make_unique<TemporaryFolder>(std::move(*folder));
-  result.path_ = result.folder_->path() / "log.mcap";
   ImportOptions options;
   options.progress = progress;
-  auto report = importLog(log, result.path_, options);
+  auto report = importLog(log, folder->path() / kName, options);
   if (!report) return tl::unexpected(report.error());
-  result.conversion_ = std::move(*report);
-  return result;
+  return std::make_shared<const Copy>(Copy{std::move(*folder), std::move(*report)});
 }
 
 }  // namespace logplayer

@@ -7,9 +7,8 @@
 #include <mutex>
 #include <set>
 
+#include "logplayer/ContainerFile.h"
 #include "logplayer/LogChannels.h"
-#include "logplayer/LogImport.h"
-#include "logplayer/TemporaryFolder.h"
 #include "robotlink/session/HeldMessages.h"
 
 namespace logplayer {
@@ -29,13 +28,12 @@ std::string plural(std::uint64_t count, const std::string& noun) {
 }  // namespace
 
 struct LogFile::Implementation {
-  Implementation(std::filesystem::path given, std::unique_ptr<mcap::Reader> opened,
-                 std::optional<TemporaryFolder> folder)
+  Implementation(std::filesystem::path given, std::unique_ptr<mcap::Reader> opened, ContainerFile file)
       : path(std::move(given)),
-        converted(std::move(folder)),
+        container(std::move(file)),
         reader(std::move(opened)),
         channels(std::make_unique<LogChannels>(*reader)) {
-    readOnly = converted || ::access(path.c_str(), W_OK) != 0;
+    readOnly = container.conversion() != nullptr || ::access(path.c_str(), W_OK) != 0;
     listStreams();
   }
 
@@ -47,7 +45,7 @@ struct LogFile::Implementation {
   std::vector<std::uint16_t> idsOf(const std::vector<std::string>& paths) const;
 
   const std::filesystem::path path;
-  const std::optional<TemporaryFolder> converted;  // holds what an older format was converted into
+  const ContainerFile container;
   bool readOnly = false;
   std::vector<Stream> streams;
   Instant begin, end;
@@ -58,28 +56,21 @@ struct LogFile::Implementation {
   std::set<MessagePosition> unreadable;
 };
 
-robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem::path& file, Options options) {
-  std::filesystem::path container = file;
-  std::optional<TemporaryFolder> folder;
-  if (canImport(file)) {
-    auto made = TemporaryFolder::make();
-    if (!made) return tl::unexpected(made.error());
-    folder.emplace(std::move(*made));
-    container = folder->path() / "log.mcap";
-    ImportOptions wishes;
-    wishes.progress = options.progress;
-    if (auto imported = importLog(file, container, wishes); !imported) return tl::unexpected(imported.error());
-  }
+robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem::path& file,
+                                                          Options options) {
+  auto container = ContainerFile::of(file, options.progress);
+  if (!container) return tl::unexpected(container.error());
   mcap::Reader::Options wishes;
   wishes.cacheBytes = options.cacheBytes;
   wishes.progress = options.progress;
-  auto reader = mcap::Reader::open(container, std::move(wishes));
+  auto reader = mcap::Reader::open(container->path(), std::move(wishes));
   if (!reader) return tl::unexpected(reader.error());
   return std::shared_ptr<LogFile>(
-      new LogFile(std::make_unique<Implementation>(file, std::move(*reader), std::move(folder))));
+      new LogFile(std::make_unique<Implementation>(file, std::move(*reader), std::move(*container))));
 }
 
-LogFile::LogFile(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+LogFile::LogFile(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 
 LogFile::~LogFile() = default;
 
@@ -96,9 +87,11 @@ void LogFile::Implementation::listStreams() {
     Stream stream = describe(streamPath, ids);
     if (stream.count > 0) streams.push_back(std::move(stream));
   }
-  // What holds until it is told anew may be much older than the recording, and a world may go on without its robots.
+  // What holds until it is told anew may be much older than the recording, and a world may go on without its
+  // robots.
   for (const Stream& stream : streams) {
-    if (stream.path.find('/') != std::string::npos && !robotlink::holdsUntilToldAnew(stream.path, stream.type)) {
+    if (stream.path.find('/') != std::string::npos &&
+        !robotlink::holdsUntilToldAnew(stream.path, stream.type)) {
       include(stream);
     }
   }
@@ -153,7 +146,8 @@ std::vector<LogFile::Stream> LogFile::countBytes(const Progress& progress) {
     const std::uint64_t all = std::max<std::uint64_t>(1, self.reader->statistics().messageCount);
     self.reader->readAll([&](const mcap::Message& message) {
       const auto channel = self.reader->channels().find(message.channelId);
-      if (channel != self.reader->channels().end() && message.logTime <= self.channels->completeUntil(message.channelId)) {
+      if (channel != self.reader->channels().end() &&
+          message.logTime <= self.channels->completeUntil(message.channelId)) {
         bytes[channel->second.topic] += message.data.size();
       }
       if (++seen % 1024 == 0 && progress) {
@@ -195,8 +189,9 @@ std::string LogFile::damageText() const {
   if (!damage.empty()) {
     std::uint64_t bytes = 0;
     for (const auto& place : damage) bytes += place.bytes;
-    text += (text.empty() ? "" : "; ") + plural(damage.size(), "damaged place") + " (" + plural(bytes, "byte") +
-            "), first at byte " + std::to_string(damage.front().offset) + ": " + damage.front().what;
+    text += (text.empty() ? "" : "; ") + plural(damage.size(), "damaged place") + " (" +
+            plural(bytes, "byte") + "), first at byte " + std::to_string(damage.front().offset) + ": " +
+            damage.front().what;
   }
   if (const auto count = implementation_->unreadable.size(); count > 0) {
     text += (text.empty() ? "" : "; ") + plural(count, "message") + " could not be read";
@@ -229,7 +224,8 @@ std::optional<MessagePosition> LogFile::Implementation::previous(MessagePosition
 std::vector<std::uint16_t> LogFile::Implementation::idsOf(const std::vector<std::string>& paths) const {
   std::vector<std::uint16_t> ids;
   if (paths.empty()) {
-    for (const auto& [streamPath, those] : channels->streams()) ids.insert(ids.end(), those.begin(), those.end());
+    for (const auto& [streamPath, those] : channels->streams())
+      ids.insert(ids.end(), those.begin(), those.end());
   }
   for (const std::string& streamPath : paths) {
     const auto& those = channels->of(streamPath);

@@ -95,7 +95,7 @@ Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Pr
   info.file = file;
   std::error_code error;
   info.fileBytes = std::filesystem::file_size(file, error);
-  if (const auto& conversion = container->conversion()) {
+  if (const ImportReport* conversion = container->conversion()) {
     info.format = conversion->format;
     info.notUnderstood = conversion->notUnderstood;
     if (!conversion->damage.empty()) info.losses.push_back(file.string() + ": " + conversion->damage);

@@ -9,6 +9,7 @@
 
 #include "bhuman/QueueBuilder.h"
 #include "foxglove/Image.pb.h"
+#include "logplayer/ContainerFile.h"
 #include "logplayer/mcap/Reader.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Perception.pb.h"
@@ -130,6 +131,33 @@ TEST_F(LogImport, givingUpLeavesNothing) {
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().id, "log.given-up");
   EXPECT_FALSE(std::filesystem::exists(target()));
+}
+
+TEST_F(LogImport, allThatUseAnOldLogShareItsCopy) {
+  const auto old = written(someLog().file());
+  int conversions = 0;
+  const auto container = [&] { return ContainerFile::of(old, [&](double) { return ++conversions > 0; }); };
+  std::filesystem::path copy;
+  {
+    const auto first = container();
+    ASSERT_TRUE(first) << first.error().describe();
+    ASSERT_NE(first->conversion(), nullptr);
+    const int once = conversions;
+    const auto second = container();
+    copy = second->path();
+    EXPECT_EQ(copy, first->path());
+    EXPECT_EQ(conversions, once);
+    EXPECT_TRUE(std::filesystem::exists(copy));
+    // One that was written anew is another one.
+    written(someLog().begin('m').joints(100).end('m').file());
+    const auto third = container();
+    ASSERT_TRUE(third) << third.error().describe();
+    EXPECT_NE(third->path(), copy);
+  }
+  EXPECT_FALSE(std::filesystem::exists(copy));
+  const auto itself = ContainerFile::of(folder_ / "any.mcap", {});
+  EXPECT_EQ(itself->path(), folder_ / "any.mcap");
+  EXPECT_EQ(itself->conversion(), nullptr);
 }
 
 TEST_F(LogImport, progressGoesFromNothingToAll) {
