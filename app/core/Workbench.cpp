@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/core/ColorTables.h"
 #include "app/core/LogCommands.h"
 #include "app/core/RecordingCommands.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -244,6 +245,31 @@ void Workbench::addRobotCommands() {
                    }
                    return {};
                  }});
+  commands_.add({"robot.color-table",
+                 "Gives the selected robot's program a colour table, which it uses from its next image on",
+                 {{"file", CommandTable::Type::kText, "a colour table (.c64)"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   auto table = readColorTable(std::get<std::string>(values[0]));
+                   if (!table) return tl::unexpected(table.error());
+                   robotcontrol::SetColorTable change;
+                   *change.mutable_table() = std::move(**table);
+                   return askForColorTable(change);
+                 }});
+  commands_.add({"robot.no-color-table",
+                 "Lets the selected robot's program find colours as it does without a table",
+                 {},
+                 [this](const Values&) { return askForColorTable({}); }});
+}
+
+robotlink::Result<void> Workbench::askForColorTable(const robotcontrol::SetColorTable& change) {
+  if (session_.robots().empty()) {
+    return robotlink::failure("robot.none", "there is no robot; open a scene or a log first");
+  }
+  robotcontrol::Request request;
+  request.set_robot(session_.selectedRobot());
+  *request.mutable_set_color_table() = change;
+  ask(std::move(request));
+  return {};
 }
 
 }  // namespace app

@@ -14,6 +14,10 @@
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 
+namespace robotcontrol {
+class SetColorTable;
+}
+
 namespace app {
 
 /// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs), and the commands
@@ -87,6 +91,7 @@ class Workbench {
   void take(const robotcontrol::Request& request);
   void tell(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
+  robotlink::Result<void> askForColorTable(const robotcontrol::SetColorTable& change);
   robotlink::Result<void> control(int action, double speed = -1);
 
   std::filesystem::path userFolder_;

@@ -78,6 +78,8 @@ void LogOpening::drop(const QMimeData& data, bool add) {
       actions_.run(QStringLiteral("simulation.open"), {file.toStdString()});
     } else if (suffix == QLatin1String("yaml")) {
       actions_.run(QStringLiteral("layout.open"), {file.toStdString()});
+    } else if (suffix == QLatin1String("c64")) {
+      actions_.run(QStringLiteral("robot.color-table"), {file.toStdString()});
     } else {
       open(file, add);
       add = true;

@@ -74,6 +74,7 @@ class MainWindow : public QMainWindow {
   void keepWindow();
   void openScene();
   void openLayout();
+  void loadColorTable();
   void savePicture();
   void savePerspectiveAs();
   void setAppearance(Appearance appearance);

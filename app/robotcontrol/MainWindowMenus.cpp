@@ -59,6 +59,14 @@ void MainWindow::createViewMenu() {
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
   robot->addAction(toolBar_->stopAction());
+  robot->addSeparator();
+  QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
+  table->setObjectName(QStringLiteral("robot.color-table"));
+  table->setToolTip(tr("The selected robot's program uses it from its next image on"));
+  QAction* none = robot->addAction(tr("&Without colour table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
+  none->setObjectName(QStringLiteral("robot.no-color-table"));
+  none->setToolTip(tr("The selected robot's program finds colours as it does without a table"));
+  robot->setToolTipsVisible(true);
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
   simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
   simulationMenu_->addActions(toolBar_->simulationActions());
@@ -129,6 +137,11 @@ void MainWindow::openScene() {
 void MainWindow::openLayout() {
   const QString file = QFileDialog::getOpenFileName(this, tr("Open process layout"), {}, tr("Process layouts (*.yaml);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("layout.open"), {file.toStdString()});
+}
+
+void MainWindow::loadColorTable() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Load colour table"), {}, tr("Colour tables (*.c64);;All files (*)"));
+  if (!file.isEmpty()) actions_->run(QStringLiteral("robot.color-table"), {file.toStdString()});
 }
 
 void MainWindow::savePicture() {

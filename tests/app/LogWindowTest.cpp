@@ -18,8 +18,10 @@
 #include "app/robotcontrol/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/ViewDocks.h"
+#include "colortool/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/widgets/Bench.h"
+#include "tests/widgets/DialogAnswer.h"
 
 using robotcontrol::ControlReplay;
 
@@ -32,6 +34,7 @@ class Desk {
   explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
     workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
       if (request.has_control_replay()) asked.push_back(request.control_replay());
+      if (request.has_set_color_table()) tables.push_back(request);
     });
     window.resize(1400, 900);
     window.show();
@@ -69,6 +72,15 @@ class Desk {
     if (button == nullptr) qFatal("there is no button for %s", action);
     QTest::mouseClick(button, Qt::LeftButton);
   }
+  void dropFile(const QString& file) {
+    QMimeData files;
+    files.setUrls({QUrl::fromLocalFile(file)});
+    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
+    QApplication::sendEvent(&window, &drop);
+  }
   const ControlReplay& last() const {
     if (asked.empty()) qFatal("nothing was asked of the replay");
     return asked.back();
@@ -78,6 +90,7 @@ class Desk {
   app::MainWindow window;
   robotcontrol::ReplayStatus status;
   std::vector<ControlReplay> asked;
+  std::vector<robotcontrol::Request> tables;
 };
 
 }  // namespace
@@ -213,13 +226,7 @@ class LogWindowTest : public QObject {
 
   void droppedFilesAreOpened() {
     Desk desk(home_ / "drop");
-    QMimeData files;
-    files.setUrls({QUrl::fromLocalFile(QLatin1String(kFile))});
-    QDragEnterEvent enter({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
-    QApplication::sendEvent(&desk.window, &enter);
-    QVERIFY(enter.isAccepted());
-    QDropEvent drop({200, 200}, Qt::CopyAction, &files, Qt::LeftButton, {});
-    QApplication::sendEvent(&desk.window, &drop);
+    desk.dropFile(QLatin1String(kFile));
     QTRY_VERIFY(desk.find<QLabel>("errorText").isVisible());  // it is not there, and that is said
     QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)), qPrintable(desk.find<QLabel>("errorText").text()));
   }
@@ -253,6 +260,26 @@ class LogWindowTest : public QObject {
     dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"))->setText(file);
     QTest::keyClick(dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit")), Qt::Key_Return);
     QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("empty.mcap")));
+  }
+
+  void aColourTableIsLoadedFromTheMenuOrDroppedAndTakenBack() {
+    Desk desk(home_ / "table");
+    const QString file = QString::fromStdString((home_ / "table/some.c64").string());
+    QVERIFY(colortool::ColorTableFile().save(file.toStdString()).has_value());
+    DialogAnswer early = DialogAnswer::file(file);
+    desk.find<QAction>("robot.color-table").trigger();
+    QVERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("there is no robot")));
+    desk.workbench.session().setRobots({"nao"});
+    DialogAnswer answer = DialogAnswer::file(file);
+    desk.find<QAction>("robot.color-table").trigger();
+    QCOMPARE(desk.tables.size(), std::size_t{1});
+    QCOMPARE(desk.tables.back().robot(), std::string("nao"));
+    QVERIFY(!desk.tables.back().set_color_table().table().cells().empty());
+    desk.find<QAction>("robot.no-color-table").trigger();
+    QCOMPARE(desk.tables.size(), std::size_t{2});
+    QVERIFY(desk.tables.back().set_color_table().table().cells().empty());
+    desk.dropFile(file);
+    QCOMPARE(desk.tables.size(), std::size_t{3});
   }
 
   void theLogPerspectiveHasWhatOneNeeds() {
