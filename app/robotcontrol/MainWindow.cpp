@@ -164,7 +164,8 @@ void MainWindow::tick() {
 }
 
 void MainWindow::showPerspective(const QString& name) {
-  perspectives_.keep(perspectives_.current(), *docks_);
+  // Before the window is on the screen its views do not have their sizes.
+  if (isVisible()) perspectives_.keep(perspectives_.current(), *docks_);
   perspectives_.show(name, *docks_);
   fillPerspectiveMenu();
 }

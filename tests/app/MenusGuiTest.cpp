@@ -5,6 +5,8 @@
 #include <QMessageBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include "tests/app/Desk.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -111,6 +113,28 @@ class MenusGuiTest : public QObject {
     desk.choose("robot.stop");
     QTRY_COMPARE_WITH_TIMEOUT(desk.status()->stopped_robots_size(), 1, kWaitMs);
     QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("STOP engaged"), kWaitMs);
+  }
+
+  void aPerspectiveThatIsAskedForAtTheStartLooksAsItWasLeft() {
+    const auto sizes = [this](const char* perspective) {
+      app::Workbench workbench(home_);
+      app::MainWindow window(workbench, home_);
+      if (perspective != nullptr) window.showPerspective(QLatin1String(perspective));
+      window.show();
+      if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
+      QList<QSize> found;
+      for (const char* view : {"image", "solutions", "messages", "field"}) {
+        for (const auto* dock : window.docks().docks(QLatin1String(view))) found << dock->dockAreaWidget()->size();
+      }
+      window.close();
+      return found;
+    };
+    const auto play = sizes(nullptr);
+    const auto log = sizes("Log");
+    QVERIFY(log.front().width() > 300);
+    QCOMPARE(sizes("Log"), log);
+    QCOMPARE(sizes("Play"), play);
+    QCOMPARE(sizes(nullptr), play);
   }
 
   void aPerspectiveIsNamedShownByItsKeyAndDeleted() {
