@@ -23,7 +23,7 @@ class Planes {
         lumaWidth_(static_cast<std::size_t>((image.width + 2 * kBlock - 1) / (2 * kBlock) * 2 * kBlock)),
         samples_(lumaWidth_ * 2 * kBlock) {
     for (int i = 0; i < kBlock; ++i) {
-      const std::size_t row = static_cast<std::size_t>(i);
+      const auto row = static_cast<std::size_t>(i);
       luma_[i] = samples_.data() + row * lumaWidth_;
       cb_[i] = samples_.data() + (kBlock + row) * lumaWidth_;
       cr_[i] = cb_[i] + lumaWidth_ / 2;
@@ -41,9 +41,10 @@ class Planes {
   void split(const std::uint8_t* pixels, int i) {
     const int last = image_.width / 2 - 1;
     for (int pair = 0; pair < static_cast<int>(lumaWidth_) / 2; ++pair) {
-      const std::uint8_t* from = pixels + std::min(pair, last) * 4;
-      luma_[i][2 * pair] = pair <= last ? from[0] : from[2];
-      luma_[i][2 * pair + 1] = from[2];
+      const std::uint8_t* from = pixels + std::ptrdiff_t{4} * std::min(pair, last);
+      std::uint8_t* luma = luma_[i] + std::ptrdiff_t{2} * pair;
+      luma[0] = pair <= last ? from[0] : from[2];
+      luma[1] = from[2];
       cb_[i][pair] = from[1];
       cr_[i][pair] = from[3];
     }

@@ -57,7 +57,7 @@ struct LogFile::Implementation {
 };
 
 robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem::path& file,
-                                                          Options options) {
+                                                          const Options& options) {
   auto container = ContainerFile::of(file, options.progress);
   if (!container) return tl::unexpected(container.error());
   mcap::Reader::Options wishes;
@@ -297,7 +297,7 @@ struct LogFile::Cursor::Implementation {
   std::optional<MessagePosition> ahead;
 };
 
-LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, std::vector<std::string> streams)
+LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, const std::vector<std::string>& streams)
     : implementation_(std::make_unique<Implementation>()) {
   implementation_->ids = file->implementation_->idsOf(streams);
   implementation_->file = std::move(file);

@@ -38,7 +38,7 @@ class LogFile {
     std::uint64_t bytes = 0;  ///< of its messages, uncompressed; 0 until counted
     robotlink::Instant first, last;
   };
-  static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, Options options);
+  static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, const Options& options);
   ~LogFile();
 
   const std::filesystem::path& path() const;
@@ -69,7 +69,7 @@ class LogFile {
   /// Goes over the messages of some streams (empty: all) in order of time; equal times in the order of the file.
   class Cursor {
    public:
-    Cursor(std::shared_ptr<LogFile> file, std::vector<std::string> streams);
+    Cursor(std::shared_ptr<LogFile> file, const std::vector<std::string>& streams);
     ~Cursor();
     Cursor(Cursor&&) noexcept;
     Cursor& operator=(Cursor&&) noexcept;

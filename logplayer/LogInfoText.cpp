@@ -22,7 +22,7 @@ std::string formatted(const char* format, double value) {
 
 std::string bytesText(std::uint64_t bytes) {
   if (bytes < 1000) return std::to_string(bytes) + " B";
-  double value = static_cast<double>(bytes);
+  auto value = static_cast<double>(bytes);
   std::size_t unit = 0;
   constexpr std::array<const char*, 5> kUnits{"B", "kB", "MB", "GB", "TB"};
   while (value >= 999.5 && unit + 1 < kUnits.size()) {
@@ -83,12 +83,16 @@ class Table {
 
 std::string joined(const std::vector<std::string>& parts) {
   std::string text;
-  for (const std::string& part : parts) text += (text.empty() ? "" : ", ") + part;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += ", ";
+    text += part;
+  }
   return text;
 }
 
 std::vector<std::string> list(const std::map<std::string, std::uint64_t>& counts) {
   std::vector<std::string> parts;
+  parts.reserve(counts.size());
   for (const auto& [name, count] : counts) parts.push_back(countText(count) + " " + name);
   return parts;
 }
@@ -101,7 +105,9 @@ void addParts(Table& table, std::string name, const std::vector<std::string>& pa
     if (!line.empty() && line.size() + parts[i].size() > kWidth) {
       table.add({std::exchange(name, ""), std::exchange(line, "")});
     }
-    line += (line.empty() ? "" : " ") + parts[i] + (i + 1 < parts.size() ? "," : "");
+    if (!line.empty()) line += ' ';
+    line += parts[i];
+    if (i + 1 < parts.size()) line += ',';
   }
   if (!line.empty()) table.add({name, line});
 }
@@ -118,6 +124,7 @@ std::vector<std::string> frameParts(const LogInfo& info) {
 
 std::vector<std::string> valueParts(const mcap::Metadata& record) {
   std::vector<std::string> parts;
+  parts.reserve(record.values.size());
   for (const auto& [key, value] : record.values) parts.push_back(key + " " + value);
   return parts;
 }

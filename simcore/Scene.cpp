@@ -26,7 +26,7 @@ std::shared_ptr<const ModelDescription> madeStatic(const std::shared_ptr<const M
 
 void addInclude(const SceneInclude& include, const SceneFiles& files, const ModelTypes& types,
                 const std::string& file, WorldDescription& world, Errors& errors) {
-  const auto type = types.at(include.file);
+  const auto& type = types.at(include.file);
   if (!type) return;
   const robotlink::FilePosition where{file, include.line, 0};
   ModelInstance instance;

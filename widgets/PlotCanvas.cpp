@@ -44,7 +44,8 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
 
 void PlotCanvas::applyTheme() {
   const QPalette colors = palette();
-  const QColor text = colors.color(QPalette::Text), base = colors.color(QPalette::Base);
+  const QColor& text = colors.color(QPalette::Text);
+  const QColor& base = colors.color(QPalette::Base);
   plot_->setBackground(base);
   for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->xAxis2, plot_->yAxis2}) {
     axis->setBasePen(mixed(base, text, 0.6));

@@ -158,9 +158,8 @@ int run(const Arguments& arguments) {
   return status;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+/// The program; its arguments are those of main().
+int start(int argc, char** argv) {
   Arguments arguments;
   CLI::App parser("RobotControl, a workbench for debugging the control programs of robots", "robotcontrol");
   define(parser, arguments);
@@ -188,4 +187,15 @@ int main(int argc, char** argv) {
   QApplication::setApplicationVersion(QStringLiteral(ROBOTCONTROL_VERSION));
   useFontOfDesktops();
   return run(arguments);
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  try {
+    return start(argc, argv);
+  } catch (const std::exception& exception) {
+    std::cerr << "robotcontrol: " << exception.what() << "\n";
+    return kFailed;
+  }
 }

@@ -1,5 +1,4 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <signal.h>
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

@@ -54,7 +54,7 @@ class Recording {
 
   ReplayRun::Listeners listeners() {
     ReplayRun::Listeners listeners;
-    listeners.logged = [this](std::vector<robotlink::StreamMessage> messages) { write(messages); };
+    listeners.logged = [this](const std::vector<robotlink::StreamMessage>& messages) { write(messages); };
     listeners.queue = [this](const std::string& robot, const auto& queue) {
       write(messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder).messages);
     };

@@ -96,6 +96,7 @@ std::optional<SensorReadings> readSensorData(std::span<const std::uint8_t> paylo
 std::optional<std::vector<Reading>> readKeyStates(std::span<const std::uint8_t> payload) {
   PayloadReader reader(payload);
   std::vector<Reading> keys;
+  keys.reserve(std::size(kKeys));
   for (const char* key : kKeys)
     keys.push_back({"key/" + std::string(key), reader.takeBool() ? 1.0 : 0.0, ""});
   if (!reader.complete()) return std::nullopt;

@@ -34,9 +34,9 @@ bool takeNumbers(ByteReader& fields, Take take) {
 }
 
 template <typename Record>
-std::optional<Record> ifGood(const ByteReader& fields, Record&& record) {
+std::optional<Record> ifGood(const ByteReader& fields, Record record) {
   if (!fields.good()) return std::nullopt;
-  return std::forward<Record>(record);
+  return record;
 }
 
 }  // namespace
@@ -64,7 +64,7 @@ std::optional<Footer> decodeFooter(Bytes content) {
   footer.summaryStart = fields.take<std::uint64_t>();
   footer.summaryOffsetStart = fields.take<std::uint64_t>();
   footer.summaryCrc = fields.take<std::uint32_t>();
-  return ifGood(fields, std::move(footer));
+  return ifGood(fields, footer);
 }
 
 std::optional<Schema> decodeSchema(Bytes content) {
@@ -215,7 +215,7 @@ std::optional<SummaryOffset> decodeSummaryOffset(Bytes content) {
   offset.group = static_cast<Opcode>(fields.take<std::uint8_t>());
   offset.start = fields.take<std::uint64_t>();
   offset.length = fields.take<std::uint64_t>();
-  return ifGood(fields, std::move(offset));
+  return ifGood(fields, offset);
 }
 
 std::optional<DataEnd> decodeDataEnd(Bytes content) {

@@ -60,7 +60,7 @@ Result<Sink> Sink::reopen(const std::filesystem::path& file, std::uint64_t bytes
 }
 
 Sink::Sink(std::filesystem::path file, int descriptor, std::uint64_t position)
-    : file_(std::move(file)), descriptor_(descriptor), position_(position), cut_(true) {}
+    : file_(std::move(file)), descriptor_(descriptor), position_(position) {}
 
 Sink::Sink(Sink&& other) noexcept
     : file_(std::move(other.file_)),

@@ -41,7 +41,7 @@ class Sink {
   std::filesystem::path file_;
   int descriptor_;
   std::uint64_t position_;
-  bool cut_;  // nothing lies behind position_
+  bool cut_ = true;  // nothing lies behind position_
   bool failed_ = false;
   std::optional<robotlink::Error> error_;
 };

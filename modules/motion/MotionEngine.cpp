@@ -16,8 +16,7 @@ MotionEngine::MotionEngine(JointLayout joints, std::shared_ptr<const robotlink::
       player_(motions_),
       options_(options),
       positions_(joints_.stance()),
-      blendFrom_(positions_),
-      blended_(0) {}
+      blendFrom_(positions_) {}
 
 void MotionEngine::start(std::span<const double> positions) {
   for (std::size_t i = 0; i < std::min(positions.size(), positions_.size()); ++i) {

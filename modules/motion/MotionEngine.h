@@ -83,7 +83,7 @@ class MotionEngine {
   Mode mode_ = Mode::kGait;
   std::vector<double> positions_;
   std::vector<double> blendFrom_;
-  double blended_;  ///< s since the blend began
+  double blended_ = 0;  ///< s since the blend began
   double stiffness_ = 1;
   robotlink::Pose2 odometry_;
   MotionWish executed_;

@@ -15,7 +15,7 @@ struct PlatformTime {
   using rep = duration::rep;
   using period = duration::period;
   using time_point = std::chrono::time_point<PlatformTime>;
-  static constexpr bool is_steady = false;
+  static constexpr bool is_steady = false;  // NOLINT(readability-identifier-naming): std::chrono wants it
 };
 using Instant = PlatformTime::time_point;
 

@@ -65,8 +65,8 @@ Rgb toRgb(YCbCr color);
 
 /// The colour of a pixel of a Yuyv image, with the Y of that very pixel.
 inline YCbCr yuyvPixel(const ImageView& image, int x, int y) {
-  const std::uint8_t* pair = image.row(y) + (x & ~1) * 2;
-  return {pair[(x & 1) * 2], pair[1], pair[3]};
+  const std::uint8_t* pair = image.row(y) + std::ptrdiff_t{2} * (x & ~1);
+  return {(x & 1) == 0 ? pair[0] : pair[2], pair[1], pair[3]};
 }
 
 /// Any format to Rgb8 (kMono8 as grey).

@@ -37,7 +37,7 @@ bool isPath(std::string_view name) {
 
 }  // namespace
 
-DebugKey::DebugKey(const char* name, const char* help) : number_(0) {
+DebugKey::DebugKey(const char* name, const char* help) {
   Registry& keys = registry();
   if (!isPath(name))
     refuse(name, "a name is a path of lower case letters, digits and '-', its parts separated by one '/'");

@@ -33,7 +33,7 @@ class DebugKey {
   static void seal();
 
  private:
-  int number_;  // from 1, so that a key that is not constructed yet (all zero) is told from the first
+  int number_ = 0;  // from 1, so that a key that is not constructed yet (all zero) is told from the first
 };
 
 }  // namespace robotlink

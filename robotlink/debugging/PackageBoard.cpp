@@ -29,9 +29,9 @@ void PackageBoard::beginFrame() {
   }
 }
 
-void PackageBoard::send(Entry& entry, PackagePtr package) {
+void PackageBoard::send(Entry& entry, const PackagePtr& package) {
   put(entry, package);
-  if (entry.sender) entry.sender->send(std::move(package));
+  if (entry.sender) entry.sender->send(package);
 }
 
 void PackageBoard::put(Entry& entry, PackagePtr package) {

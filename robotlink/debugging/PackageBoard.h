@@ -38,7 +38,7 @@ class PackageBoard {
 
   /// Puts what the receivers took for this frame on the board.
   void beginFrame();
-  void send(Entry& entry, PackagePtr package);
+  void send(Entry& entry, const PackagePtr& package);
 
   /// False if this process does not show the package.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);

@@ -76,8 +76,7 @@ std::vector<std::uint32_t> triangulate(std::span<const Vector2> corners) {
   if (twiceArea(corners) < 0) std::reverse(ring.begin(), ring.end());
   const bool convex = isConvex(corners, ring);
   std::size_t i = 0, misses = 0;
-  while (ring.size() > 2) {
-    const std::size_t n = ring.size();
+  for (std::size_t n = ring.size(); n > 2; n = ring.size()) {
     // A polygon that crosses itself may have no ear left; cutting any corner ends it all the same.
     if (convex || misses >= n || isEar(corners, ring, i % n)) {
       const std::size_t ear = convex ? 1 : i % n;

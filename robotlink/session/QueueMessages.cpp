@@ -39,7 +39,7 @@ PackagePtr unpacked(const QueuePtr& queue, const robotcontrol::PackageCopy& copy
     const std::shared_ptr<Message> package(prototype->New());
     if (package->ParseFromString(copy.data())) return package;
   }
-  return PackagePtr(queue, &copy);
+  return {queue, &copy};
 }
 
 // Shares the queue's memory: nothing is copied.

@@ -61,17 +61,17 @@ const T* Settings::find(const std::string& name) const {
 }
 
 bool Settings::flag(const std::string& name, bool fallback) const {
-  const bool* value = find<bool>(name);
+  const auto* value = find<bool>(name);
   return value ? *value : fallback;
 }
 
 double Settings::number(const std::string& name, double fallback) const {
-  const double* value = find<double>(name);
+  const auto* value = find<double>(name);
   return value ? *value : fallback;
 }
 
 std::string Settings::text(const std::string& name, const std::string& fallback) const {
-  const std::string* value = find<std::string>(name);
+  const auto* value = find<std::string>(name);
   return value ? *value : fallback;
 }
 

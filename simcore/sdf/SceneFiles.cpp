@@ -175,7 +175,7 @@ SceneFiles SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& e
   const XMLElement* world = root != nullptr ? root->FirstChildElement("world") : nullptr;
   if (world == nullptr) {
     fail(errors, file, 1, "scene.no-world",
-         "the file must describe a world: <sdf version=\"1.9\"><world name=\"...\">");
+         R"(the file must describe a world: <sdf version="1.9"><world name="...">)");
     return files;
   }
   for (auto* element = world->FirstChildElement("include"); element != nullptr;

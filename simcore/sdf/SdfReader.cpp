@@ -2,6 +2,7 @@
 #include "simcore/sdf/SdfReader.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "simcore/sdf/SdfConversion.h"
 #include "simcore/sdf/SdfSpecImplementation.h"
@@ -164,7 +165,7 @@ void readSurroundings(const sdf::World& world, WorldDescription& result, const S
   if (!(result.gravity.norm() <= 1000))
     context.fail(world.Element(), "scene.gravity", "gravity must be below 1000 m/s^2");
   const auto byte = [](float value) {
-    return static_cast<std::uint8_t>(std::clamp(value, 0.F, 1.F) * 255.F + 0.5F);
+    return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255.F));
   };
   if (const sdf::Scene* scene = world.Scene()) {
     result.ambient = std::clamp(scene->Ambient().R(), 0.F, 1.F);

@@ -2,6 +2,7 @@
 #include "widgets/models/MeasuredSpeed.h"
 
 #include <cmath>
+#include <ranges>
 
 #include "foxglove/Geometry.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -41,16 +42,16 @@ std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const st
   if (stream == nullptr) return {};
   std::optional<robotlink::Pose2> after, before;
   robotlink::Instant afterTime, beforeTime;
-  for (auto message = stream->messages.rbegin(); message != stream->messages.rend(); ++message) {
-    if (message->time > time) continue;
-    const auto pose = poseOf(*message, robot);
+  for (const auto& message : std::views::reverse(stream->messages)) {
+    if (message.time > time) continue;
+    const auto pose = poseOf(message, robot);
     if (!pose) continue;
     if (!after) {
       after = pose;
-      afterTime = message->time;
+      afterTime = message.time;
     }
     before = pose;
-    beforeTime = message->time;
+    beforeTime = message.time;
     if (afterTime - beforeTime >= window) break;
   }
   if (!after || afterTime - beforeTime < window / 2 || afterTime <= beforeTime) return {};

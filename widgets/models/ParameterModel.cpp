@@ -145,7 +145,8 @@ void ParameterModel::addFields(Node& node) {
 }
 
 const ParameterModel::Node& ParameterModel::nodeOf(const QModelIndex& index) const {
-  return index.isValid() ? *static_cast<const Node*>(index.internalPointer()) : *root_;
+  const auto* node = static_cast<const Node*>(index.internalPointer());  // none of an invalid index
+  return node == nullptr ? *root_ : *node;
 }
 
 bool ParameterModel::differs(const Node& node) const {

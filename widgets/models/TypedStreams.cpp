@@ -2,6 +2,7 @@
 #include "widgets/models/TypedStreams.h"
 
 #include <algorithm>
+#include <ranges>
 
 namespace widgets {
 
@@ -55,9 +56,9 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
   News news;
   const std::uint64_t added = stream.count - count_;
   if (added == 0) return news;
-  for (auto message = stream.messages.rbegin(); message != stream.messages.rend(); ++message) {
+  for (const auto& message : std::views::reverse(stream.messages)) {
     if (news.messages.size() == added) break;
-    if (!seen(*message)) news.messages.push_back(&*message);
+    if (!seen(message)) news.messages.push_back(&message);
   }
   std::reverse(news.messages.begin(), news.messages.end());
   news.restarted = count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_;
