@@ -11,6 +11,7 @@
 #include <QToolButton>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
@@ -78,6 +79,9 @@ void MainWindow::createDocks() {
   dockManager_->setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colours.
   layout->addWidget(dockManager_, 1);
   setCentralWidget(center);
+  // Floated docks are windows of their own; what they do not want is for this one.
+  connect(dockManager_, &ads::CDockManager::floatingWidgetCreated, this,
+          [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
   docks_ = new ViewDocks(*dockManager_, context_, this);
 }
 

@@ -51,6 +51,7 @@ class MainWindow : public QMainWindow {
   bool event(QEvent* event) override;
   /// What no view wanted: the keys that play a log.
   void keyPressEvent(QKeyEvent* event) override;
+  bool eventFilter(QObject* watched, QEvent* event) override;
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 

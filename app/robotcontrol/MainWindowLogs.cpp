@@ -77,6 +77,11 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
   if (!logToolBar_->press(*event)) QMainWindow::keyPressEvent(event);
 }
 
+bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
+  const bool pressed = event->type() == QEvent::KeyPress && logToolBar_->press(*static_cast<QKeyEvent*>(event));
+  return pressed || QMainWindow::eventFilter(watched, event);
+}
+
 void MainWindow::dragEnterEvent(QDragEnterEvent* event) {
   if (LogOpening::takes(*event->mimeData())) event->acceptProposedAction();
 }

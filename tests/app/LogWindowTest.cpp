@@ -13,6 +13,7 @@
 #include <QTreeView>
 #include <QUrl>
 #include <QtTest>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/LogToolBar.h"
@@ -201,6 +202,16 @@ class LogWindowTest : public QObject {
     QTest::keyClicks(&search, QStringLiteral("b[].,"));
     QCOMPARE(desk.asked.size(), requests);
     QVERIFY(search.text().contains(QStringLiteral("b[].,")));
+  }
+
+  void keysPlayFromAFloatedDock() {
+    Desk desk(home_ / "floated");
+    desk.openLog();
+    auto* dock = desk.window.docks().docks(QStringLiteral("field")).front();
+    dock->setFloating();
+    QVERIFY(dock->isFloating());
+    QTest::keyClick(dock->widget(), Qt::Key_Space);
+    QCOMPARE(desk.last().action(), ControlReplay::PLAY);
   }
 
   void everyKeyIsInTheMenuAndInATip() {
