@@ -1,7 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // `robotctl log` as its users call it.
 #include <gmock/gmock.h>
-#include <sys/wait.h>
 
 #include <array>
 #include <cstdio>
@@ -12,6 +11,7 @@
 #include <string>
 
 #include "logplayer/BookmarkStorage.h"
+#include "tests/app/RobotctlRun.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace {
@@ -23,16 +23,7 @@ using testing::HasSubstr;
 using testing::IsEmpty;
 using testing::Not;
 
-struct Outcome {
-  int status = -1;
-  std::string out, errors;
-};
-
-std::string textOf(const std::filesystem::path& file) {
-  std::ostringstream text;
-  text << std::ifstream(file, std::ios::binary).rdbuf();
-  return text.str();
-}
+using Outcome = RobotctlOutcome;
 
 class RobotctlLog : public testing::Test {
  protected:
@@ -40,15 +31,7 @@ class RobotctlLog : public testing::Test {
 
   /// In the folder.
   Outcome log(const std::string& arguments) const {
-    const std::string command =
-        "cd '" + folder_.path().string() + "' && " + ROBOTCTL + " log " + arguments + " >.out 2>.errors";
-    Outcome outcome;
-    outcome.status = WEXITSTATUS(std::system(command.c_str()));
-    outcome.out = textOf(folder_ / ".out");
-    outcome.errors = textOf(folder_ / ".errors");
-    std::filesystem::remove(folder_ / ".out");
-    std::filesystem::remove(folder_ / ".errors");
-    return outcome;
+    return runRobotctl(folder_.path(), "log " + arguments);
   }
   json info(const std::string& file) const {
     const Outcome outcome = log("info --json " + file);

@@ -14,6 +14,7 @@
 #include "logplayer/mcap/Reader.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/StreamMessage.h"
+#include "tests/TestFolder.h"
 
 namespace logplayer::testing {
 
@@ -65,29 +66,7 @@ inline RecordedFramePtr frameOf(std::vector<StreamMessage> messages) {
   return frame;
 }
 
-/// A folder of its own for a test, which vanishes with it.
-class TestFolder {
- public:
-  TestFolder() {
-    std::string name = (std::filesystem::temp_directory_path() / "recordingXXXXXX").string();
-    path_ = ::mkdtemp(name.data());
-  }
-  ~TestFolder() { std::filesystem::remove_all(path_); }
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  const std::filesystem::path& path() const { return path_; }
-  /// Names of what is in it, sorted.
-  std::vector<std::string> files() const {
-    std::vector<std::string> names;
-    for (const auto& entry : std::filesystem::directory_iterator(path_)) names.push_back(entry.path().filename());
-    std::sort(names.begin(), names.end());
-    return names;
-  }
-
- private:
-  std::filesystem::path path_;
-};
+using ::TestFolder;
 
 /// What a log file holds, by its container alone.
 struct ReadLog {

@@ -87,26 +87,6 @@ std::vector<StreamMessage> platformFrame(const SampleLog& log, int i) {
 
 }  // namespace
 
-TestFolder::TestFolder() {
-  std::string name = testing::TempDir() + "/log-test-XXXXXX";
-  path_ = ::mkdtemp(name.data());
-}
-
-TestFolder::~TestFolder() {
-  std::error_code ignored;
-  std::filesystem::remove_all(path_, ignored);
-}
-
-std::string TestFolder::contents() const {
-  std::vector<std::string> names;
-  for (const auto& entry : std::filesystem::directory_iterator(path_))
-    names.push_back(entry.path().filename().string());
-  std::sort(names.begin(), names.end());
-  std::string text;
-  for (const std::string& name : names) text += (text.empty() ? "" : " ") + name;
-  return text;
-}
-
 void SampleLog::write(const std::filesystem::path& file) const {
   auto writer = LogWriter::create(file, {});
   ASSERT_TRUE(writer) << writer.error().describe();

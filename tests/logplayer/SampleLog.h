@@ -7,24 +7,11 @@
 #include <string>
 
 #include "robotlink/base/Clock.h"
+#include "tests/TestFolder.h"
 
 namespace logplayer {
 
-/// A folder of a test's own, removed in the end.
-class TestFolder {
- public:
-  TestFolder();
-  ~TestFolder();
-  TestFolder(const TestFolder&) = delete;
-  TestFolder& operator=(const TestFolder&) = delete;
-  const std::filesystem::path& path() const { return path_; }
-  std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Names of all that is in it, sorted.
-  std::string contents() const;
-
- private:
-  std::filesystem::path path_;
-};
+using ::TestFolder;
 
 /// A log as a recorder writes it. Frame i of the process "cognition" is at i times 40 ms; each has a camera
 /// image (4x2, its first grey value is i), a ball model (at x = i) and every tenth a text "frame <i>", of

@@ -1,0 +1,35 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <sys/wait.h>
+
+#include <cstdlib>
+#include <filesystem>
+#include <fstream>
+#include <sstream>
+#include <string>
+
+/// What became of a run of robotctl.
+struct RobotctlOutcome {
+  int status = -1;
+  std::string out, errors;
+};
+
+inline std::string textOf(const std::filesystem::path& file) {
+  std::ostringstream text;
+  text << std::ifstream(file, std::ios::binary).rdbuf();
+  return text.str();
+}
+
+/// Runs robotctl in a folder, as a shell does. The program's name is the macro ROBOTCTL.
+inline RobotctlOutcome runRobotctl(const std::filesystem::path& folder, const std::string& arguments) {
+  const std::string command =
+      "cd '" + folder.string() + "' && " + ROBOTCTL + " " + arguments + " >.out 2>.errors";
+  RobotctlOutcome outcome;
+  outcome.status = WEXITSTATUS(std::system(command.c_str()));
+  outcome.out = textOf(folder / ".out");
+  outcome.errors = textOf(folder / ".errors");
+  std::filesystem::remove(folder / ".out");
+  std::filesystem::remove(folder / ".errors");
+  return outcome;
+}
