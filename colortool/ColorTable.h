@@ -5,6 +5,7 @@
 #include <span>
 #include <vector>
 
+#include "colortool/ClassifyRows.h"
 #include "colortool/ColorClasses.h"
 #include "robotlink/base/Image.h"
 
@@ -18,7 +19,9 @@ class ColorTable {
   static constexpr int kCells = 64;       ///< a side
   static constexpr double kCellSize = 4;  ///< values of a channel
 
-  ColorTable() : cells_(static_cast<std::size_t>(kCells) * kCells * kCells, ColorClasses::kNone) {}
+  static constexpr std::size_t kCellCount = std::size_t{kCells} * kCells * kCells;
+
+  ColorTable() : cells_(kCellCount + kCellPadding, ColorClasses::kNone) {}
 
   static constexpr std::size_t cellOf(robotlink::YCbCr color) {
     return (static_cast<std::size_t>(color.y >> 2) << 12) | (static_cast<std::size_t>(color.cb >> 2) << 6) |
@@ -27,26 +30,28 @@ class ColorTable {
   std::uint8_t classOf(robotlink::YCbCr color) const { return cells_[cellOf(color)]; }
   std::uint8_t cell(int y, int cb, int cr) const { return cells_[indexOf(y, cb, cr)]; }
   void setCell(int y, int cb, int cr, std::uint8_t colorClass) { cells_[indexOf(y, cb, cr)] = colorClass; }
-  const std::vector<std::uint8_t>& cells() const { return cells_; }
+  std::span<const std::uint8_t, kCellCount> cells() const {
+    return std::span<const std::uint8_t, kCellCount>(cells_.data(), kCellCount);
+  }
   bool operator==(const ColorTable&) const = default;
 
   /// A table of other classes: `numbers[n]` is the class that its class n is here. Cells of classes past the
   /// end of `numbers` are of none, and all are if there are not as many as a table has.
   static ColorTable translated(std::span<const std::uint8_t> cells, std::span<const std::uint8_t> numbers);
 
-  /// The class of each pixel, as a kMono8 image of the same size. Takes kYuyv and kRgb8; anything else yields
-  /// "none" everywhere. `classes` keeps its memory from call to call.
-  void classify(const robotlink::ImageView& image, robotlink::Image& classes) const;
+  enum class Instructions : std::uint8_t { kFastest, kPlain };
+  /// The class of each pixel, as a kMono8 image of the same size; kMono8 yields "none" everywhere. Uses AVX2
+  /// where there is AVX2, to the same results. `classes` keeps its memory from call to call.
+  void classify(const robotlink::ImageView& image, robotlink::Image& classes,
+                Instructions instructions = Instructions::kFastest) const;
 
  private:
   static constexpr std::size_t indexOf(int y, int cb, int cr) {
     return (static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(cb)) * kCells +
            static_cast<std::size_t>(cr);
   }
-  void classifyYuyvRow(const std::uint8_t* pixels, int width, std::uint8_t* classes) const;
-  void classifyRgbRow(const std::uint8_t* pixels, int width, std::uint8_t* classes) const;
 
-  std::vector<std::uint8_t> cells_;
+  std::vector<std::uint8_t> cells_;  // and what vector code may read behind them
 };
 
 /// An image of classes in the colours that the classes are shown in (kRgb8).

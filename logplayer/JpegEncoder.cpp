@@ -121,6 +121,9 @@ robotlink::Result<std::vector<std::uint8_t>> encodeJpeg(const ImageView& image, 
   if (image.format == PixelFormat::kYuyv && image.width % 2 != 0)
     return robotlink::failure("image.width",
                               "a yuyv image of odd width cannot be coded; its width must be even");
+  const bool native = image.format == PixelFormat::kYuyv || image.format == PixelFormat::kRgb8 ||
+                      image.format == PixelFormat::kMono8;
+  if (!native) return encodeJpeg(robotlink::toRgbImage(image).view(), quality);
   Encoder encoder;
   bool done = false;
   if (image.format == PixelFormat::kYuyv) {

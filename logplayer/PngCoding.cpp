@@ -31,7 +31,8 @@ tl::unexpected<robotlink::Error> refused(const PngImage& png) {
 
 Result<std::vector<std::uint8_t>> encodePng(const ImageView& image) {
   if (image.empty()) return robotlink::failure("image.empty", "an image without pixels cannot be coded");
-  if (image.format == PixelFormat::kYuyv) return encodePng(robotlink::toRgbImage(image).view());
+  if (image.format != PixelFormat::kRgb8 && image.format != PixelFormat::kMono8)
+    return encodePng(robotlink::toRgbImage(image).view());
   PngImage png;
   png.width = static_cast<png_uint_32>(image.width);
   png.height = static_cast<png_uint_32>(image.height);

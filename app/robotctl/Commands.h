@@ -18,6 +18,7 @@ enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kDoneWithLosses = 3 };
 void addSimCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
+void addColorCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 
 /// Prints all errors on stderr, one a line; kFailed.

@@ -25,6 +25,7 @@ int run(int argc, char** argv) {
   addLayoutCommand(app, status);
   addLogCommand(app, status);
   addRunCommand(app, status);
+  addColorCommand(app, status);
   try {
     app.parse(argc, argv);
   } catch (const CLI::Success& success) {

@@ -89,20 +89,22 @@ void assign(foxglove::RawImage& to, const ImageView& from, Instant time, const s
   to.set_encoding(std::string(encodingName(from.format)));
   to.set_step(static_cast<std::uint32_t>(from.step));
   to.set_frame_id(frame);
-  to.set_data(from.data, static_cast<std::size_t>(from.step) * static_cast<std::size_t>(from.height));
+  to.set_data(from.data, static_cast<std::size_t>(from.step) * static_cast<std::size_t>(rowsOf(from.format, from.height)));
 }
 
 ImageView imageView(const foxglove::RawImage& from) {
   constexpr std::uint32_t kMaxSide = 1U << 15U;
-  for (const PixelFormat format : {PixelFormat::kYuyv, PixelFormat::kRgb8, PixelFormat::kMono8}) {
+  for (const PixelFormat format : kPixelFormats) {
     if (from.encoding() != encodingName(format)) continue;
     const std::size_t rowBytes = std::size_t{from.width()} * static_cast<std::size_t>(bytesPerPixel(format));
-    const bool fits = from.width() > 0 && from.width() <= kMaxSide && from.height() > 0 &&
-                      from.height() <= kMaxSide && from.step() >= rowBytes && from.step() <= 8 * kMaxSide &&
-                      from.data().size() >= std::size_t{from.step()} * (from.height() - 1) + rowBytes;
-    if (!fits || (format == PixelFormat::kYuyv && from.width() % 2 != 0)) return {};
-    return {static_cast<int>(from.width()), static_cast<int>(from.height()), static_cast<int>(from.step()),
-            format, reinterpret_cast<const std::uint8_t*>(from.data().data())};
+    if (from.width() > kMaxSide || from.height() > kMaxSide || from.step() < rowBytes || from.step() > 8 * kMaxSide)
+      return {};
+    const int width = static_cast<int>(from.width()), height = static_cast<int>(from.height());
+    if (!canHaveSize(format, width, height)) return {};
+    const auto rows = static_cast<std::size_t>(rowsOf(format, height));
+    if (from.data().size() < std::size_t{from.step()} * (rows - 1) + rowBytes) return {};
+    return {width, height, static_cast<int>(from.step()), format,
+            reinterpret_cast<const std::uint8_t*>(from.data().data())};
   }
   return {};
 }

@@ -88,6 +88,14 @@ QImage toQImage(const ImageView& image, std::span<const Rgb> classColors, QImage
       case PixelFormat::kRgb8:
         convertRgb(from, to, image.width);
         break;
+      case PixelFormat::kUyvy:
+      case PixelFormat::kNv12:
+      case PixelFormat::kBgr8:
+        for (int x = 0; x < image.width; ++x) {
+          const Rgb color = robotlink::pixelRgb(image, x, y);
+          to[x] = qRgb(color.r, color.g, color.b);
+        }
+        break;
       case PixelFormat::kMono8:
         for (int x = 0; x < image.width; ++x) to[x] = palette[from[x]];
         break;
@@ -99,19 +107,18 @@ QImage toQImage(const ImageView& image, std::span<const Rgb> classColors, QImage
 std::optional<PixelValue> pixelAt(const ImageView& image, int x, int y) {
   if (image.empty() || x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
   PixelValue pixel{x, y, {}, {}, {}};
-  const std::uint8_t* at =
-      image.row(y) + static_cast<std::ptrdiff_t>(x) * robotlink::bytesPerPixel(image.format);
+  pixel.rgb = robotlink::pixelRgb(image, x, y);
   switch (image.format) {
     case PixelFormat::kYuyv:
-      pixel.ycbcr = robotlink::yuyvPixel(image, x, y);
-      pixel.rgb = robotlink::toRgb(*pixel.ycbcr);
+    case PixelFormat::kUyvy:
+    case PixelFormat::kNv12:
+      pixel.ycbcr = robotlink::pixelYCbCr(image, x, y);
       break;
     case PixelFormat::kRgb8:
-      pixel.rgb = {at[0], at[1], at[2]};
+    case PixelFormat::kBgr8:
       break;
     case PixelFormat::kMono8:
-      pixel.rgb = {at[0], at[0], at[0]};
-      pixel.value = at[0];
+      pixel.value = image.row(y)[x];
       break;
   }
   return pixel;

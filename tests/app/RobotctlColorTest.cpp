@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color` as its users call it.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "colortool/ColorTableFile.h"
+#include "logplayer/ImageCoding.h"
+#include "tests/TestFolder.h"
+#include "tests/app/RobotctlRun.h"
+
+namespace {
+
+using nlohmann::json;
+using robotlink::Image;
+using robotlink::PixelFormat;
+using robotlink::YCbCr;
+using testing::HasSubstr;
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr char kReal[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+
+void write(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes) {
+  std::ofstream(file, std::ios::binary)
+      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
+}
+
+/// An image of three upright bars: orange, green, a wall; and its labels.
+class RobotctlColor : public testing::Test {
+ protected:
+  static constexpr std::array<YCbCr, 3> kBars = {YCbCr{150, 90, 190}, YCbCr{90, 110, 100},
+                                                 YCbCr{180, 126, 130}};
+  static constexpr std::array<std::uint8_t, 3> kLabels = {1, 5, 0};
+
+  void SetUp() override {
+    std::vector<std::uint8_t> pixels;
+    Image labels(kWidth, kHeight, PixelFormat::kMono8);
+    for (int y = 0; y < kHeight; ++y) {
+      for (int x = 0; x < kWidth; ++x) {
+        const auto bar = static_cast<std::size_t>(x * 3 / kWidth);
+        // The first brightness of each four bytes is not the pixel's.
+        const auto brightness = static_cast<std::uint8_t>(kBars[bar].y + (x + y) % 9);
+        pixels.insert(pixels.end(), {0, kBars[bar].cb, brightness, kBars[bar].cr});
+        labels.row(y)[x] = x % 10 == 0 ? std::uint8_t{255} : kLabels[bar];
+      }
+    }
+    for (const char* name : {"images", "labels"}) std::filesystem::create_directory(folder_ / name);
+    write(folder_ / "images/000.yuyv", pixels);
+    write(folder_ / "images/007.yuyv", pixels);
+    write(folder_ / "labels/000.png", logplayer::encodePng(labels.view()).value());
+    std::ofstream(folder_ / "strokes.csv")
+        << "image,class,x,y,radius\n000.yuyv,orange,50,100,3\n000.yuyv,green,150,100,3\n"
+           "000.yuyv,background,260,100,3\n";
+  }
+  RobotctlOutcome color(const std::string& arguments) const {
+    return runRobotctl(folder_.path(), "color " + arguments);
+  }
+  RobotctlOutcome train() const { return color("train --strokes strokes.csv --images images --out t.c64"); }
+
+  TestFolder folder_;
+};
+
+TEST_F(RobotctlColor, threeStrokesMakeATableThatSortsAllOfTheImage) {
+  const auto trained = train();
+  ASSERT_EQ(trained.status, 0) << trained.errors;
+  const auto scored = color("evaluate --table t.c64 --images images --labels labels --json");
+  ASSERT_EQ(scored.status, 0) << scored.errors;
+  const json result = json::parse(scored.out);
+  EXPECT_EQ(result.at("recall"), (json{{"orange", 1.0}, {"green", 1.0}}));
+  EXPECT_EQ(result.at("mean_recall"), 1.0);
+  EXPECT_EQ(result.at("false_color"), 0.0);
+  EXPECT_EQ(result.at("confusion").at("background"), (json{{"none", 1.0}}));
+  EXPECT_THAT(color("evaluate --table t.c64 --images images --labels labels").out,
+              HasSubstr("mean recall  100.00 %"));
+}
+
+TEST_F(RobotctlColor, allMethodsSortTheImage) {
+  for (const std::string method : {"kernel", "gauss", "svm"}) {
+    const std::string table = method + ".c64";
+    const auto trained =
+        color("train --strokes strokes.csv --images images --out " + table + " --method " + method);
+    ASSERT_EQ(trained.status, 0) << trained.errors;
+    const json result =
+        json::parse(color("evaluate --json --images images --labels labels --table " + table).out);
+    EXPECT_EQ(result.at("mean_recall"), 1.0) << method;
+    EXPECT_EQ(result.at("false_color"), 0.0) << method;
+    const json cells = json::parse(color("info --json " + table).out).at("cells");
+    EXPECT_GT(cells.at("none"), 200'000) << method << " does not take everything for a colour";
+  }
+  EXPECT_EQ(color("train --strokes strokes.csv --images images --out x.c64 --method magic").status, 2);
+}
+
+TEST_F(RobotctlColor, falseColourIsTheShareOfBackgroundThatIsTakenForAColour) {
+  ASSERT_EQ(train().status, 0);
+  auto table = colortool::ColorTableFile::load(folder_ / "t.c64").value();
+  for (std::uint8_t& cell : table.cells) {
+    if (cell == 0) cell = 7;
+  }
+  ASSERT_TRUE(table.save(folder_ / "red.c64"));
+  const json result =
+      json::parse(color("evaluate --table red.c64 --images images --labels labels --json").out);
+  EXPECT_EQ(result.at("false_color"), 1.0);
+  EXPECT_EQ(result.at("confusion").at("background"), (json{{"red", 1.0}}));
+}
+
+TEST_F(RobotctlColor, imagesAreShownInTheColoursOrNumbersOfTheirClasses) {
+  ASSERT_EQ(train().status, 0);
+  ASSERT_EQ(color("segment --table t.c64 --images images --out shown").status, 0);
+  ASSERT_EQ(color("segment --table t.c64 --images images --out numbers --numbers").status, 0);
+  EXPECT_TRUE(std::filesystem::exists(folder_ / "shown/007.png"));
+  const std::string png = textOf(folder_ / "numbers/000.png");
+  const auto image = logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+  ASSERT_TRUE(image);
+  for (std::size_t bar = 0; bar < 3; ++bar) EXPECT_EQ(image->row(120)[50 + 105 * bar], kLabels[bar]);
+}
+
+TEST_F(RobotctlColor, tablesAreDescribedAndCompared) {
+  ASSERT_EQ(train().status, 0);
+  const json info = json::parse(color("info --json t.c64").out);
+  EXPECT_GT(info.at("cells").at("orange"), 100);
+  EXPECT_THAT(color("diff t.c64 t.c64").out, HasSubstr("0 of 262144 cells differ"));
+  ASSERT_EQ(color("train --strokes strokes.csv --images images --out wide.c64 --radius 12").status, 0);
+  const json differences = json::parse(color("diff --json t.c64 wide.c64").out);
+  std::uint64_t sum = 0;
+  for (const auto& change : differences.at("changes")) sum += change.at("cells").get<std::uint64_t>();
+  EXPECT_GT(sum, 100U);
+  EXPECT_EQ(differences.at("changed"), sum);
+}
+
+TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
+  EXPECT_EQ(color("").status, 2);
+  EXPECT_EQ(color("train --images images --out t.c64").status, 2);
+  EXPECT_EQ(color("train --strokes strokes.csv --images images --out t.c64 --radius 100").status, 2);
+  const auto fails = [&](const std::string& arguments, const std::string& says) {
+    const auto outcome = color(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_THAT(outcome.errors, HasSubstr(says));
+  };
+  std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n000.yuyv,orange,50,here,3\n";
+  fails("train --strokes bad.csv --images images --out x.c64", "bad.csv:2:20: 'here' is no number");
+  std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n000.yuyv,mauve,50,1,3\n";
+  fails("train --strokes bad.csv --images images --out x.c64",
+        "there is no class 'mauve'; the classes are background, orange");
+  std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n001.yuyv,orange,50,1,3\n";
+  fails("train --strokes bad.csv --images images --out x.c64", "there is no image 001.yuyv");
+  fails("train --strokes strokes.csv --images labels/none --out x.c64", "labels/none");
+  fails("evaluate --table strokes.csv --images images --labels labels", "this is no .c64 colour table");
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "x.c64"));
+  ASSERT_EQ(train().status, 0);
+  fails("evaluate --table t.c64 --images images --labels images", "no image has labels here");
+  write(folder_ / "images/000.yuyv", {1, 2, 3});
+  fails("evaluate --table t.c64 --images images --labels labels",
+        "a .yuyv image has 307200 bytes, this has 3");
+  std::ofstream(folder_ / "bad.csv")
+      << "image,class,x,y,radius\n007.yuyv,orange,-50,1,3\n007.yuyv,orange,50,1,3\n";
+  const auto outside = color("train --strokes bad.csv --images images --out x.c64");
+  EXPECT_EQ(outside.status, 3);
+  EXPECT_THAT(outside.errors, HasSubstr("one stroke lies outside"));
+}
+
+TEST(RobotctlColorReal, fewStrokesInTheRealFramesMakeAGoodTable) {
+  if (!std::filesystem::exists(kReal))
+    GTEST_SKIP() << "the real images are not here: ../shared/data/colour/bhuman2009";
+  const TestFolder folder;
+  std::ofstream(folder / "strokes.csv")
+      << "image,class,x,y,radius\n"
+         "000,background,60,46,3\n032,background,131,46,3\n"
+         "066,orange,114,114,3\n000,blue,202,63,3\n066,white,5,136,3\n032,green,284,97,3\n"
+         "032,red,50,131,3\n";
+  const std::string real = kReal;
+  const auto trained =
+      runRobotctl(folder.path(), "color train --strokes strokes.csv --out t.c64 --images " + real + "/yuyv");
+  ASSERT_EQ(trained.status, 0) << trained.errors;
+  const auto evaluate = [&](const std::string& table) {
+    const auto scored = runRobotctl(folder.path(), "color evaluate --json --table " + table + " --images " +
+                                                       real + "/yuyv --labels " + real + "/labels");
+    EXPECT_EQ(scored.status, 0) << scored.errors;
+    return json::parse(scored.out);
+  };
+  const json ours = evaluate("t.c64"), theirs = evaluate(real + "/tables/default.c64");
+  for (const char* name : {"orange", "green", "white"}) EXPECT_GT(ours.at("recall").at(name), 0.93) << name;
+  EXPECT_GT(ours.at("recall").at("blue"), theirs.at("recall").at("blue"));
+  EXPECT_LT(ours.at("false_color"), 0.02);
+}
+
+}  // namespace
