@@ -171,6 +171,26 @@ TEST(ImageCoding, messagesKeepTimeAndFrame) {
   }
 }
 
+TEST(ImageCoding, imagesOfAllFormatsAreSentAndCoded) {
+  for (const PixelFormat format : robotlink::kPixelFormats) {
+    SCOPED_TRACE(robotlink::encodingName(format));
+    const Image image = testImage(64, 48, format);
+    foxglove::RawImage raw;
+    robotlink::assign(raw, image.view(), robotlink::Instant(std::chrono::seconds(1)), "camera");
+    const robotlink::ImageView view = robotlink::imageView(raw);
+    ASSERT_FALSE(view.empty());
+    EXPECT_EQ(toRgbImage(view), toRgbImage(image.view()));
+    const auto png = encodePng(image.view());
+    ASSERT_TRUE(png) << png.error().describe();
+    const auto back = decodePng(*png);
+    ASSERT_TRUE(back);
+    EXPECT_EQ(toRgbImage(back->view()), toRgbImage(image.view()));
+    EXPECT_TRUE(encodeJpeg(image.view()));
+    raw.mutable_data()->pop_back();  // it says that it is larger than it is
+    EXPECT_TRUE(robotlink::imageView(raw).empty());
+  }
+}
+
 TEST(ImageCoding, messagesThatHoldNoImageAreRefused) {
   foxglove::CompressedImage other;
   other.set_format("webp");
