@@ -58,11 +58,11 @@ struct Lesson {
 
   /// `blur`: each sample is learned from at this distance in all directions, too; without that, few samples
   /// have next to no spread.
-  Lesson(std::span<const CellSamples> samples, float blur) {
+  Lesson(std::span<const CellSamples> samples, float blur, double mostRepeats) {
     for (const CellSamples& sample : samples) {
       const auto feature = featureOf(sample.cell);
       const int repeats =
-          static_cast<int>(std::clamp(std::round(std::sqrt(sample.pixels)), 1.0, kMostRepeats));
+          static_cast<int>(std::clamp(std::round(std::sqrt(sample.pixels)), 1.0, mostRepeats));
       for (int i = 0; i < repeats; ++i) add(feature, sample.colorClass);
       for (std::size_t axis = 0; axis < kDimensions && blur > 0; ++axis) {
         for (const float off : {-blur, blur}) {
@@ -154,7 +154,7 @@ class Neighborhood {
 }  // namespace
 
 ColorTable gaussianTable(std::span<const CellSamples> samples, const GaussianOptions& options) {
-  const Lesson lesson(samples, kBlur);
+  const Lesson lesson(samples, kBlur, kMostRepeats);
   if (!lesson.teaches()) return {};
   const auto classifier = cv::ml::NormalBayesClassifier::create();
   classifier->train(lesson.features, cv::ml::ROW_SAMPLE, lesson.classes);
@@ -174,7 +174,7 @@ ColorTable gaussianTable(std::span<const CellSamples> samples, const GaussianOpt
 }
 
 ColorTable supportVectorTable(std::span<const CellSamples> samples, const SupportVectorOptions& options) {
-  const Lesson lesson(samples, 0);
+  const Lesson lesson(samples, 0, 1);  // it takes longer than in proportion to how many there are
   if (!lesson.teaches()) return {};
   const auto machine = cv::ml::SVM::create();
   machine->setType(cv::ml::SVM::C_SVC);
