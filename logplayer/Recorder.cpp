@@ -24,8 +24,8 @@ using SteadyClock = std::chrono::steady_clock;
 
 namespace {
 
-/// What is left out of a frame stays in memory with the rest if both came in one queue; from here on the rest is
-/// copied.
+/// What is left out of a frame stays in memory with the rest if both came in one queue; from here on the rest
+/// is copied.
 constexpr std::size_t kWorthCopying = 64U << 10U;
 constexpr double kMaxKept = 3600;  // s
 
@@ -50,7 +50,9 @@ struct Recorder::Implementation {
   void restart();
   void saveOnTrigger(robotlink::Instant time);
   void demandChanged();
-  RecordingFile::Options how() const { return {status.image_coding(), status.compression(), options.software}; }
+  RecordingFile::Options how() const {
+    return {status.image_coding(), status.compression(), options.software};
+  }
 
   // With `controlling` held.
   void set(const ControlRecording& control);
@@ -66,7 +68,7 @@ struct Recorder::Implementation {
     if (options.warn) options.warn(text);
   }
 
-  const Options options;  // but the folder, which may change
+  const Options options;   // but the folder, which may change
   std::mutex controlling;  // one control() at a time
   std::atomic<bool> active{false};
   std::atomic<std::uint64_t> demand{1};
@@ -77,7 +79,7 @@ struct Recorder::Implementation {
   RecordedStreams streams;
   std::filesystem::path folder;
   std::map<std::string, robotlink::Instant> newestOf;  // FrameInfo, by path
-  RecordingStatus status;  // what was asked for, and what has happened
+  RecordingStatus status;                              // what was asked for, and what has happened
   SteadyClock::time_point startedAt;
   std::optional<robotlink::Instant> triggeredAt;
 
@@ -90,7 +92,8 @@ Recorder::Implementation::Implementation(Options given)
       ring(options.keptBytes),
       folder(options.folder),
       saver([this](const auto& result) { saved(result); }),
-      writer({options.queueBytes, [this](const auto& error, bool newest) { ended(error, newest); }, options.warn}) {}
+      writer({options.queueBytes, [this](const auto& error, bool newest) { ended(error, newest); },
+              options.warn}) {}
 
 Recorder::Implementation::~Implementation() {
   writer.close();
@@ -114,7 +117,8 @@ void Recorder::add(std::vector<StreamMessage> frame) {
 void Recorder::Implementation::add(std::vector<StreamMessage> messages) {
   splitIfTimeGoesBack(messages.back());
   const robotlink::Instant time = messages.back().time;
-  const bool triggered = std::any_of(messages.begin(), messages.end(), [this](const auto& m) { return triggers(m); });
+  const bool triggered =
+      std::any_of(messages.begin(), messages.end(), [this](const auto& m) { return triggers(m); });
   for (const StreamMessage& message : messages) held.take(message);
   if (!active.load(std::memory_order_relaxed)) return;
   if (const RecordedFramePtr frame = selected(std::move(messages))) {
@@ -174,8 +178,8 @@ bool Recorder::Implementation::triggers(const StreamMessage& message) const {
   return !status.trigger().empty() && fits(message.path, status.trigger());
 }
 
-/// Nothing is saved twice: the next time when all that was saved before is forgotten, or, while something else is being
-/// saved, when that is done.
+/// Nothing is saved twice: the next time when all that was saved before is forgotten, or, while something
+/// else is being saved, when that is done.
 void Recorder::Implementation::saveOnTrigger(robotlink::Instant time) {
   if (ring.duration() == robotlink::Duration::zero()) return;
   if (triggeredAt && time - *triggeredAt < ring.duration()) return;
@@ -209,7 +213,8 @@ std::uint64_t Recorder::demand() const {
 }
 
 void Recorder::Implementation::demandChanged() {
-  active.store(status.recording() || ring.duration() > robotlink::Duration::zero(), std::memory_order_relaxed);
+  active.store(status.recording() || ring.duration() > robotlink::Duration::zero(),
+               std::memory_order_relaxed);
   demand.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -278,7 +283,8 @@ Result<void> Recorder::Implementation::start(const std::string& path) {
     if (status.recording()) {
       const std::string running = writer.progress().path.string();
       return robotlink::failure("recording.running",
-                                "a recording into " + running + " is already running; stop it first", {}, {running});
+                                "a recording into " + running + " is already running; stop it first", {},
+                                {running});
     }
   }
   auto made = newFile(path);
@@ -311,7 +317,8 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
                                 "no seconds are kept in memory that could be saved; choose how many first");
     }
     if (ring.empty()) {
-      return robotlink::failure("recording.nothing-kept", "nothing was told yet that could be saved; let the robot run");
+      return robotlink::failure("recording.nothing-kept",
+                                "nothing was told yet that could be saved; let the robot run");
     }
     contents = ring.contents();
   }
@@ -322,14 +329,14 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
   made->reset();
   std::error_code ignored;
   std::filesystem::remove(file, ignored);
-  return robotlink::failure("recording.saving", "the last seconds are still being saved; try again when that is done");
+  return robotlink::failure("recording.saving",
+                            "the last seconds are still being saved; try again when that is done");
 }
 
 // ---- The threads that write
 
 void Recorder::Implementation::ended(const robotlink::Error& error, bool newest) {
-  const std::string text =
-      "The recording has ended: " + error.describe() + ". What was recorded before can be read.";
+  const std::string text = "The recording has ended: " + error.describe() + ".";
   {
     const std::lock_guard lock(mutex);
     status.set_failure(text);

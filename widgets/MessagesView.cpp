@@ -200,6 +200,12 @@ void MessagesView::tick() {
 }
 
 void MessagesView::takeNew() {
+  if (const auto generation = session().store().generation(); generation != generation_) {
+    generation_ = generation;
+    cursors_.clear();
+    model_.clear();
+    showState();
+  }
   std::vector<LogEntry> entries;
   for (const auto* stream : streamsOfType(session().store(), {}, "foxglove.Log")) {
     const QString robot = QString::fromStdString(robotPart(stream->path));

@@ -59,6 +59,7 @@ class MessagesView final : public View {
   QAction* next_ = nullptr;
   QAction* previous_ = nullptr;
   std::map<std::string, StreamCursor> cursors_;  // by stream
+  std::uint64_t generation_ = 0;                 // of the store that was read
   robotlink::Instant shown_;
 };
 

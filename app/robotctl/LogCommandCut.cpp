@@ -109,7 +109,8 @@ void addOutput(CLI::App& command, CutArguments& arguments) {
   command
       .add_option("--compression", arguments.options.compression,
                   "Of the new file: none, lz4 or zstd (default)")
-      ->transform(CLI::CheckedTransformer(kCompressions));
+      ->transform(CLI::CheckedTransformer(kCompressions).description("{none,lz4,zstd}"))
+      ->type_name("TEXT");
   command.add_flag("--force", arguments.options.overwrite, "Overwrites a file of this name");
 }
 

@@ -45,6 +45,7 @@ StreamStore::Stream* StreamStore::streamFor(const StreamMessage& message) {
     }
     found = streams_.try_emplace(message.path).first;
     found->second.path = message.path;
+    found->second.generation = generation_;
     found->second.since = message.time;
     ++listVersion_;
   }
@@ -130,6 +131,7 @@ void StreamStore::clear() {
   streams_.clear();
   bytes_ = 0;
   ++listVersion_;
+  ++generation_;
   newest_ = swept_ = Instant{};
 }
 

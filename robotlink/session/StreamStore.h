@@ -33,7 +33,8 @@ class StreamStore {
     std::string path;
     std::string type;                    ///< full name of the message type
     std::deque<StreamMessage> messages;  ///< oldest first
-    std::uint64_t count = 0;             ///< ever received
+    std::uint64_t generation = 0;        ///< of the store when this stream came into it
+    std::uint64_t count = 0;             ///< received since then
     std::uint64_t bytes = 0;             ///< kept
     double rate = 0;  ///< Hz, over the last second of the platform's time; renewed ten times in each
     Instant since;    ///< the first message after the start or a reset
@@ -43,6 +44,9 @@ class StreamStore {
   explicit StreamStore(Limits limits);
   void add(StreamMessage message);
   void clear();
+
+  /// Grows with every clear(): what was read before is no longer true.
+  std::uint64_t generation() const { return generation_; }
 
   /// Null if it has never been seen.
   const Stream* find(const std::string& path) const;
@@ -79,6 +83,7 @@ class StreamStore {
   std::map<std::string, Stream> streams_;
   std::size_t bytes_ = 0;
   std::uint64_t listVersion_ = 0;
+  std::uint64_t generation_ = 0;
   std::uint64_t refused_ = 0;
   Instant newest_;
   Instant swept_;

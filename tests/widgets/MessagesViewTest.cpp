@@ -61,6 +61,29 @@ class MessagesViewTest : public QObject {
     QCOMPARE(cell(table, 2, 4), QStringLiteral("lost the ball"));
   }
 
+  void afterAJumpOnlyWhatWasSaidBeforeIsShown() {
+    Bench bench;
+    auto view = bench.open<widgets::MessagesView>();
+    auto& table = child<QTableView>(*view, "messagesTable");
+    bench.push("red1/log", log(Log::INFO, "behavior", "kicked"), 8.72);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 1);
+    bench.session.restart();  // as many as before, but others
+    bench.push("red1/log", log(Log::INFO, "behavior", "the ball is seen"), 0.04);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 1);
+    QCOMPARE(cell(table, 0, 4), QStringLiteral("the ball is seen"));
+    bench.session.restart();  // more than before, and later
+    bench.push("red1/log", log(Log::INFO, "behavior", "walks"), 2);
+    bench.push("red1/log", log(Log::INFO, "behavior", "kicks"), 3);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 2);
+    QCOMPARE(cell(table, 0, 4), QStringLiteral("walks"));
+    bench.session.restart();
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 0);
+  }
+
   void oneMessageIsNotCalledMessages() {
     Bench bench;
     auto view = bench.open<widgets::MessagesView>();

@@ -54,6 +54,11 @@ bool StreamCursor::seen(const robotlink::StreamMessage& message) const {
 StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stream) {
   constexpr std::size_t kRemembered = 256;  // more than come out of order
   News news;
+  if (stream.generation != generation_) {
+    news.restarted = count_ > 0;
+    *this = {};
+    generation_ = stream.generation;
+  }
   const std::uint64_t added = stream.count - count_;
   if (added == 0) return news;
   for (const auto& message : std::views::reverse(stream.messages)) {
@@ -61,7 +66,7 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
     if (!seen(message)) news.messages.push_back(&message);
   }
   std::reverse(news.messages.begin(), news.messages.end());
-  news.restarted = count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_;
+  news.restarted = news.restarted || (count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_);
   count_ = stream.count;
   if (!stream.messages.empty()) newest_ = stream.messages.back().time;
   for (const auto* message : news.messages) recent_.push_back(message->value);

@@ -45,6 +45,7 @@ class StreamCursor {
  private:
   bool seen(const robotlink::StreamMessage& message) const;
 
+  std::uint64_t generation_ = 0;
   std::uint64_t count_ = 0;
   robotlink::Instant newest_;
   std::deque<robotlink::PackagePtr>
