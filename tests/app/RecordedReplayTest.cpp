@@ -8,6 +8,7 @@
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/TickUntil.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using app::test::ShortLog;
@@ -25,13 +26,7 @@ class RecordedReplayTest : public ::testing::Test {
   }
   template <typename Condition>
   bool waitFor(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < end) {
-      workbench.tick();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+    return app::test::tickUntil(workbench, condition);
   }
   void run(const std::string& line) {
     const auto done = workbench.commands().runLine(line);

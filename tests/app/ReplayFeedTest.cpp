@@ -10,6 +10,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 using app::test::ShortLog;
@@ -43,13 +44,7 @@ class ReplayFeedTest : public testing::Test {
 
   template <typename Condition>
   bool waitFor(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < end) {
-      workbench.tick();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(1));
-    }
-    return false;
+    return app::test::tickUntil(workbench, condition);
   }
   const ReplayStatus* status() {
     auto& session = workbench.session();

@@ -7,6 +7,7 @@
 #include "app/core/Workbench.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 using robotcontrol::SimulationStatus;
@@ -24,13 +25,7 @@ class SimulationFeedTest : public testing::Test {
 
   template <typename Condition>
   bool waitFor(Condition condition) {
-    const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);
-    while (std::chrono::steady_clock::now() < end) {
-      workbench.tick();
-      if (condition()) return true;
-      std::this_thread::sleep_for(std::chrono::milliseconds(2));
-    }
-    return false;
+    return app::test::tickUntil(workbench, condition);
   }
   const SimulationStatus* status() {
     return workbench.session().store().latestAs<SimulationStatus>("simulation", workbench.session().timeline().newest());
