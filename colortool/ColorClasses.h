@@ -15,24 +15,33 @@ namespace colortool {
 struct NamedColor {
   std::string name;
   robotlink::Rgb rgb;
+  bool operator==(const NamedColor&) const = default;
 };
 
 /// The classes that pixels are sorted into. Class 0 is "none"; the others are names of colours, each with the
-/// colour that views show it in. A plain value, small; at most 255 classes besides "none".
+/// colour that views show it in. A plain value, small; at most kMost classes besides "none".
 class ColorClasses {
  public:
   static constexpr std::uint8_t kNone = 0;
+  static constexpr int kMost = 255;
 
   ColorClasses() : classes_{{"none", {0, 0, 0}}} {}
+  /// Classes from 1 on; those after kMost are left out.
+  explicit ColorClasses(std::vector<NamedColor> classes);
   /// Those of `palette` whose name is one of `names`, in the order of `names`; names without a colour are
   /// left out.
   static ColorClasses select(std::span<const NamedColor> palette, std::span<const std::string_view> names);
 
+  /// With class 0.
   int size() const { return static_cast<int>(classes_.size()); }
   const std::string& name(int index) const { return classes_[static_cast<std::size_t>(index)].name; }
   robotlink::Rgb shownColor(int index) const { return classes_[static_cast<std::size_t>(index)].rgb; }
   /// kNone if there is no such class.
   std::uint8_t index(std::string_view name) const;
+  /// Of the classes from 1 on: class n is names()[n - 1].
+  std::vector<std::string> names() const;
+
+  bool operator==(const ColorClasses&) const = default;
 
  private:
   std::vector<NamedColor> classes_;
