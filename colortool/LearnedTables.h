@@ -22,6 +22,7 @@ struct CellSamples {
 struct GaussianOptions {
   /// Squared Mahalanobis distance from a class's mean past which a colour is not of it.
   double mostSquaredDistance = 40;
+  bool operator==(const GaussianOptions&) const = default;
 };
 /// One Gaussian per class (cv::ml::NormalBayesClassifier). About 0.1 s.
 ColorTable gaussianTable(std::span<const CellSamples> samples, const GaussianOptions& options = {});
@@ -32,6 +33,7 @@ struct SupportVectorOptions {
   /// From a sample, in values of Cb and Cr, Y weighing 0.4; a colour that is farther from all of them is of
   /// no class.
   double mostDistance = 40;
+  bool operator==(const SupportVectorOptions&) const = default;
 };
 /// A support vector machine (cv::ml::SVM, C_SVC). About 0.3 s.
 ColorTable supportVectorTable(std::span<const CellSamples> samples, const SupportVectorOptions& options = {});

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "robotlink/base/Image.h"
+
+namespace colortool {
+
+/// How a camera's image differs from the middle of itself: lenses darken corners and tint them. With r^2 =
+/// squared distance from the image's centre, 1 at the corners:
+/// Y is divided by 1 + luma[0] r^2 + luma[1] r^4; of Cb and Cr blue[0] r^2 + blue[1] r^4 and red[...] is
+/// taken away.
+struct Vignetting {
+  std::array<double, 2> luma{}, blue{}, red{};
+  bool operator==(const Vignetting&) const = default;
+};
+
+/// One channel of a camera against that of another: other = gain * value + offset.
+struct ChannelLine {
+  double gain = 1;
+  double offset = 0;
+  bool operator==(const ChannelLine&) const = default;
+};
+
+/// What is done to the colours of a camera before a table sees them: vignetting is taken out, then each
+/// channel (Y, Cb, Cr) goes through its line. A plain value; by default nothing is changed.
+struct ColorCorrection {
+  Vignetting vignetting;
+  std::array<ChannelLine, 3> channels{};
+
+  bool none() const { return *this == ColorCorrection{}; }
+  /// Of a pixel at (x, y) of an image of that size.
+  robotlink::YCbCr apply(robotlink::YCbCr color, int x, int y, int width, int height) const;
+  bool operator==(const ColorCorrection&) const = default;
+};
+
+}  // namespace colortool

@@ -1,0 +1,224 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "colortool/PixelArea.h"
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <deque>
+#include <utility>
+
+namespace colortool {
+namespace {
+
+/// Which pixels of an image are taken; areas are made of it.
+class Mask {
+ public:
+  Mask(int width, int height)
+      : width_(width),
+        height_(height),
+        taken_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
+
+  std::uint8_t& at(int x, int y) {
+    return taken_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
+                  static_cast<std::size_t>(x)];
+  }
+  PixelArea area() {
+    PixelArea result;
+    for (int y = 0; y < height_; ++y) {
+      for (int x = 0; x < width_; ++x) {
+        if (at(x, y) == 0) continue;
+        const int begin = x;
+        while (x < width_ && at(x, y) != 0) ++x;
+        result.push_back({y, begin, x});
+      }
+    }
+    return result;
+  }
+
+ private:
+  int width_, height_;
+  std::vector<std::uint8_t> taken_;
+};
+
+int bounded(double value, int most) {
+  return static_cast<int>(std::clamp(value, -1.0, static_cast<double>(most)));
+}
+
+/// Squared distance of a point from the line between two others.
+double squaredDistance(ImagePoint from, ImagePoint to, double x, double y) {
+  const double dx = to.x - from.x, dy = to.y - from.y;
+  const double length = dx * dx + dy * dy;
+  const double along =
+      length > 0 ? std::clamp(((x - from.x) * dx + (y - from.y) * dy) / length, 0.0, 1.0) : 0.0;
+  const double ex = x - from.x - along * dx, ey = y - from.y - along * dy;
+  return ex * ex + ey * ey;
+}
+
+/// Merges rows of runs; `keep` says of (in a, in b) whether a pixel belongs to the result.
+template <typename Keep>
+PixelArea combined(const PixelArea& a, const PixelArea& b, const Keep& keep) {
+  PixelArea result;
+  std::vector<std::array<int, 2>> ends;  // x and which of the two begins or ends there
+  std::size_t i = 0, j = 0;
+  while (i < a.size() || j < b.size()) {
+    const int y = std::min(i < a.size() ? a[i].y : b[j].y, j < b.size() ? b[j].y : a[i].y);
+    ends.clear();
+    for (; i < a.size() && a[i].y == y; ++i) ends.insert(ends.end(), {{a[i].begin, 1}, {a[i].end, 1}});
+    for (; j < b.size() && b[j].y == y; ++j) ends.insert(ends.end(), {{b[j].begin, 2}, {b[j].end, 2}});
+    std::ranges::sort(ends);
+    int inside = 0, begin = 0;
+    bool open = false;
+    for (std::size_t k = 0; k < ends.size();) {
+      const int x = ends[k][0];
+      for (; k < ends.size() && ends[k][0] == x; ++k) inside ^= ends[k][1];
+      const bool kept = keep((inside & 1) != 0, (inside & 2) != 0);
+      if (kept && !open) begin = x;
+      if (!kept && open) result.push_back({y, begin, x});
+      open = kept;
+    }
+  }
+  return result;
+}
+
+/// Grows over like colours, nearest first.
+class Wand {
+ public:
+  Wand(const ColorImage& image, const WandOptions& options)
+      : image_(image), options_(options), mask_(image.width, image.height) {}
+
+  PixelArea grow(int x, int y) {
+    take(x, y);
+    while (!border_.empty() && taken_ < options_.mostPixels) {
+      const auto [atX, atY] = border_.front();
+      border_.pop_front();
+      for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}})
+        look(atX, atY, atX + dx, atY + dy);
+    }
+    return mask_.area();
+  }
+
+ private:
+  using Color = std::array<double, 3>;
+  static Color weighted(const robotlink::YCbCr& color) {
+    return {0.5 * color.y, static_cast<double>(color.cb), static_cast<double>(color.cr)};
+  }
+  static double distance(const Color& a, const Color& b) {
+    return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]);
+  }
+  void take(int x, int y) {
+    mask_.at(x, y) = 1;
+    border_.emplace_back(x, y);
+    const Color color = weighted(image_.at(x, y));
+    for (std::size_t i = 0; i < 3; ++i) sum_[i] += color[i];
+    ++taken_;
+  }
+  void look(int fromX, int fromY, int x, int y) {
+    if (!image_.contains(x, y) || mask_.at(x, y) != 0 || taken_ >= options_.mostPixels) return;
+    const Color color = weighted(image_.at(x, y));
+    const Color mean = {sum_[0] / taken_, sum_[1] / taken_, sum_[2] / taken_};
+    if (distance(color, mean) > options_.tolerance) return;
+    if (distance(color, weighted(image_.at(fromX, fromY))) > options_.edge) return;
+    take(x, y);
+  }
+
+  const ColorImage& image_;
+  const WandOptions& options_;
+  Mask mask_;
+  std::deque<std::pair<int, int>> border_;
+  Color sum_{};
+  int taken_ = 0;
+};
+
+}  // namespace
+
+PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, double radius) {
+  if (points.empty() || width <= 0 || height <= 0) return {};
+  Mask mask(width, height);
+  for (std::size_t i = 0; i < points.size(); ++i) {
+    const ImagePoint from = points[i], to = points[std::min(i + 1, points.size() - 1)];
+    const int top = std::max(0, bounded(std::ceil(std::min(from.y, to.y) - radius), height)),
+              bottom = bounded(std::floor(std::max(from.y, to.y) + radius), height - 1);
+    const int left = std::max(0, bounded(std::ceil(std::min(from.x, to.x) - radius), width)),
+              right = bounded(std::floor(std::max(from.x, to.x) + radius), width - 1);
+    for (int y = top; y <= bottom; ++y) {
+      for (int x = left; x <= right; ++x) {
+        if (squaredDistance(from, to, x, y) <= radius * radius) mask.at(x, y) = 1;
+      }
+    }
+  }
+  return mask.area();
+}
+
+PixelArea rectangleArea(int width, int height, ImagePoint corner, ImagePoint opposite) {
+  const int top = std::max(0, bounded(std::round(std::min(corner.y, opposite.y)), height)),
+            bottom = bounded(std::round(std::max(corner.y, opposite.y)), height - 1);
+  const int left = std::max(0, bounded(std::round(std::min(corner.x, opposite.x)), width)),
+            right = bounded(std::round(std::max(corner.x, opposite.x)), width - 1);
+  PixelArea area;
+  if (left > right) return area;
+  for (int y = top; y <= bottom; ++y) area.push_back({y, left, right + 1});
+  return area;
+}
+
+PixelArea polygonArea(int width, int height, std::span<const ImagePoint> corners) {
+  PixelArea area;
+  if (corners.size() < 3) return area;
+  std::vector<double> crossings;
+  for (int y = 0; y < height; ++y) {
+    crossings.clear();
+    for (std::size_t i = 0; i < corners.size(); ++i) {
+      const ImagePoint from = corners[i], to = corners[(i + 1) % corners.size()];
+      if ((from.y <= y) == (to.y <= y)) continue;
+      crossings.push_back(from.x + (y - from.y) * (to.x - from.x) / (to.y - from.y));
+    }
+    std::ranges::sort(crossings);
+    for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
+      const int begin = std::max(0, bounded(std::ceil(crossings[i]), width)),
+                end = std::max(0, bounded(std::ceil(crossings[i + 1]), width));
+      if (begin >= end) continue;
+      if (!area.empty() && area.back().y == y && area.back().end >= begin)
+        area.back().end = end;
+      else
+        area.push_back({y, begin, end});
+    }
+  }
+  return area;
+}
+
+PixelArea wandArea(const ColorImage& image, int x, int y, const WandOptions& options) {
+  if (!image.contains(x, y)) return {};
+  return Wand(image, options).grow(x, y);
+}
+
+PixelArea united(const PixelArea& a, const PixelArea& b) {
+  return combined(a, b, [](bool inA, bool inB) { return inA || inB; });
+}
+
+PixelArea without(const PixelArea& a, const PixelArea& b) {
+  return combined(a, b, [](bool inA, bool inB) { return inA && !inB; });
+}
+
+std::size_t pixelCount(const PixelArea& area) {
+  std::size_t count = 0;
+  for (const PixelRun& run : area) count += static_cast<std::size_t>(run.end - run.begin);
+  return count;
+}
+
+bool contains(const PixelArea& area, int x, int y) {
+  const auto row = std::ranges::equal_range(area, y, {}, &PixelRun::y);
+  return std::ranges::any_of(row, [x](const PixelRun& run) { return run.begin <= x && x < run.end; });
+}
+
+bool isValid(const PixelArea& area, int width, int height) {
+  const PixelRun* previous = nullptr;
+  for (const PixelRun& run : area) {
+    if (run.y < 0 || run.y >= height || run.begin < 0 || run.begin >= run.end || run.end > width)
+      return false;
+    if (previous != nullptr && (run.y < previous->y || (run.y == previous->y && run.begin <= previous->end)))
+      return false;
+    previous = &run;
+  }
+  return true;
+}
+
+}  // namespace colortool
