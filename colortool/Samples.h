@@ -79,7 +79,7 @@ struct StrokeMeaning {
   std::uint8_t colorClass = ColorClasses::kNone;
   bool mustNotBe = false;
   double weight = 1;
-  std::string tool;
+  std::string tool = {};
 };
 /// Adds what `area` touches of `image`; which image it is, is told by `where` (its id does not count: an
 /// image of the same name, camera and size is the same). Without pixels nothing is added. Returns the new
