@@ -20,19 +20,30 @@ struct Vignetting {
 struct ChannelLine {
   double gain = 1;
   double offset = 0;
+  double of(double value) const { return gain * value + offset; }
   bool operator==(const ChannelLine&) const = default;
 };
 
 /// What is done to the colours of a camera before a table sees them: vignetting is taken out, then each
 /// channel (Y, Cb, Cr) goes through its line. A plain value; by default nothing is changed.
 struct ColorCorrection {
+  /// What vignetting divides Y by stays within these.
+  static constexpr double kLeastShade = 0.125, kMostShade = 8;
+
   Vignetting vignetting;
   std::array<ChannelLine, 3> channels{};
 
   bool none() const { return *this == ColorCorrection{}; }
-  /// Of a pixel at (x, y) of an image of that size.
+  /// Of a pixel at (x, y) of an image of that size: rounded, and within 0 to 255.
   robotlink::YCbCr apply(robotlink::YCbCr color, int x, int y, int width, int height) const;
+  /// All that is done to a channel at a distance from the centre of the image.
+  ChannelLine lumaAt(double squaredRadius) const;
+  ChannelLine blueAt(double squaredRadius) const;
+  ChannelLine redAt(double squaredRadius) const;
   bool operator==(const ColorCorrection&) const = default;
 };
+
+/// The r^2 of Vignetting at a place of an image; the centre of the upper left pixel is at (0, 0).
+double squaredImageRadius(double x, double y, int width, int height);
 
 }  // namespace colortool

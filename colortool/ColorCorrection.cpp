@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "colortool/ColorCorrection.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace colortool {
+namespace {
+
+std::uint8_t toValue(double value) {
+  return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.0, 255.0)));
+}
+
+double curve(const std::array<double, 2>& coefficients, double squaredRadius) {
+  return (coefficients[0] + coefficients[1] * squaredRadius) * squaredRadius;
+}
+
+}  // namespace
+
+double squaredImageRadius(double x, double y, int width, int height) {
+  const double fromCenterX = x - (width - 1) / 2.0, fromCenterY = y - (height - 1) / 2.0;
+  return 4 * (fromCenterX * fromCenterX + fromCenterY * fromCenterY) /
+         (double{1} * width * width + double{1} * height * height);
+}
+
+ChannelLine ColorCorrection::lumaAt(double squaredRadius) const {
+  const double shade = std::clamp(1 + curve(vignetting.luma, squaredRadius), kLeastShade, kMostShade);
+  return {channels[0].gain / shade, channels[0].offset};
+}
+
+ChannelLine ColorCorrection::blueAt(double squaredRadius) const {
+  return {channels[1].gain, channels[1].offset - channels[1].gain * curve(vignetting.blue, squaredRadius)};
+}
+
+ChannelLine ColorCorrection::redAt(double squaredRadius) const {
+  return {channels[2].gain, channels[2].offset - channels[2].gain * curve(vignetting.red, squaredRadius)};
+}
+
+robotlink::YCbCr ColorCorrection::apply(robotlink::YCbCr color, int x, int y, int width, int height) const {
+  const double squaredRadius = squaredImageRadius(x, y, width, height);
+  return {toValue(lumaAt(squaredRadius).of(color.y)), toValue(blueAt(squaredRadius).of(color.cb)),
+          toValue(redAt(squaredRadius).of(color.cr))};
+}
+
+}  // namespace colortool
