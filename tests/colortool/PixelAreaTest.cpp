@@ -72,7 +72,7 @@ TEST(PixelArea, aLassoTakesWhatIsInside) {
   const ImagePoint corners[] = {{0.5, 0.5}, {4.5, 0.5}, {4.5, 3.5}, {2.5, 1.5}, {0.5, 3.5}};
   // A pixel whose centre lies on a side belongs to what is right of it.
   EXPECT_EQ(picture(polygonArea(6, 5, corners), 6, 5),
-            (Rows{"......", ".####.", ".#.##.", "......", "......"}));
+            (Rows{"......", ".####.", ".#.##.", "....#.", "......"}));
 }
 
 TEST(PixelArea, theWandStopsAtOtherColours) {
