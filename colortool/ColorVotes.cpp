@@ -173,14 +173,18 @@ std::vector<CellSamples> ColorVotes::samples() const {
 }
 
 double ColorVotes::margin(std::size_t cell) const {
-  const std::uint8_t colorClass = table_.cells()[cell];
-  if (colorClass == ColorClasses::kNone) return 0;
-  const std::int32_t best = votes_[colorClass][cell];
-  std::int32_t second = std::max(votes_[0][cell], 0) + priorVotes_;
-  for (std::size_t other = 1; other < votes_.size(); ++other) {
-    if (other != colorClass) second = std::max(second, votes_[other][cell]);
+  const auto votesOf = [&](std::size_t colorClass) {
+    const std::int32_t votes = votes_[colorClass][cell];
+    return colorClass == ColorClasses::kNone ? std::max(votes, 0) + priorVotes_ : votes;
+  };
+  const std::uint8_t winner = table_.cells()[cell];
+  const std::int32_t best = votesOf(winner);
+  if (best <= 0) return winner == ColorClasses::kNone ? 1 : 0;
+  std::int32_t second = 0;
+  for (std::size_t other = 0; other < votes_.size(); ++other) {
+    if (other != winner) second = std::max(second, votesOf(other));
   }
-  return best <= 0 ? 0 : static_cast<double>(best - second) / static_cast<double>(best);
+  return static_cast<double>(best - second) / static_cast<double>(best);
 }
 
 std::uint16_t ColorVotes::classesOf(std::size_t cell, double share) const {

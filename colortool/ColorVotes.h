@@ -52,8 +52,9 @@ class ColorVotes {
 
   /// The table of all that was added. Valid until the next call.
   const ColorTable& update();
-  /// How sure the table is of a cell: what the best class has more than the second, as a share of what it
-  /// has; 0 for cells of no class. As of the last update().
+  /// How sure the table is of a cell: what the best one has more than the second, as a share of what it has,
+  /// 0 to 1. Background takes part: it has its votes and what the rejection asks for. As of the last
+  /// update().
   double margin(std::size_t cell) const;
   /// Each class that comes near the best one, as bit i for class i + 1: those with at least `share` of its
   /// votes.

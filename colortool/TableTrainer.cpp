@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "colortool/TableTrainer.h"
+
+namespace colortool {
+
+bool TableTrainer::sameGround(const Samples& samples) const {
+  return last_ && last_->classes.size() == samples.classes.size() &&
+         last_->corrections == samples.corrections &&
+         last_->settings.correctVignetting == samples.settings.correctVignetting &&
+         last_->settings.correctCameras == samples.settings.correctCameras;
+}
+
+void TableTrainer::follow(const Samples& samples) {
+  if (!sameGround(samples)) {
+    votes_ = ColorVotes(samples.classes.size(), samples.settings.votes);
+    learned_.clear();
+  } else if (last_->settings.votes != samples.settings.votes) {
+    votes_.setOptions(samples.settings.votes);
+  }
+  for (auto& [key, learned] : learned_) learned.current = false;
+  for (const StrokePtr& stroke : samples.strokes) {
+    const auto [learned, isNew] = learned_.try_emplace(stroke.get());
+    learned->second.current = true;
+    if (!isNew) continue;
+    learned->second.stroke = stroke;
+    learned->second.cells = strokeCells(samples, *stroke);
+    addTo(votes_, learned->second.cells, stroke->colorClass);
+  }
+  std::erase_if(learned_, [&](const auto& entry) {
+    const Learned& learned = entry.second;
+    if (!learned.current) addTo(votes_, learned.cells, learned.stroke->colorClass, -1);
+    return !learned.current;
+  });
+}
+
+const ColorTable& TableTrainer::train(const Samples& samples) {
+  if (last_ && samples == *last_) return table_;
+  follow(samples);
+  switch (samples.settings.method) {
+    case TrainingMethod::kVotes:
+      table_ = votes_.update();
+      break;
+    case TrainingMethod::kGaussians:
+      table_ = gaussianTable(votes_.samples(), samples.settings.gaussians);
+      break;
+    case TrainingMethod::kSupportVectors:
+      table_ = supportVectorTable(votes_.samples(), samples.settings.supportVectors);
+      break;
+  }
+  last_ = samples;
+  return table_;
+}
+
+std::vector<std::uint8_t> TableTrainer::margins() const {
+  std::vector<std::uint8_t> margins(ColorTable::kCellCount);
+  for (std::size_t cell = 0; cell < margins.size(); ++cell)
+    margins[cell] = static_cast<std::uint8_t>(255 * votes_.margin(cell) + 0.5);
+  return margins;
+}
+
+}  // namespace colortool
