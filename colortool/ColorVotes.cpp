@@ -45,6 +45,7 @@ void ColorVotes::Box::include(int axis, int from, int to) {
 ColorVotes::ColorVotes(int classes, const VoteOptions& options)
     : votes_(static_cast<std::size_t>(std::clamp(classes, 1, 256)),
              std::vector<std::int32_t>(kCellCount, 0)) {
+  sampled_.resize(votes_.size());
   setOptions(options);
 }
 
@@ -103,6 +104,7 @@ void ColorVotes::add(std::size_t cell, std::uint8_t colorClass, std::int64_t pix
   const std::int32_t strength = strengthOf(sample.pixels, colorClass);
   if (strength != sample.strength) vote(cell, colorClass, strength - sample.strength);
   sample.strength = strength;
+  sampled_[colorClass].set(cell, sample.pixels > 0);
   if (sample.pixels == 0) samples_.erase(entry);
 }
 

@@ -6,6 +6,7 @@
 #include <unordered_map>
 #include <vector>
 
+#include "colortool/CellSet.h"
 #include "colortool/ColorTable.h"
 #include "colortool/LearnedTables.h"
 
@@ -62,6 +63,8 @@ class ColorVotes {
 
   /// All that was added and not taken away, where it speaks for its class; by cell and class.
   std::vector<CellSamples> samples() const;
+  /// The cells of samples(), by class. Valid until the next call.
+  std::span<const CellSet> sampledCells() const { return sampled_; }
 
   int classes() const { return static_cast<int>(votes_.size()); }
 
@@ -88,6 +91,7 @@ class ColorVotes {
   std::vector<std::int32_t> kernel_;           // [y][cb][cr]
   std::int32_t priorVotes_ = 0;
   std::unordered_map<std::uint32_t, Sample> samples_;  // by cell and class
+  std::vector<CellSet> sampled_;                       // by class
   std::vector<std::vector<std::int32_t>> votes_;       // by class and cell
   Box changed_;
   ColorTable table_;

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a stroke to the new table, and a table from scratch, with ten strokes a class of five and background
-// beforehand.
+// beforehand; the same with clean-up.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <random>
 
 #include "colortool/ColorVotes.h"
+#include "colortool/TableCleanUp.h"
 
 namespace {
 
@@ -68,7 +69,36 @@ void rebuild(benchmark::State& state) {
   }
 }
 
+/// Clean-up alone, after each stroke.
+void cleanUpAfterStroke(benchmark::State& state) {
+  std::mt19937 random(1);
+  ColorVotes votes = calibrated(random);
+  colortool::TableCleanUp cleanUp;
+  const auto cells = stroke(2, random);
+  int sign = -1;
+  for (auto _ : state) {
+    state.PauseTiming();
+    sign = -sign;
+    add(votes, cells, 2, sign);
+    const ColorTable& raw = votes.update();
+    state.ResumeTiming();
+    benchmark::DoNotOptimize(&cleanUp.clean(raw, votes.sampledCells(), {}));
+  }
+}
+
+void cleanUpFromScratch(benchmark::State& state) {
+  std::mt19937 random(1);
+  ColorVotes votes = calibrated(random);
+  const ColorTable& raw = votes.update();
+  for (auto _ : state) {
+    colortool::TableCleanUp cleanUp;
+    benchmark::DoNotOptimize(&cleanUp.clean(raw, votes.sampledCells(), {}));
+  }
+}
+
 BENCHMARK(strokeToTable)->Unit(benchmark::kMicrosecond);
 BENCHMARK(rebuild)->Unit(benchmark::kMicrosecond);
+BENCHMARK(cleanUpAfterStroke)->Unit(benchmark::kMicrosecond);
+BENCHMARK(cleanUpFromScratch)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
