@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 
 namespace colortool {
 namespace {
@@ -29,6 +30,14 @@ constexpr std::array<ClassPreset::Color, 8> kBHuman2009 = {{{"orange", {255, 128
 constexpr std::array<ClassPreset, 2> kPresets = {
     {{"2002", "Four-legged league 2002", k2002}, {"bhuman2009", "B-Human 2009", kBHuman2009}}};
 
+robotlink::Rgb colorOf(std::string_view name, int number) {
+  for (const ClassPreset& preset : kPresets) {
+    const auto found = std::ranges::find(preset.colors, name, &ClassPreset::Color::name);
+    if (found != preset.colors.end()) return found->rgb;
+  }
+  return spareColor(number);
+}
+
 }  // namespace
 
 ColorClasses ClassPreset::classes() const {
@@ -44,6 +53,35 @@ std::span<const ClassPreset> classPresets() {
 const ClassPreset* findClassPreset(std::string_view name) {
   const auto* found = std::ranges::find(kPresets, name, &ClassPreset::name);
   return found == kPresets.end() ? nullptr : found;
+}
+
+robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names) {
+  if (names.size() == 1) {
+    if (const ClassPreset* preset = findClassPreset(names[0])) return preset->classes();
+  }
+  std::vector<NamedColor> classes;
+  for (const std::string& name : names) {
+    std::string problem = classNameProblem(name);
+    if (std::ranges::find(classes, name, &NamedColor::name) != classes.end())
+      problem = "the class '" + name + "' is named twice";
+    if (!problem.empty()) return robotlink::failure("color.classes", std::move(problem), {}, {name});
+    classes.push_back({name, colorOf(name, static_cast<int>(classes.size()) + 1)});
+  }
+  if (classes.size() > ColorClasses::kMost)
+    return robotlink::failure("color.classes", "there are more than 255 classes");
+  return ColorClasses(std::move(classes));
+}
+
+robotlink::Rgb spareColor(int number) {
+  // Hues a golden section apart never come near each other soon; six phases make the saturated colour of a
+  // hue.
+  const double phase = std::fmod(0.78 + 0.618034 * number, 1.0) * 6;
+  const auto channel = [phase](double offset) {
+    const double at = std::fmod(offset + phase, 6);
+    return static_cast<std::uint8_t>(
+        std::lround(40 + 215 * (1 - std::clamp(std::min(at, 4 - at), 0.0, 1.0))));
+  };
+  return {channel(5), channel(3), channel(1)};
 }
 
 }  // namespace colortool

@@ -2,9 +2,11 @@
 #pragma once
 
 #include <span>
+#include <string>
 #include <string_view>
 
 #include "colortool/ColorClasses.h"
+#include "robotlink/base/Error.h"
 
 namespace colortool {
 
@@ -30,5 +32,13 @@ struct ClassPreset {
 std::span<const ClassPreset> classPresets();
 /// Null if there is none of that name.
 const ClassPreset* findClassPreset(std::string_view name);
+
+/// What command lines take: the name of a preset alone, or the names of classes in the order of their
+/// numbers. A class that a preset has is shown in that preset's colour, others in spare ones. Fails on names
+/// that cannot be, and on those that stand there twice.
+robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names);
+
+/// A colour for a class that has none; those of the first dozen numbers can be told apart.
+robotlink::Rgb spareColor(int number);
 
 }  // namespace colortool

@@ -32,4 +32,30 @@ std::vector<std::string> ColorClasses::names() const {
   return names;
 }
 
+ColorClasses unite(const ColorClasses& first, const ColorClasses& second) {
+  std::vector<NamedColor> classes;
+  for (int i = 1; i < first.size(); ++i) classes.push_back({first.name(i), first.shownColor(i)});
+  for (int i = 1; i < second.size(); ++i) {
+    if (first.index(second.name(i)) == ColorClasses::kNone)
+      classes.push_back({second.name(i), second.shownColor(i)});
+  }
+  return ColorClasses(std::move(classes));
+}
+
+std::vector<std::uint8_t> classNumbers(const ColorClasses& from, const ColorClasses& to) {
+  std::vector<std::uint8_t> numbers;
+  for (int i = 0; i < from.size(); ++i) numbers.push_back(to.index(from.name(i)));
+  return numbers;
+}
+
+std::string classNameProblem(std::string_view name) {
+  const auto isControl = [](char c) { return static_cast<unsigned char>(c) < 0x20 || c == 0x7F; };
+  if (name.empty()) return "a class needs a name";
+  if (name == "none" || name == "background")
+    return "'" + std::string(name) + "' stands for pixels of no class and cannot be one";
+  if (std::ranges::any_of(name, isControl)) return "a class's name has control characters";
+  if (name.front() == ' ' || name.back() == ' ') return "a class's name begins or ends with a space";
+  return {};
+}
+
 }  // namespace colortool

@@ -47,4 +47,14 @@ class ColorClasses {
   std::vector<NamedColor> classes_;
 };
 
+/// The classes of `first`, and after them those that only `second` has, by name.
+ColorClasses unite(const ColorClasses& first, const ColorClasses& second);
+/// For each class of `from`, 0 included, the number of the one of the same name in `to`, or kNone; what
+/// ColorTable::translated() takes.
+std::vector<std::uint8_t> classNumbers(const ColorClasses& from, const ColorClasses& to);
+
+/// Why a class cannot be called so, as a sentence; empty if it can. "none" and "background" stand for pixels
+/// of no class in files and on command lines.
+std::string classNameProblem(std::string_view name);
+
 }  // namespace colortool

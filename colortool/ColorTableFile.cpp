@@ -82,6 +82,38 @@ Result<void> ColorTableFile::save(const std::filesystem::path& file) const {
   return robotlink::writeFileAtomically(file, bytes());
 }
 
+std::vector<std::uint16_t> ColorTableFile::masks() const {
+  std::vector<std::uint16_t> masks(cells.size());
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    const std::uint8_t cell = cells[i];
+    if ((cell & kSeveral) != 0)
+      masks[i] = cell & 0x7FU;
+    else if (cell >= 1 && cell <= 16)
+      masks[i] = static_cast<std::uint16_t>(1U << (cell - 1U));
+  }
+  return masks;
+}
+
+ColorTableFile::Packed ColorTableFile::pack(std::span<const std::uint8_t> winners,
+                                            std::span<const std::uint16_t> masks) {
+  constexpr unsigned kRoom = (1U << unsigned{kMostOfSeveral}) - 1;
+  Packed packed;
+  if (winners.size() != kCellCount || masks.size() != kCellCount) return packed;
+  for (std::size_t i = 0; i < kCellCount; ++i) {
+    const bool several = std::popcount(masks[i]) > 1;
+    std::uint8_t& cell = packed.file.cells[i];
+    if (several && masks[i] <= kRoom) {
+      cell = static_cast<std::uint8_t>(kSeveral | masks[i]);
+    } else if (winners[i] <= kMostClasses) {
+      cell = winners[i];
+      if (several) ++packed.reducedCells;
+    } else {
+      ++packed.emptiedCells;
+    }
+  }
+  return packed;
+}
+
 std::vector<std::uint8_t> ColorTableFile::singleClasses() const {
   std::vector<std::uint8_t> single = cells;
   for (std::uint8_t& cell : single) {

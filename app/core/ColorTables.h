@@ -12,7 +12,8 @@ class ColorTable;
 
 namespace app {
 
-/// A .c64 file as a robot's program takes it (Request.set_color_table), with the classes of the known files.
+/// A .c64 file as a robot's program takes it (Request.set_color_table), with the names of its classes
+/// (colortool::NamedColorTable).
 robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
     const std::filesystem::path& file);
 

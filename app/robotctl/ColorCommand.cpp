@@ -1,26 +1,34 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
-#include <algorithm>
 
 #include "app/robotctl/ColorCommands.h"
 #include "app/robotctl/Commands.h"
+#include "colortool/ClassPresets.h"
 
 namespace app {
 
-ClassNames defaultClassNames() {
-  const auto& names = colortool::ColorTableFile::kBHuman2009Classes;
-  return {names.begin(), names.end()};
+using colortool::NamedColorTable;
+
+void addClassesOption(CLI::App& command, ClassNames& names, const char* help) {
+  std::string presets;
+  for (const auto& preset : colortool::classPresets())
+    presets += (presets.empty() ? "" : ", ") + std::string(preset.name);
+  command.add_option("--classes", names, std::string(help) + ", or one of: " + presets)->delimiter(',');
 }
 
-std::string className(const ClassNames& names, int colorClass) {
-  if (colorClass == 0) return "none";
-  return colorClass <= static_cast<int>(names.size()) ? names[static_cast<std::size_t>(colorClass) - 1]
-                                                      : std::to_string(colorClass);
+robotlink::Result<colortool::ColorClasses> chosenClasses(const ClassNames& names) {
+  return colortool::chooseClasses(names.empty() ? ClassNames{"bhuman2009"} : names);
 }
 
-int classNumber(const ClassNames& names, const std::string& name) {
-  const auto found = std::ranges::find(names, name);
-  return found == names.end() ? 0 : static_cast<int>(found - names.begin()) + 1;
+tl::expected<NamedColorTable, robotlink::Errors> loadTable(const std::string& file, const ClassNames& names) {
+  if (names.empty()) return NamedColorTable::load(file);
+  auto classes = chosenClasses(names);
+  if (!classes) return tl::unexpected(robotlink::Errors{classes.error()});
+  auto table = colortool::ColorTableFile::load(file);
+  if (!table) return tl::unexpected(robotlink::Errors{table.error()});
+  NamedColorTable named{std::move(*table), std::move(*classes)};
+  named.nameAll();
+  return named;
 }
 
 colortool::ColorTable singleTable(const colortool::ColorTableFile& file) {
@@ -35,6 +43,7 @@ void addColorCommand(CLI::App& app, int& status) {
   addColorTrainCommand(*color, status);
   addColorEvaluateCommand(*color, status);
   addColorTableCommands(*color, status);
+  addColorSegmentCommand(*color, status);
 }
 
 }  // namespace app

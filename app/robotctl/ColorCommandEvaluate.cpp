@@ -9,66 +9,68 @@
 #include "app/robotctl/ColorImages.h"
 #include "app/robotctl/Commands.h"
 #include "colortool/Evaluation.h"
+#include "robotlink/base/AtomicFile.h"
 
 namespace app {
 namespace {
 
+using colortool::ColorClasses;
 using colortool::Evaluation;
 using robotlink::Result;
 
 struct EvaluateArguments {
   std::string table, images, labels;
-  ClassNames classes = defaultClassNames();
+  ClassNames classes, labelClasses;
   bool json = false;
 };
 
 /// Background that is sorted into one of these is what a robot stumbles over.
-std::vector<std::uint8_t> falseClasses(const ClassNames& names) {
-  std::vector<std::uint8_t> classes;
+std::vector<std::uint8_t> falseClasses(const ColorClasses& classes) {
+  std::vector<std::uint8_t> numbers;
   for (const char* name : {"orange", "blue", "yellow", "red"}) {
-    if (const int number = classNumber(names, name); number != 0)
-      classes.push_back(static_cast<std::uint8_t>(number));
+    if (const std::uint8_t number = classes.index(name); number != ColorClasses::kNone)
+      numbers.push_back(number);
   }
-  return classes;
+  return numbers;
 }
 
-void printJson(const Evaluation& evaluation, const ClassNames& names) {
+void printJson(const Evaluation& evaluation, const ColorClasses& classes) {
   nlohmann::ordered_json recall = nlohmann::ordered_json::object(),
                          confusion = nlohmann::ordered_json::object();
   for (int label = 0; label < evaluation.classes(); ++label) {
     const std::uint64_t all = evaluation.labelled(label);
     if (all == 0) continue;
-    const std::string name = label == 0 ? "background" : className(names, label);
+    const std::string name = label == 0 ? "background" : classes.name(label);
     if (label != 0) recall[name] = evaluation.recall(label);
     for (int found = 0; found < evaluation.classes(); ++found) {
       const std::uint64_t count = evaluation.count(label, found);
       if (count != 0)
-        confusion[name][className(names, found)] = static_cast<double>(count) / static_cast<double>(all);
+        confusion[name][classes.name(found)] = static_cast<double>(count) / static_cast<double>(all);
     }
   }
   const nlohmann::ordered_json result{{"recall", recall},
                                       {"mean_recall", evaluation.meanRecall()},
-                                      {"false_color", evaluation.falseColor(falseClasses(names))},
+                                      {"false_color", evaluation.falseColor(falseClasses(classes))},
                                       {"confusion", confusion}};
   std::cout << result.dump(2) << "\n";
 }
 
-void printText(const Evaluation& evaluation, const ClassNames& names) {
+void printText(const Evaluation& evaluation, const ColorClasses& classes) {
   for (int label = 0; label < evaluation.classes(); ++label) {
     const std::uint64_t all = evaluation.labelled(label);
     if (all == 0) continue;
-    std::printf("%-12s %10llu pixels", label == 0 ? "background" : className(names, label).c_str(),
+    std::printf("%-12s %10llu pixels", label == 0 ? "background" : classes.name(label).c_str(),
                 static_cast<unsigned long long>(all));
     for (int found = 0; found < evaluation.classes(); ++found) {
       const std::uint64_t count = evaluation.count(label, found);
       if (count != 0)
-        std::printf("  %s %.2f %%", className(names, found).c_str(),
+        std::printf("  %s %.2f %%", classes.name(found).c_str(),
                     100 * static_cast<double>(count) / static_cast<double>(all));
     }
     std::printf("\n");
   }
   std::printf("mean recall  %.2f %%\nfalse colour %.3f %%\n", 100 * evaluation.meanRecall(),
-              100 * evaluation.falseColor(falseClasses(names)));
+              100 * evaluation.falseColor(falseClasses(classes)));
 }
 
 /// Adds an image if it has labels. How many images were added.
@@ -90,13 +92,32 @@ Result<int> add(const ColorImages& images, const std::string& name, const Evalua
   return 1;
 }
 
+/// What the labels' numbers stand for: what was said, or else what stands beside the labels.
+tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArguments& arguments) {
+  const std::filesystem::path file = std::filesystem::path(arguments.labels) / kLabelClassesFile;
+  std::error_code error;
+  if (arguments.labelClasses.empty() && arguments.classes.empty() && std::filesystem::exists(file, error)) {
+    const auto text = robotlink::readFile(file);
+    if (!text) return tl::unexpected(robotlink::Errors{text.error()});
+    return colortool::parseColorClasses(*text, file.string());
+  }
+  auto chosen = chosenClasses(arguments.labelClasses.empty() ? arguments.classes : arguments.labelClasses);
+  if (!chosen) return tl::unexpected(robotlink::Errors{chosen.error()});
+  return *chosen;
+}
+
 int run(const EvaluateArguments& arguments) {
-  const auto file = colortool::ColorTableFile::load(arguments.table);
-  if (!file) return printErrors({file.error()});
+  const auto named = loadTable(arguments.table, arguments.classes);
+  if (!named) return printErrors(named.error());
+  const auto labelled = labelClasses(arguments);
+  if (!labelled) return printErrors(labelled.error());
   const auto images = ColorImages::open(arguments.images);
   if (!images) return printErrors({images.error()});
-  Evaluation evaluation(static_cast<int>(arguments.classes.size()) + 1);
-  const colortool::ColorTable table = singleTable(*file);
+  // Classes are the same by their names; labels and table may number them each in its way.
+  const ColorClasses classes = unite(*labelled, named->classes);
+  const auto table =
+      colortool::ColorTable::translated(named->file.singleClasses(), classNumbers(named->classes, classes));
+  Evaluation evaluation(classes.size());
   int evaluated = 0;
   for (const std::string& name : images->names()) {
     const auto added = add(*images, name, arguments, table, evaluation);
@@ -110,9 +131,9 @@ int run(const EvaluateArguments& arguments) {
                          {arguments.labels, 0, 0}}});
   }
   if (arguments.json)
-    printJson(evaluation, arguments.classes);
+    printJson(evaluation, classes);
   else
-    printText(evaluation, arguments.classes);
+    printText(evaluation, classes);
   return kDone;
 }
 
@@ -130,9 +151,12 @@ void addColorEvaluateCommand(CLI::App& color, int& status) {
                    "A folder of grey PNG files with the classes' numbers, named like the images; 0 is "
                    "background, 255 is passed over")
       ->required();
+  addClassesOption(*command, arguments->classes,
+                   "Names of the table's classes, in the order of their numbers, if not those beside it");
   command
-      ->add_option("--classes", arguments->classes,
-                   "Names of the classes, in the order of their numbers, instead of the usual ones")
+      ->add_option("--label-classes", arguments->labelClasses,
+                   "The same for the labels, if they are numbered in another way; else --classes, the file "
+                   "labels.classes among the labels, or the real log's")
       ->delimiter(',');
   command->add_flag("--json", arguments->json, "Prints JSON: fractions");
   command->callback([arguments, &status] { status = run(*arguments); });

@@ -14,6 +14,7 @@
 namespace app {
 namespace {
 
+using colortool::ColorTableFile;
 using colortool::ColorVotes;
 using colortool::DiscStroke;
 using robotlink::Errors;
@@ -23,7 +24,8 @@ constexpr char kKernel[] = "kernel", kGauss[] = "gauss", kSupportVectors[] = "sv
 struct TrainArguments {
   std::string strokes, images, out;
   std::string method = kKernel;
-  ClassNames classes = defaultClassNames();
+  ClassNames classes;
+  double several = 0;  ///< 0: each cell has one class
   colortool::VoteOptions options;
   colortool::GaussianOptions gauss;
   colortool::SupportVectorOptions supportVectors;
@@ -31,19 +33,19 @@ struct TrainArguments {
 
 /// The classes that strokes are of, by their names; all that are not known are told.
 tl::expected<std::map<std::string, std::uint8_t>, Errors> classesOf(const std::vector<DiscStroke>& strokes,
-                                                                    const ClassNames& names,
+                                                                    const colortool::ColorClasses& known,
                                                                     const std::string& file) {
   std::map<std::string, std::uint8_t> classes{{std::string(DiscStroke::kBackground), 0}};
   Errors errors;
   for (const DiscStroke& stroke : strokes) {
     if (classes.contains(stroke.colorClass)) continue;
-    const int number = classNumber(names, stroke.colorClass);
-    classes[stroke.colorClass] = static_cast<std::uint8_t>(number);
-    if (number != 0) continue;
-    std::string known;
-    for (const std::string& name : names) known += ", " + name;
+    const std::uint8_t number = known.index(stroke.colorClass);
+    classes[stroke.colorClass] = number;
+    if (number != colortool::ColorClasses::kNone) continue;
+    std::string names;
+    for (const std::string& name : known.names()) names += ", " + name;
     errors.push_back({"color.class",
-                      "there is no class '" + stroke.colorClass + "'; the classes are background" + known +
+                      "there is no class '" + stroke.colorClass + "'; the classes are background" + names +
                           " (see --classes)",
                       {stroke.colorClass},
                       {file, 0, 0}});
@@ -66,22 +68,51 @@ bool add(const DiscStroke& stroke, const colortool::ColorImage& image, std::uint
   return any;
 }
 
-colortool::ColorTable tableOf(const TrainArguments& arguments, ColorVotes& votes) {
-  if (arguments.method == kGauss) return gaussianTable(votes.samples(), arguments.gauss);
-  if (arguments.method == kSupportVectors)
-    return supportVectorTable(votes.samples(), arguments.supportVectors);
-  return votes.update();
+/// What the votes make; with several classes a cell if that is wanted.
+ColorTableFile::Packed tableOf(const TrainArguments& arguments, ColorVotes& votes) {
+  colortool::ColorTable table;
+  if (arguments.method == kGauss)
+    table = gaussianTable(votes.samples(), arguments.gauss);
+  else if (arguments.method == kSupportVectors)
+    table = supportVectorTable(votes.samples(), arguments.supportVectors);
+  else
+    table = votes.update();
+  std::vector<std::uint16_t> masks(ColorTableFile::kCellCount);
+  for (std::size_t cell = 0; cell < masks.size() && arguments.several > 0; ++cell) {
+    if (table.cells()[cell] != 0) masks[cell] = votes.classesOf(cell, arguments.several);
+  }
+  return ColorTableFile::pack(table.cells(), masks);
+}
+
+/// Says what was lost, and how the program ends because of it.
+int tellLosses(const TrainArguments& arguments, int strokesOutside, const ColorTableFile::Packed& made) {
+  if (strokesOutside != 0) {
+    std::cerr << arguments.strokes << ": "
+              << (strokesOutside == 1
+                      ? "one stroke lies outside of its image"
+                      : std::to_string(strokesOutside) + " strokes lie outside of their images")
+              << "\n";
+  }
+  if (made.reducedCells != 0) {
+    std::cerr << arguments.out << ": of " << made.reducedCells
+              << " cells of several classes only the best is kept, since a .c64 has room for several classes "
+                 "with numbers up to "
+              << ColorTableFile::kMostOfSeveral << "\n";
+  }
+  return strokesOutside != 0 || made.reducedCells != 0 ? kDoneWithLosses : kDone;
 }
 
 int run(const TrainArguments& arguments) {
   const auto strokes = colortool::readStrokeList(arguments.strokes);
   if (!strokes) return printErrors(strokes.error());
-  const auto classes = classesOf(*strokes, arguments.classes, arguments.strokes);
+  auto known = chosenClasses(arguments.classes);
+  if (!known) return printErrors({known.error()});
+  const auto classes = classesOf(*strokes, *known, arguments.strokes);
   if (!classes) return printErrors(classes.error());
   const auto images = ColorImages::open(arguments.images);
   if (!images) return printErrors({images.error()});
 
-  ColorVotes votes(static_cast<int>(arguments.classes.size()) + 1, arguments.options);
+  ColorVotes votes(known->size(), arguments.options);
   std::map<std::string, colortool::ColorImage> loaded;
   int outside = 0;
   for (const DiscStroke& stroke : *strokes) {
@@ -93,17 +124,11 @@ int run(const TrainArguments& arguments) {
     }
     if (!add(stroke, image->second, classes->at(stroke.colorClass), votes)) ++outside;
   }
-  colortool::ColorTableFile table;
-  const colortool::ColorTable made = tableOf(arguments, votes);
-  table.cells.assign(made.cells().begin(), made.cells().end());
+  const auto made = tableOf(arguments, votes);
+  const colortool::NamedColorTable table{made.file, std::move(*known)};
   if (const auto saved = table.save(arguments.out); !saved) return printErrors({saved.error()});
   std::cout << arguments.out << ": " << strokes->size() << " strokes in " << loaded.size() << " images\n";
-  if (outside == 0) return kDone;
-  std::cerr << arguments.strokes << ": "
-            << (outside == 1 ? "one stroke lies outside of its image"
-                             : std::to_string(outside) + " strokes lie outside of their images")
-            << "\n";
-  return kDoneWithLosses;
+  return tellLosses(arguments, outside, made);
 }
 
 }  // namespace
@@ -121,10 +146,8 @@ void addColorTrainCommand(CLI::App& color, int& status) {
                    "The folder of the images (PNG, JPEG, .yuyv), or a log file")
       ->required();
   command->add_option("--out", arguments->out, "The colour table (.c64)")->required();
-  command
-      ->add_option("--classes", arguments->classes,
-                   "Names of the classes, in the order of their numbers, instead of the usual ones")
-      ->delimiter(',');
+  addClassesOption(*command, arguments->classes,
+                   "Names of the classes, in the order of their numbers; they are written beside the table");
   command
       ->add_option(
           "--method", arguments->method,
@@ -158,6 +181,10 @@ void addColorTrainCommand(CLI::App& color, int& status) {
                    "gauss: squared Mahalanobis distance from a class past which a colour is not of it")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();
+  command
+      ->add_option("--several", arguments->several,
+                   "kernel: a cell keeps all classes that have this share of the best one's votes")
+      ->check(CLI::Range(0.0, 1.0));
   command->add_option("--cost", arguments->supportVectors.cost, "svm: what a sample on the wrong side costs")
       ->check(CLI::PositiveNumber)
       ->capture_default_str();

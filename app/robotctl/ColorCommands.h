@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "colortool/ColorTable.h"
-#include "colortool/ColorTableFile.h"
+#include "colortool/NamedColorTable.h"
 #include "robotlink/base/Error.h"
 
 namespace CLI {
@@ -18,15 +18,18 @@ namespace app {
 void addColorTrainCommand(CLI::App& color, int& status);
 void addColorEvaluateCommand(CLI::App& color, int& status);
 void addColorTableCommands(CLI::App& color, int& status);
+void addColorSegmentCommand(CLI::App& color, int& status);
 
-/// What the colour commands call the classes of a table: class n is names[n - 1].
+/// What the option --classes was given: the name of a preset alone, or names; empty if it was not.
 using ClassNames = std::vector<std::string>;
-/// Those of the known .c64 files.
-ClassNames defaultClassNames();
-/// "none" for 0, its number where there is no name.
-std::string className(const ClassNames& names, int colorClass);
-/// 0 if there is none of that name.
-int classNumber(const ClassNames& names, const std::string& name);
+void addClassesOption(CLI::App& command, ClassNames& names, const char* help);
+/// Those, or those of the real log's preset.
+robotlink::Result<colortool::ColorClasses> chosenClasses(const ClassNames& names);
+/// A table with its own names, or those that were given. All its classes have names.
+tl::expected<colortool::NamedColorTable, robotlink::Errors> loadTable(const std::string& file,
+                                                                      const ClassNames& names);
+/// Stands in a folder of labels and says what their numbers are, as the text beside a table does.
+constexpr const char* kLabelClassesFile = "labels.classes";
 
 /// A table's cells with one class each.
 colortool::ColorTable singleTable(const colortool::ColorTableFile& file);

@@ -5,60 +5,14 @@
 #include <nlohmann/json.hpp>
 
 #include "colortool/ColorTableFile.h"
-#include "logplayer/ImageCoding.h"
-#include "tests/TestFolder.h"
-#include "tests/app/RobotctlRun.h"
+#include "tests/app/RobotctlColor.h"
 
 namespace {
 
 using nlohmann::json;
-using robotlink::Image;
-using robotlink::PixelFormat;
-using robotlink::YCbCr;
 using testing::HasSubstr;
 
-constexpr int kWidth = 320, kHeight = 240;
 constexpr char kReal[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
-
-void write(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes) {
-  std::ofstream(file, std::ios::binary)
-      .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
-}
-
-/// An image of three upright bars: orange, green, a wall; and its labels.
-class RobotctlColor : public testing::Test {
- protected:
-  static constexpr std::array<YCbCr, 3> kBars = {YCbCr{150, 90, 190}, YCbCr{90, 110, 100},
-                                                 YCbCr{180, 126, 130}};
-  static constexpr std::array<std::uint8_t, 3> kLabels = {1, 5, 0};
-
-  void SetUp() override {
-    std::vector<std::uint8_t> pixels;
-    Image labels(kWidth, kHeight, PixelFormat::kMono8);
-    for (int y = 0; y < kHeight; ++y) {
-      for (int x = 0; x < kWidth; ++x) {
-        const auto bar = static_cast<std::size_t>(x * 3 / kWidth);
-        // The first brightness of each four bytes is not the pixel's.
-        const auto brightness = static_cast<std::uint8_t>(kBars[bar].y + (x + y) % 9);
-        pixels.insert(pixels.end(), {0, kBars[bar].cb, brightness, kBars[bar].cr});
-        labels.row(y)[x] = x % 10 == 0 ? std::uint8_t{255} : kLabels[bar];
-      }
-    }
-    for (const char* name : {"images", "labels"}) std::filesystem::create_directory(folder_ / name);
-    write(folder_ / "images/000.yuyv", pixels);
-    write(folder_ / "images/007.yuyv", pixels);
-    write(folder_ / "labels/000.png", logplayer::encodePng(labels.view()).value());
-    std::ofstream(folder_ / "strokes.csv")
-        << "image,class,x,y,radius\n000.yuyv,orange,50,100,3\n000.yuyv,green,150,100,3\n"
-           "000.yuyv,background,260,100,3\n";
-  }
-  RobotctlOutcome color(const std::string& arguments) const {
-    return runRobotctl(folder_.path(), "color " + arguments);
-  }
-  RobotctlOutcome train() const { return color("train --strokes strokes.csv --images images --out t.c64"); }
-
-  TestFolder folder_;
-};
 
 TEST_F(RobotctlColor, threeStrokesMakeATableThatSortsAllOfTheImage) {
   const auto trained = train();
@@ -148,7 +102,7 @@ TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.c64"));
   ASSERT_EQ(train().status, 0);
   fails("evaluate --table t.c64 --images images --labels images", "no image has labels here");
-  write(folder_ / "images/000.yuyv", {1, 2, 3});
+  writeBytes(folder_ / "images/000.yuyv", {1, 2, 3});
   fails("evaluate --table t.c64 --images images --labels labels",
         "a .yuyv image has 307200 bytes, this has 3");
   std::ofstream(folder_ / "bad.csv")

@@ -60,6 +60,36 @@ TEST(ClassPresets, ofTheRealLogAreThoseOfItsTables) {
               ElementsAreArray(ColorTableFile::kBHuman2009Classes));
 }
 
+TEST(ClassPresets, areChosenByTheirNamesOrTheirClasses) {
+  const auto choose = [](std::vector<std::string> names) { return colortool::chooseClasses(names); };
+  EXPECT_EQ(choose({"2002"})->names(), colortool::findClassPreset("2002")->classes().names());
+  const auto own = choose({"orange", "robotBlue", "wall"});
+  ASSERT_TRUE(own);
+  EXPECT_THAT(own->names(), ElementsAre("orange", "robotBlue", "wall"));
+  EXPECT_EQ(own->shownColor(1), (robotlink::Rgb{255, 105, 0}));
+  EXPECT_EQ(own->shownColor(2), (robotlink::Rgb{0, 200, 255}));
+  EXPECT_EQ(own->shownColor(3), colortool::spareColor(3));
+  for (const auto& [names, says] : std::vector<std::pair<std::vector<std::string>, std::string>>{
+           {{"orange", "none"}, "'none' stands for pixels of no class and cannot be one"},
+           {{"orange", ""}, "a class needs a name"},
+           {{"a\nb"}, "a class's name has control characters"},
+           {{"orange", " red"}, "a class's name begins or ends with a space"},
+           {{"red", "blue", "red"}, "the class 'red' is named twice"}}) {
+    const auto wrong = choose(names);
+    ASSERT_FALSE(wrong);
+    EXPECT_EQ(wrong.error().text, says);
+  }
+}
+
+TEST(ClassPresets, spareColoursCanBeToldApart) {
+  for (int i = 1; i <= 12; ++i) {
+    for (int j = 1; j < i; ++j) {
+      const robotlink::Rgb a = colortool::spareColor(i), b = colortool::spareColor(j);
+      EXPECT_GT(std::abs(a.r - b.r) + std::abs(a.g - b.g) + std::abs(a.b - b.b), 30) << i << ' ' << j;
+    }
+  }
+}
+
 TEST(ColorClasses, areNumberedFromOneAndHaveRoomForAByte) {
   std::vector<NamedColor> many(300, {"", {1, 2, 3}});
   for (std::size_t i = 0; i < many.size(); ++i) many[i].name = "class" + std::to_string(i + 1);

@@ -110,3 +110,37 @@ TEST(ColorTableFile, cutAnywhereIsRefused) {
   for (std::size_t length = 0; length < whole.size(); ++length)
     EXPECT_FALSE(ColorTableFile::parse(whole.substr(0, length), "cut.c64")) << length;
 }
+
+TEST(ColorTableFile, cellsOfSeveralClassesArePackedAsTheirMask) {
+  std::vector<std::uint8_t> winners(ColorTableFile::kCellCount);
+  std::vector<std::uint16_t> masks(ColorTableFile::kCellCount);
+  winners[1] = 5, masks[1] = 1U << 4U;
+  winners[2] = 3, masks[2] = 0b100'0101;   // classes 1, 3 and 7
+  winners[3] = 8, masks[3] = 0b1000'0001;  // class 8 has no room in a mask
+  winners[4] = 2, masks[4] = 0x8002;       // nor has class 16
+  winners[5] = 100;                        // a class that masks do not show
+  winners[6] = 200;                        // one that the format does not
+  const auto packed = ColorTableFile::pack(winners, masks);
+  EXPECT_EQ(packed.reducedCells, 2U);
+  EXPECT_EQ(packed.emptiedCells, 1U);
+  const auto& cells = packed.file.cells;
+  EXPECT_EQ((std::vector<std::uint8_t>(cells.begin(), cells.begin() + 8)),
+            (std::vector<std::uint8_t>{0, 5, 0xC5, 8, 2, 100, 0, 0}));
+  const auto again = ColorTableFile::parse(packed.file.bytes(), "f");
+  ASSERT_TRUE(again);
+  const auto read = again->masks();
+  EXPECT_EQ((std::vector<std::uint16_t>(read.begin(), read.begin() + 6)),
+            (std::vector<std::uint16_t>{0, 1U << 4U, 0b100'0101, 1U << 7U, 0b10, 0}));
+}
+
+TEST(ColorTableFile, realTablesArePackedAgainToTheSameCells) {
+  for (const char* name : {"default.c64", "simulator_scenes.c64"}) {
+    if (!std::filesystem::exists(realTable(name)))
+      GTEST_SKIP() << "the real tables are not at " << realTable(name);
+    const auto table = ColorTableFile::load(realTable(name));
+    ASSERT_TRUE(table);
+    const auto packed = ColorTableFile::pack(table->singleClasses(), table->masks());
+    EXPECT_EQ(packed.file, *table) << name;
+    EXPECT_EQ(packed.reducedCells + packed.emptiedCells, 0U);
+  }
+}

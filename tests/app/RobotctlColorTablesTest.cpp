@@ -1,0 +1,91 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What colour tables' classes are called, and tables of others, by `robotctl color`.
+#include <gmock/gmock.h>
+
+#include <nlohmann/json.hpp>
+
+#include "colortool/NamedColorTable.h"
+#include "tests/app/RobotctlColor.h"
+
+namespace {
+
+using nlohmann::json;
+using testing::HasSubstr;
+
+class RobotctlColorTables : public RobotctlColor {
+ protected:
+  RobotctlOutcome train(const std::string& more) const {
+    return color("train --strokes strokes.csv --images images " + more);
+  }
+  json evaluated(const std::string& arguments) const {
+    const auto scored = color("evaluate --json --images images " + arguments);
+    EXPECT_EQ(scored.status, 0) << scored.errors;
+    return json::parse(scored.out);
+  }
+};
+
+TEST_F(RobotctlColorTables, classesGoWithTheTableByTheirNames) {
+  ASSERT_EQ(train("--classes 2002 --out own.c64").status, 0);
+  const json info = json::parse(color("info --json own.c64").out);
+  EXPECT_EQ(info.at("classes").at(2), "skyblue");
+  EXPECT_GT(info.at("cells").at("green"), 100);
+  // Green is class 5 in the labels and in this table, too, but class 2 in the other.
+  ASSERT_EQ(train("--classes orange,green --out few.c64").status, 0);
+  for (const char* table : {"own.c64", "few.c64"}) {
+    const json result = evaluated(std::string("--labels labels --table ") + table);
+    EXPECT_EQ(result.at("recall"), (json{{"orange", 1.0}, {"green", 1.0}})) << table;
+    EXPECT_EQ(result.at("confusion").at("background"), (json{{"none", 1.0}})) << table;
+  }
+  EXPECT_THAT(color("diff own.c64 few.c64").out, HasSubstr("0 of 262144 cells differ"));
+  ASSERT_EQ(train("--out few.c64").status, 0);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "few.c64.classes"))
+      << "the names of the known files are not written";
+}
+
+TEST_F(RobotctlColorTables, picturesOfNumbersAreLabelsAgain) {
+  ASSERT_EQ(train("--classes green,orange --out t.c64").status, 0);
+  ASSERT_EQ(color("segment --table t.c64 --images images --out numbers --numbers").status, 0);
+  EXPECT_EQ(textOf(folder_ / "numbers/labels.classes"),
+            "robotcontrol-color-classes 1\ngreen #008232\norange #ff6900\n");
+  const json result = evaluated("--labels numbers --table t.c64");
+  EXPECT_EQ(result.at("recall"), (json{{"green", 1.0}, {"orange", 1.0}}));
+  // Told otherwise, what is green is taken for orange.
+  EXPECT_EQ(evaluated("--labels numbers --table t.c64 --label-classes orange,green").at("mean_recall"), 0.0);
+  ASSERT_EQ(color("segment --table t.c64 --images images --out shown").status, 0);
+  const std::string png = textOf(folder_ / "shown/000.png");
+  const auto shown = logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
+  ASSERT_TRUE(shown);
+  EXPECT_EQ(shown->row(120)[3 * 50], 255) << "orange in the colour of its class";
+  EXPECT_EQ(shown->row(120)[3 * 50 + 1], 105);
+}
+
+TEST_F(RobotctlColorTables, namesThatAreBrokenAreToldWithTheirLine) {
+  ASSERT_EQ(train("--classes 2002 --out t.c64").status, 0);
+  std::ofstream(folder_ / "t.c64.classes") << "robotcontrol-color-classes 1\norange\n";
+  for (const char* command :
+       {"info t.c64", "diff t.c64 t.c64", "segment --table t.c64 --images images --out x",
+        "evaluate --table t.c64 --images images --labels labels"}) {
+    const auto outcome = color(command);
+    EXPECT_EQ(outcome.status, 1) << command;
+    EXPECT_THAT(outcome.errors, HasSubstr("t.c64.classes:2: a class is wanted here")) << command;
+  }
+  EXPECT_EQ(color("info t.c64 --classes 2002").status, 0) << "other names can be given";
+  const auto twice = color("info t.c64 --classes orange,orange");
+  EXPECT_EQ(twice.status, 1);
+  EXPECT_THAT(twice.errors, HasSubstr("the class 'orange' is named twice"));
+}
+
+TEST_F(RobotctlColorTables, cellsOfSeveralClassesAreKeptWhereThereIsRoom) {
+  std::ofstream(folder_ / "strokes.csv") << "image,class,x,y,radius\n000,orange,50,100,3\n000,red,50,100,3\n";
+  const auto kept = train("--several 0.9 --out t.c64");
+  EXPECT_EQ(kept.status, 0) << kept.errors;
+  const json cells = json::parse(color("info --json t.c64").out).at("cells");
+  EXPECT_GT(cells.at("orange+red"), 100);
+  EXPECT_FALSE(cells.contains("red"));
+  const auto reduced = train("--several 0.9 --out t.c64 --classes a,b,c,d,e,f,orange,red");
+  EXPECT_EQ(reduced.status, 3);
+  EXPECT_THAT(reduced.errors, HasSubstr("t.c64: of " + cells.at("orange+red").dump() + " cells of several"));
+  EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("orange"), cells.at("orange+red"));
+}
+
+}  // namespace
