@@ -39,15 +39,25 @@ void SampleDocument::apply(Samples& samples, const Frame& frame, const std::vect
   std::ranges::merge(rest, put, std::back_inserter(samples.strokes), {}, kIdOf, kIdOf);
 }
 
-bool SampleDocument::change(std::string text, Samples next, std::string gesture) {
-  if (next == samples_) return false;
-  const bool together = !gesture.empty() && !gestureEnded_ && position_ > 0 && position_ == steps_.size() &&
-                        steps_.back().gesture == gesture && savedPosition_ != position_;
-  if (together) {
-    Samples before = std::move(samples_);
+bool SampleDocument::continues(const std::string& gesture) const {
+  return !gesture.empty() && !gestureEnded_ && position_ > 0 && position_ == steps_.size() &&
+         steps_.back().gesture == gesture && savedPosition_ != position_;
+}
+
+Samples SampleDocument::beforeGesture(const std::string& gesture) const {
+  Samples before = samples_;
+  if (continues(gesture)) {
     const Step& last = steps_.back();
     apply(before, last.before, last.added, last.removed);
-    samples_ = std::move(before);
+  }
+  return before;
+}
+
+bool SampleDocument::change(std::string text, Samples next, std::string gesture) {
+  if (next == samples_) return false;
+  const bool together = continues(gesture);
+  if (together) {
+    samples_ = beforeGesture(gesture);
     steps_.pop_back();
     --position_;
   }

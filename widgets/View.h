@@ -20,6 +20,7 @@ struct RobotDescription;
 
 namespace widgets {
 
+class ColorBench;
 class OpenLogs;
 
 /// What a view may use. All of it outlives the view.
@@ -29,6 +30,7 @@ struct ViewContext {
   std::shared_ptr<const robotlink::FieldDescription> field;  ///< null: none is known
   std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> robots;  ///< by robot's name, "red1"
   std::shared_ptr<OpenLogs> logs = {};  ///< those of the replay; see openLogs()
+  std::shared_ptr<ColorBench> colors = {};  ///< the colour table that is being made; see colorBench()
 };
 
 /// A dockable view of a session: everything it shows comes from the session's streams, everything it does is a request.

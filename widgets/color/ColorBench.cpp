@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorBench.h"
+
+#include <QUndoCommand>
+#include <algorithm>
+
+#include "colortool/ClassPresets.h"
+#include "widgets/image/ImagePixels.h"
+
+namespace widgets {
+namespace {
+
+constexpr std::size_t kMostCollected = 200;
+constexpr int kThumbnailHeight = 72;
+
+/// A step of the document. It keeps its own history; this is its place on Qt's stack.
+class DocumentStep final : public QUndoCommand {
+ public:
+  DocumentStep(const QString& text, colortool::SampleDocument& document, std::function<void()> changed)
+      : QUndoCommand(text), document_(document), changed_(std::move(changed)) {}
+  void undo() override {
+    document_.undo();
+    changed_();
+  }
+  void redo() override {
+    // Pushing it on the stack asks for it for the first time; then it is done already.
+    if (std::exchange(done_, true)) document_.redo();
+    changed_();
+  }
+
+ private:
+  colortool::SampleDocument& document_;
+  std::function<void()> changed_;
+  bool done_ = false;
+};
+
+}  // namespace
+
+ColorBench::ColorBench(const ViewContext& context, QObject* parent)
+    : QObject(parent), session_(context.session), labelled_(std::make_shared<std::vector<LabelledFrame>>()) {
+  colortool::Samples samples;
+  samples.classes = colortool::classPresets().front().classes();
+  document_ = colortool::SampleDocument(std::move(samples));
+  learner_ = std::make_unique<ColorLearner>(
+      [this] { QMetaObject::invokeMethod(this, &ColorBench::takeNews, Qt::QueuedConnection); });
+  ask();
+}
+
+ColorBench::~ColorBench() {
+  learner_.reset();
+}
+
+void ColorBench::change(const QString& text, colortool::Samples next, const std::string& gesture) {
+  const std::size_t before = document_.position();
+  if (next == document_.samples()) return;
+  const bool step = document_.change(text.toStdString(), std::move(next), gesture);
+  // A gesture that goes on has its place on the stack already.
+  if (step || document_.position() != before)
+    undo_.push(new DocumentStep(text, document_, [this] { changed(); }));
+  else
+    changed();
+}
+
+void ColorBench::setDocument(colortool::Samples samples, bool changed) {
+  if (samples.classes.size() < 2) samples.classes = colortool::classPresets().front().classes();
+  document_ = colortool::SampleDocument(std::move(samples));
+  undo_.clear();
+  if (changed) undo_.resetClean();
+  currentClass_ = std::min(currentClass_, document_.samples().classes.size() - 1);
+  this->changed();
+  Q_EMIT meaningChanged();
+}
+
+void ColorBench::setSaved() {
+  document_.setSaved();
+  undo_.setClean();
+}
+
+void ColorBench::changed() {
+  if (currentClass_ >= samples().classes.size()) {
+    currentClass_ = samples().classes.size() - 1;
+    Q_EMIT meaningChanged();
+  }
+  ask();
+  Q_EMIT samplesChanged();
+}
+
+void ColorBench::setCurrentClass(int colorClass) {
+  if (colorClass < 0 || colorClass >= samples().classes.size() || colorClass == currentClass_) return;
+  currentClass_ = colorClass;
+  Q_EMIT meaningChanged();
+}
+
+void ColorBench::setMustNotBe(bool mustNotBe) {
+  if (mustNotBe_ == mustNotBe) return;
+  mustNotBe_ = mustNotBe;
+  Q_EMIT meaningChanged();
+}
+
+void ColorBench::setWeight(double weight) {
+  weight = std::clamp(weight, colortool::Stroke::kLeastWeight, colortool::Stroke::kMostWeight);
+  if (weight_ == weight) return;
+  weight_ = weight;
+  Q_EMIT meaningChanged();
+}
+
+void ColorBench::addStroke(const colortool::PixelArea& area, const std::string& tool,
+                           const std::string& gesture) {
+  if (!frame_) return;
+  const auto colorClass = static_cast<std::uint8_t>(currentClass_);
+  const bool notBackground = mustNotBe_ && currentClass_ != 0;
+  const QString name =
+      currentClass_ == 0 ? tr("background") : QString::fromStdString(samples().classes.name(currentClass_));
+  colortool::Samples next = document_.beforeGesture(gesture);
+  colortool::addStroke(next, frame_->place(), frame_->colors(), area,
+                       {colorClass, notBackground, weight_, tool});
+  change(notBackground ? tr("Not %1").arg(name) : tr("Stroke: %1").arg(name), std::move(next), gesture);
+}
+
+void ColorBench::erase(const colortool::PixelArea& area, const std::string& gesture) {
+  if (!frame_) return;
+  colortool::Samples next = document_.beforeGesture(gesture);
+  colortool::erase(next, frame_->place(), area);
+  change(tr("Erase"), std::move(next), gesture);
+}
+
+void ColorBench::setFrame(ColorFramePtr frame) {
+  if (frame == frame_) return;
+  frame_ = std::move(frame);
+  ask();
+  Q_EMIT frameChanged();
+}
+
+void ColorBench::collect() {
+  if (!frame_ || collected_.size() >= kMostCollected) return;
+  const bool there = std::ranges::any_of(collected_, [this](const CollectedFrame& collected) {
+    return collected.frame->place() == frame_->place();
+  });
+  if (there) return;
+  const QImage image = toQImage(frame_->view());
+  collected_.push_back({frame_, image.scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)});
+  Q_EMIT collectedChanged();
+}
+
+void ColorBench::removeCollected(std::size_t index) {
+  if (index >= collected_.size()) return;
+  collected_.erase(collected_.begin() + static_cast<std::ptrdiff_t>(index));
+  Q_EMIT collectedChanged();
+}
+
+std::vector<robotlink::Rgb> ColorBench::classColors() const {
+  std::vector<robotlink::Rgb> colors;
+  const auto& classes = samples().classes;
+  for (int i = 0; i < classes.size(); ++i) colors.push_back(classes.shownColor(i));
+  return colors;
+}
+
+void ColorBench::setOtherTable(std::shared_ptr<const colortool::ColorTable> table) {
+  if (table == other_) return;
+  other_ = std::move(table);
+  ask();
+}
+
+void ColorBench::setLabelled(std::vector<LabelledFrame> labelled) {
+  labelled_ = std::make_shared<const std::vector<LabelledFrame>>(std::move(labelled));
+  ask();
+}
+
+void ColorBench::select(const colortool::CellSet& cells) {
+  selection_ = cells;
+  selected_ = true;
+  Q_EMIT selectionChanged();
+}
+
+void ColorBench::clearSelection() {
+  if (!selected_) return;
+  selected_ = false;
+  selection_ = {};
+  Q_EMIT selectionChanged();
+}
+
+void ColorBench::ask() {
+  learner_->ask({++asked_, document_.samples(), frame_, other_, labelled_});
+}
+
+void ColorBench::takeNews() {
+  if (auto colors = learner_->takeColors()) {
+    colors_ = std::move(colors);
+    Q_EMIT colorsChanged();
+  }
+  if (auto quality = learner_->takeQuality()) {
+    quality_ = std::move(quality);
+    Q_EMIT qualityChanged();
+  }
+}
+
+ColorBench& colorBench(ViewContext& context) {
+  if (context.colors == nullptr) context.colors = std::make_shared<ColorBench>(context);
+  return *context.colors;
+}
+
+}  // namespace widgets

@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorFrame.h"
+
+#include <cstring>
+
+#include "foxglove/Image.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "widgets/models/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+/// FNV-1a over words of eight bytes: tells images apart, no more.
+std::uint32_t fingerprint(const robotlink::ImageView& image) {
+  std::uint64_t hash = 0xcbf29ce484222325U;
+  const auto rowBytes = static_cast<std::size_t>(image.width * robotlink::bytesPerPixel(image.format));
+  for (int y = 0; y < robotlink::rowsOf(image.format, image.height); ++y) {
+    const std::uint8_t* row = image.row(y);
+    for (std::size_t i = 0; i + 8 <= rowBytes; i += 8) {
+      std::uint64_t word = 0;
+      std::memcpy(&word, row + i, 8);
+      hash = (hash ^ word) * 0x100000001b3U;
+    }
+  }
+  return static_cast<std::uint32_t>(hash ^ (hash >> 32U));
+}
+
+}  // namespace
+
+ColorFrame::ColorFrame(std::shared_ptr<const foxglove::RawImage> image, std::string stream,
+                       std::string source, robotlink::Instant time)
+    : image_(std::move(image)),
+      view_(robotlink::imageView(*image_)),
+      stream_(std::move(stream)),
+      time_(time) {
+  place_.name = QStringLiteral("%1%2 %3 s [%4]")
+                    .arg(QString::fromStdString(source.empty() ? source : source + " "),
+                         QString::fromStdString(stream_))
+                    .arg(robotlink::seconds(time_), 0, 'f', 3)
+                    .arg(fingerprint(view_), 8, 16, QLatin1Char('0'))
+                    .toStdString();
+  place_.camera = robotPart(stream_);
+  place_.width = view_.width;
+  place_.height = view_.height;
+}
+
+QString ColorFrame::title() const {
+  return QStringLiteral("%1  %2 s")
+      .arg(QString::fromStdString(stream_))
+      .arg(robotlink::seconds(time_), 0, 'f', 3);
+}
+
+const colortool::ColorImage& ColorFrame::colors() const {
+  std::call_once(colorsMade_, [this] { colors_ = colortool::ColorImage::of(view_); });
+  return colors_;
+}
+
+}  // namespace widgets

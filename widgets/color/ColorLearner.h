@@ -1,0 +1,88 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <condition_variable>
+#include <cstdint>
+#include <functional>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <thread>
+#include <vector>
+
+#include "colortool/Evaluation.h"
+#include "colortool/Samples.h"
+#include "robotlink/base/Image.h"
+#include "widgets/color/ColorFrame.h"
+
+namespace widgets {
+
+/// An image whose pixels' classes are known.
+struct LabelledFrame {
+  ColorFramePtr frame;
+  std::vector<std::uint8_t> labels;     ///< a pixel each: index of `names`, or Evaluation::kIgnored
+  std::vector<std::string> classNames;  ///< [0] is none
+};
+
+/// What the learner is asked for. Cheap to copy.
+struct ColorTask {
+  std::uint64_t number = 0;  ///< larger than those before
+  colortool::Samples samples;
+  ColorFramePtr frame;                                      ///< is segmented; null: nothing is
+  std::shared_ptr<const colortool::ColorTable> other = {};  ///< a table to segment it with instead
+  std::shared_ptr<const std::vector<LabelledFrame>> labelled = {};
+};
+
+/// A table, and what it makes of an image. Immutable.
+struct LearnedColors {
+  std::uint64_t task = 0;
+  colortool::Samples samples;  ///< what the table was made of
+  std::shared_ptr<const colortool::ColorTable> table;
+  ColorFramePtr frame;
+  std::shared_ptr<const robotlink::Image> classes;  ///< of the frame, kMono8; null without a frame
+  /// By ColorTable::cellOf, see TableTrainer::margins(). Null until they are known, shortly after the table.
+  std::shared_ptr<const std::vector<std::uint8_t>> margins;
+};
+
+/// How good a table is, over images whose classes are known.
+struct ColorQuality {
+  std::uint64_t task = 0;
+  colortool::ColorClasses classes;
+  std::optional<colortool::Evaluation> labelled;
+};
+
+/// Makes tables of samples and segments images with them, in a thread of its own: at first what is seen, then
+/// the margins, then, as long as nothing new is asked for, the quality. Only the newest task counts.
+/// All but the constructor's function is called by one thread. The destructor waits for the work in hand.
+class ColorLearner {
+ public:
+  /// `news` is called in the learner's thread whenever there is something to take; it must not block.
+  explicit ColorLearner(std::function<void()> news);
+  ~ColorLearner();
+  ColorLearner(const ColorLearner&) = delete;
+  ColorLearner& operator=(const ColorLearner&) = delete;
+
+  void ask(ColorTask task);
+  /// The newest that was not yet taken.
+  std::optional<LearnedColors> takeColors();
+  std::optional<ColorQuality> takeQuality();
+  /// Whether all that was asked for is done.
+  bool idle() const;
+
+ private:
+  struct Work;
+  void run();
+  bool newTask() const;
+
+  const std::function<void()> news_;
+  mutable std::mutex mutex_;  // protects what follows but the thread
+  std::condition_variable wakeUp_;
+  std::optional<ColorTask> task_;
+  std::optional<LearnedColors> colors_;
+  std::optional<ColorQuality> quality_;
+  bool busy_ = false;
+  bool quit_ = false;
+  std::thread thread_;
+};
+
+}  // namespace widgets
