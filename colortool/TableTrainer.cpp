@@ -33,20 +33,23 @@ void TableTrainer::follow(const Samples& samples) {
   });
 }
 
+ColorTable TableTrainer::learnedTable(const TrainingSettings& settings) {
+  switch (settings.method) {
+    case TrainingMethod::kGaussians:
+      return gaussianTable(votes_.samples(), settings.gaussians);
+    case TrainingMethod::kSupportVectors:
+      return supportVectorTable(votes_.samples(), settings.supportVectors);
+    case TrainingMethod::kVotes:
+      break;
+  }
+  return votes_.update();
+}
+
 const ColorTable& TableTrainer::train(const Samples& samples) {
   if (last_ && samples == *last_) return table_;
   follow(samples);
-  switch (samples.settings.method) {
-    case TrainingMethod::kVotes:
-      table_ = votes_.update();
-      break;
-    case TrainingMethod::kGaussians:
-      table_ = gaussianTable(votes_.samples(), samples.settings.gaussians);
-      break;
-    case TrainingMethod::kSupportVectors:
-      table_ = supportVectorTable(votes_.samples(), samples.settings.supportVectors);
-      break;
-  }
+  const TrainingSettings& settings = samples.settings;
+  table_ = cleanUp_.clean(learnedTable(settings), votes_.sampledCells(), settings.cleanUp);
   last_ = samples;
   return table_;
 }

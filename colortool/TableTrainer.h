@@ -9,6 +9,7 @@
 #include "colortool/ColorVotes.h"
 #include "colortool/Samples.h"
 #include "colortool/StrokeCells.h"
+#include "colortool/TableCleanUp.h"
 
 namespace colortool {
 
@@ -17,7 +18,7 @@ namespace colortool {
 /// not on the way they came about. One thread.
 class TableTrainer {
  public:
-  /// The table of these samples. With TrainingMethod::kVotes incremental, else made anew from all of them
+  /// The table of these samples, cleaned up as their settings say. With TrainingMethod::kVotes incremental, else made anew from all of them
   /// (0.1 to 1 s). Valid until the next call.
   const ColorTable& train(const Samples& samples);
   const ColorTable& table() const { return table_; }
@@ -37,9 +38,11 @@ class TableTrainer {
   /// Whether what was learned of the strokes still holds.
   bool sameGround(const Samples& samples) const;
   void follow(const Samples& samples);
+  ColorTable learnedTable(const TrainingSettings& settings);
 
   ColorVotes votes_{1};
   std::unordered_map<const Stroke*, Learned> learned_;
+  TableCleanUp cleanUp_;
   ColorTable table_;
   std::optional<Samples> last_;  // what table_ is of
 };

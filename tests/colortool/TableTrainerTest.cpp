@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <random>
 
 #include "SampleFixture.h"
@@ -71,6 +72,27 @@ TEST(TableTrainer, whatMustNotBeIsNot) {
   ASSERT_EQ(freshTable(samples).classOf({150, 62, 196}), 1) << "near the ball's orange";
   addStroke(samples, placeOf("a"), image, disc(image, 12, 8), {1, true, 10});
   EXPECT_EQ(freshTable(samples).classOf({150, 62, 196}), ColorClasses::kNone);
+}
+
+TEST(TableTrainer, whatNoSampleSpeaksForIsTakenOutIfThatIsWanted) {
+  // What is sampled as orange is taken by green, but for a rim that must not be green.
+  Samples samples = emptySamples();
+  const auto touch = [&](robotlink::YCbCr color, const StrokeMeaning& meaning) {
+    ColorImage image(20, 20);
+    std::ranges::fill(image.pixels, color);
+    addStroke(samples, placeOf("a"), image, disc(image, 10, 10), meaning);
+  };
+  touch({140, 80, 180}, {1, false, 1});
+  touch({140, 80, 180}, {2, false, 3});
+  touch({140, 92, 168}, {2, true, 3});
+  const robotlink::YCbCr rim{140, 88, 172};
+  samples.settings.cleanUp = {false, false};
+  ASSERT_EQ(freshTable(samples).classOf(rim), 1);
+  ASSERT_EQ(freshTable(samples).classOf({140, 80, 180}), 2);
+  samples.settings.cleanUp = {true, true};
+  const ColorTable cleaned = freshTable(samples);
+  EXPECT_EQ(cleaned.classOf(rim), ColorClasses::kNone);
+  EXPECT_EQ(cleaned.classOf({140, 80, 180}), 2);
 }
 
 TEST(TableTrainer, correctionsCountAsSoonAsTheyAreSwitchedOn) {
