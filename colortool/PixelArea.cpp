@@ -10,25 +10,27 @@
 namespace colortool {
 namespace {
 
-/// Which pixels of an image are taken; areas are made of it.
+/// Which pixels of a part of an image are taken, its sides inclusive; areas are made of it.
 class Mask {
  public:
-  Mask(int width, int height)
-      : width_(width),
-        height_(height),
-        taken_(static_cast<std::size_t>(width) * static_cast<std::size_t>(height), 0) {}
+  Mask(int left, int top, int right, int bottom)
+      : left_(left),
+        top_(top),
+        right_(right),
+        bottom_(bottom),
+        taken_(static_cast<std::size_t>(right - left + 1) * static_cast<std::size_t>(bottom - top + 1), 0) {}
 
   std::uint8_t& at(int x, int y) {
-    return taken_[static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) +
-                  static_cast<std::size_t>(x)];
+    return taken_[static_cast<std::size_t>(y - top_) * static_cast<std::size_t>(right_ - left_ + 1) +
+                  static_cast<std::size_t>(x - left_)];
   }
   PixelArea area() {
     PixelArea result;
-    for (int y = 0; y < height_; ++y) {
-      for (int x = 0; x < width_; ++x) {
+    for (int y = top_; y <= bottom_; ++y) {
+      for (int x = left_; x <= right_; ++x) {
         if (at(x, y) == 0) continue;
         const int begin = x;
-        while (x < width_ && at(x, y) != 0) ++x;
+        while (x <= right_ && at(x, y) != 0) ++x;
         result.push_back({y, begin, x});
       }
     }
@@ -36,7 +38,7 @@ class Mask {
   }
 
  private:
-  int width_, height_;
+  int left_, top_, right_, bottom_;
   std::vector<std::uint8_t> taken_;
 };
 
@@ -84,7 +86,7 @@ PixelArea combined(const PixelArea& a, const PixelArea& b, const Keep& keep) {
 class Wand {
  public:
   Wand(const ColorImage& image, const WandOptions& options)
-      : image_(image), options_(options), mask_(image.width, image.height) {}
+      : image_(image), options_(options), mask_(0, 0, image.width - 1, image.height - 1) {}
 
   PixelArea grow(int x, int y) {
     take(x, y);
@@ -133,15 +135,22 @@ class Wand {
 
 PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, double radius) {
   if (points.empty() || width <= 0 || height <= 0) return {};
-  Mask mask(width, height);
+  const auto [leftmost, rightmost] = std::ranges::minmax(points, {}, &ImagePoint::x);
+  const auto [highest, lowest] = std::ranges::minmax(points, {}, &ImagePoint::y);
+  const int left = std::max(0, bounded(std::ceil(leftmost.x - radius), width)),
+            right = bounded(std::floor(rightmost.x + radius), width - 1),
+            top = std::max(0, bounded(std::ceil(highest.y - radius), height)),
+            bottom = bounded(std::floor(lowest.y + radius), height - 1);
+  if (left > right || top > bottom) return {};
+  Mask mask(left, top, right, bottom);
   for (std::size_t i = 0; i < points.size(); ++i) {
     const ImagePoint from = points[i], to = points[std::min(i + 1, points.size() - 1)];
-    const int top = std::max(0, bounded(std::ceil(std::min(from.y, to.y) - radius), height)),
-              bottom = bounded(std::floor(std::max(from.y, to.y) + radius), height - 1);
-    const int left = std::max(0, bounded(std::ceil(std::min(from.x, to.x) - radius), width)),
-              right = bounded(std::floor(std::max(from.x, to.x) + radius), width - 1);
-    for (int y = top; y <= bottom; ++y) {
-      for (int x = left; x <= right; ++x) {
+    const int x0 = std::max(left, bounded(std::ceil(std::min(from.x, to.x) - radius), width)),
+              x1 = std::min(right, bounded(std::floor(std::max(from.x, to.x) + radius), width)),
+              y0 = std::max(top, bounded(std::ceil(std::min(from.y, to.y) - radius), height)),
+              y1 = std::min(bottom, bounded(std::floor(std::max(from.y, to.y) + radius), height));
+    for (int y = y0; y <= y1; ++y) {
+      for (int x = x0; x <= x1; ++x) {
         if (squaredDistance(from, to, x, y) <= radius * radius) mask.at(x, y) = 1;
       }
     }
@@ -190,6 +199,26 @@ PixelArea wandArea(const ColorImage& image, int x, int y, const WandOptions& opt
   return Wand(image, options).grow(x, y);
 }
 
+PixelArea spotArea(const robotlink::ImageView& classes, int x, int y) {
+  if (classes.empty() || x < 0 || y < 0 || x >= classes.width || y >= classes.height) return {};
+  Mask mask(0, 0, classes.width - 1, classes.height - 1);
+  const std::uint8_t wanted = classes.row(y)[x];
+  std::vector<std::pair<int, int>> open{{x, y}};
+  mask.at(x, y) = 1;
+  while (!open.empty()) {
+    const auto [atX, atY] = open.back();
+    open.pop_back();
+    for (const auto& [dx, dy] : {std::pair{1, 0}, {-1, 0}, {0, 1}, {0, -1}}) {
+      const int nextX = atX + dx, nextY = atY + dy;
+      if (nextX < 0 || nextY < 0 || nextX >= classes.width || nextY >= classes.height) continue;
+      if (mask.at(nextX, nextY) != 0 || classes.row(nextY)[nextX] != wanted) continue;
+      mask.at(nextX, nextY) = 1;
+      open.emplace_back(nextX, nextY);
+    }
+  }
+  return mask.area();
+}
+
 PixelArea united(const PixelArea& a, const PixelArea& b) {
   return combined(a, b, [](bool inA, bool inB) { return inA || inB; });
 }
@@ -202,6 +231,20 @@ std::size_t pixelCount(const PixelArea& area) {
   std::size_t count = 0;
   for (const PixelRun& run : area) count += static_cast<std::size_t>(run.end - run.begin);
   return count;
+}
+
+std::vector<PixelEdge> outline(const PixelArea& area) {
+  std::vector<PixelEdge> edges;
+  PixelArea below = area;
+  for (PixelRun& run : below) {
+    ++run.y;
+    edges.push_back({run.begin, run.y - 1, run.begin, run.y});
+    edges.push_back({run.end, run.y - 1, run.end, run.y});
+  }
+  // Between a pixel of the area and one above or below that is not.
+  for (const PixelRun& run : without(area, below)) edges.push_back({run.begin, run.y, run.end, run.y});
+  for (const PixelRun& run : without(below, area)) edges.push_back({run.begin, run.y, run.end, run.y});
+  return edges;
 }
 
 bool contains(const PixelArea& area, int x, int y) {

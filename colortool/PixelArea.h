@@ -48,11 +48,21 @@ struct WandOptions {
 /// What is connected with a pixel and of like colour: grows from it in circles, and stops at edges.
 PixelArea wandArea(const ColorImage& image, int x, int y, const WandOptions& options = {});
 
+/// What is connected with a pixel and of the same class in an image of classes (kMono8).
+PixelArea spotArea(const robotlink::ImageView& classes, int x, int y);
+
 PixelArea united(const PixelArea& a, const PixelArea& b);
 /// What of `a` is not in `b`.
 PixelArea without(const PixelArea& a, const PixelArea& b);
 std::size_t pixelCount(const PixelArea& area);
 bool contains(const PixelArea& area, int x, int y);
+/// The sides of an area's pixels that other pixels do not share: between corners of pixels, that of the upper
+/// left pixel at (0, 0).
+struct PixelEdge {
+  int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
+  bool operator==(const PixelEdge&) const = default;
+};
+std::vector<PixelEdge> outline(const PixelArea& area);
 /// Whether the runs are as PixelArea says, and inside of an image of that size.
 bool isValid(const PixelArea& area, int width, int height);
 

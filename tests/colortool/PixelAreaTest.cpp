@@ -95,6 +95,27 @@ TEST(PixelArea, theWandFollowsShadingButNotAnEdge) {
   EXPECT_EQ(area[0].end, 30);
 }
 
+TEST(PixelArea, aSpotIsWhatIsConnectedAndOfOneClass) {
+  robotlink::Image classes(5, 3, robotlink::PixelFormat::kMono8);
+  classes.data = {1, 1, 0, 1, 1,  //
+                  0, 1, 0, 1, 0,  //
+                  2, 1, 2, 0, 0};
+  EXPECT_EQ(picture(spotArea(classes.view(), 0, 0), 5, 3), (Rows{"##...", ".#...", ".#..."}));
+  EXPECT_EQ(picture(spotArea(classes.view(), 3, 1), 5, 3), (Rows{"...##", "...#.", "....."}));
+  EXPECT_TRUE(spotArea(classes.view(), 5, 0).empty());
+}
+
+TEST(PixelArea, anOutlineIsAllSidesThatAreNotShared) {
+  const auto edges = outline(areaOf({"##", ".#"}));
+  const auto has = [&](PixelEdge edge) { return std::ranges::find(edges, edge) != edges.end(); };
+  EXPECT_EQ(edges.size(), 8U - 1U);
+  EXPECT_TRUE(has({0, 0, 2, 0})) << "above";
+  EXPECT_TRUE(has({0, 1, 1, 1})) << "below the left one";
+  EXPECT_TRUE(has({1, 2, 2, 2})) << "below the lower one";
+  EXPECT_FALSE(has({1, 1, 2, 1})) << "between both";
+  EXPECT_TRUE(has({1, 1, 1, 2}));
+}
+
 TEST(PixelArea, areasAreUnitedAndTakenAway) {
   const PixelArea a = areaOf({"##..##", "......", "######"}), b = areaOf({".###..", "#.....", "..##.."});
   EXPECT_EQ(united(a, b), areaOf({"######", "#.....", "######"}));

@@ -155,10 +155,10 @@ std::vector<robotlink::Rgb> ColorBench::classColors() const {
   return colors;
 }
 
-void ColorBench::setOtherTable(std::shared_ptr<const colortool::ColorTable> table) {
-  if (table == other_) return;
-  other_ = std::move(table);
-  ask();
+void ColorBench::setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name) {
+  reference_ = std::move(table);
+  referenceName_ = reference_ ? name : QString();
+  Q_EMIT referenceChanged();
 }
 
 void ColorBench::setLabelled(std::vector<LabelledFrame> labelled) {
@@ -180,7 +180,7 @@ void ColorBench::clearSelection() {
 }
 
 void ColorBench::ask() {
-  learner_->ask({++asked_, document_.samples(), frame_, other_, labelled_});
+  learner_->ask({++asked_, document_.samples(), frame_, labelled_});
 }
 
 void ColorBench::takeNews() {

@@ -71,9 +71,10 @@ class ColorBench final : public QObject {
   bool upToDate() const { return colors_ && colors_->task == asked_; }
   /// In what classes are shown, by their numbers; 0 is background.
   std::vector<robotlink::Rgb> classColors() const;
-  /// Another table to segment images with instead, while that is wanted; null: the learned one.
-  void setOtherTable(std::shared_ptr<const colortool::ColorTable> table);
-  const std::shared_ptr<const colortool::ColorTable>& otherTable() const { return other_; }
+  /// A table to compare with, of the same classes: yesterday's, or another team's; null: none.
+  void setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name);
+  const std::shared_ptr<const colortool::ColorTable>& reference() const { return reference_; }
+  const QString& referenceName() const { return referenceName_; }
   /// Images whose classes are known; tables are scored with them.
   const std::vector<LabelledFrame>& labelled() const { return *labelled_; }
   void setLabelled(std::vector<LabelledFrame> labelled);
@@ -95,6 +96,7 @@ class ColorBench final : public QObject {
   void collectedChanged();
   void colorsChanged();  ///< table, segmented image or margins
   void qualityChanged();
+  void referenceChanged();
   void selectionChanged();
   /// Something could not be done: what, and why.
   void failed(const QString& reason);
@@ -112,7 +114,8 @@ class ColorBench final : public QObject {
   double weight_ = 1;
   ColorFramePtr frame_;
   std::vector<CollectedFrame> collected_;
-  std::shared_ptr<const colortool::ColorTable> other_;
+  std::shared_ptr<const colortool::ColorTable> reference_;
+  QString referenceName_;
   std::shared_ptr<const std::vector<LabelledFrame>> labelled_;
   std::optional<LearnedColors> colors_;
   std::optional<ColorQuality> quality_;

@@ -49,7 +49,7 @@ struct ColorLearner::Work {
     LearnedColors colors{task.number, task.samples, table, task.frame, {}, margins};
     if (task.frame) {
       auto classes = std::make_shared<robotlink::Image>();
-      (task.other ? *task.other : *table).classify(task.frame->view(), *classes);
+      table->classify(task.frame->view(), *classes);
       colors.classes = std::move(classes);
     }
     return colors;

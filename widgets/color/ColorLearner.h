@@ -28,8 +28,7 @@ struct LabelledFrame {
 struct ColorTask {
   std::uint64_t number = 0;  ///< larger than those before
   colortool::Samples samples;
-  ColorFramePtr frame;                                      ///< is segmented; null: nothing is
-  std::shared_ptr<const colortool::ColorTable> other = {};  ///< a table to segment it with instead
+  ColorFramePtr frame;  ///< is segmented; null: nothing is
   std::shared_ptr<const std::vector<LabelledFrame>> labelled = {};
 };
 
