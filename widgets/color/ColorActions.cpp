@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorActions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QShortcut>
+
+#include "widgets/Controls.h"
+#include "widgets/color/ColorBench.h"
+
+namespace widgets {
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("widgets::ColorActions", text);
+}
+
+QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
+  auto* shortcut = new QShortcut(key, &view);
+  shortcut->setContext(Qt::WidgetWithChildrenShortcut);
+  return shortcut;
+}
+
+}  // namespace
+
+ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench) {
+  const QByteArray undoName = QByteArray(prefix) + "Undo", redoName = QByteArray(prefix) + "Redo";
+  QUndoStack& stack = bench.undoStack();
+  ColorActions actions{
+      makeAction(&view, "undo",
+                 {undoName.constData(), translated("Undo"),
+                  translated("Takes the last change of the samples back"), QKeySequence::Undo}),
+      makeAction(&view, "redo",
+                 {redoName.constData(), translated("Redo"), translated("Does again what was taken back"),
+                  QKeySequence(translated("Ctrl+Shift+Z"))})};
+  QObject::connect(actions.undo, &QAction::triggered, &stack, &QUndoStack::undo);
+  QObject::connect(actions.redo, &QAction::triggered, &stack, &QUndoStack::redo);
+  QObject::connect(&stack, &QUndoStack::canUndoChanged, actions.undo, &QAction::setEnabled);
+  QObject::connect(&stack, &QUndoStack::canRedoChanged, actions.redo, &QAction::setEnabled);
+  actions.undo->setEnabled(stack.canUndo());
+  actions.redo->setEnabled(stack.canRedo());
+  for (int digit = 0; digit <= 9; ++digit) {
+    auto* shortcut = addShortcut(view, QKeySequence(Qt::Key_0 + digit));
+    QObject::connect(shortcut, &QShortcut::activated, &bench,
+                     [&bench, digit] { bench.setCurrentClass(digit); });
+  }
+  QObject::connect(addShortcut(view, QKeySequence(Qt::Key_N)), &QShortcut::activated, &bench,
+                   [&bench] { bench.setMustNotBe(!bench.mustNotBe()); });
+  return actions;
+}
+
+}  // namespace widgets
