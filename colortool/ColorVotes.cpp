@@ -25,6 +25,11 @@ constexpr double kMostPrior = 1.0e8;
 /// The largest vote of the kernel, for a cell's own samples, if the sum allows it.
 constexpr double kFinestPeak = 1024;
 
+/// So many cells of a row are decided at a time: loops of a known length are vectorised.
+constexpr int kBlock = 16;
+/// Votes are added to so many cells at a time, where the row is long enough.
+constexpr int kStride = 8;
+
 std::uint32_t keyOf(std::size_t cell, std::uint8_t colorClass) {
   return static_cast<std::uint32_t>(cell) << 8U | colorClass;
 }
@@ -33,6 +38,10 @@ std::array<int, 3> placeOf(std::size_t cell) {
 }
 std::size_t rowOf(int y, int cb) {
   return (static_cast<std::size_t>(y) * kCells + static_cast<std::size_t>(cb)) * kCells;
+}
+
+void addProducts(std::int32_t* __restrict votes, const std::int16_t* __restrict kernel, std::int16_t factor) {
+  for (int i = 0; i < kStride; ++i) votes[i] += factor * kernel[i];
 }
 
 }  // namespace
@@ -67,8 +76,13 @@ void ColorVotes::makeKernel() {
   }
   const double strongest = kStrengthScale * std::pow(static_cast<double>(kMostPixels), kExponent);
   const double peak = std::min(kFinestPeak, kMostVotes / (sum * strongest));
-  kernel_.clear();
-  for (const double value : shape) kernel_.push_back(static_cast<std::int32_t>(std::lround(peak * value)));
+  const std::size_t width = 2 * static_cast<std::size_t>(chromaReach_) + 1;
+  kernelWidth_ = static_cast<int>((width + kStride - 1) / kStride * kStride);
+  kernel_.assign(shape.size() / width * static_cast<std::size_t>(kernelWidth_), 0);
+  for (std::size_t i = 0; i < shape.size(); ++i) {
+    kernel_[i / width * static_cast<std::size_t>(kernelWidth_) + i % width] =
+        static_cast<std::int16_t>(std::lround(peak * shape[i]));
+  }
   priorVotes_ = static_cast<std::int32_t>(std::min(kMostPrior, options_.rejection * peak * kStrengthScale));
 }
 
@@ -114,18 +128,23 @@ void ColorVotes::vote(std::size_t cell, std::uint8_t colorClass, std::int32_t st
   changed_.include(0, y - brightnessReach_, y + brightnessReach_);
   changed_.include(1, cb - chromaReach_, cb + chromaReach_);
   changed_.include(2, cr - chromaReach_, cr + chromaReach_);
-  const int width = 2 * chromaReach_ + 1;
-  const int crFrom = std::max(0, cr - chromaReach_), crTo = std::min(kCells - 1, cr + chromaReach_);
+  const auto factor = static_cast<std::int16_t>(strength);  // kMostPixels fewer or more, at most: that fits
+  const int begin = cr - chromaReach_, width = 2 * chromaReach_ + 1;
+  const bool inside = begin >= 0 && begin + kernelWidth_ <= kCells;
+  const int from = std::max(0, -begin), to = std::min(width, kCells - begin);
   for (int atY = std::max(0, y - brightnessReach_); atY <= std::min(kCells - 1, y + brightnessReach_);
        ++atY) {
     for (int atCb = std::max(0, cb - chromaReach_); atCb <= std::min(kCells - 1, cb + chromaReach_); ++atCb) {
-      const std::int32_t* kernel =
+      const std::int16_t* kernel =
           kernel_.data() +
           (static_cast<std::ptrdiff_t>(atY - y + brightnessReach_) * width + (atCb - cb + chromaReach_)) *
-              width -
-          (cr - chromaReach_);
+              kernelWidth_;
       std::int32_t* votes = votes_[colorClass].data() + rowOf(atY, atCb);
-      for (int atCr = crFrom; atCr <= crTo; ++atCr) votes[atCr] += strength * kernel[atCr];
+      if (inside) {
+        for (int i = 0; i < kernelWidth_; i += kStride) addProducts(votes + begin + i, kernel + i, factor);
+      } else {
+        for (int i = from; i < to; ++i) votes[begin + i] += factor * kernel[i];
+      }
     }
   }
 }
@@ -133,33 +152,33 @@ void ColorVotes::vote(std::size_t cell, std::uint8_t colorClass, std::int32_t st
 const ColorTable& ColorVotes::update() {
   if (!changed_.empty()) {
     for (int y = changed_.first[0]; y <= changed_.last[0]; ++y) {
-      for (int cb = changed_.first[1]; cb <= changed_.last[1]; ++cb) decide(y, cb);
+      for (int cb = changed_.first[1]; cb <= changed_.last[1]; ++cb) {
+        for (int block = changed_.first[2] / kBlock; block <= changed_.last[2] / kBlock; ++block)
+          decide(y, cb, block);
+      }
     }
     changed_.clear();
   }
   return table_;
 }
 
-void ColorVotes::decide(int y, int cb) {
-  std::array<std::int32_t, kCells> best;
-  std::array<std::int32_t, kCells> winner{};
-  const std::size_t row = rowOf(y, cb);
-  const int from = changed_.first[2], to = changed_.last[2];
-  for (int cr = from; cr <= to; ++cr) {
-    best[static_cast<std::size_t>(cr)] =
-        std::max(votes_[0][row + static_cast<std::size_t>(cr)], 0) + priorVotes_;
-  }
+void ColorVotes::decide(int y, int cb, int block) {
+  std::array<std::int32_t, kBlock> best;
+  std::array<std::int32_t, kBlock> winner{};
+  const std::size_t begin = rowOf(y, cb) + static_cast<std::size_t>(block * kBlock);
+  const std::int32_t* background = votes_[0].data() + begin;
+  for (std::size_t i = 0; i < kBlock; ++i) best[i] = std::max(background[i], 0) + priorVotes_;
   for (std::size_t colorClass = 1; colorClass < votes_.size(); ++colorClass) {
-    const std::int32_t* votes = votes_[colorClass].data() + row;
-    for (int cr = from; cr <= to; ++cr) {
-      const auto i = static_cast<std::size_t>(cr);
-      const bool better = votes[cr] > best[i];
-      winner[i] = better ? static_cast<std::int32_t>(colorClass) : winner[i];
-      best[i] = better ? votes[cr] : best[i];
+    const std::int32_t* votes = votes_[colorClass].data() + begin;
+    const auto number = static_cast<std::int32_t>(colorClass);
+    for (std::size_t i = 0; i < kBlock; ++i) {
+      const bool better = votes[i] > best[i];
+      winner[i] = better ? number : winner[i];
+      best[i] = better ? votes[i] : best[i];
     }
   }
-  for (int cr = from; cr <= to; ++cr) {
-    table_.setCell(y, cb, cr, static_cast<std::uint8_t>(winner[static_cast<std::size_t>(cr)]));
+  for (int i = 0; i < kBlock; ++i) {
+    table_.setCell(y, cb, block * kBlock + i, static_cast<std::uint8_t>(winner[static_cast<std::size_t>(i)]));
   }
 }
 

@@ -84,11 +84,12 @@ class ColorVotes {
   void makeKernel();
   std::int32_t strengthOf(std::int64_t pixels, std::uint8_t colorClass) const;
   void vote(std::size_t cell, std::uint8_t colorClass, std::int32_t strength);
-  void decide(int y, int cb);
+  void decide(int y, int cb, int block);
 
   VoteOptions options_;
   int chromaReach_ = 0, brightnessReach_ = 0;  // of the kernel, cells
-  std::vector<std::int32_t> kernel_;           // [y][cb][cr]
+  int kernelWidth_ = 0;                        // of its rows along cr, with zeros behind them
+  std::vector<std::int16_t> kernel_;           // [y][cb][cr]
   std::int32_t priorVotes_ = 0;
   std::unordered_map<std::uint32_t, Sample> samples_;  // by cell and class
   std::vector<CellSet> sampled_;                       // by class

@@ -39,9 +39,8 @@ std::vector<StrokeCell> strokeCells(const Samples& samples, const Stroke& stroke
   std::vector<std::uint32_t> pixels = cellsOfPixels(samples, stroke);
   const double unitsPerPixel = (stroke.mustNotBe ? -1 : 1) * stroke.weight * double{ColorVotes::kUnit};
   std::vector<StrokeCell> cells;
-  const auto addCell = [&](std::size_t cell, auto count) {
-    const std::int64_t units = std::llround(unitsPerPixel * static_cast<double>(count));
-    if (units != 0) cells.push_back({cell, units});
+  const auto addCell = [&](std::size_t cell, std::uint32_t count) {
+    if (count > 0) cells.push_back({cell, std::llround(unitsPerPixel * count), count});
   };
   if (pixels.size() >= kManyPixels) {
     std::vector<std::uint32_t> counts(ColorTable::kCellCount, 0);
@@ -52,7 +51,7 @@ std::vector<StrokeCell> strokeCells(const Samples& samples, const Stroke& stroke
   std::ranges::sort(pixels);
   for (auto begin = pixels.begin(); begin != pixels.end();) {
     const auto end = std::upper_bound(begin, pixels.end(), *begin);
-    addCell(*begin, end - begin);
+    addCell(*begin, static_cast<std::uint32_t>(end - begin));
     begin = end;
   }
   return cells;

@@ -16,6 +16,7 @@ struct StrokeCell {
   /// Its pixels there times its weight, in ColorVotes::kUnit-ths of a pixel; less than 0 if they must not be
   /// of the stroke's class.
   std::int64_t units = 0;
+  std::uint32_t pixels = 0;  ///< of the stroke, whatever its weight
   bool operator==(const StrokeCell&) const = default;
 };
 

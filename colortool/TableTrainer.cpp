@@ -3,6 +3,18 @@
 
 namespace colortool {
 
+ColorTable learnedTable(ColorVotes& votes, const TrainingSettings& settings) {
+  switch (settings.method) {
+    case TrainingMethod::kGaussians:
+      return gaussianTable(votes.samples(), settings.gaussians);
+    case TrainingMethod::kSupportVectors:
+      return supportVectorTable(votes.samples(), settings.supportVectors);
+    case TrainingMethod::kVotes:
+      break;
+  }
+  return votes.update();
+}
+
 bool TableTrainer::sameGround(const Samples& samples) const {
   return last_ && last_->classes.size() == samples.classes.size() &&
          last_->corrections == samples.corrections &&
@@ -33,23 +45,11 @@ void TableTrainer::follow(const Samples& samples) {
   });
 }
 
-ColorTable TableTrainer::learnedTable(const TrainingSettings& settings) {
-  switch (settings.method) {
-    case TrainingMethod::kGaussians:
-      return gaussianTable(votes_.samples(), settings.gaussians);
-    case TrainingMethod::kSupportVectors:
-      return supportVectorTable(votes_.samples(), settings.supportVectors);
-    case TrainingMethod::kVotes:
-      break;
-  }
-  return votes_.update();
-}
-
 const ColorTable& TableTrainer::train(const Samples& samples) {
   if (last_ && samples == *last_) return table_;
   follow(samples);
   const TrainingSettings& settings = samples.settings;
-  table_ = cleanUp_.clean(learnedTable(settings), votes_.sampledCells(), settings.cleanUp);
+  table_ = cleanUp_.clean(learnedTable(votes_, settings), votes_.sampledCells(), settings.cleanUp);
   last_ = samples;
   return table_;
 }

@@ -13,13 +13,16 @@
 
 namespace colortool {
 
+/// The table that the method of the settings makes of all that `votes` was told; not cleaned up.
+ColorTable learnedTable(ColorVotes& votes, const TrainingSettings& settings);
+
 /// Keeps a table up to date with samples that are being edited: what did not change since the last call costs
 /// nothing, so that a stroke takes less than a millisecond with votes. The table depends on the samples only,
 /// not on the way they came about. One thread.
 class TableTrainer {
  public:
-  /// The table of these samples, cleaned up as their settings say. With TrainingMethod::kVotes incremental, else made anew from all of them
-  /// (0.1 to 1 s). Valid until the next call.
+  /// The table of these samples, cleaned up as their settings say. With TrainingMethod::kVotes incremental,
+  /// else made anew from all of them (0.1 to 1 s). Valid until the next call.
   const ColorTable& train(const Samples& samples);
   const ColorTable& table() const { return table_; }
   const ColorVotes& votes() const { return votes_; }
@@ -38,7 +41,6 @@ class TableTrainer {
   /// Whether what was learned of the strokes still holds.
   bool sameGround(const Samples& samples) const;
   void follow(const Samples& samples);
-  ColorTable learnedTable(const TrainingSettings& settings);
 
   ColorVotes votes_{1};
   std::unordered_map<const Stroke*, Learned> learned_;

@@ -46,6 +46,7 @@ void expectEachCellOnce(const std::vector<StrokeCell>& cells, const Stroke& stro
   for (const StrokeCell& cell : cells) {
     EXPECT_EQ(cell.cell, expected->first);
     EXPECT_EQ(cell.units, expected->second * ColorVotes::kUnit);
+    EXPECT_EQ(static_cast<int>(cell.pixels), expected->second);
     ++expected;
   }
 }

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a stroke to the new table, and a table from scratch, with ten strokes a class of five and background
-// beforehand; the same with clean-up.
+// beforehand; clean-up and cross-validation of such tables.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
 #include <random>
 
 #include "colortool/ColorVotes.h"
+#include "colortool/CrossValidation.h"
 #include "colortool/TableCleanUp.h"
 
 namespace {
@@ -18,18 +19,23 @@ using robotlink::YCbCr;
 constexpr int kClasses = 6, kStrokes = 10, kPixels = 29;
 
 /// The pixels of a stroke: one colour of the class, with what light and noise make of it.
-std::vector<std::size_t> stroke(int colorClass, std::mt19937& random) {
+std::vector<YCbCr> strokeColors(int colorClass, std::mt19937& random) {
   std::normal_distribution<double> brightness(0, 12), chroma(0, 3);
   const double y = 70 + 30 * colorClass + brightness(random);
-  std::vector<std::size_t> cells;
+  std::vector<YCbCr> colors;
   for (int i = 0; i < kPixels; ++i) {
     const auto value = [&](double center, double off) {
       return static_cast<std::uint8_t>(std::clamp(center + off, 0.0, 255.0));
     };
-    cells.push_back(
-        ColorTable::cellOf({value(y, brightness(random) / 3), value(90 + 15 * colorClass, chroma(random)),
-                            value(170 - 13 * colorClass, chroma(random))}));
+    colors.push_back({value(y, brightness(random) / 3), value(90 + 15 * colorClass, chroma(random)),
+                      value(170 - 13 * colorClass, chroma(random))});
   }
+  return colors;
+}
+
+std::vector<std::size_t> stroke(int colorClass, std::mt19937& random) {
+  std::vector<std::size_t> cells;
+  for (const YCbCr color : strokeColors(colorClass, random)) cells.push_back(ColorTable::cellOf(color));
   return cells;
 }
 
@@ -96,9 +102,30 @@ void cleanUpFromScratch(benchmark::State& state) {
   }
 }
 
+/// Of 100 strokes.
+void crossValidation(benchmark::State& state) {
+  std::mt19937 random(1);
+  colortool::Samples samples;
+  samples.classes = colortool::ColorClasses(std::vector<colortool::NamedColor>(kClasses - 1));
+  samples.images.push_back({1, "image", "camera", "", 40, 1});
+  for (int i = 0; i < 100; ++i) {
+    colortool::Stroke made;
+    made.id = static_cast<std::uint64_t>(i) + 1;
+    made.image = 1;
+    made.colorClass = static_cast<std::uint8_t>(i % kClasses);
+    made.area = {{0, 0, kPixels}};
+    made.colors = strokeColors(i % kClasses, random);
+    samples.strokes.push_back(std::make_shared<colortool::Stroke>(std::move(made)));
+  }
+  double recall = 0;
+  for (auto _ : state) recall = colortool::crossValidate(samples)->evaluation.meanRecall();
+  state.counters["mean_recall"] = recall;
+}
+
 BENCHMARK(strokeToTable)->Unit(benchmark::kMicrosecond);
 BENCHMARK(rebuild)->Unit(benchmark::kMicrosecond);
 BENCHMARK(cleanUpAfterStroke)->Unit(benchmark::kMicrosecond);
 BENCHMARK(cleanUpFromScratch)->Unit(benchmark::kMicrosecond);
+BENCHMARK(crossValidation)->Unit(benchmark::kMillisecond);
 
 }  // namespace

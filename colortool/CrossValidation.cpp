@@ -1,0 +1,104 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "colortool/CrossValidation.h"
+
+#include <algorithm>
+
+#include "colortool/StrokeCells.h"
+#include "colortool/TableCleanUp.h"
+#include "colortool/TableTrainer.h"
+
+namespace colortool {
+namespace {
+
+/// Of the methods that learn from scratch each time.
+constexpr std::size_t kMostFolds = 5;
+
+/// A stroke, its cells, and what was found of it.
+struct Candidate {
+  const Stroke* stroke = nullptr;
+  std::vector<StrokeCell> cells;
+  double right = 0;
+};
+using Fold = std::vector<Candidate*>;
+
+/// The strokes by class. Those of one class are near each other, so that to go from one to the next changes a
+/// small part of the table.
+std::vector<std::vector<Candidate*>> byClass(std::vector<Candidate>& candidates, int classes) {
+  std::vector<std::vector<Candidate*>> sorted(static_cast<std::size_t>(classes));
+  for (Candidate& candidate : candidates) {
+    if (candidate.stroke->colorClass < sorted.size())
+      sorted[candidate.stroke->colorClass].push_back(&candidate);
+  }
+  return sorted;
+}
+
+std::vector<Fold> foldsOf(const std::vector<std::vector<Candidate*>>& sorted, TrainingMethod method) {
+  std::vector<Fold> folds;
+  if (method == TrainingMethod::kVotes) {
+    for (const auto& strokes : sorted) {
+      for (Candidate* candidate : strokes) folds.push_back({candidate});
+    }
+    return folds;
+  }
+  // In each class the strokes are dealt out in turn, so that a fold takes a like share from all of them.
+  folds.resize(kMostFolds);
+  for (const auto& strokes : sorted) {
+    for (std::size_t i = 0; i < strokes.size(); ++i) folds[i % kMostFolds].push_back(strokes[i]);
+  }
+  std::erase_if(folds, [](const Fold& fold) { return fold.empty(); });
+  return folds;
+}
+
+void score(Candidate& candidate, const ColorTable& table, Evaluation& evaluation) {
+  const Stroke& stroke = *candidate.stroke;
+  std::uint64_t right = 0, all = 0;
+  for (const StrokeCell& cell : candidate.cells) {
+    const std::uint8_t found = table.cells()[cell.cell];
+    const bool same = found == stroke.colorClass;
+    all += cell.pixels;
+    right += same != stroke.mustNotBe ? cell.pixels : 0;
+    if (!stroke.mustNotBe) {
+      evaluation.add(stroke.colorClass, found, cell.pixels);
+    } else if (stroke.colorClass != ColorClasses::kNone) {
+      evaluation.add(ColorClasses::kNone, same ? found : ColorClasses::kNone, cell.pixels);
+    }
+  }
+  candidate.right = all == 0 ? 0 : static_cast<double>(right) / static_cast<double>(all);
+}
+
+std::vector<std::uint8_t> aloneIn(const std::vector<std::vector<Candidate*>>& sorted) {
+  std::vector<std::uint8_t> alone;
+  for (std::size_t i = 1; i < sorted.size(); ++i) {
+    if (std::ranges::count_if(sorted[i], [](const Candidate* c) { return !c->stroke->mustNotBe; }) == 1)
+      alone.push_back(static_cast<std::uint8_t>(i));
+  }
+  return alone;
+}
+
+}  // namespace
+
+std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& goOn) {
+  const TrainingSettings& settings = samples.settings;
+  std::vector<Candidate> candidates;
+  ColorVotes votes(samples.classes.size(), settings.votes);
+  for (const StrokePtr& stroke : samples.strokes) {
+    candidates.push_back({stroke.get(), strokeCells(samples, *stroke)});
+    addTo(votes, candidates.back().cells, stroke->colorClass);
+  }
+  const auto sorted = byClass(candidates, samples.classes.size());
+  StrokeQuality quality{Evaluation(samples.classes.size()), {}, aloneIn(sorted)};
+  TableCleanUp cleanUp;
+  for (const Fold& fold : foldsOf(sorted, settings.method)) {
+    if (goOn && !goOn()) return std::nullopt;
+    for (const Candidate* candidate : fold) addTo(votes, candidate->cells, candidate->stroke->colorClass, -1);
+    const ColorTable& table =
+        cleanUp.clean(learnedTable(votes, settings), votes.sampledCells(), settings.cleanUp);
+    for (Candidate* candidate : fold) score(*candidate, table, quality.evaluation);
+    for (const Candidate* candidate : fold) addTo(votes, candidate->cells, candidate->stroke->colorClass);
+  }
+  for (const Candidate& candidate : candidates)
+    quality.strokes.push_back({candidate.stroke->id, candidate.right});
+  return quality;
+}
+
+}  // namespace colortool
