@@ -15,6 +15,15 @@ double curve(const std::array<double, 2>& coefficients, double squaredRadius) {
   return (coefficients[0] + coefficients[1] * squaredRadius) * squaredRadius;
 }
 
+ChannelLine limited(double gain, double offset) {
+  return {std::clamp(gain, -ColorCorrection::kMostGain, ColorCorrection::kMostGain),
+          std::clamp(offset, -ColorCorrection::kMostOffset, ColorCorrection::kMostOffset)};
+}
+
+ChannelLine chromaLine(const ChannelLine& channel, const std::array<double, 2>& tint, double squaredRadius) {
+  return limited(channel.gain, channel.offset - channel.gain * curve(tint, squaredRadius));
+}
+
 }  // namespace
 
 double squaredImageRadius(double x, double y, int width, int height) {
@@ -25,15 +34,15 @@ double squaredImageRadius(double x, double y, int width, int height) {
 
 ChannelLine ColorCorrection::lumaAt(double squaredRadius) const {
   const double shade = std::clamp(1 + curve(vignetting.luma, squaredRadius), kLeastShade, kMostShade);
-  return {channels[0].gain / shade, channels[0].offset};
+  return limited(channels[0].gain / shade, channels[0].offset);
 }
 
 ChannelLine ColorCorrection::blueAt(double squaredRadius) const {
-  return {channels[1].gain, channels[1].offset - channels[1].gain * curve(vignetting.blue, squaredRadius)};
+  return chromaLine(channels[1], vignetting.blue, squaredRadius);
 }
 
 ChannelLine ColorCorrection::redAt(double squaredRadius) const {
-  return {channels[2].gain, channels[2].offset - channels[2].gain * curve(vignetting.red, squaredRadius)};
+  return chromaLine(channels[2], vignetting.red, squaredRadius);
 }
 
 robotlink::YCbCr ColorCorrection::apply(robotlink::YCbCr color, int x, int y, int width, int height) const {

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // From a stroke to the new table, and a table from scratch, with ten strokes a class of five and background
-// beforehand; clean-up and cross-validation of such tables.
+// beforehand; clean-up and cross-validation of
+// such tables, and the correction of images.
 #include <benchmark/benchmark.h>
 
 #include <algorithm>
@@ -8,6 +9,7 @@
 
 #include "colortool/ColorVotes.h"
 #include "colortool/CrossValidation.h"
+#include "colortool/ImageCorrector.h"
 #include "colortool/TableCleanUp.h"
 
 namespace {
@@ -122,10 +124,26 @@ void crossValidation(benchmark::State& state) {
   state.counters["mean_recall"] = recall;
 }
 
+/// An image of 640 x 480 of that format.
+void correctImage(benchmark::State& state) {
+  colortool::ColorCorrection correction;
+  correction.vignetting = {{-0.3, -0.1}, {4, 2}, {-5, 1}};
+  correction.channels[0] = {1.1, -4};
+  colortool::ImageCorrector corrector(correction);
+  const robotlink::Image image(640, 480, static_cast<robotlink::PixelFormat>(state.range(0)));
+  state.SetLabel(std::string(encodingName(image.format)));
+  robotlink::Image corrected;
+  for (auto _ : state) {
+    corrector.correct(image.view(), corrected);
+    benchmark::DoNotOptimize(corrected.data.data());
+  }
+}
+
 BENCHMARK(strokeToTable)->Unit(benchmark::kMicrosecond);
 BENCHMARK(rebuild)->Unit(benchmark::kMicrosecond);
 BENCHMARK(cleanUpAfterStroke)->Unit(benchmark::kMicrosecond);
 BENCHMARK(cleanUpFromScratch)->Unit(benchmark::kMicrosecond);
 BENCHMARK(crossValidation)->Unit(benchmark::kMillisecond);
+BENCHMARK(correctImage)->DenseRange(0, 4)->Unit(benchmark::kMicrosecond);
 
 }  // namespace
