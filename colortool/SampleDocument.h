@@ -22,6 +22,8 @@ class SampleDocument {
   /// that moves, a stroke that is being drawn. Whether there is a new step.
   bool change(std::string text, Samples next, std::string gesture = {});
 
+  /// Whether the last step is of this gesture, and a change can still become part of it.
+  bool continues(const std::string& gesture) const;
   /// What a change that continues a gesture starts from: the samples before its step, or those of now if
   /// `gesture` is no longer going on.
   Samples beforeGesture(const std::string& gesture) const;
@@ -55,7 +57,6 @@ class SampleDocument {
     Frame before, after;
     std::vector<StrokePtr> removed, added;  // by id; a stroke that was changed is in both
   };
-  bool continues(const std::string& gesture) const;
   static Frame frameOf(const Samples& samples);
   static void apply(Samples& samples, const Frame& frame, const std::vector<StrokePtr>& take,
                     const std::vector<StrokePtr>& put);

@@ -1,0 +1,337 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorImageView.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QFontDatabase>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "colortool/ColorTable.h"
+#include "foxglove/Image.pb.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorStrip.h"
+#include "widgets/color/ColorToolRow.h"
+#include "widgets/image/ImagePixels.h"
+#include "widgets/image/StreamChoice.h"
+#include "widgets/log/OpenLogs.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Colour image"),
+     QT_TRANSLATE_NOOP("widgets::ColorImageView",
+                       "Draw strokes in images and see what the colour table makes of them"),
+     "brush", false, create<ColorImageView>}};
+
+constexpr char kDefaultChoice[] = "*/camera/image";
+
+}  // namespace
+
+ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
+    : View(context, parent), bench_(colorBench(context)) {
+  setObjectName(QStringLiteral("colorImageView"));
+  createActions();
+  createViews();
+  connectSignals();
+  applyTool();
+  tick();
+}
+
+ColorImageView::~ColorImageView() = default;
+
+void ColorImageView::createActions() {
+  fit_ = makeAction(this, "fit",
+                    {"colorFit", tr("Fit"), tr("Shows the whole image, as large as it fits"), Qt::Key_F});
+  oneToOne_ =
+      makeAction(this, "one-to-one", {"colorOneToOne", tr("1:1"), tr("Shows the image pixel by pixel")});
+  zoomIn_ =
+      makeAction(this, "zoom-in", {"colorZoomIn", tr("Zoom in"), tr("Enlarges the image"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out",
+                        {"colorZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
+  freeze_ = makeAction(
+      this, "lock",
+      {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_Space});
+  collect_ =
+      makeAction(this, "add",
+                 {"colorCollect", tr("Collect"), tr("Puts this image aside, to come back to it"), Qt::Key_C});
+  twoPictures_ = makeAction(this, "two-pictures",
+                            {"colorTwoPictures", tr("Two pictures"),
+                             tr("Shows what the table makes of the image beside it"), Qt::Key_T});
+  showStrokes_ = makeAction(
+      this, "eye", {"colorShowStrokes", tr("Strokes"), tr("Shows the strokes in the image"), Qt::Key_V});
+  cancel_ =
+      makeAction(this, "close",
+                 {"colorCancel", tr("Cancel"), tr("Gives up the stroke, or the selection"), Qt::Key_Escape});
+  for (QAction* action : {freeze_, twoPictures_, showStrokes_}) action->setCheckable(true);
+  twoPictures_->setChecked(true);
+  showStrokes_->setChecked(true);
+}
+
+void ColorImageView::createViews() {
+  left_ = new ColorCanvas(QStringLiteral("colorLeft"), this);
+  right_ = new ColorCanvas(QStringLiteral("colorRight"), this);
+  splitter_ = new QSplitter(this);
+  splitter_->setObjectName(QStringLiteral("colorSplitter"));
+  splitter_->setChildrenCollapsible(false);
+  splitter_->addWidget(left_);
+  splitter_->addWidget(right_);
+  splitter_->setSizes({400, 400});
+  strip_ = new ColorStrip(bench_, this);
+  toolRow_ = new ColorToolRow(bench_, this);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createStreamRow());
+  layout->addWidget(toolRow_);
+  layout->addWidget(splitter_, 1);
+  layout->addWidget(strip_);
+  layout->addWidget(createFooter());
+}
+
+QWidget* ColorImageView::createStreamRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
+  describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
+  row->addWidget(streams_, 1);
+  addButtons(row, {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, twoPictures_});
+  rightLayer_ = new QComboBox(row->parentWidget());
+  describe(*rightLayer_, {"colorRightLayer", tr("Right picture"), tr("What the right picture shows")});
+  rightLayer_->addItems({tr("Classes"), tr("Classes by the reference"), tr("Difference"), tr("Ambiguity")});
+  row->addWidget(rightLayer_);
+  return row->parentWidget();
+}
+
+QWidget* ColorImageView::createFooter() {
+  QHBoxLayout* footer = makeFooter(this);
+  time_ = addLabel(footer, "colorTime", tr("Time of the image"));
+  state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
+  pixel_ = addLabel(footer, "colorPixel",
+                    tr("Pixel under the cursor: position, colour, class, how sure it is, cell"));
+  zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
+  footer->setStretchFactor(pixel_, 1);
+  pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
+  pixel_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  pixel_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  return footer->parentWidget();
+}
+
+void ColorImageView::connectSignals() {
+  connectCanvas(left_, right_);
+  connectCanvas(right_, left_);
+  connect(fit_, &QAction::triggered, this, [this] {
+    for (ColorCanvas* canvas : {left_, right_}) canvas->setViewport({});
+    updateStatus();
+  });
+  connect(oneToOne_, &QAction::triggered, this, [this] { left_->zoomBy(1 / left_->zoom()); });
+  connect(zoomIn_, &QAction::triggered, this, [this] { left_->zoomBy(std::sqrt(2.0)); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { left_->zoomBy(std::sqrt(0.5)); });
+  connect(freeze_, &QAction::toggled, this, [this](bool frozen) {
+    pinned_ = frozen ? (pinned_ ? pinned_ : bench_.frame()) : nullptr;
+    if (!frozen) strip_->showCurrent(nullptr);
+    tick();
+  });
+  connect(collect_, &QAction::triggered, &bench_, &ColorBench::collect);
+  connect(twoPictures_, &QAction::toggled, right_, &QWidget::setVisible);
+  connect(showStrokes_, &QAction::toggled, this, &ColorImageView::showMarks);
+  connect(cancel_, &QAction::triggered, this, &ColorImageView::cancelGesture);
+  connect(strip_, &ColorStrip::chosen, this, [this](const ColorFramePtr& frame) {
+    pinned_ = frame;
+    freeze_->setChecked(true);
+    pinned_ = frame;
+    tick();
+  });
+  connect(streams_, &StreamChoice::choiceChanged, this, [this] {
+    freeze_->setChecked(false);
+    tick();
+  });
+  connect(toolRow_, &ColorToolRow::toolChanged, this, &ColorImageView::applyTool);
+  connect(toolRow_, &ColorToolRow::opacityChanged, this, &ColorImageView::applyLayers);
+  connect(rightLayer_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ColorImageView::showColors);
+  connect(&bench_, &ColorBench::frameChanged, this, &ColorImageView::showFrame);
+  connect(&bench_, &ColorBench::colorsChanged, this, &ColorImageView::showColors);
+  connect(&bench_, &ColorBench::referenceChanged, this, &ColorImageView::showColors);
+  connect(&bench_, &ColorBench::selectionChanged, this, &ColorImageView::showSelection);
+  connect(&bench_, &ColorBench::samplesChanged, this, &ColorImageView::showMarks);
+}
+
+void ColorImageView::connectCanvas(ColorCanvas* canvas, ColorCanvas* other) {
+  connect(canvas, &ColorCanvas::viewportChanged, this, [this, other](const ImageViewport& viewport) {
+    other->setViewport(viewport);
+    updateStatus();
+  });
+  connect(canvas, &ColorCanvas::cursorMoved, this, [this, other](std::optional<QPointF> at) {
+    cursor_ = at;
+    other->setOtherCursor(at);
+    updatePixel();
+  });
+  connect(canvas, &ColorCanvas::gestureBegan, this, &ColorImageView::beginGesture);
+  connect(canvas, &ColorCanvas::gestureMoved, this, &ColorImageView::moveGesture);
+  connect(canvas, &ColorCanvas::gestureEnded, this, &ColorImageView::endGesture);
+  connect(canvas, &ColorCanvas::radiusWanted, this, [this](double by) { toolRow_->scaleRadius(by); });
+  connect(canvas, &ColorCanvas::menuWanted, this, [this, canvas](const QPoint& pixel, const QPoint& global) {
+    openMenu(canvas == right_, pixel, global);
+  });
+}
+
+// What is shown.
+
+void ColorImageView::tick() {
+  if (streams_->refresh(session()))
+    Q_EMIT titleChanged(tr("Colour image: %1").arg(QString::fromStdString(streams_->path(session()))));
+  if (!gesture_) bench_.setFrame(shownFrame());
+  left_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
+  updateStatus();
+}
+
+ColorFramePtr ColorImageView::shownFrame() {
+  if (pinned_) return pinned_;
+  const std::string path = streams_->path(session());
+  const auto* message = session().store().latest(path, session().timeline().shown());
+  if (message == nullptr) return nullptr;
+  auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
+  if (!image) return nullptr;
+  const ColorFramePtr& now = bench_.frame();
+  if (now && now->message() == image && now->stream() == path) return now;
+  const auto* log = openLogs(context()).current();
+  const std::string source = log == nullptr ? "" : std::filesystem::path(log->path).filename().string();
+  auto frame = std::make_shared<const ColorFrame>(std::move(image), path, source, message->time);
+  return frame->view().empty() ? nullptr : frame;
+}
+
+void ColorImageView::showFrame() {
+  const ColorFramePtr& frame = bench_.frame();
+  leftLayers_ = {};
+  if (frame)
+    leftLayers_.picture = toQImage(frame->view());
+  else
+    rightLayers_ = {};
+  rightLayers_.shade = {};
+  showMarks();
+  showSelection();
+}
+
+void ColorImageView::showMarks() {
+  const ColorFramePtr& frame = bench_.frame();
+  auto marks = std::make_shared<std::vector<StrokeMark>>();
+  if (frame && showStrokes_->isChecked()) *marks = strokeMarks(bench_.samples(), frame->place());
+  leftLayers_.marks = rightLayers_.marks = std::move(marks);
+  applyLayers();
+}
+
+void ColorImageView::showSelection() {
+  const ColorFramePtr& frame = bench_.frame();
+  leftLayers_.shade =
+      frame && bench_.hasSelection() ? selectionShade(frame->view(), bench_.selection()) : QImage();
+  applyLayers();
+}
+
+void ColorImageView::showColors() {
+  const LearnedColors* colors = bench_.colors();
+  // What was learned for another image would be shown over this one.
+  if (colors == nullptr || colors->frame != bench_.frame() || !colors->classes) return;
+  const std::vector<robotlink::Rgb> classColors = bench_.classColors();
+  leftLayers_.over = toQImage(colors->classes->view(), classColors, std::move(leftLayers_.over));
+  rightLayers_.picture = rightImage();
+  applyLayers();
+  updatePixel();
+}
+
+QImage ColorImageView::rightImage() const {
+  const LearnedColors& colors = *bench_.colors();
+  const auto layer = static_cast<RightLayer>(rightLayer_->currentIndex());
+  if (layer == RightLayer::kMargins)
+    return colors.margins ? marginImage(colors.frame->view(), *colors.margins) : rightLayers_.picture;
+  const bool compares = layer == RightLayer::kReference || layer == RightLayer::kDifference;
+  if (!compares || !bench_.reference()) return leftLayers_.over;
+  robotlink::Image classes;
+  bench_.reference()->classify(colors.frame->view(), classes);
+  if (layer == RightLayer::kReference) return toQImage(classes.view(), bench_.classColors());
+  return differenceImage(leftLayers_.picture, *colors.classes, classes, bench_.classColors());
+}
+
+QString ColorImageView::rightCaption() const {
+  switch (static_cast<RightLayer>(rightLayer_->currentIndex())) {
+    case RightLayer::kClasses:
+      return {};
+    case RightLayer::kReference:
+      return bench_.reference() ? tr("By %1").arg(bench_.referenceName())
+                                : tr("There is no table to compare with yet");
+    case RightLayer::kDifference:
+      return bench_.reference() ? tr("Other than by %1; magenta: none now").arg(bench_.referenceName())
+                                : tr("There is no table to compare with yet");
+    case RightLayer::kMargins:
+      return tr("Bright: another class is nearly as likely");
+  }
+  return {};
+}
+
+void ColorImageView::applyLayers() {
+  leftLayers_.opacity = toolRow_->opacity();
+  left_->setLayers(leftLayers_);
+  right_->setLayers(rightLayers_);
+  right_->setCaption(rightCaption());
+}
+
+void ColorImageView::updateStatus() {
+  const ColorFramePtr& frame = bench_.frame();
+  time_->setText(frame ? tr("%1 s").arg(robotlink::seconds(frame->time()), 0, 'f', 3) : tr("no image yet"));
+  state_->setText(!frame                        ? QString()
+                  : pinned_                     ? tr("frozen")
+                  : session().timeline().live() ? tr("live")
+                                                : tr("history"));
+  zoom_->setText(frame ? tr("%1 %").arg(qRound(left_->zoom() * 100)) : QString());
+}
+
+QString ColorImageView::marginText(std::size_t cell) const {
+  const LearnedColors* colors = bench_.colors();
+  if (colors == nullptr || !colors->margins) return {};
+  return tr(" %1 % sure").arg(qRound((*colors->margins)[cell] / 2.55), 3);
+}
+
+void ColorImageView::updatePixel() {
+  const ColorFramePtr& frame = bench_.frame();
+  const LearnedColors* colors = bench_.colors();
+  if (!cursor_ || !frame) return pixel_->clear();
+  const int x = static_cast<int>(std::floor(cursor_->x())), y = static_cast<int>(std::floor(cursor_->y()));
+  const auto pixel = pixelAt(frame->view(), x, y);
+  if (!pixel) return pixel_->clear();
+  const robotlink::YCbCr color = robotlink::pixelYCbCr(frame->view(), x, y);
+  QString text = widgets::describe(*pixel);
+  if (colors != nullptr) {
+    const std::size_t cell = colortool::ColorTable::cellOf(color);
+    const std::uint8_t colorClass = colors->table->classOf(color);
+    text += QStringLiteral("   %1").arg(QString::fromStdString(colors->samples.classes.name(colorClass))) +
+            marginText(cell) + QStringLiteral("   ") +
+            tr("cell %1 %2 %3").arg(color.y >> 2).arg(color.cb >> 2).arg(color.cr >> 2);
+  }
+  pixel_->setText(text);
+}
+
+QJsonObject ColorImageView::saveState() const {
+  return {{QStringLiteral("stream"), streams_->choice()},
+          {QStringLiteral("tools"), toolRow_->saveState()},
+          {QStringLiteral("two"), twoPictures_->isChecked()},
+          {QStringLiteral("strokes"), showStrokes_->isChecked()},
+          {QStringLiteral("right"), rightLayer_->currentIndex()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void ColorImageView::restoreState(const QJsonObject& state) {
+  splitter_->restoreState(QByteArray::fromBase64(state[QStringLiteral("splitter")].toString().toLatin1()));
+  toolRow_->restoreState(state[QStringLiteral("tools")].toObject());
+  twoPictures_->setChecked(state[QStringLiteral("two")].toBool(true));
+  showStrokes_->setChecked(state[QStringLiteral("strokes")].toBool(true));
+  rightLayer_->setCurrentIndex(
+      std::clamp(state[QStringLiteral("right")].toInt(), 0, rightLayer_->count() - 1));
+  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
+}
+
+}  // namespace widgets

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QListWidget>
+
+#include "widgets/color/ColorFrame.h"
+
+namespace widgets {
+
+class ColorBench;
+
+/// The images that were put aside, as a strip of small pictures. Hidden while there are none. Delete removes
+/// the current one.
+class ColorStrip final : public QListWidget {
+  Q_OBJECT
+ public:
+  explicit ColorStrip(ColorBench& bench, QWidget* parent = nullptr);
+
+  /// Marks the one that is shown; null: none of them is.
+  void showCurrent(const ColorFramePtr& frame);
+
+ Q_SIGNALS:
+  void chosen(const ColorFramePtr& frame);
+
+ protected:
+  void keyPressEvent(QKeyEvent* event) override;
+
+ private:
+  void refresh();
+
+  ColorBench& bench_;
+};
+
+}  // namespace widgets
