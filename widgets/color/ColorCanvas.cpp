@@ -98,7 +98,8 @@ void ColorCanvas::paintOutline(QPainter& painter, const QVector<QLineF>& edges, 
   pen.setCosmetic(true);
   painter.setPen(pen);
   painter.drawLines(edges);
-  pen.setColor(color);
+  // Lighter than the class, or it would vanish in the segmented image.
+  pen.setColor(mixed(color, Qt::white, 0.5));
   pen.setWidthF(1.4);
   if (dashed) pen.setStyle(Qt::DotLine);
   painter.setPen(pen);

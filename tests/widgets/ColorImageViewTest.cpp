@@ -1,0 +1,282 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorImageView.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QLabel>
+#include <QListWidget>
+#include <QMenu>
+#include <QSlider>
+#include <QTest>
+#include <QToolButton>
+
+#include "colortool/ColorTable.h"
+#include "tests/widgets/ColorWorld.h"
+#include "widgets/color/ColorCanvas.h"
+
+namespace widgets::test {
+namespace {
+
+/// The view on a robot whose camera shows four quarters.
+struct Shown {
+  ColorWorld world;
+  ColorBench& bench{colorBench(world.context)};
+  ColorImageView view{world.context};
+  ColorCanvas* left = child<ColorCanvas>(view, "colorLeft");
+  ColorCanvas* right = child<ColorCanvas>(view, "colorRight");
+
+  Shown() {
+    world.show();
+    view.resize(900, 560);
+    view.show();
+    if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
+    view.tick();
+    settle();
+  }
+  void settle() { QTRY_VERIFY(bench.upToDate()); }
+  QPoint at(double x, double y, ColorCanvas* canvas = nullptr) {
+    return (canvas == nullptr ? left : canvas)->toWidget({x + 0.5, y + 0.5}).toPoint();
+  }
+  void choose(const char* name) { bench.setCurrentClass(bench.samples().classes.index(name)); }
+  void tool(const char* name) { QTest::mouseClick(child<QToolButton>(view, name), Qt::LeftButton); }
+  void drag(const std::vector<QPointF>& way, ColorCanvas* on = nullptr) {
+    ColorCanvas* canvas = on == nullptr ? left : on;
+    QTest::mousePress(canvas, Qt::LeftButton, {}, at(way.front().x(), way.front().y(), canvas));
+    for (const QPointF& point : way) moveMouse(*canvas, at(point.x(), point.y(), canvas), Qt::LeftButton);
+    QTest::mouseRelease(canvas, Qt::LeftButton, {}, at(way.back().x(), way.back().y(), canvas));
+    settle();
+  }
+  void click(double x, double y, ColorCanvas* on = nullptr) { drag({{x, y}}, on); }
+  QColor pixel(const ColorCanvas& canvas, double x, double y) {
+    return canvas.rendered().pixelColor(canvas.toWidget({x + 0.5, y + 0.5}).toPoint());
+  }
+  QColor shownColor(const char* name) {
+    const auto rgb = bench.samples().classes.shownColor(bench.samples().classes.index(name));
+    return {rgb.r, rgb.g, rgb.b};
+  }
+  const colortool::Stroke& lastStroke() const { return *bench.samples().strokes.back(); }
+};
+
+}  // namespace
+
+class ColorImageViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aStrokeShowsInTheSegmentedImageAndCanBeUndone() {
+    Shown s;
+    s.choose("orange");
+    s.drag({{5, 5}, {9, 8}, {12, 6}});
+    QCOMPARE(s.bench.samples().strokes.size(), std::size_t{1});
+    QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
+    QCOMPARE(s.pixel(*s.right, 30, 12), QColor(Qt::black));
+    s.left->setFocus();
+    QTest::keyClick(s.left, Qt::Key_Z, Qt::ControlModifier);
+    s.settle();
+    QCOMPARE(s.pixel(*s.right, 16, 12), QColor(Qt::black));
+    QTest::mouseClick(child<QToolButton>(s.view, "colorRedo"), Qt::LeftButton);
+    s.settle();
+    QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
+  }
+
+  void theTableFollowsWhileTheMouseMoves() {
+    Shown s;
+    s.choose("green");
+    QTest::mousePress(s.left, Qt::LeftButton, {}, s.at(30, 5));
+    moveMouse(*s.left, s.at(33, 8), Qt::LeftButton);
+    s.settle();
+    QCOMPARE(s.pixel(*s.right, 25, 12), s.shownColor("green"));
+    QTest::keyClick(s.left, Qt::Key_Escape);
+    s.settle();
+    QVERIFY(s.bench.samples().strokes.empty());
+    QCOMPARE(s.pixel(*s.right, 25, 12), QColor(Qt::black));
+    QTest::mouseRelease(s.left, Qt::LeftButton, {}, s.at(33, 8));
+    QVERIFY(s.bench.samples().strokes.empty());
+  }
+
+  void eachToolTouchesItsArea() {
+    Shown s;
+    s.choose("orange");
+    s.tool("colorToolPoint");
+    s.click(4, 4);
+    QCOMPARE(colortool::pixelCount(s.lastStroke().area), std::size_t{1});
+    s.tool("colorToolRectangle");
+    s.drag({{2, 2}, {7, 6}});
+    QCOMPARE(colortool::pixelCount(s.lastStroke().area), std::size_t{30});
+    s.tool("colorToolLasso");
+    s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
+    QVERIFY(colortool::contains(s.lastStroke().area, 7, 6));
+    QVERIFY(!colortool::contains(s.lastStroke().area, 14, 6));
+    s.tool("colorToolWand");
+    s.click(5, 5);
+    QCOMPARE(colortool::pixelCount(s.lastStroke().area), std::size_t{20 * 15});
+    QCOMPARE(s.lastStroke().tool, std::string("wand"));
+    const std::size_t before = s.bench.samples().strokes.size();
+    s.tool("colorToolEraser");
+    s.drag({{2, 2}, {3, 3}});
+    QVERIFY(s.bench.samples().strokes.size() <= before);
+    QVERIFY(!colortool::contains(s.lastStroke().area, 2, 2));
+    QCOMPARE(s.bench.undoStack().count(), 5);
+  }
+
+  void strokesAreDrawnInTheSegmentedImageToo() {
+    Shown s;
+    s.choose("white");
+    s.click(8, 22, s.right);
+    const std::size_t pixels = colortool::pixelCount(s.lastStroke().area);
+    QVERIFY2(pixels >= 24 && pixels <= 32, "a disc of radius 3");
+    QVERIFY(colortool::contains(s.lastStroke().area, 8, 22));
+    QCOMPARE(s.pixel(*s.right, 3, 27), s.shownColor("white"));
+  }
+
+  void theMenuSaysWhatASpotShouldBe() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    QTest::mouseClick(s.right, Qt::RightButton, {}, s.at(8, 10, s.right));
+    auto* menu = s.view.findChild<QMenu*>(QStringLiteral("colorPixelMenu"));
+    QVERIFY(menu != nullptr);
+    QCOMPARE(menu->actions().size(), 3);
+    QMenu* spot = menu->actions().last()->menu();
+    for (QAction* action : spot->actions()) {
+      if (action->text() == QStringLiteral("yellow")) action->trigger();
+    }
+    menu->close();
+    s.settle();
+    QCOMPARE(s.lastStroke().tool, std::string("spot"));
+    QCOMPARE(s.lastStroke().colorClass, s.bench.samples().classes.index("yellow"));
+    QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("yellow"));
+    QCOMPARE(s.bench.currentClass(), int{s.bench.samples().classes.index("orange")});
+  }
+
+  void bothPicturesShowTheSamePart() {
+    Shown s;
+    QTest::mouseClick(child<QToolButton>(s.view, "colorZoomIn"), Qt::LeftButton);
+    QCOMPARE(s.right->viewport(), s.left->viewport());
+    QVERIFY(!s.left->viewport().fit);
+    s.tool("colorToolMove");
+    QTest::mousePress(s.right, Qt::LeftButton, {}, {50, 50});
+    moveMouse(*s.right, {80, 70}, Qt::LeftButton);
+    QTest::mouseRelease(s.right, Qt::LeftButton, {}, {80, 70});
+    QCOMPARE(s.right->viewport(), s.left->viewport());
+    QVERIFY(s.bench.samples().strokes.empty());
+    s.left->setFocus();
+    QTest::keyClick(s.left, Qt::Key_F);
+    QVERIFY(s.left->viewport().fit && s.right->viewport().fit);
+  }
+
+  void digitsChooseTheClassAndLettersTheTool() {
+    Shown s;
+    s.left->setFocus();
+    QTest::keyClick(s.left, Qt::Key_2);
+    QCOMPARE(s.bench.currentClass(), 2);
+    QTest::keyClick(s.left, Qt::Key_0);
+    QCOMPARE(child<QToolButton>(s.view, "colorClass")->text(), QStringLiteral("background"));
+    QTest::keyClick(s.left, Qt::Key_3);
+    QTest::keyClick(s.left, Qt::Key_N);
+    QVERIFY(child<QToolButton>(s.view, "colorClass")->text().startsWith(QStringLiteral("not ")));
+    QTest::keyClick(s.left, Qt::Key_L);
+    QVERIFY(child<QToolButton>(s.view, "colorToolLasso")->isChecked());
+    s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
+    QVERIFY(s.lastStroke().mustNotBe);
+  }
+
+  void thePixelUnderTheCursorIsSaid() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    moveMouse(*s.left, s.at(9, 7));
+    QTRY_VERIFY(child<QLabel>(s.view, "colorPixel")->text().contains(QStringLiteral("% sure")));
+    const QString text = child<QLabel>(s.view, "colorPixel")->text();
+    QVERIFY2(text.contains(QStringLiteral("Y 140  Cb  60  Cr 200")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("orange")), qPrintable(text));
+    QVERIFY2(text.contains(QStringLiteral("cell 35 15 50")), qPrintable(text));
+  }
+
+  void aCollectedImageStaysWhileTheRobotGoesOn() {
+    Shown s;
+    s.left->setFocus();
+    QTest::keyClick(s.left, Qt::Key_C);
+    auto* strip = child<QListWidget>(s.view, "colorStrip");
+    QCOMPARE(strip->count(), 1);
+    QVERIFY(strip->isVisible());
+    const ColorFramePtr first = s.bench.frame();
+    s.world.show(40, 30, 30);
+    s.view.tick();
+    QVERIFY(s.bench.frame() != first);
+    QTest::mouseClick(strip->viewport(), Qt::LeftButton, {}, strip->visualItemRect(strip->item(0)).center());
+    QCOMPARE(s.bench.frame(), first);
+    s.world.show();
+    s.view.tick();
+    QCOMPARE(s.bench.frame(), first);
+    QTest::mouseClick(child<QToolButton>(s.view, "colorFreeze"), Qt::LeftButton);
+    s.view.tick();
+    QVERIFY(s.bench.frame() != first);
+    strip->setCurrentRow(0);
+    QTest::keyClick(strip, Qt::Key_Delete);
+    QVERIFY(!strip->isVisible());
+  }
+
+  void aSelectionDarkensTheRest() {
+    Shown s;
+    s.tool("colorToolSelect");
+    s.drag({{2, 2}, {12, 2}, {12, 10}, {2, 10}});
+    QVERIFY(s.bench.hasSelection());
+    QVERIFY(s.bench.selection().contains(colortool::ColorTable::cellOf({140, 60, 200})));
+    const QColor orange = s.pixel(*s.left, 16, 12), white = s.pixel(*s.left, 5, 22);
+    QVERIFY(white.lightness() < orange.lightness());
+    s.left->setFocus();
+    QTest::keyClick(s.left, Qt::Key_Escape);
+    QVERIFY(!s.bench.hasSelection());
+    QVERIFY(s.pixel(*s.left, 5, 22).lightness() > orange.lightness());
+  }
+
+  void theRightPictureShowsDifferencesAndAmbiguity() {
+    Shown s;
+    auto* layer = child<QComboBox>(s.view, "colorRightLayer");
+    s.choose("orange");
+    s.click(8, 7);
+    s.bench.setReference(std::make_shared<colortool::ColorTable>(), QStringLiteral("empty.c64"));
+    layer->setCurrentIndex(1);
+    QCOMPARE(s.pixel(*s.right, 16, 12), QColor(Qt::black));
+    layer->setCurrentIndex(2);
+    QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
+    QCOMPARE(s.pixel(*s.right, 30, 12).saturation(), 0);
+    layer->setCurrentIndex(3);
+    QTRY_VERIFY(s.bench.colors()->margins != nullptr);
+    QTRY_VERIFY(s.pixel(*s.right, 16, 12).lightness() < 60);
+  }
+
+  void whatWasChosenComesBack() {
+    Shown s;
+    s.tool("colorToolWand");
+    child<QSlider>(s.view, "colorOpacity")->setValue(40);
+    child<QComboBox>(s.view, "colorRightLayer")->setCurrentIndex(3);
+    ColorImageView other(s.world.context);
+    other.restoreState(s.view.saveState());
+    QVERIFY(child<QToolButton>(other, "colorToolWand")->isChecked());
+    QCOMPARE(child<QSlider>(other, "colorOpacity")->value(), 40);
+    QCOMPARE(child<QComboBox>(other, "colorRightLayer")->currentIndex(), 3);
+    other.restoreState({});
+  }
+
+  void looksRight() {
+    Shown s;
+    s.choose("orange");
+    s.drag({{5, 5}, {9, 8}});
+    s.choose("green");
+    s.drag({{26, 5}, {34, 8}});
+    QTest::keyClick(s.left, Qt::Key_C);
+    moveMouse(*s.left, s.at(10, 10));
+    keepPicture(s.view, "color-image-view");
+  }
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::ColorImageViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "ColorImageViewTest.moc"
