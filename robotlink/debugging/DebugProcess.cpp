@@ -12,6 +12,7 @@
 #include "robotlink/debugging/ProcessTable.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
+#include "robotlink/packages/Checksum.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 
@@ -69,7 +70,8 @@ struct DebugProcess::Implementation {
   void sendTo(const std::string& name, const std::string& what, const Request& request);
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
-  void answer(const Request& request, const std::string& refusal);
+  /// `taken`: the checksum of what was handed over.
+  void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
   void noticeStopped();
   void sendTables();
   void fillProcesses(robotcontrol::ProcessTable& to) const;
@@ -214,7 +216,7 @@ void DebugProcess::Implementation::sendColorTable(const Request& request) {
   if (const std::string wrong = wrongWith(table); !wrong.empty()) return answer(request, wrong);
   if (!colorTable.connected()) return answer(request, "no task of this layout uses a colour table");
   colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
-  answer(request, "");
+  answer(request, "", checksum(table));
 }
 
 /// `what`: the task or key that the request is about.
@@ -242,11 +244,12 @@ void DebugProcess::Implementation::sendToAll(const Request& request) {
   }
 }
 
-void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal) {
+void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal, std::uint64_t taken) {
   auto& told = *debug.add(streams::kResults).mutable_result();
   told.set_id(request.id());
   told.set_accepted(refusal.empty());
   told.set_reason(refusal);
+  told.set_checksum(taken);
 }
 
 // ---- Processes

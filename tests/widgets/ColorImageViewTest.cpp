@@ -247,6 +247,53 @@ class ColorImageViewTest : public QObject {
     QTRY_VERIFY(s.pixel(*s.right, 16, 12).lightness() < 60);
   }
 
+  void theTableIsSentAndConfirmed() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    auto* sent = child<QLabel>(s.view, "colorSent");
+    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QCOMPARE(s.world.requests.size(), std::size_t{1});
+    QCOMPARE(s.world.requests[0].robot(), std::string("red1"));
+    const auto& table = s.world.requests[0].set_color_table().table();
+    QCOMPARE(table.class_names(0), std::string("orange"));
+    QCOMPARE(static_cast<int>(table.cells()[colortool::ColorTable::cellOf({140, 60, 200})]), 1);
+    QVERIFY(sent->text().contains(QStringLiteral("Sending")));
+    s.world.advance();
+    QVERIFY2(sent->text().startsWith(QStringLiteral("✓ red1 uses it")), qPrintable(sent->text()));
+    s.world.refusal = "no task uses a colour table";
+    QTest::keyClick(s.left, Qt::Key_Return, Qt::ControlModifier);
+    s.world.advance();
+    QVERIFY2(sent->text().contains(QStringLiteral("refuses it: no task")), qPrintable(sent->text()));
+    s.world.refusal.clear();
+    s.world.wrongChecksum = true;
+    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    s.world.advance();
+    QVERIFY2(sent->text().contains(QStringLiteral("send it again")), qPrintable(sent->text()));
+  }
+
+  void eachNewTableIsSentWhileThatIsOn() {
+    Shown s;
+    QTest::mouseClick(child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    s.world.advance();
+    const std::size_t before = s.world.requests.size();
+    s.choose("orange");
+    s.click(8, 7);
+    QTRY_COMPARE(s.world.requests.size(), before + 1);
+    s.choose("green");
+    s.click(30, 7);
+    QCOMPARE(s.world.requests.size(), before + 1);  // the last one is not yet confirmed
+    s.world.advance();
+    QTRY_COMPARE(s.world.requests.size(), before + 2);
+    const auto& cells = s.world.requests.back().set_color_table().table().cells();
+    QVERIFY(cells[colortool::ColorTable::cellOf({90, 110, 90})] != 0);
+    s.world.advance();
+    QTest::mouseClick(child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);
+    s.click(35, 7);
+    s.world.advance();
+    QCOMPARE(s.world.requests.size(), before + 2);
+  }
+
   void whatWasChosenComesBack() {
     Shown s;
     s.tool("colorToolWand");

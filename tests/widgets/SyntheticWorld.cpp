@@ -17,6 +17,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/packages/Checksum.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace widgets::test {
@@ -85,6 +86,8 @@ SyntheticWorld::SyntheticWorld() : context{session, commands, field2002(), {}} {
     result.set_id(request.id());
     result.set_accepted(refusal.empty());
     result.set_reason(refusal);
+    if (request.has_set_color_table())
+      result.set_checksum(robotlink::checksum(request.set_color_table().table()) + wrongChecksum);
     session.pushResult(result);
   });
 }

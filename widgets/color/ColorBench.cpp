@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "colortool/ClassPresets.h"
+#include "widgets/color/ColorSender.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace widgets {
@@ -41,6 +42,7 @@ ColorBench::ColorBench(const ViewContext& context, QObject* parent)
   colortool::Samples samples;
   samples.classes = colortool::classPresets().front().classes();
   document_ = colortool::SampleDocument(std::move(samples));
+  sender_ = new ColorSender(*this);
   learner_ = std::make_unique<ColorLearner>(
       [this] { QMetaObject::invokeMethod(this, &ColorBench::takeNews, Qt::QueuedConnection); });
   ask();

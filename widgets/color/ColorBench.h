@@ -16,6 +16,8 @@
 
 namespace widgets {
 
+class ColorSender;
+
 /// An image that the user put aside, to come back to it.
 struct CollectedFrame {
   ColorFramePtr frame;
@@ -87,6 +89,7 @@ class ColorBench final : public QObject {
   void clearSelection();
 
   robotlink::Session& session() const { return session_; }
+  ColorSender& sender() { return *sender_; }
 
  Q_SIGNALS:
   /// Classes, settings or strokes are others; also by undo and redo.
@@ -122,6 +125,7 @@ class ColorBench final : public QObject {
   std::uint64_t asked_ = 0;
   colortool::CellSet selection_;
   bool selected_ = false;
+  ColorSender* sender_ = nullptr;          // a child
   std::unique_ptr<ColorLearner> learner_;  // last: it uses the others
 };
 

@@ -15,11 +15,13 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorSender.h"
 #include "widgets/color/ColorStrip.h"
 #include "widgets/color/ColorToolRow.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamChoice.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/models/Theme.h"
 
 namespace widgets {
 namespace {
@@ -69,7 +71,13 @@ void ColorImageView::createActions() {
   cancel_ =
       makeAction(this, "close",
                  {"colorCancel", tr("Cancel"), tr("Gives up the stroke, or the selection"), Qt::Key_Escape});
-  for (QAction* action : {freeze_, twoPictures_, showStrokes_}) action->setCheckable(true);
+  send_ = makeAction(this, "send",
+                     {"colorSend", tr("Send"), tr("Gives the table to the selected robot's program"),
+                      QKeySequence(QStringLiteral("Ctrl+Return"))});
+  autoSend_ =
+      makeAction(this, "auto-send",
+                 {"colorAutoSend", tr("Send always"), tr("Gives each new table to the robot at once")});
+  for (QAction* action : {freeze_, twoPictures_, showStrokes_, autoSend_}) action->setCheckable(true);
   twoPictures_->setChecked(true);
   showStrokes_->setChecked(true);
 }
@@ -106,6 +114,7 @@ QWidget* ColorImageView::createStreamRow() {
   describe(*rightLayer_, {"colorRightLayer", tr("Right picture"), tr("What the right picture shows")});
   rightLayer_->addItems({tr("Classes"), tr("Classes by the reference"), tr("Difference"), tr("Ambiguity")});
   row->addWidget(rightLayer_);
+  addButtons(row, {send_, autoSend_});
   return row->parentWidget();
 }
 
@@ -113,6 +122,7 @@ QWidget* ColorImageView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "colorTime", tr("Time of the image"));
   state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
+  sent_ = addLabel(footer, "colorSent", tr("Whether the robot uses this table"));
   pixel_ = addLabel(footer, "colorPixel",
                     tr("Pixel under the cursor: position, colour, class, how sure it is, cell"));
   zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
@@ -154,6 +164,10 @@ void ColorImageView::connectSignals() {
   });
   connect(toolRow_, &ColorToolRow::toolChanged, this, &ColorImageView::applyTool);
   connect(toolRow_, &ColorToolRow::opacityChanged, this, &ColorImageView::applyLayers);
+  ColorSender& sender = bench_.sender();
+  connect(send_, &QAction::triggered, &sender, &ColorSender::send);
+  connect(autoSend_, &QAction::toggled, &sender, &ColorSender::setAutoSend);
+  connect(&sender, &ColorSender::changed, this, &ColorImageView::showSending);
   connect(rightLayer_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ColorImageView::showColors);
   connect(&bench_, &ColorBench::frameChanged, this, &ColorImageView::showFrame);
   connect(&bench_, &ColorBench::colorsChanged, this, &ColorImageView::showColors);
@@ -278,6 +292,18 @@ void ColorImageView::applyLayers() {
   left_->setLayers(leftLayers_);
   right_->setLayers(rightLayers_);
   right_->setCaption(rightCaption());
+}
+
+void ColorImageView::showSending() {
+  const ColorSender& sender = bench_.sender();
+  const bool good = sender.state() == ColorSender::State::kConfirmed;
+  const bool bad = sender.state() == ColorSender::State::kFailed;
+  sent_->setText(good ? QStringLiteral("✓ %1").arg(sender.text()) : sender.text());
+  QPalette colors = palette();
+  if (good || bad)
+    colors.setColor(QPalette::WindowText, colorOf(good ? Meaning::kGood : Meaning::kBad, palette()));
+  sent_->setPalette(colors);
+  autoSend_->setChecked(sender.autoSend());
 }
 
 void ColorImageView::updateStatus() {

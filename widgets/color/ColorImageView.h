@@ -54,6 +54,7 @@ class ColorImageView final : public View {
   void applyLayers();
   QImage rightImage() const;
   QString rightCaption() const;
+  void showSending();
   void updateStatus();
   void updatePixel();
   QString marginText(std::size_t cell) const;
@@ -75,10 +76,10 @@ class ColorImageView final : public View {
   StreamChoice* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QComboBox* rightLayer_ = nullptr;
-  QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr;
+  QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr, *sent_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
   QAction *freeze_ = nullptr, *collect_ = nullptr, *twoPictures_ = nullptr, *showStrokes_ = nullptr;
-  QAction* cancel_ = nullptr;
+  QAction *cancel_ = nullptr, *send_ = nullptr, *autoSend_ = nullptr;
 
   ColorFramePtr pinned_;  ///< one of the strip, instead of the stream's
   ColorLayers leftLayers_, rightLayers_;

@@ -12,6 +12,7 @@
 #include <QToolButton>
 
 #include "widgets/Controls.h"
+#include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorBench.h"
 
 namespace widgets {
@@ -76,13 +77,6 @@ ColorToolRow::ColorToolRow(ColorBench& bench, QWidget* owner) : QWidget(owner), 
   connect(opacity_, &QSlider::valueChanged, this, &ColorToolRow::opacityChanged);
   connect(&bench_, &ColorBench::samplesChanged, this, &ColorToolRow::updateClass);
   connect(&bench_, &ColorBench::meaningChanged, this, &ColorToolRow::updateClass);
-  QUndoStack& stack = bench_.undoStack();
-  connect(undo_, &QAction::triggered, &stack, &QUndoStack::undo);
-  connect(redo_, &QAction::triggered, &stack, &QUndoStack::redo);
-  connect(&stack, &QUndoStack::canUndoChanged, undo_, &QAction::setEnabled);
-  connect(&stack, &QUndoStack::canRedoChanged, redo_, &QAction::setEnabled);
-  undo_->setEnabled(stack.canUndo());
-  redo_->setEnabled(stack.canRedo());
   update();
   updateClass();
 }
@@ -96,9 +90,9 @@ void ColorToolRow::createTools(QWidget* owner) {
     tools_->addAction(action);
     if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
-  undo_ = makeAction(owner, "undo",
-                     {"colorUndo", tr("Undo"), tr("Takes the last change back"), QKeySequence::Undo});
-  redo_ = makeAction(owner, "redo", {"colorRedo", tr("Redo"), tr("Makes it again"), QKeySequence::Redo});
+  const ColorActions common = addColorActions(*owner, "color", bench_);
+  undo_ = common.undo;
+  redo_ = common.redo;
 }
 
 void ColorToolRow::createControls() {
@@ -148,9 +142,6 @@ void ColorToolRow::createShortcuts(QWidget* owner) {
     made->setContext(Qt::WidgetWithChildrenShortcut);
     connect(made, &QShortcut::activated, this, action);
   };
-  for (int digit = 0; digit <= 9; ++digit)
-    shortcut(Qt::Key_0 + digit, [this, digit] { bench_.setCurrentClass(digit); });
-  shortcut(Qt::Key_N, [this] { bench_.setMustNotBe(!bench_.mustNotBe()); });
   shortcut(Qt::Key_BracketLeft, [this] { scaleRadius(0.8); });
   shortcut(Qt::Key_BracketRight, [this] { scaleRadius(1.25); });
 }

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorSender.h"
+
+#include <QPointer>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Perception.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/packages/Checksum.h"
+#include "robotlink/session/Session.h"
+#include "widgets/color/ColorBench.h"
+
+namespace widgets {
+namespace {
+
+constexpr std::chrono::seconds kPatience(5);
+
+QString hex(std::uint64_t checksum) {
+  return QStringLiteral("%1").arg(checksum, 16, 16, QLatin1Char('0')).left(8);
+}
+
+}  // namespace
+
+ColorSender::ColorSender(ColorBench& bench) : QObject(&bench), bench_(bench) {
+  patience_.setSingleShot(true);
+  connect(&patience_, &QTimer::timeout, this, [this] {
+    ++asked_;  // an answer that comes now is too late
+    tell(State::kFailed,
+         tr("%1 does not answer; is its program running?").arg(QString::fromStdString(robot_)));
+  });
+  connect(&bench_, &ColorBench::colorsChanged, this, &ColorSender::sendNew);
+}
+
+void ColorSender::setAutoSend(bool on) {
+  if (on == autoSend_) return;
+  autoSend_ = on;
+  Q_EMIT changed();
+  sendNew();
+}
+
+void ColorSender::sendNew() {
+  const LearnedColors* colors = bench_.colors();
+  if (autoSend_ && colors != nullptr && colors->table != sent_) send();
+}
+
+void ColorSender::send() {
+  const LearnedColors* colors = bench_.colors();
+  if (colors == nullptr) return;
+  if (state_ == State::kSending) {
+    again_ = true;
+    return;
+  }
+  robotlink::Session& session = bench_.session();
+  robot_ = session.selectedRobot();
+  if (robot_.empty()) return tell(State::kFailed, tr("There is no robot to send it to"));
+  sent_ = colors->table;
+  robotcontrol::Request request;
+  request.set_robot(robot_);
+  robotcontrol::ColorTable& table = *request.mutable_set_color_table()->mutable_table();
+  const auto& classes = colors->samples.classes;
+  for (int i = 1; i < classes.size(); ++i) table.add_class_names(classes.name(i));
+  const auto cells = colors->table->cells();
+  table.set_cells(cells.data(), cells.size());
+  expected_ = robotlink::checksum(table);
+  tell(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));
+  patience_.start(kPatience);
+  session.request(std::move(request), [guard = QPointer<ColorSender>(this),
+                                       number = ++asked_](const robotcontrol::RequestResult& result) {
+    if (guard && guard->asked_ == number) guard->take(result);
+  });
+}
+
+void ColorSender::take(const robotcontrol::RequestResult& result) {
+  patience_.stop();
+  const QString robot = QString::fromStdString(robot_);
+  if (!result.accepted())
+    tell(State::kFailed, tr("%1 refuses it: %2").arg(robot, QString::fromStdString(result.reason())));
+  else if (result.checksum() != expected_)
+    tell(State::kFailed, tr("%1 got something else (%2 instead of %3); send it again")
+                             .arg(robot, hex(result.checksum()), hex(expected_)));
+  else
+    tell(State::kConfirmed, tr("%1 uses it (%2)").arg(robot, hex(expected_)));
+  if (std::exchange(again_, false)) send();
+  sendNew();
+}
+
+void ColorSender::tell(State state, const QString& text) {
+  state_ = state;
+  text_ = text;
+  Q_EMIT changed();
+}
+
+}  // namespace widgets
