@@ -84,4 +84,10 @@ robotlink::Rgb spareColor(int number) {
   return {channel(5), channel(3), channel(1)};
 }
 
+NamedColor spareClass(int number, std::span<const NamedColor> others) {
+  NamedColor spare{"class " + std::to_string(number), spareColor(number)};
+  while (std::ranges::find(others, spare.name, &NamedColor::name) != others.end()) spare.name += "'";
+  return spare;
+}
+
 }  // namespace colortool

@@ -40,5 +40,8 @@ robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names
 
 /// A colour for a class that has none; those of the first dozen numbers can be told apart.
 robotlink::Rgb spareColor(int number);
+/// What a class of which only the number is known is called and shown in: "class 9", and something behind it
+/// where one of `others` has that name.
+NamedColor spareClass(int number, std::span<const NamedColor> others);
 
 }  // namespace colortool

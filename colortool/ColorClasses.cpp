@@ -33,11 +33,9 @@ std::vector<std::string> ColorClasses::names() const {
 }
 
 ColorClasses unite(const ColorClasses& first, const ColorClasses& second) {
-  std::vector<NamedColor> classes;
-  for (int i = 1; i < first.size(); ++i) classes.push_back({first.name(i), first.shownColor(i)});
-  for (int i = 1; i < second.size(); ++i) {
-    if (first.index(second.name(i)) == ColorClasses::kNone)
-      classes.push_back({second.name(i), second.shownColor(i)});
+  std::vector<NamedColor> classes(first.colors().begin(), first.colors().end());
+  for (const NamedColor& one : second.colors()) {
+    if (first.index(one.name) == ColorClasses::kNone) classes.push_back(one);
   }
   return ColorClasses(std::move(classes));
 }

@@ -38,7 +38,9 @@ class ColorClasses {
   robotlink::Rgb shownColor(int index) const { return classes_[static_cast<std::size_t>(index)].rgb; }
   /// kNone if there is no such class.
   std::uint8_t index(std::string_view name) const;
-  /// Of the classes from 1 on: class n is names()[n - 1].
+  /// The classes from 1 on: class n is colors()[n - 1]. Valid as long as this is.
+  std::span<const NamedColor> colors() const { return std::span(classes_).subspan(1); }
+  /// The same, their names alone.
   std::vector<std::string> names() const;
 
   bool operator==(const ColorClasses&) const = default;

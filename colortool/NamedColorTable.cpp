@@ -124,10 +124,10 @@ tl::expected<ColorClasses, Errors> parseColorClasses(std::string_view text, cons
 }
 
 void NamedColorTable::nameAll() {
-  std::vector<NamedColor> more;
+  std::vector<NamedColor> all(classes.colors().begin(), classes.colors().end());
   for (int number = classes.size(); number <= highestClass(file); ++number)
-    more.push_back({fmt::format("class {}", number), spareColor(number)});
-  classes = unite(classes, ColorClasses(std::move(more)));
+    all.push_back(spareClass(number, all));
+  classes = ColorClasses(std::move(all));
 }
 
 std::filesystem::path NamedColorTable::classesFile(const std::filesystem::path& table) {

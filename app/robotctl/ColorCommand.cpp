@@ -38,12 +38,13 @@ colortool::ColorTable singleTable(const colortool::ColorTableFile& file) {
 }
 
 void addColorCommand(CLI::App& app, int& status) {
-  CLI::App* color = app.add_subcommand("color", "Makes, scores, shows and compares colour tables");
+  CLI::App* color = app.add_subcommand("color", "Makes, scores, shows, compares and converts colour tables");
   color->require_subcommand(1);
   addColorTrainCommand(*color, status);
   addColorEvaluateCommand(*color, status);
   addColorTableCommands(*color, status);
   addColorSegmentCommand(*color, status);
+  addColorConvertCommand(*color, status);
 }
 
 }  // namespace app

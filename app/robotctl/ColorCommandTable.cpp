@@ -3,7 +3,6 @@
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
-#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 
@@ -23,7 +22,8 @@ struct TableArguments {
   bool json = false;
 };
 
-/// The cells of each class, those of several under all their names: "orange+red".
+}  // namespace
+
 std::map<std::string, std::uint64_t> cellCounts(const NamedColorTable& table) {
   std::map<std::uint8_t, std::uint64_t> counts;
   for (const std::uint8_t cell : table.file.cells) ++counts[cell];
@@ -39,22 +39,25 @@ std::map<std::string, std::uint64_t> cellCounts(const NamedColorTable& table) {
   return named;
 }
 
-int info(const TableArguments& arguments) {
-  const auto table = loadTable(arguments.table, arguments.classes);
-  if (!table) return printErrors(table.error());
-  const auto counts = cellCounts(*table);
-  if (arguments.json) {
-    std::cout << nlohmann::ordered_json{{"file", arguments.table},
-                                        {"classes", table->classes.names()},
-                                        {"cells", counts}}
-                     .dump(2)
-              << "\n";
-    return kDone;
-  }
-  for (const auto& [name, count] : counts) {
+void printCells(const NamedColorTable& table) {
+  for (const auto& [name, count] : cellCounts(table)) {
     std::printf("%-24s %7llu cells %6.2f %%\n", name.c_str(), static_cast<unsigned long long>(count),
                 100 * static_cast<double>(count) / static_cast<double>(ColorTableFile::kCellCount));
   }
+}
+
+namespace {
+
+int info(const TableArguments& arguments) {
+  const auto table = loadTable(arguments.table, arguments.classes);
+  if (!table) return printErrors(table.error());
+  if (!arguments.json) {
+    printCells(*table);
+    return kDone;
+  }
+  const nlohmann::ordered_json result{
+      {"file", arguments.table}, {"classes", table->classes.names()}, {"cells", cellCounts(*table)}};
+  std::cout << result.dump(2) << "\n";
   return kDone;
 }
 

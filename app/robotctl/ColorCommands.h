@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
+#include <map>
 #include <string>
 #include <vector>
 
@@ -19,6 +21,7 @@ void addColorTrainCommand(CLI::App& color, int& status);
 void addColorEvaluateCommand(CLI::App& color, int& status);
 void addColorTableCommands(CLI::App& color, int& status);
 void addColorSegmentCommand(CLI::App& color, int& status);
+void addColorConvertCommand(CLI::App& color, int& status);
 
 /// What the option --classes was given: the name of a preset alone, or names; empty if it was not.
 using ClassNames = std::vector<std::string>;
@@ -31,6 +34,10 @@ tl::expected<colortool::NamedColorTable, robotlink::Errors> loadTable(const std:
 /// Stands in a folder of labels and says what their numbers are, as the text beside a table does.
 constexpr const char* kLabelClassesFile = "labels.classes";
 
+/// The cells of each class, those of several under all their names: "orange+red".
+std::map<std::string, std::uint64_t> cellCounts(const colortool::NamedColorTable& table);
+/// The same for people, on the standard output.
+void printCells(const colortool::NamedColorTable& table);
 /// A table's cells with one class each.
 colortool::ColorTable singleTable(const colortool::ColorTableFile& file);
 

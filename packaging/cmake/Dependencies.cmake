@@ -18,6 +18,7 @@ pkg_check_modules(ODE REQUIRED IMPORTED_TARGET ode)
 pkg_check_modules(LZ4 REQUIRED IMPORTED_TARGET liblz4)
 pkg_check_modules(ZSTD REQUIRED IMPORTED_TARGET libzstd)
 pkg_check_modules(DEFLATE REQUIRED IMPORTED_TARGET libdeflate)
+find_package(BZip2 REQUIRED)
 find_package(JPEG REQUIRED)
 find_package(PNG REQUIRED)
 # Of OpenCV only what learns; its CMake files come with all of it, which is ten times as much.

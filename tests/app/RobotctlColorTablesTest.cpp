@@ -88,4 +88,65 @@ TEST_F(RobotctlColorTables, cellsOfSeveralClassesAreKeptWhereThereIsRoom) {
   EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("orange"), cells.at("orange+red"));
 }
 
+TEST_F(RobotctlColorTables, tablesOfOthersAreConverted) {
+  std::string map = "TMAP\nYUV8\n2 1 1\n";
+  map += '\0';
+  map += '\2';
+  std::ofstream(folder_ / "other.tm", std::ios::binary) << map;
+  std::ofstream(folder_ / "other.col") << "2 (1 2 3) \"bright\"\n";
+  const auto converted = color("convert other.tm t.c64");
+  EXPECT_EQ(converted.status, 0) << converted.errors;
+  EXPECT_THAT(converted.out, HasSubstr("t.c64: a table of Tekkotsu and CMPack, 2 x 1 x 1 cells"));
+  EXPECT_THAT(converted.out, HasSubstr("bright                    131072 cells  50.00 %"));
+  EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("bright"), 131072);
+  ASSERT_EQ(color("convert other.tm t.c64 --classes 2002").status, 0);
+  EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("yellow"), 131072);
+}
+
+TEST_F(RobotctlColorTables, whatAConvertedTableLacksIsTold) {
+  std::string bytes(std::size_t{128} * 128 * 128, '\0');
+  bytes[0] = 6;
+  std::ofstream(folder_ / "fine.lut", std::ios::binary) << bytes;
+  const auto converted = color("convert fine.lut t.c64");
+  EXPECT_EQ(converted.status, 3);
+  EXPECT_THAT(converted.errors, HasSubstr("t.c64: 1 cells were of several classes in the finer table"));
+  EXPECT_EQ(color("convert fine.lut t.c64 --format runswift").status, 3) << "0 is a class of theirs";
+  EXPECT_EQ(json::parse(color("info --json t.c64").out).at("cells").at("orange"), 262144);
+}
+
+TEST_F(RobotctlColorTables, whatIsNoTableIsNotConverted) {
+  const auto fails = [&](const std::string& arguments, const std::string& says) {
+    const auto outcome = color("convert " + arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_THAT(outcome.errors, HasSubstr(says));
+    EXPECT_FALSE(std::filesystem::exists(folder_ / "t.c64"));
+  };
+  fails("strokes.csv t.c64", "strokes.csv: no format is known of which a table has these");
+  fails("strokes.csv t.c64 --format upenn", "a table of the UPennalizers has 262144 bytes");
+  fails("nothing.lut t.c64", "nothing.lut");
+  std::ofstream(folder_ / "damaged.bz2") << "BZh9 and nothing more";
+  fails("damaged.bz2 t.c64", "damaged.bz2: this bzip2 file is damaged");
+  EXPECT_EQ(color("convert strokes.csv t.c64 --format magic").status, 2);
+}
+
+TEST(RobotctlColorReal, tablesOfOtherTeamsAreConverted) {
+  const std::filesystem::path real = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour";
+  if (!std::filesystem::exists(real)) GTEST_SKIP() << "the real tables are not here: ../shared/data/colour";
+  const TestFolder folder;
+  for (const auto& [name, status] :
+       std::map<std::string, int>{{"nubots2013_default_RC2013.lut.bz2", 3},
+                                  {"runswift2005_tightnnmc_128.cal.bz2", 3},
+                                  {"upenn_Germany2016_10am_Top_64bitmask.raw.bz2", 0},
+                                  {"ers7/tekkotsu_7general.tm", 0}}) {
+    const auto converted = runRobotctl(folder.path(), "color convert '" + (real / name).string() + "' t.c64");
+    EXPECT_EQ(converted.status, status) << name << converted.errors;
+    EXPECT_EQ(runRobotctl(folder.path(), "color info t.c64").status, 0) << name;
+    EXPECT_THAT(textOf(folder / "t.c64.classes"), HasSubstr("\norange #")) << name;
+  }
+  const auto same = real / "bhuman2009/tables/default.c64";
+  ASSERT_EQ(runRobotctl(folder.path(), "color convert '" + same.string() + "' t.c64").status, 0);
+  EXPECT_EQ(textOf(folder / "t.c64"), textOf(same));
+  EXPECT_FALSE(std::filesystem::exists(folder / "t.c64.classes"));
+}
+
 }  // namespace

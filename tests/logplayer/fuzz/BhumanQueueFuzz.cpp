@@ -6,7 +6,7 @@
 
 #include "logplayer/bhuman/QueueImport.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
-#include "tests/logplayer/fuzz/FuzzTarget.h"
+#include "tests/fuzz/FuzzTarget.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

@@ -5,7 +5,7 @@
 
 #include "logplayer/ImageCoding.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
-#include "tests/logplayer/fuzz/FuzzTarget.h"
+#include "tests/fuzz/FuzzTarget.h"
 
 using namespace logplayer;
 using robotlink::Image;

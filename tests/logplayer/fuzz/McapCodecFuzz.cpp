@@ -4,7 +4,7 @@
 
 #include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/ChunkLoader.h"
-#include "tests/logplayer/fuzz/FuzzTarget.h"
+#include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 
 // The input is records one after the other. What is decoded must be decoded the same after it was encoded.

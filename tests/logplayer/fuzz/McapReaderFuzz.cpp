@@ -7,7 +7,7 @@
 #include <filesystem>
 
 #include "logplayer/mcap/Reader.h"
-#include "tests/logplayer/fuzz/FuzzTarget.h"
+#include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 
 using namespace logplayer::mcap;

@@ -11,7 +11,7 @@
 #include <fstream>
 #include <random>
 
-#include "tests/logplayer/fuzz/FuzzTarget.h"
+#include "tests/fuzz/FuzzTarget.h"
 
 // Runs a fuzzing target without libFuzzer: over its seeds as they are, then over random mutations of them.
 // Every input depends on its number alone, so that one that crashed can be run again.

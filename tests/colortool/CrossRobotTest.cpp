@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// A table learned from what one real Aibo saw, and scored on what the others saw.
+#include <gtest/gtest.h>
+
+#include <map>
+#include <random>
+
+#include "colortool/ColorVotes.h"
+#include "tests/colortool/AiboPatches.h"
+
+namespace {
+
+using colortool::ColorTable;
+using colortool::ColorVotes;
+
+using Colors = std::vector<robotlink::YCbCr>;
+using Session = std::map<std::string, Colors>;  // by label
+
+constexpr std::size_t kPixelsOfAStroke = 29;
+
+std::map<std::string, Session> sessions(const std::vector<AiboPixel>& pixels) {
+  std::map<std::string, Session> result;
+  for (const AiboPixel& pixel : pixels) result[pixel.session][pixel.label].push_back(pixel.color);
+  return result;
+}
+
+/// Learns from as many pixels of each colour as a stroke has, chosen at random.
+ColorTable learned(const Session& session, unsigned seed) {
+  ColorVotes votes(static_cast<int>(session.size()) + 1);
+  std::mt19937 random(seed);
+  std::uint8_t colorClass = 0;
+  for (const auto& [label, colors] : session) {
+    ++colorClass;
+    for (std::size_t i = 0; i < kPixelsOfAStroke; ++i)
+      votes.add(ColorTable::cellOf(colors[random() % colors.size()]), colorClass, ColorVotes::kUnit);
+  }
+  return votes.update();
+}
+
+struct Score {
+  std::uint64_t right = 0, all = 0;
+  double share() const { return static_cast<double>(right) / static_cast<double>(all); }
+};
+
+void add(Score& score, const ColorTable& table, const Session& session) {
+  std::uint8_t colorClass = 0;
+  for (const auto& [label, colors] : session) {
+    ++colorClass;
+    for (const robotlink::YCbCr color : colors) score.right += table.classOf(color) == colorClass ? 1 : 0;
+    score.all += colors.size();
+  }
+}
+
+TEST(CrossRobot, aTableOfOneAiboSortsTheColoursOfTheOthers) {
+  const auto robots = sessions(readAiboPatches());
+  if (robots.empty())
+    GTEST_SKIP() << "the labelled pixels are not in ../shared/data/colour/ers7, or xz is missing";
+  ASSERT_GE(robots.size(), 2U);
+  Score total;
+  for (const auto& [teacher, session] : robots) {
+    ASSERT_EQ(session.size(), 7U) << teacher;
+    Score score;
+    for (unsigned seed = 1; seed <= 3; ++seed) {
+      const ColorTable table = learned(session, seed);
+      for (const auto& [pupil, other] : robots) {
+        if (pupil != teacher) add(score, table, other);
+      }
+    }
+    // One of the robots sees green nearly as blue as others see light blue.
+    EXPECT_GT(score.share(), 0.997) << "learned from " << teacher;
+    total.right += score.right;
+    total.all += score.all;
+  }
+  EXPECT_GE(total.share(), 0.999) << total.right << " of " << total.all;
+}
+
+}  // namespace

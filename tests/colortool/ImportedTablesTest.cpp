@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The real tables of other teams: what they make of colours that real robots saw, and that people named.
+#include <gtest/gtest.h>
+
+#include "colortool/ColorImage.h"
+#include "colortool/ColorTable.h"
+#include "colortool/TableImport.h"
+#include "logplayer/ImageCoding.h"
+#include "robotlink/base/AtomicFile.h"
+#include "tests/colortool/AiboPatches.h"
+
+namespace {
+
+using colortool::ColorTable;
+using colortool::ImportedTable;
+using colortool::TableFormat;
+
+const std::filesystem::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour";
+
+class ImportedTables : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!std::filesystem::exists(kData))
+      GTEST_SKIP() << "the real tables are not here: ../shared/data/colour";
+  }
+  static ImportedTable read(const std::string& name) {
+    auto imported = colortool::importTable(kData / name);
+    EXPECT_TRUE(imported) << robotlink::describe(imported.error());
+    return imported.value_or(ImportedTable());
+  }
+  static std::string classOf(const ImportedTable& imported, robotlink::YCbCr color) {
+    return imported.table.classes.name(imported.table.file.cells[ColorTable::cellOf(color)]);
+  }
+  /// The share of labelled pixels of an Aibo's colour that a table calls `name`.
+  static double share(const ImportedTable& imported, const std::vector<AiboPixel>& pixels,
+                      const std::string& label, const std::string& name) {
+    double all = 0, found = 0;
+    for (const AiboPixel& pixel : pixels) {
+      if (pixel.label != label) continue;
+      ++all;
+      if (classOf(imported, pixel.color) == name) ++found;
+    }
+    return all == 0 ? 0 : found / all;
+  }
+};
+
+TEST_F(ImportedTables, ofTheNUbotsCallsABrightOrangeOrange) {
+  const ImportedTable imported = read("nubots2013_default_RC2013.lut.bz2");
+  EXPECT_EQ(imported.format, TableFormat::kNUbots);
+  EXPECT_EQ(classOf(imported, robotlink::toYCbCr({255, 110, 0})), "orange");
+  EXPECT_EQ(classOf(imported, robotlink::toYCbCr({230, 200, 20})), "yellow");
+  EXPECT_EQ(classOf(imported, robotlink::toYCbCr({0, 150, 60})), "green");
+  EXPECT_EQ(classOf(imported, robotlink::toYCbCr({0, 0, 255})), "none");
+  EXPECT_LT(imported.mixedCells, 2500U);
+}
+
+TEST_F(ImportedTables, ofTheUPennalizersKnowsItsCarpetAndItsLines) {
+  const ImportedTable imported = read("upenn_Germany2016_10am_Top_64bitmask.raw.bz2");
+  EXPECT_EQ(imported.format, TableFormat::kUPenn);
+  EXPECT_EQ(std::ranges::count(imported.table.file.cells, 4), 421);
+  EXPECT_EQ(imported.reducedCells, 0U);
+  EXPECT_EQ(classOf(imported, {97, 137, 86}), "field");
+  EXPECT_EQ(classOf(imported, {174, 129, 110}), "white");
+  EXPECT_EQ(classOf(imported, {20, 128, 128}), "none");
+}
+
+TEST_F(ImportedTables, ofRunswiftNamesTheColoursThatItsRobotsSaw) {
+  const auto pixels = readAiboPatches();
+  if (pixels.empty()) GTEST_SKIP() << "the labelled pixels are not here, or xz is not";
+  const ImportedTable imported = read("runswift2005_tightnnmc_128.cal.bz2");
+  EXPECT_EQ(imported.format, TableFormat::kRunswift);
+  EXPECT_GT(share(imported, pixels, "yellow", "beaconYellow"), 0.99);
+  EXPECT_GT(share(imported, pixels, "pink", "beaconPink"), 0.97);
+  EXPECT_GT(share(imported, pixels, "lightblue", "beaconBlue"), 0.99);
+  EXPECT_GT(share(imported, pixels, "red", "robotRed"), 0.99);
+  EXPECT_GT(share(imported, pixels, "white", "white"), 0.93);
+  EXPECT_GT(share(imported, pixels, "blue", "none"), 0.9) << "a tight table";
+}
+
+TEST_F(ImportedTables, ofTekkotsuNamesTheColoursThatOtherAibosSaw) {
+  const auto pixels = readAiboPatches();
+  if (pixels.empty()) GTEST_SKIP() << "the labelled pixels are not here, or xz is not";
+  const ImportedTable imported = read("ers7/tekkotsu_7general.tm");
+  EXPECT_EQ(imported.format, TableFormat::kTekkotsu);
+  EXPECT_GT(share(imported, pixels, "yellow", "yellow"), 0.99);
+  EXPECT_GT(share(imported, pixels, "pink", "pink"), 0.97);
+  EXPECT_GT(share(imported, pixels, "lightblue", "blue"), 0.99);
+  EXPECT_GT(share(imported, pixels, "green", "green"), 0.98);
+  EXPECT_GT(share(imported, pixels, "white", "unsaturated"), 0.99);
+}
+
+TEST_F(ImportedTables, ofTekkotsuSortsTheImagesOfARealAibo) {
+  const ImportedTable imported = read("ers7/tekkotsu_7general.tm");
+  struct Thing {
+    const char *image, *name;
+    int x, y, radius;
+  };
+  for (const Thing& thing :
+       {Thing{"sample-image", "blue", 154, 190, 7}, Thing{"sample-image", "pink", 218, 183, 6},
+        Thing{"test2", "pink", 130, 70, 10}, Thing{"test3", "orange", 140, 85, 8},
+        Thing{"test4", "blue", 125, 55, 10}, Thing{"test5", "yellow", 79, 100, 10},
+        Thing{"test5", "orange", 136, 60, 5}, Thing{"test5", "green", 40, 140, 8}}) {
+    const auto bytes = robotlink::readFile(kData / "ers7" / (std::string(thing.image) + "_yuv.png"));
+    ASSERT_TRUE(bytes);
+    const auto image =
+        logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size()});
+    ASSERT_TRUE(image);
+    int all = 0, found = 0;
+    colortool::visitDisc(image->width, image->height, thing.x, thing.y, thing.radius, [&](int x, int y) {
+      // The three channels of the file are Y, Cb and Cr.
+      const std::uint8_t* pixel = image->row(y) + std::ptrdiff_t{3} * x;
+      ++all;
+      if (classOf(imported, {pixel[0], pixel[1], pixel[2]}) == thing.name) ++found;
+    });
+    EXPECT_GE(found, 0.9 * all) << thing.image << " at " << thing.x << ", " << thing.y << ": " << thing.name;
+  }
+}
+
+TEST_F(ImportedTables, ofBHumanIsTheSameFile) {
+  for (const char* name : {"default.c64", "simulator_scenes.c64"}) {
+    const auto file = kData / "bhuman2009/tables" / name;
+    const ImportedTable imported = read(std::string("bhuman2009/tables/") + name);
+    EXPECT_EQ(imported.format, TableFormat::kC64);
+    EXPECT_EQ(imported.table.file.bytes(), robotlink::readFile(file).value());
+  }
+}
+
+}  // namespace
