@@ -248,8 +248,12 @@ std::vector<PixelEdge> outline(const PixelArea& area) {
 }
 
 bool contains(const PixelArea& area, int x, int y) {
-  const auto row = std::ranges::equal_range(area, y, {}, &PixelRun::y);
-  return std::ranges::any_of(row, [x](const PixelRun& run) { return run.begin <= x && x < run.end; });
+  // Not by std::ranges::equal_range, with which clang 14 cannot read the standard library.
+  for (auto run = std::ranges::lower_bound(area, y, {}, &PixelRun::y); run != area.end() && run->y == y;
+       ++run) {
+    if (run->begin <= x && x < run->end) return true;
+  }
+  return false;
 }
 
 bool isValid(const PixelArea& area, int width, int height) {
