@@ -9,6 +9,7 @@
 #include "simcore/rendering/BodyTree.h"
 #include "simcore/rendering/DrawableMesh.h"
 #include "simcore/rendering/FrameMemory.h"
+#include "simcore/rendering/LensShading.h"
 #include "simcore/rendering/ShadowCaster.h"
 
 namespace simcore {
@@ -27,14 +28,26 @@ const Kernels& kernelsFor(CameraRenderer::Arithmetic arithmetic) {
   return kPortableKernels;
 }
 
-/// A colour in the channels of an image, chroma without its offset; the coefficients are those of
-/// robotlink::toYCbCr.
+/// The shares of red, green and blue that a light's warmth leaves.
+struct LightColor {
+  double red, green, blue;
+
+  explicit LightColor(double warmth)
+      : red(1 - std::max(-warmth, 0.0)), green(1 - std::abs(warmth) / 2), blue(1 - std::max(warmth, 0.0)) {}
+};
+
+/// A colour under a light in the channels of an image, chroma without its offset; the coefficients are those
+/// of robotlink::toYCbCr.
 struct Channels {
   float value[3];
 
-  Channels(Rgb color, PixelFormat format) : value{float(color.r), float(color.g), float(color.b)} {
+  Channels(Rgb color, const LightColor& light, PixelFormat format, double share = 1) {
+    const double r = color.r * light.red * share, g = color.g * light.green * share,
+                 b = color.b * light.blue * share;
+    value[0] = static_cast<float>(r);
+    value[1] = static_cast<float>(g);
+    value[2] = static_cast<float>(b);
     if (format != PixelFormat::kYuyv) return;
-    const double r = color.r, g = color.g, b = color.b;
     value[0] = static_cast<float>(0.299 * r + 0.587 * g + 0.114 * b);
     value[1] = static_cast<float>(-0.168736 * r - 0.331264 * g + 0.5 * b);
     value[2] = static_cast<float>(0.5 * r - 0.418688 * g - 0.081312 * b);
@@ -97,8 +110,15 @@ class CameraRenderer::Implementation {
 
   void render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
+  void setLighting(const Lighting& lighting) { lighting_ = lighting; }
+  void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:
+  /// An instance that may be seen in the last image, and its first triangle's record.
+  struct Drawn {
+    std::size_t instance;
+    std::int32_t firstRecord;
+  };
   void placeInstances();
   void drawInstances(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
                      VisibilityBuffer& buffer);
@@ -115,7 +135,12 @@ class CameraRenderer::Implementation {
   std::vector<Pose3> meshInWorld_;              ///< by instance
   std::vector<Eigen::Vector3d> centerInWorld_;  ///< of the bounding spheres, by instance
   std::vector<ShadeLamp> lamps_;
+  Lighting lighting_;
   bool moved_ = true;
+  // Of the last image.
+  std::vector<Drawn> drawn_;
+  int width_ = 0, height_ = 0;
+  std::vector<std::uint8_t> recordLabels_;
 };
 
 void CameraRenderer::Implementation::placeInstances() {
@@ -132,6 +157,8 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
                                                    PixelFormat format, VisibilityBuffer& buffer) {
   const Pose3 worldInCamera = cameraInWorld.inverse(Eigen::Isometry);
   const Frustum frustum(camera);
+  const LightColor light(lighting_.warmth);
+  drawn_.clear();
   for (std::size_t i = 0; i < scene_->instances.size(); ++i) {
     const RenderInstance& instance = scene_->instances[i];
     const DrawableMesh& mesh = meshes_[static_cast<std::size_t>(instance.mesh)];
@@ -148,9 +175,10 @@ void CameraRenderer::Implementation::drawInstances(const Pose3& cameraInWorld, c
       }
       job.cameraInMesh[row] = static_cast<float>(cameraInMesh[row]);
     }
-    std::copy_n(Channels(instance.color, format).value, 3, job.color);
+    std::copy_n(Channels(instance.color, light, format).value, 3, job.color);
     job.self = mesh.convex() ? static_cast<std::int32_t>(i) : -1;
     job.inFront = center.x() - mesh.bound().radius > 1e-3;
+    drawn_.push_back({i, buffer.recordCount});
     kernels_.draw(job, buffer);
   }
 }
@@ -160,7 +188,7 @@ void CameraRenderer::Implementation::placeLamps(const Pose3& worldInCamera) {
     const Lamp& lamp = scene_->lamps[i];
     const Eigen::Vector3f inCamera = (worldInCamera * lamp.position.cast<double>()).cast<float>();
     std::copy_n(inCamera.data(), 3, lamps_[i].inCamera);
-    lamps_[i].intensity = lamp.intensity;
+    lamps_[i].intensity = static_cast<float>(lamp.intensity * lighting_.brightness);
     lamps_[i].attenuation = lamp.attenuation;
     lamps_[i].cells = shadows_ ? shadows_->cells(i) : nullptr;
     lamps_[i].unsure = &memory_.unsure()[i];
@@ -195,15 +223,19 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
   image.width = std::max(0, format == PixelFormat::kYuyv ? camera.width & ~1 : camera.width);
   image.height = std::max(0, camera.height);
   image.data.resize(static_cast<std::size_t>(image.step()) * static_cast<std::size_t>(image.height));
+  width_ = image.width;
+  height_ = image.height;
   if (image.data.empty()) return;
 
   if (moved_) placeInstances();
-  VisibilityBuffer& buffer = memory_.begin(camera, Channels(scene_->background, image.format).value);
+  const Channels background(scene_->background, LightColor(lighting_.warmth), image.format,
+                            std::min(lighting_.brightness, 1.0));
+  VisibilityBuffer& buffer = memory_.begin(camera, background.value);
   drawInstances(cameraInWorld, camera, image.format, buffer);
   placeLamps(cameraInWorld.inverse(Eigen::Isometry));
 
   Strip strip = memory_.strip();
-  strip.ambient = scene_->ambient;
+  strip.ambient = static_cast<float>(scene_->ambient * lighting_.brightness);
   strip.gridSize = LampGrid::kSize;
   strip.lampCount = static_cast<int>(lamps_.size());
   strip.lamps = lamps_.data();
@@ -212,11 +244,13 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
       strip.cameraToWorld[row][column] = static_cast<float>(cameraInWorld.linear()(row, column));
     }
   }
+  const LensShading lens(camera, image.format);
   const auto write = image.format == PixelFormat::kYuyv ? kernels_.writeYuyv : kernels_.writeRgb;
   for (int y = 0; y < camera.height; y += strip.rows) {
     strip.firstRow = y;
     strip.rows = std::min(memory_.rowsPerStrip(), camera.height - y);
     lightStrip(strip, buffer);
+    if (lens.any()) lens.apply(strip, buffer.stride);
     for (int i = 0; i < strip.rows; ++i) {
       const int at = i * buffer.stride;
       const float* const color[3] = {strip.color[0] + at, strip.color[1] + at, strip.color[2] + at};
@@ -224,6 +258,29 @@ void CameraRenderer::Implementation::render(const Pose3& cameraInWorld, const Ca
     }
   }
   addNoise(noise, image);
+}
+
+void CameraRenderer::Implementation::label(std::span<const std::uint8_t> labels, std::uint8_t background,
+                                           robotlink::Image& image) {
+  image.format = PixelFormat::kMono8;
+  image.width = width_;
+  image.height = height_;
+  image.data.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
+  if (image.data.empty()) return;
+  const VisibilityBuffer& buffer = memory_.last();
+  // Record 0 is the background; each instance's are those up to the next one's.
+  recordLabels_.assign(static_cast<std::size_t>(buffer.recordCount), background);
+  for (std::size_t i = 0; i < drawn_.size(); ++i) {
+    if (drawn_[i].instance >= labels.size()) continue;
+    const auto end = i + 1 < drawn_.size() ? drawn_[i + 1].firstRecord : buffer.recordCount;
+    std::fill(recordLabels_.begin() + drawn_[i].firstRecord, recordLabels_.begin() + end,
+              labels[drawn_[i].instance]);
+  }
+  for (int y = 0; y < height_; ++y) {
+    const std::int32_t* const triangles = buffer.triangle + static_cast<std::ptrdiff_t>(y) * buffer.stride;
+    std::uint8_t* const row = image.row(y);
+    for (int x = 0; x < width_; ++x) row[x] = recordLabels_[static_cast<std::size_t>(triangles[x])];
+  }
 }
 
 CameraRenderer::CameraRenderer(std::shared_ptr<const RenderScene> scene, Options options)
@@ -237,6 +294,15 @@ void CameraRenderer::setPoses(std::span<const Pose3> bodyInWorld) {
 void CameraRenderer::render(const Pose3& cameraInWorld, const CameraModel& camera, PixelFormat format,
                             const ImageNoise& noise, robotlink::Image& image) {
   implementation_->render(cameraInWorld, camera, format, noise, image);
+}
+
+void CameraRenderer::setLighting(const Lighting& lighting) {
+  implementation_->setLighting(lighting);
+}
+
+void CameraRenderer::label(std::span<const std::uint8_t> labels, std::uint8_t background,
+                           robotlink::Image& image) {
+  implementation_->label(labels, background, image);
 }
 
 }  // namespace simcore

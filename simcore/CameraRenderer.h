@@ -4,9 +4,19 @@
 #include <memory>
 #include <span>
 
+#include "simcore/Lighting.h"
 #include "simcore/RenderScene.h"
 
 namespace simcore {
+
+/// What a lens lets through less and less from the image's centre to its corners, as that of a real Aibo does.
+/// With r the distance from the centre, 1 in the corners, all light is multiplied by 1 - falloff * r^2, and
+/// red and green by 1 - tint * r^2 besides, which makes the corners bluish.
+struct Vignetting {
+  double falloff = 0;  ///< 0 to 1
+  double tint = 0;     ///< 0 to 1
+  bool operator==(const Vignetting&) const = default;
+};
 
 /// A pinhole camera without distortion. It looks along its frame's x-axis; y is to the left, z up. The
 /// optical axis pierces the image at its centre (width / 2, height / 2), with pixel (0, 0) covering [0, 1) x
@@ -16,6 +26,7 @@ struct CameraModel {
   int height = 144;
   double horizontalAngle = robotlink::radians(57.6);  ///< opening angle, rad
   double verticalAngle = robotlink::radians(47.8);
+  Vignetting vignetting = {};
 };
 
 /// Noise added to every channel of every pixel: counter-based, so the same (seed, stream, frame) gives the
@@ -59,11 +70,19 @@ class CameraRenderer {
   /// call.
   void setPoses(std::span<const Pose3> bodyInWorld);
 
+  /// Another light than the scene's, from the next image on.
+  void setLighting(const Lighting& lighting);
+
   /// Draws into `image`, whose size and format (kYuyv or kRgb8) are made those of `camera` and `format`.
   /// Chroma is the mean of a pair's; a Yuyv image of odd width lacks the last column, as such images have
   /// none.
   void render(const Pose3& cameraInWorld, const CameraModel& camera, robotlink::PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
+
+  /// What the last image shows, whatever its light, noise and lens: a kMono8 image of its size with
+  /// labels[i] where the pixel's centre sees instance i of the scene, else `background`. Instances past the
+  /// end of `labels` are background, too. Little work, as nothing is drawn anew; empty before the first image.
+  void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:
   class Implementation;

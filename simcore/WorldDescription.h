@@ -9,6 +9,7 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Image.h"
+#include "simcore/CameraRenderer.h"
 #include "simcore/RenderScene.h"
 
 namespace simcore {
@@ -79,6 +80,7 @@ struct SensorDescription {
   int collision = 0;                ///< contact: index in the link's collisions
   int width = 0, height = 0;        ///< camera
   double horizontalAngle = 0, verticalAngle = 0, rate = 0;  ///< camera; rad, Hz
+  Vignetting vignetting;                                    ///< camera
 };
 
 /// What a model file describes. Parsed once and shared by all models that include it.

@@ -78,7 +78,8 @@ class Collector {
   void addCamera(const SensorDescription& sensor) {
     CameraSensor camera;
     camera.info = port(sensor.name + "/image", "image", {sensor.height, sensor.width, 3}, "");
-    camera.model = {sensor.width, sensor.height, sensor.horizontalAngle, sensor.verticalAngle};
+    camera.model = {sensor.width, sensor.height, sensor.horizontalAngle, sensor.verticalAngle,
+                    sensor.vignetting};
     camera.body = static_cast<int>(body_) + sensor.link + 1;  // body 0 of a RenderScene is the world
     camera.cameraInBody = sensor.poseInLink;
     camera.period = robotlink::fromSeconds(1 / sensor.rate);

@@ -17,6 +17,8 @@ class FrameMemory {
 
   /// An empty image: nothing drawn, the background's colour everywhere.
   VisibilityBuffer& begin(const CameraModel& camera, const float (&background)[3]);
+  /// The image that was begun last; empty before the first.
+  const VisibilityBuffer& last() const { return buffer_; }
   /// Rows that are lit at a time: so many that they stay in the cache.
   int rowsPerStrip() const { return rowsPerStrip_; }
   /// A strip without rows yet.

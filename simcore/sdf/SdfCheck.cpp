@@ -37,6 +37,8 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:initial_position", {"robotcontrol:servo", ""}, 1},
     {"robotcontrol:position_noise", {"robotcontrol:servo", ""}, 1},
     {"robotcontrol:vertical_fov", {"camera", ""}, 1},
+    {"robotcontrol:vignetting", {"camera", ""}, 1},
+    {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
     {"robotcontrol:range", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
 };

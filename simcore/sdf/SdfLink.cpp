@@ -148,6 +148,11 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
     result.verticalAngle =
         context.within(element->Get<double>("robotcontrol:vertical_fov"), 0.01, 3, "vertical_fov", element);
   }
+  const auto share = [&](const char* name) {
+    const std::string key = std::string("robotcontrol:") + name;
+    return element->HasElement(key) ? context.within(element->Get<double>(key), 0, 1, name, element) : 0.0;
+  };
+  result.vignetting = {share("vignetting"), share("vignetting_tint")};
 }
 
 void readDistance(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {

@@ -80,6 +80,29 @@ TEST_F(SceneTest, robotsWearTheirTeamsColor) {
   EXPECT_EQ(instances[0].mesh, instances[1].mesh) << "equal shapes share a mesh";
 }
 
+TEST_F(SceneTest, aCameraMayHaveVignetting) {
+  const auto withCamera = [](const std::string& lens) {
+    return "<sensor name=\"eye\" type=\"camera\"><update_rate>25</update_rate><camera>"
+           "<horizontal_fov>1</horizontal_fov><image><width>8</width><height>6</height></image>" +
+           lens + "</camera></sensor><sensor name=\"touch\"";
+  };
+  const std::string lens =
+      "<robotcontrol:vignetting>0.4</robotcontrol:vignetting>"
+      "<robotcontrol:vignetting_tint>0.1</robotcontrol:vignetting_tint>";
+  for (const auto& [text, expected] :
+       {std::pair(std::string(), Vignetting()), std::pair(lens, Vignetting{0.4, 0.1})}) {
+    folder_.writeModel("small", replaced(kSmallModel, "<sensor name=\"touch\"", withCamera(text)));
+    const auto scene = Scene::load(folder_.write("world.sdf", worldAround(include(""))));
+    ASSERT_TRUE(scene) << describe(scene.error());
+    const auto simulation = Simulation::create(*scene, {});
+    ASSERT_TRUE(simulation) << simulation.error().describe();
+    ASSERT_EQ((*simulation)->cameras().size(), 1U);
+    EXPECT_EQ((*simulation)->cameras()[0].model.vignetting, expected);
+  }
+  EXPECT_THAT(errorsWithModel("<sensor name=\"touch\"", withCamera(replaced(lens, "0.4", "1.4"))),
+              HasSubstr("vignetting must lie between 0 and 1"));
+}
+
 TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {
   const auto scene = Scene::load("/nowhere/world.sdf");
   ASSERT_FALSE(scene);

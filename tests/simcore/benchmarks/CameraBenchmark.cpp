@@ -145,6 +145,38 @@ BENCHMARK_CAPTURE(render, asRgb, {true}, PixelFormat::kRgb8, 0)->Unit(benchmark:
 BENCHMARK_CAPTURE(render, portable, {true, Arithmetic::kPortable}, PixelFormat::kYuyv, 0)
     ->Unit(benchmark::kMicrosecond);
 
+/// What the number of what is seen at each pixel costs beside an image.
+void label(benchmark::State& state) {
+  const CameraScene scene = fieldScene();
+  CameraRenderer renderer(scene.scene, {});
+  renderer.setPoses(scene.poses);
+  const std::vector<std::uint8_t> labels(scene.scene->instances.size(), 1);
+  Image image, labelled;
+  renderer.render(scene.cameras.front(), {}, PixelFormat::kYuyv, {}, image);
+  for ([[maybe_unused]] const auto _ : state) {
+    renderer.label(labels, 0, labelled);
+    benchmark::DoNotOptimize(labelled.data.data());
+  }
+}
+BENCHMARK(label)->Unit(benchmark::kMicrosecond);
+
+/// As withShadowsAndNoise, through a lens with vignetting.
+void renderThroughLens(benchmark::State& state) {
+  const CameraScene scene = fieldScene();
+  CameraRenderer renderer(scene.scene, {});
+  renderer.setPoses(scene.poses);
+  CameraModel camera;
+  camera.vignetting = {0.4, 0.1};
+  Image image;
+  std::uint64_t frame = 0;
+  for ([[maybe_unused]] const auto _ : state) {
+    renderer.render(scene.cameras[frame % scene.cameras.size()], camera, PixelFormat::kYuyv,
+                    {3, 1, 1, frame}, image);
+    ++frame;
+  }
+}
+BENCHMARK(renderThroughLens)->Unit(benchmark::kMicrosecond);
+
 /// What eight images share after the bodies moved, found as the cost of an image of one pixel.
 void newPoses(benchmark::State& state) {
   CameraScene scene = fieldScene();
