@@ -10,6 +10,7 @@
 #include "robotlink/debugging/JoinedTables.h"
 #include "robotlink/debugging/ProcessChannel.h"
 #include "robotlink/debugging/ProcessTable.h"
+#include "robotlink/debugging/RequestedPackages.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
 #include "robotlink/packages/Checksum.h"
@@ -52,6 +53,7 @@ struct DebugProcess::Implementation {
       : process(owner),
         routes(std::move(given)),
         debug(owner.name(), clock, {}),
+        requested(owner, debug),
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
         colorTable(owner, kColorTable.name, Blocking::kNo),
         solutionsDue(!routes.absent.empty()) {
@@ -62,6 +64,8 @@ struct DebugProcess::Implementation {
   }
 
   void takeQueues();
+  void takeRequested();
+  void joinOwnKeys();
   void takeRequests();
   void route(const Request& request);
   void setKey(const Request& request);
@@ -81,6 +85,7 @@ struct DebugProcess::Implementation {
   DebugProcess& process;
   DebugRoutes routes;
   DebugContext debug;
+  RequestedPackages requested;
   Sender<robotcontrol::RemoteMotion> remoteMotion;
   Sender<robotcontrol::ColorTable> colorTable;
   std::vector<std::string> names;
@@ -111,6 +116,11 @@ void DebugProcess::watch(const Process& process) {
   implementation_->watched.push_back(&process);
 }
 
+void DebugProcess::showOnRequest(AnySender& sender) {
+  implementation_->requested.add(sender);
+  implementation_->joinOwnKeys();
+}
+
 void DebugProcess::offer(const PackagePtr& package) {
   if (dynamic_cast<const robotcontrol::RemoteMotion*>(package.get()) != nullptr) {
     implementation_->remoteMotion.send(std::static_pointer_cast<const robotcontrol::RemoteMotion>(package));
@@ -128,6 +138,7 @@ void DebugProcess::execute() {
   Implementation& self = *implementation_;
   self.debug.beginFrame(frameTime(), frames() + 1);
   self.takeQueues();
+  self.takeRequested();
   self.noticeStopped();
   self.takeRequests();
   for (const auto& channel : self.channels) channel->send();
@@ -145,6 +156,18 @@ void DebugProcess::Implementation::takeQueues() {
     tables.notice(*queue);
     if (listener) listener(std::move(queue));
   }
+}
+
+void DebugProcess::Implementation::takeRequested() {
+  if (!requested.tellNews()) return;
+  joinOwnKeys();
+  tables.tellKeys();
+}
+
+void DebugProcess::Implementation::joinOwnKeys() {
+  robotcontrol::KeyTable keys;
+  requested.fillKeys(keys);
+  tables.setKeys(process.name(), std::move(keys));
 }
 
 // ---- Requests
@@ -188,6 +211,11 @@ void DebugProcess::Implementation::setKey(const Request& request) {
   if (const std::string wrong = wrongWith(request.set_key().mode()); !wrong.empty())
     return answer(request, wrong);
   if (const std::string package = packageOfKey(name); !package.empty()) {
+    if (requested.show(package, request.set_key().mode())) {
+      joinOwnKeys();
+      tables.tellKeys();
+      return answer(request, "");
+    }
     const auto owner = routes.packages.find(package);
     return sendTo(owner != routes.packages.end() ? owner->second : "", name, request);
   }

@@ -17,6 +17,8 @@ class Request;
 
 namespace robotlink {
 
+class AnySender;
+
 /// The process of a layout that is linked to all others: collects their debug queues and hands requests out
 /// to them. Offers the packages "remote/motion" and "colors/table". What it collects goes to its listener as
 /// whole queues, unchanged, in the process's thread; the listener (a session, a network link) must not block.
@@ -37,6 +39,9 @@ class DebugProcess final : public Process {
   /// A process for the table, in this program: itself, a task process, the platform. It must outlive this
   /// one. Before it runs.
   void watch(const Process& process);
+  /// A package of the platform that is made only while somebody receives it: this process does while its key
+  /// is on. The sender must outlive this. Before it runs.
+  void showOnRequest(AnySender& sender);
   /// Before it runs: sends one of the packages that it offers, so that it is there in the first frame. Others
   /// are ignored.
   void offer(const PackagePtr& package);

@@ -16,6 +16,9 @@ class JoinedTables {
  public:
   /// Looks for the tables of a process in its queue.
   void notice(const robotcontrol::DebugQueue& queue);
+  /// The keys of one process, known otherwise. Told with the next change.
+  void setKeys(const std::string& process, robotcontrol::KeyTable keys) { keys_[process] = std::move(keys); }
+  void tellKeys() { keysChanged_ = true; }
   bool takeKeysChanged() { return std::exchange(keysChanged_, false); }
   bool takeSolutionsChanged() { return std::exchange(solutionsChanged_, false); }
   /// By name.

@@ -75,6 +75,7 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
   made.connectDebugging();
   for (const Process* process : made.processes) made.debugProcess->watch(*process);
   made.debugProcess->watch(platform);
+  for (AnySender* sender : platform.onRequest()) made.debugProcess->showOnRequest(*sender);
   return program;
 }
 

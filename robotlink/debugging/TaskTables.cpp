@@ -28,12 +28,16 @@ void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const Deb
     *to.add_keys() = std::move(key);
   }
   for (const PackageBoard::Entry* entry : board.shown()) {
-    auto& key = *to.add_keys();
-    key.set_name(packageKey(entry->name));
-    key.set_help("The package " + entry->name + " as it is");
-    *key.mutable_mode() = entry->mode.mode();
-    key.set_in_use(true);
+    fillPackageKey(entry->name, entry->mode.mode(), *to.add_keys());
   }
+}
+
+void fillPackageKey(const std::string& package, const robotcontrol::KeyMode& mode,
+                    robotcontrol::KeyTable::Key& to) {
+  to.set_name(packageKey(package));
+  to.set_help("The package " + package + " as it is");
+  *to.mutable_mode() = mode;
+  to.set_in_use(true);
 }
 
 namespace {

@@ -10,7 +10,9 @@
 #include "robotlink/process/Layout.h"
 
 namespace robotcontrol {
+class KeyMode;
 class KeyTable;
+class KeyTable_Key;
 class SolutionTable;
 }  // namespace robotcontrol
 
@@ -25,6 +27,9 @@ using TaskRunners = std::vector<std::unique_ptr<TaskRunner>>;
 /// stopwatches'.
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to);
+/// The key of one package that is shown on request.
+void fillPackageKey(const std::string& package, const robotcontrol::KeyMode& mode,
+                    robotcontrol::KeyTable_Key& to);
 /// The process's tasks with their solutions.
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
                        const TaskCatalog& catalog, const PlatformPackages& platform,

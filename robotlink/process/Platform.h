@@ -20,6 +20,9 @@ class Platform : public Process {
   virtual void actuate() = 0;
   /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
   virtual void engageStop(bool engaged) = 0;
+  /// Senders of packages that are made only while they are connected, because that takes time and no task
+  /// needs them: a debug process asks for them while their keys are on.
+  virtual std::vector<AnySender*> onRequest() { return {}; }
 };
 
 }  // namespace robotlink

@@ -41,7 +41,7 @@ class AnyReceiver {
   /// The type of the packages that came, "robotcontrol.BallModel"; empty before the first.
   std::string typeName() const;
 
-  /// Closes the link that there was; the value stays.
+  /// Closes the link that there was; the value stays. Null: there is none from now on.
   void connect(std::shared_ptr<Link> link, std::string peer);
   /// The newest package; null before the first.
   const PackagePtr& value() const { return value_; }

@@ -28,6 +28,9 @@ void ToyPlatform::execute() {
   assign(*image->mutable_timestamp(), frameTime());
   image->set_width(static_cast<std::uint32_t>(step_));
   image_.send(image);
+  if (!classes_.connected()) return;
+  ++classesMade_;
+  classes_.send(image);
 }
 
 const char* const kToyLayout = R"(version: 1

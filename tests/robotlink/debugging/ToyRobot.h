@@ -33,6 +33,9 @@ class ToyPlatform final : public Platform {
   /// Every `n`-th step has an image.
   void setImageEvery(int n) { imageEvery_ = n; }
   const std::vector<std::string>& requests() const { return requests_; }
+  /// Offers "oracle/classes", made with each image while somebody receives it.
+  std::vector<AnySender*> onRequest() override { return {&classes_}; }
+  int classesMade() const { return classesMade_; }
 
  protected:
   void execute() override;
@@ -41,7 +44,9 @@ class ToyPlatform final : public Platform {
   Sender<foxglove::RawImage> image_{*this, "camera/image", Blocking::kNo};
   Sender<foxglove::JointStates> joints_{*this, "joints/states", Blocking::kNo};
   Receiver<robotcontrol::JointRequest> request_{*this, "joints/request", Blocking::kNo};
+  Sender<foxglove::RawImage> classes_{*this, "oracle/classes", Blocking::kNo};
   std::vector<std::string> requests_;  // serialised
+  int classesMade_ = 0;
   int imageEvery_ = 5;
   int step_ = 0;
 };

@@ -1,0 +1,60 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RequestedPackages.h"
+
+#include "foxglove/Image.pb.h"
+#include "robotlink/debugging/DebugContext.h"
+#include "robotlink/debugging/TaskTables.h"
+#include "robotlink/process/Process.h"
+
+namespace robotlink {
+
+void RequestedPackages::Package::link() const {
+  if (wanted() == receiver->connected()) return;
+  if (wanted()) {
+    connectUnchecked(*sender, *receiver);
+  } else {
+    receiver->connect(nullptr, {});
+  }
+}
+
+void RequestedPackages::add(AnySender& sender) {
+  Package& package = packages_[sender.package()];
+  package.sender = &sender;
+  package.receiver = std::make_unique<AnyReceiver>(process_, sender.package(), Blocking::kNo);
+}
+
+bool RequestedPackages::show(const std::string& package, const robotcontrol::KeyMode& mode) {
+  const auto found = packages_.find(package);
+  if (found == packages_.end()) return false;
+  found->second.mode.set(mode);
+  found->second.link();
+  return true;
+}
+
+bool RequestedPackages::tellNews() {
+  bool expired = false;
+  for (auto& [name, package] : packages_) {
+    if (!package.wanted() || !package.receiver->isNew() || !package.mode.due(process_.frameTime())) continue;
+    tell(name, *package.receiver->value());
+    expired |= !package.wanted();
+    package.link();
+  }
+  return expired;
+}
+
+void RequestedPackages::tell(const std::string& name, const google::protobuf::Message& package) {
+  if (const auto* image = dynamic_cast<const foxglove::RawImage*>(&package)) {
+    robotcontrol::DebugMessage& message = debug_.add(name);
+    // It belongs to what was at that time, not to the frame in which it came here.
+    *message.mutable_timestamp() = image->timestamp();
+    *message.mutable_image() = *image;
+  } else {
+    debug_.package(name, package);
+  }
+}
+
+void RequestedPackages::fillKeys(robotcontrol::KeyTable& to) const {
+  for (const auto& [name, package] : packages_) fillPackageKey(name, package.mode.mode(), *to.add_keys());
+}
+
+}  // namespace robotlink

@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a platform makes only while somebody wants it.
+#include <gtest/gtest.h>
+
+#include "robotlink/packages/Conversions.h"
+#include "tests/robotlink/debugging/ToyRobot.h"
+
+using namespace robotlink;
+using namespace robotlink::testing;
+using robotcontrol::KeyMode;
+
+namespace {
+
+constexpr char kKey[] = "package/oracle/classes";
+constexpr char kPath[] = "oracle/classes";
+
+/// By the newest table; null if there is none.
+const robotcontrol::KeyTable::Key* keyIn(const ToyRobot& robot) {
+  const auto tables = robot.on("tables/keys");
+  if (tables.empty()) return nullptr;
+  for (const auto& key : tables.back()->keys().keys()) {
+    if (key.name() == kKey) return &key;
+  }
+  return nullptr;
+}
+
+}  // namespace
+
+TEST(RequestedPackages, areNeitherMadeNorToldWhileTheirKeyIsOff) {
+  ToyRobot robot;
+  robot.run(50);
+  EXPECT_EQ(robot.platform.classesMade(), 0);
+  EXPECT_TRUE(robot.on(kPath).empty());
+  ASSERT_NE(keyIn(robot), nullptr) << "but they are listed";
+  EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::OFF);
+}
+
+TEST(RequestedPackages, areToldWithTheirOwnTimesWhileTheirKeyIsOn) {
+  ToyRobot robot;
+  ASSERT_TRUE(robot.setKey(kKey, KeyMode::ALWAYS).accepted());
+  robot.run(50);
+  EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::ALWAYS);
+  const auto told = robot.on(kPath);
+  EXPECT_NEAR(static_cast<double>(told.size()), 10, 1);
+  for (const auto* message : told) EXPECT_EQ(instant(message->timestamp()), instant(message->image().timestamp()));
+  ASSERT_TRUE(robot.setKey(kKey, KeyMode::OFF).accepted());
+  robot.run(10);
+  const int made = robot.platform.classesMade();
+  robot.run(50);
+  EXPECT_EQ(robot.platform.classesMade(), made);
+  EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::OFF);
+}
+
+TEST(RequestedPackages, areNoLongerMadeWhenTheirKeyHasRunOut) {
+  ToyRobot robot;
+  ASSERT_TRUE(robot.setKey(kKey, KeyMode::N_TIMES, 3).accepted());
+  robot.run(60);
+  EXPECT_EQ(robot.on(kPath).size(), 3U);
+  EXPECT_EQ(robot.platform.classesMade(), 3);
+  EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::OFF);
+}
+
+TEST(RequestedPackages, keysOfOtherPackagesAreStillRefused) {
+  ToyRobot robot;
+  EXPECT_EQ(robot.setKey("package/oracle/nothing", KeyMode::ALWAYS).reason(),
+            "no process of this layout has 'package/oracle/nothing'");
+}
+
+TEST(RequestedPackages, theNextProgramOnThePlatformStartsWithoutThem) {
+  ToyRobot robot;
+  ASSERT_TRUE(robot.setKey(kKey, KeyMode::ALWAYS).accepted());
+  robot.run(20);
+  ASSERT_TRUE(robot.load(kToyLayout).empty());
+  const int made = robot.platform.classesMade();
+  robot.run(50);
+  EXPECT_EQ(robot.platform.classesMade(), made);
+}
