@@ -87,7 +87,9 @@ Result<void> RecordingFile::writeHeld(robotlink::Instant time) {
 StreamMessage RecordingFile::coded(const StreamMessage& message) const {
   const auto* image = dynamic_cast<const foxglove::RawImage*>(message.value.get());
   if (image == nullptr) return message;
-  const auto compressed = options_.imageCoding == ControlRecording::PNG ? pngImage(*image) : jpegImage(*image);
+  // Values of one channel may be classes, which JPEG would turn into others.
+  const bool exact = options_.imageCoding == ControlRecording::PNG || image->encoding() == "mono8";
+  const auto compressed = exact ? pngImage(*image) : jpegImage(*image);
   if (!compressed) return message;  // A format that the coding does not know is recorded as it is.
   StreamMessage result = message;
   result.value = *compressed;

@@ -10,6 +10,7 @@
 #include <mutex>
 #include <thread>
 
+#include "logplayer/ImageCoding.h"
 #include "logplayer/RecordedStreams.h"
 #include "tests/logplayer/RecordedMessages.h"
 
@@ -205,6 +206,18 @@ TEST_F(RecorderTest, imagesAreCodedAndCompressedAsWished) {
   ASSERT_TRUE(coded.ParseFromString(read.entries[0].data));
   EXPECT_EQ(coded.format(), "png");
   EXPECT_EQ((*mcap::Reader::open(folder / "a.mcap", {}))->chunks()[0].compression, mcap::Compression::kLz4);
+}
+
+TEST_F(RecorderTest, imagesOfOneChannelAreNeverCodedWithLosses) {
+  set([](ControlRecording& control) { control.set_image_coding(ControlRecording::JPEG); });
+  start();
+  const StreamMessage classes = image("red1/oracle/classes", 8, 30'000);
+  recorder->add({classes, frameInfo(8, 1, "platform")});
+  stop();
+  foxglove::CompressedImage coded;
+  ASSERT_TRUE(coded.ParseFromString(log().entries[0].data));
+  EXPECT_EQ(coded.format(), "png");
+  EXPECT_EQ((*logplayer::rawImage(coded))->data(), static_cast<const foxglove::RawImage&>(*classes.value).data());
 }
 
 // ---- The last seconds
