@@ -31,7 +31,7 @@ Result<PlatformFeed::Answer> ReplayFeed::fulfil(const robotcontrol::Request& req
   Result<void> done;
   if (request.has_control_replay()) {
     done = control(request.control_replay());
-  } else if (request.has_control_simulation() || request.has_place_model()) {
+  } else if (request.has_control_simulation() || request.has_place_model() || request.has_set_lighting()) {
     done = failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
   } else if (request.has_stop()) {
     done = failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");

@@ -33,6 +33,7 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
       world_(world),
       robot_(std::move(robot)),
       image_(*this, robotlink::kCameraImage.name, Blocking::kNo),
+      classes_(*this, robotlink::kOracleClasses.name, Blocking::kNo),
       jointStates_(*this, robotlink::kJointStates.name, Blocking::kNo),
       bodySensors_(*this, robotlink::kBodySensors.name, Blocking::kNo),
       oracle_(*this, robotlink::kOracleWorld.name, Blocking::kNo),
@@ -147,8 +148,22 @@ void SimulatedPlatform::sendImages() {
     if (!world_.imageDue(camera)) continue;
     auto image = std::make_shared<foxglove::RawImage>();
     robotlink::assign(*image, world_.render(camera).view(), clock().now(), robot_ + "/camera");
-    image_.send(std::move(image));
+    image_.send(image);
+    if (classesAlways_ || classes_.connected()) sendClasses(*image);
   }
+}
+
+void SimulatedPlatform::alwaysSendClasses(LabelledListener listener) {
+  classesAlways_ = true;
+  labelledListener_ = std::move(listener);
+}
+
+/// Those of the image that was rendered last.
+void SimulatedPlatform::sendClasses(const foxglove::RawImage& image) {
+  auto classes = std::make_shared<foxglove::RawImage>();
+  robotlink::assign(*classes, world_.trueClasses().view(), clock().now(), image.frame_id());
+  classes_.send(classes);
+  if (labelledListener_) labelledListener_(image, *classes);
 }
 
 void SimulatedPlatform::sendOracle() {

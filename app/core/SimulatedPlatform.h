@@ -2,6 +2,7 @@
 #pragma once
 
 #include <atomic>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,15 +19,22 @@ namespace app {
 /// The platform of one robot of a simulated world: sends its sensors' readings as packages and turns its servos as requested.
 ///
 /// Readings come every SimulatedWorld::kStep, images at the camera's rate. While STOP is engaged the joints hold where they are
-/// with little torque. The world must outlive it.
+/// with little torque. The true classes of an image (TrueClasses) are found only while somebody receives them or is
+/// to be told of them. The world must outlive it.
 class SimulatedPlatform final : public robotlink::Platform {
  public:
   /// Fails if the simulated robot lacks a joint of the description.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
+  using LabelledListener = std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
+  /// Sends the true classes with every image from now on, whether or not somebody receives them; the listener, which
+  /// may be empty, is told of both.
+  void alwaysSendClasses(LabelledListener listener);
+
   void actuate() override;
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
+  std::vector<robotlink::AnySender*> onRequest() override { return {&classes_}; }
   bool stopEngaged() const { return stopEngaged_.load(); }
 
  protected:
@@ -46,6 +54,7 @@ class SimulatedPlatform final : public robotlink::Platform {
   void sendJoints();
   void sendBody();
   void sendImages();
+  void sendClasses(const foxglove::RawImage& image);
   void sendOracle();
 
   SimulatedWorld& world_;
@@ -57,8 +66,11 @@ class SimulatedPlatform final : public robotlink::Platform {
   int distance_ = -1;
   std::atomic<bool> stopEngaged_{false};
   bool holding_ = false;
+  bool classesAlways_ = false;
+  LabelledListener labelledListener_;
 
   robotlink::Sender<foxglove::RawImage> image_;
+  robotlink::Sender<foxglove::RawImage> classes_;
   robotlink::Sender<foxglove::JointStates> jointStates_;
   robotlink::Sender<robotcontrol::BodySensors> bodySensors_;
   robotlink::Sender<robotcontrol::OracleWorld> oracle_;

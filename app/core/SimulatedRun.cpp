@@ -99,6 +99,13 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
   auto platform = SimulatedPlatform::create(*world_, robot.name, *robot.description);
   if (!platform) return tl::unexpected(Errors{platform.error()});
   if (robot.platform) (*platform)->engageStop(robot.platform->stopEngaged());
+  if (listeners_.labelled) {
+    (*platform)->alwaysSendClasses([this, name = robot.name](const auto& image, const auto& classes) {
+      listeners_.labelled(name, image, classes);
+    });
+  } else if (options_.classImages) {
+    (*platform)->alwaysSendClasses({});
+  }
   const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_};
   auto program = robotlink::RobotProgram::create(
       setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});

@@ -40,6 +40,7 @@ struct RunOptions {
   SimulatedWorld::Options world;
   ExecutorKind executor = ExecutorKind::kLockstep;
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
+  bool classImages = false;  ///< the true classes are sent with all images, whether or not somebody asks for them
 };
 
 /// A simulated world with the programs of all its robots, stepped by its caller.
@@ -52,6 +53,9 @@ class SimulatedRun {
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
     /// A process was stopped, starves, or could not get its priority.
     std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
+    /// An image with its true classes (oracle/classes); while it is set these are found for all images.
+    std::function<void(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes)>
+        labelled = {};
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.

@@ -52,7 +52,10 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
     : options_(options),
       simulation_(std::move(simulation)),
       renderer_(std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
-                                                          simcore::CameraRenderer::Options{options.shadows})) {}
+                                                          simcore::CameraRenderer::Options{options.shadows})),
+      trueClasses_(*simulation_->renderScene()) {
+  renderer_->setLighting(options.lighting);
+}
 
 void SimulatedWorld::mixIntoDigest(std::uint64_t value) { digest_ = robotlink::mixBits(digest_ ^ value); }
 
@@ -93,11 +96,33 @@ const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
   noise.seed = options_.seed;
   noise.stream = camera;
   noise.frame = simulation_->steps();
-  renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, sensor.model,
+  simcore::CameraModel model = sensor.model;
+  model.vignetting = options_.vignetting.value_or(model.vignetting);
+  renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
                     robotlink::PixelFormat::kYuyv, noise, image_);
   if (options_.blackout) blacken(image_);
   mixIntoDigest(hashOf(image_.data));
   return image_;
+}
+
+const robotlink::Image& SimulatedWorld::trueClasses() {
+  const CostMeter meter(costs_.rendering);
+  renderer_->label(trueClasses_.ofInstances(), TrueClasses::kBackground, classes_);
+  TrueClasses::ignoreMixedPairs(classes_);
+  return classes_;
+}
+
+robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lighting) {
+  // Written so that a NaN is out of range, too.
+  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMostBrightness)) {
+    return robotlink::failure("simulation.light", "the brightness must be between 0 and 10 times that of the scene");
+  }
+  if (!(lighting.warmth >= -1 && lighting.warmth <= 1)) {
+    return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
+  }
+  options_.lighting = lighting;
+  renderer_->setLighting(lighting);
+  return {};
 }
 
 }  // namespace app

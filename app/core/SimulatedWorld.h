@@ -3,11 +3,14 @@
 
 #include <cstdint>
 #include <memory>
+#include <optional>
 #include <vector>
 
+#include "app/core/TrueClasses.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
+#include "simcore/Lighting.h"
 #include "simcore/Simulation.h"
 
 namespace app {
@@ -24,6 +27,8 @@ class SimulatedWorld {
     bool noise = true;
     bool shadows = true;
     bool blackout = false;  ///< all images are black
+    simcore::Lighting lighting = {};
+    std::optional<simcore::Vignetting> vignetting = {};  ///< of all cameras, instead of their own
   };
   /// What it did and what that cost, in real time.
   struct Costs {
@@ -50,6 +55,11 @@ class SimulatedWorld {
   bool imageDue(std::size_t camera) const;
   /// That image, YCbCr 4:2:2; valid until the next call.
   const robotlink::Image& render(std::size_t camera);
+  /// What the image that was rendered last truly shows: TrueClasses. Valid until the next call.
+  const robotlink::Image& trueClasses();
+
+  /// From the next image on; stays when the world is reset. Fails where a value is out of its range.
+  robotlink::Result<void> setLighting(const simcore::Lighting& lighting);
 
   /// A hash over the states after all steps and over all images since the start.
   std::uint64_t digest() const { return digest_; }
@@ -62,7 +72,8 @@ class SimulatedWorld {
   robotlink::ManualClock clock_;
   std::unique_ptr<simcore::Simulation> simulation_;
   std::unique_ptr<simcore::CameraRenderer> renderer_;
-  robotlink::Image image_;
+  TrueClasses trueClasses_;
+  robotlink::Image image_, classes_;
   std::uint64_t posesRendered_ = ~std::uint64_t{0};  ///< the physics step whose poses the renderer has
   std::uint64_t digest_ = 0;
   Costs costs_;

@@ -85,6 +85,8 @@ robotlink::Result<PlatformFeed::Answer> SimulationFeed::fulfil(const robotcontro
     const auto& place = request.place_model();
     done = run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
     publishTransforms();
+  } else if (request.has_set_lighting()) {
+    done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
   } else {
     done = run_->request(request);
   }
@@ -152,6 +154,8 @@ void SimulationFeed::publishStatus() {
   status->set_running(running_);
   status->set_steps(world.costs().steps);
   status->set_ball_contacts(world.simulation().ballContacts());
+  status->set_brightness(world.options().lighting.brightness);
+  status->set_warmth(world.options().lighting.warmth);
   status->set_scene(run_->options().scene.string());
   for (const auto& robot : run_->robots()) status->add_robots(robot);
   for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);

@@ -199,6 +199,17 @@ void Workbench::addSimulationCommands() {
                    }
                    return control(Control::UNCHANGED, speed);
                  }});
+  commands_.add({"simulation.light",
+                 "Changes the light that cameras see; 1 0 is that of the scene",
+                 {{"brightness", CommandTable::Type::kNumber, "times the scene's, 0 to 10"},
+                  {"warmth", CommandTable::Type::kNumber, "-1 (bluish) to 1 (reddish)"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   robotcontrol::Request request;
+                   request.mutable_set_lighting()->set_brightness(std::get<double>(values[0]));
+                   request.mutable_set_lighting()->set_warmth(std::get<double>(values[1]));
+                   ask(std::move(request));
+                   return {};
+                 }});
   commands_.add({"simulation.open",
                  "Opens a scene, by its path or the name of a shipped one",
                  {{"scene", CommandTable::Type::kText, "an SDFormat file"}},

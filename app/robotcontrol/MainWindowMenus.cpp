@@ -18,6 +18,31 @@
 #include "widgets/Icon.h"
 
 namespace app {
+namespace {
+
+/// Lights to try a program or its colour table in, for cameras only: the Scene view stays as it is.
+void addLights(QMenu& menu, CommandActions& actions) {
+  const struct {
+    QString text;
+    const char* name;
+    double brightness, warmth;
+  } lights[] = {{MainWindow::tr("As in the &scene"), "light.scene", 1, 0},
+                {MainWindow::tr("&Brighter"), "light.bright", 1.3, 0},
+                {MainWindow::tr("&Darker"), "light.dark", 0.6, 0},
+                {MainWindow::tr("&Warmer"), "light.warm", 1, 0.25},
+                {MainWindow::tr("&Cooler"), "light.cool", 1, -0.25},
+                {MainWindow::tr("Darker and w&armer"), "light.dark-warm", 0.75, 0.25}};
+  for (const auto& light : lights) {
+    QAction* action = menu.addAction(light.text, &actions, [&actions, values = std::vector<robotlink::CommandTable::Value>{light.brightness, light.warmth}] {
+      actions.run(QStringLiteral("simulation.light"), values);
+    });
+    action->setObjectName(QLatin1String(light.name));
+    action->setToolTip(MainWindow::tr("Brightness %1, warmth %2: what cameras see from their next image on").arg(light.brightness).arg(light.warmth));
+  }
+  menu.setToolTipsVisible(true);
+}
+
+}  // namespace
 
 void MainWindow::createMenus() {
   createFileMenu();
@@ -78,6 +103,7 @@ void MainWindow::createRobotMenus() {
     });
     action->setObjectName(QStringLiteral("speed.%1").arg(value));
   }
+  addLights(*simulationMenu_->addMenu(tr("&Light")), *actions_);
 }
 
 void MainWindow::createWindowMenu() {

@@ -5,6 +5,7 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
+#include "app/core/TrueClasses.h"
 #include "app/robotctl/ColorCommands.h"
 #include "app/robotctl/ColorImages.h"
 #include "app/robotctl/Commands.h"
@@ -73,27 +74,42 @@ void printText(const Evaluation& evaluation, const ColorClasses& classes) {
               100 * evaluation.falseColor(falseClasses(classes)));
 }
 
+/// The labels are those of the log that the images are of.
+bool inLog(const EvaluateArguments& arguments) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(arguments.labels, error);
+}
+
+Result<std::optional<robotlink::Image>> labelsOf(const ColorImages& images, const std::string& name,
+                                                 const EvaluateArguments& arguments) {
+  if (inLog(arguments)) return images.trueClasses(name);
+  const auto file = std::filesystem::path(arguments.labels) / (std::filesystem::path(name).stem().string() + ".png");
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
+  auto labels = ColorImages::loadLabels(file);
+  if (!labels) return tl::unexpected(labels.error());
+  return std::move(*labels);
+}
+
 /// Adds an image if it has labels. How many images were added.
 Result<int> add(const ColorImages& images, const std::string& name, const EvaluateArguments& arguments,
                 const colortool::ColorTable& table, Evaluation& evaluation) {
-  const auto labels =
-      std::filesystem::path(arguments.labels) / (std::filesystem::path(name).stem().string() + ".png");
-  std::error_code error;
-  if (!std::filesystem::exists(labels, error)) return 0;
-  const auto labelled = ColorImages::loadLabels(labels);
-  if (!labelled) return tl::unexpected(labelled.error());
+  const auto labels = labelsOf(images, name, arguments);
+  if (!labels) return tl::unexpected(labels.error());
+  if (!*labels) return 0;
   const auto image = images.load(name);
   if (!image) return tl::unexpected(image.error());
-  if (image->width != labelled->width || image->height != labelled->height) {
+  if (image->width != (*labels)->width || image->height != (*labels)->height) {
     return robotlink::failure("image.size", "the labels are not of the size of image " + name,
-                              {labels.string(), 0, 0}, {name});
+                              {arguments.labels, 0, 0}, {name});
   }
-  evaluation.add(table, *image, labelled->data);
+  evaluation.add(table, *image, (*labels)->data);
   return 1;
 }
 
 /// What the labels' numbers stand for: what was said, or else what stands beside the labels.
 tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArguments& arguments) {
+  if (inLog(arguments) && arguments.labelClasses.empty()) return TrueClasses::classes();
   const std::filesystem::path file = std::filesystem::path(arguments.labels) / kLabelClassesFile;
   std::error_code error;
   if (arguments.labelClasses.empty() && arguments.classes.empty() && std::filesystem::exists(file, error)) {
@@ -113,6 +129,13 @@ int run(const EvaluateArguments& arguments) {
   if (!labelled) return printErrors(labelled.error());
   const auto images = ColorImages::open(arguments.images);
   if (!images) return printErrors({images.error()});
+  std::error_code different;
+  if (inLog(arguments) && !std::filesystem::equivalent(arguments.labels, arguments.images, different)) {
+    return printErrors({{"color.labels",
+                         "true classes are read from the log file that the images are from; name the same file",
+                         {},
+                         {arguments.labels, 0, 0}}});
+  }
   // Classes are the same by their names; labels and table may number them each in its way.
   const ColorClasses classes = unite(*labelled, named->classes);
   const auto table =
@@ -126,7 +149,8 @@ int run(const EvaluateArguments& arguments) {
   }
   if (evaluated == 0) {
     return printErrors({{"color.labels",
-                         "no image has labels here: PNG files of the same names",
+                         inLog(arguments) ? "no image has true classes here: record with --class-images"
+                                          : "no image has labels here: PNG files of the same names",
                          {},
                          {arguments.labels, 0, 0}}});
   }
@@ -149,7 +173,7 @@ void addColorEvaluateCommand(CLI::App& color, int& status) {
   command
       ->add_option("--labels", arguments->labels,
                    "A folder of grey PNG files with the classes' numbers, named like the images; 0 is "
-                   "background, 255 is passed over")
+                   "background, 255 is passed over; or again the log file, with true classes")
       ->required();
   addClassesOption(*command, arguments->classes,
                    "Names of the table's classes, in the order of their numbers, if not those beside it");

@@ -11,6 +11,7 @@
 #include "logplayer/LogFile.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
 
 namespace app {
 
@@ -69,6 +70,11 @@ Result<std::shared_ptr<const foxglove::RawImage>> rawImageOf(const robotlink::St
   return logplayer::rawImage(*compressed);
 }
 
+/// The stream of the true classes of the same robot.
+std::string classesBeside(const std::string& stream) {
+  return stream.substr(0, stream.find('/') + 1) + robotlink::kOracleClasses.name;
+}
+
 }  // namespace
 
 Result<ColorImages> ColorImages::open(const fs::path& folderOrLog) {
@@ -102,6 +108,7 @@ Result<ColorImages> ColorImages::openLog(const fs::path& file) {
   const std::string compressed = foxglove::CompressedImage::descriptor()->full_name();
   for (const auto& stream : images.log_->streams()) {
     if (stream.type != raw && stream.type != compressed) continue;
+    if (stream.path == classesBeside(stream.path)) continue;
     for (const robotlink::Instant time : images.log_->times(stream.path)) {
       std::array<char, 24> name{};
       std::snprintf(name.data(), name.size(), "%03zu", images.names_.size());
@@ -137,6 +144,22 @@ Result<ColorImage> ColorImages::loadLogged(const std::string& name) const {
   const auto raw = rawImageOf(*message);
   if (!raw) return tl::unexpected(raw.error());
   return ColorImage::of(robotlink::imageView(**raw));
+}
+
+Result<std::optional<Image>> ColorImages::trueClasses(const std::string& name) const {
+  const auto found = logged_.find(fs::path(name).stem().string());
+  if (found == logged_.end()) return std::nullopt;
+  const robotlink::Instant time{robotlink::Duration(found->second.time)};
+  const auto message = log_->latest(classesBeside(found->second.stream), time);
+  if (!message || message->time != time) return std::nullopt;
+  const auto raw = rawImageOf(*message);
+  if (!raw) return tl::unexpected(raw.error());
+  const robotlink::ImageView view = robotlink::imageView(**raw);
+  if (view.empty() || view.format != robotlink::PixelFormat::kMono8)
+    return failure("image.labels", "the true classes of image " + name + " are damaged", {path_.string(), 0, 0}, {name});
+  Image labels(view.width, view.height, view.format);
+  for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), view.width, labels.row(y));
+  return labels;
 }
 
 Result<ColorImage> ColorImages::loadFile(const fs::path& file) {

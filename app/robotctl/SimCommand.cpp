@@ -12,6 +12,7 @@
 #include "app/core/BallTrials.h"
 #include "app/core/Pace.h"
 #include "app/core/Workbench.h"
+#include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/RecordOptions.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -37,6 +38,7 @@ struct SimArguments {
   double radius = 1.5;
   double speed = 0;  ///< times real time; 0: as fast as possible
   bool progress = false;
+  CameraOptions camera;
   RecordOptions record;
 };
 
@@ -80,13 +82,18 @@ void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue)
   }
 }
 
-SimulatedRun::Listeners listenersFor(const SimArguments& arguments) {
+SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImages* images) {
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
     std::cerr << robot << ": " << text << "\n";
   };
   if (arguments.texts) {
     listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
+  }
+  if (images != nullptr) {
+    listeners.labelled = [images](const std::string& robot, const auto& image, const auto& classes) {
+      images->add(robot, image, classes);
+    };
   }
   return listeners;
 }
@@ -137,10 +144,20 @@ void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder*
   }
 }
 
+/// Says what became of the labelled images, if there are any.
+int finishImages(const LabelledImages* images, const std::string& folder) {
+  if (images == nullptr) return kDone;
+  if (!images->outcome()) return printErrors({images->outcome().error()});
+  std::cerr << folder << ": " << images->written() << " images with their true classes\n";
+  return kDone;
+}
+
 int runOnce(const SimArguments& arguments) {
+  const auto images = arguments.camera.labelledImages();
+  if (!images) return printErrors({images.error()});
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
-  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments), recorder->get());
+  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments, images->get()), recorder->get());
   if (!run) {
     std::error_code ignored;
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
@@ -149,7 +166,8 @@ int runOnce(const SimArguments& arguments) {
   const auto start = std::chrono::steady_clock::now();
   play(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const int status = *recorder ? finishRecording(**recorder) : kDone;
+  int status = *recorder ? finishRecording(**recorder) : kDone;
+  if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone) status = written;
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";
@@ -210,6 +228,11 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     std::cerr << "robotctl sim: --record takes one game, not --trials\n";
     return kUsage;
   }
+  if (arguments.trials > 0 && !arguments.camera.labelledFolder.empty()) {
+    std::cerr << "robotctl sim: --labelled-images takes one game, not --trials\n";
+    return kUsage;
+  }
+  arguments.camera.applyTo(arguments.run);
   arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
@@ -248,6 +271,7 @@ void addSimCommand(CLI::App& app, int& status) {
                     ->check(CLI::Range(0.0, 100.0))
                     ->excludes(trials);
   sim->add_flag("--progress", arguments->progress, "Prints the simulated time on stderr, ten times in each simulated second");
+  arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
   sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");

@@ -41,6 +41,8 @@ inline constexpr Package<foxglove::JointStates> kJointStates{"joints/states"};
 inline constexpr Package<robotcontrol::BodySensors> kBodySensors{"body/sensors"};
 inline constexpr Package<robotcontrol::BodyReadings> kBodyReadings{"body/readings"};
 inline constexpr Package<robotcontrol::OracleWorld> kOracleWorld{"oracle/world"};
+/// What each pixel of camera/image truly shows: mono8, on request only; numbers as in STREAMS.md.
+inline constexpr Package<foxglove::RawImage> kOracleClasses{"oracle/classes"};
 // ...and takes.
 inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/request"};
 

@@ -115,6 +115,17 @@ class MenusGuiTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("STOP engaged"), kWaitMs);
   }
 
+  void theLightIsChosenInTheSimulationsMenu() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    desk.choose("light.dark-warm");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->brightness(), 0.75, kWaitMs);
+    QCOMPARE(desk.status()->warmth(), 0.25);
+    desk.choose("light.scene");
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->brightness(), 1.0, kWaitMs);
+    QCOMPARE(desk.status()->warmth(), 0.0);
+  }
+
   void aPerspectiveThatIsAskedForAtTheStartLooksAsItWasLeft() {
     const auto sizes = [this](const char* perspective) {
       app::Workbench workbench(home_);

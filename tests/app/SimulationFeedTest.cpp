@@ -75,6 +75,20 @@ TEST_F(SimulationFeedTest, itRunsAtTheChosenSpeedUntilItIsPaused) {
   EXPECT_EQ(status()->steps(), steps);
 }
 
+TEST_F(SimulationFeedTest, theLightIsChangedAndKeptByAReset) {
+  run("simulation.light 0.5 -0.25");
+  ASSERT_TRUE(waitFor([this] { return status()->brightness() == 0.5; }));
+  EXPECT_EQ(status()->warmth(), -0.25);
+  run("simulation.step");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 2; }));
+  run("simulation.reset");
+  ASSERT_TRUE(waitFor([this] { return status()->steps() == 0; }));
+  EXPECT_EQ(status()->brightness(), 0.5);
+  run("simulation.light 99 0");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("the brightness must be between 0 and 10"), std::string::npos);
+}
+
 TEST_F(SimulationFeedTest, aBrokenSceneIsReportedAndTheOldOneGoesOn) {
   run("simulation.start");
   run("simulation.open /no/such/scene.sdf");

@@ -136,6 +136,30 @@ class ImageViewTest : public QObject {
     QVERIFY2(s.text("imagePixel").endsWith(QStringLiteral("orange")), qPrintable(s.text("imagePixel")));
   }
 
+  void showsTrueClassesInTheirColoursByName() {
+    Shown s;
+    robotlink::Image classes(4, 1, robotlink::PixelFormat::kMono8);
+    classes.data = {0, 1, 9, 255};
+    auto message = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*message, classes.view(), s.world.now(), "red1/camera");
+    s.world.push("red1/oracle/classes", message);
+    s.world.pushImage("red1/camera/image", kImage, kGrass);
+    s.step();
+    auto* streams = child<QComboBox>(s.view, "imageStream");
+    const int row = streams->findData(QStringLiteral("red1/oracle/classes"));
+    QVERIFY(row >= 0);
+    streams->setFocus();
+    while (streams->currentIndex() < row) QTest::keyClick(streams, Qt::Key_Down);
+    const Rgb orange = *s.world.context.field->color("orange");
+    const std::pair<const char*, QColor> expected[] = {
+        {"none", Qt::black}, {"orange", QColor(orange.r, orange.g, orange.b)}, {"black", QColor(45, 45, 50)}, {"unknown", QColor(128, 128, 128)}};
+    for (int x = 0; x < 4; ++x) {
+      moveMouse(*s.canvas, s.at(x + 0.5, 0.5));
+      QVERIFY2(s.text("imagePixel").endsWith(QLatin1String(expected[x].first)), qPrintable(s.text("imagePixel")));
+      QVERIFY(isNear(s.colorAt(x + 0.5, 0.5), expected[x].second, 2));
+    }
+  }
+
   void aDrawingIsToggledByAClickInTheList() {
     Shown s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);

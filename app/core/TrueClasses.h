@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <span>
+#include <vector>
+
+#include "colortool/ColorClasses.h"
+#include "robotlink/base/Image.h"
+
+namespace simcore {
+struct RenderScene;
+}
+
+namespace app {
+
+/// The true colour classes of a simulated scene, for images of classes (the package oracle/classes) that
+/// colour tables are scored against. Classes have the numbers of colortool's preset "2002". A pixel is of the
+/// class whose palette colour (resources/fields/2002.yaml) its surface has, in light or shadow; of surfaces
+/// in all other colours, and of the background, it is kBackground.
+///
+/// A camera's image is in YCbCr 4:2:2: two neighbours share their chroma. Where they are of different
+/// classes, their colour is of neither, and both are kIgnored. A plain value.
+class TrueClasses {
+ public:
+  static constexpr std::uint8_t kBackground = 0;
+  static constexpr std::uint8_t kIgnored = 255;
+
+  /// What the numbers stand for.
+  static colortool::ColorClasses classes();
+
+  explicit TrueClasses(const simcore::RenderScene& scene);
+
+  /// By instance of the scene.
+  std::span<const std::uint8_t> ofInstances() const { return ofInstances_; }
+
+  /// A kMono8 image of an even width.
+  static void ignoreMixedPairs(robotlink::Image& classes);
+
+ private:
+  std::vector<std::uint8_t> ofInstances_;
+};
+
+}  // namespace app
