@@ -40,6 +40,8 @@ class MainWindow : public QMainWindow {
   ~MainWindow() override;
 
   void showPerspective(const QString& name);
+  /// What its views share.
+  const widgets::ViewContext& context() const { return context_; }
   /// Takes in what is new, now; the timer calls it.
   void tick();
   /// Errors of a file that could not be used, above the views until they are dismissed.

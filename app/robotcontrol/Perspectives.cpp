@@ -75,6 +75,21 @@ void buildLog(ViewDocks& docks) {
   setSizes(timeLine, {560, 380});
 }
 
+void buildColour(ViewDocks& docks) {
+  ads::CDockWidget* image = docks.add(QStringLiteral("color-image"), Place::kLeft);
+  ads::CDockWidget* classes = docks.add(QStringLiteral("color-classes"), Place::kRight);
+  ads::CDockWidget* space = docks.add(QStringLiteral("color-space"), Place::kBottom, classes);
+  ads::CDockWidget* samples = docks.add(QStringLiteral("color-samples"), Place::kBottom, image);
+  for (const char* id : {"color-quality", "color-compare", "color-frames", "messages"})
+    docks.add(QLatin1String(id), Place::kTab, samples);
+  ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
+  if (samples != nullptr) samples->setAsCurrentTab();
+  setSizes(image, {560, 250, 150});
+  setSizes(space, {560, 400});
+  setSizes(timeLine, {560, 250, 150});
+  setColumns(image, {1180, 420});
+}
+
 void buildProcesses(ViewDocks& docks) {
   ads::CDockWidget* processes = docks.add(QStringLiteral("processes"), Place::kLeft);
   docks.add(QStringLiteral("timing"), Place::kBottom, processes);
@@ -88,7 +103,7 @@ struct Shipped {
   const char* name;
   void (*build)(ViewDocks&);
 };
-constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
+constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Colour", buildColour}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
 
 const Shipped* shipped(const QString& name) {
   for (const Shipped& candidate : kShipped) {

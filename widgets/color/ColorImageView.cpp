@@ -274,7 +274,7 @@ QImage ColorImageView::rightImage() const {
 QString ColorImageView::rightCaption() const {
   switch (static_cast<RightLayer>(rightLayer_->currentIndex())) {
     case RightLayer::kClasses:
-      return {};
+      return bench_.samples().strokes.empty() ? tr("Choose a class and paint in the left picture") : QString();
     case RightLayer::kReference:
       return bench_.reference() ? tr("By %1").arg(bench_.referenceName())
                                 : tr("There is no table to compare with yet");
