@@ -2,11 +2,34 @@
 #include "colortool/Regions.h"
 
 #include <algorithm>
+#include <bit>
+#include <cstring>
 #include <tuple>
 
 namespace colortool {
 
 using robotlink::ImageView;
+
+namespace {
+
+/// Where the run ends that begins there: the first pixel of another class. Eight pixels at a time, since most
+/// runs of an image are long.
+int endOfRun(const std::uint8_t* pixels, int begin, int count) {
+  const std::uint64_t same = 0x0101'0101'0101'0101U * std::uint64_t{pixels[begin]};
+  int at = begin + 1;
+  for (; at + 8 <= count; at += 8) {
+    std::uint64_t eight = 0;
+    std::memcpy(&eight, pixels + at, sizeof eight);
+    if (eight == same) continue;
+    const int equalBits = std::endian::native == std::endian::little ? std::countr_zero(eight ^ same)
+                                                                     : std::countl_zero(eight ^ same);
+    return at + equalBits / 8;
+  }
+  while (at < count && pixels[at] == pixels[begin]) ++at;
+  return at;
+}
+
+}  // namespace
 
 void RegionFinder::beginImage() {
   runs_.clear();
@@ -17,7 +40,10 @@ void RegionFinder::addLine(int line, const std::uint8_t* pixels, int count, std:
   for (int begin = 0; begin < count;) {
     const std::uint8_t colorClass = pixels[static_cast<std::ptrdiff_t>(begin) * stride];
     int end = begin + 1;
-    while (end < count && pixels[static_cast<std::ptrdiff_t>(end) * stride] == colorClass) ++end;
+    if (stride == 1)
+      end = endOfRun(pixels, begin, count);
+    else
+      while (end < count && pixels[static_cast<std::ptrdiff_t>(end) * stride] == colorClass) ++end;
     if (colorClass != ColorClasses::kNone)
       runs_.push_back({line, begin, end, static_cast<int>(runs_.size()), colorClass});
     begin = end;

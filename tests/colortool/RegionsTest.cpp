@@ -88,6 +88,23 @@ TEST(RegionFinder, findsTheSameInAllColumnsAsInAllRows) {
                                  rows.findInRows(image.view())));
 }
 
+TEST(RegionFinder, findsTheEndsOfRunsOfAnyLength) {
+  for (int begin = 0; begin < 20; ++begin) {
+    for (int length = 1; length < 40; ++length) {
+      for (const std::uint8_t around : {std::uint8_t{0}, std::uint8_t{129}}) {
+        Image image(begin + length + begin % 3, 1, robotlink::PixelFormat::kMono8);
+        std::ranges::fill(image.data, around);
+        std::fill_n(image.data.begin() + begin, length, std::uint8_t{1});
+        auto rows = finder();
+        const auto regions = rows.findInRows(image.view());
+        ASSERT_FALSE(regions.empty());
+        EXPECT_EQ(regions[0].left, begin);
+        EXPECT_EQ(regions[0].area, length);
+      }
+    }
+  }
+}
+
 TEST(RegionFinder, estimatesSizesFromScanLines) {
   Image image(60, 40, robotlink::PixelFormat::kMono8);
   for (int y = 10; y < 30; ++y)
