@@ -4,44 +4,54 @@
 #include <map>
 #include <memory>
 #include <set>
+#include <string>
+#include <vector>
 
 #include "app/robotctl/ColorCommands.h"
 #include "app/robotctl/ColorImages.h"
 #include "app/robotctl/Commands.h"
-#include "colortool/ColorVotes.h"
+#include "colortool/SampleFile.h"
 #include "colortool/StrokeList.h"
+#include "colortool/TableTrainer.h"
 
 namespace app {
 namespace {
 
 using colortool::ColorTableFile;
-using colortool::ColorVotes;
 using colortool::DiscStroke;
+using colortool::Samples;
+using colortool::TrainingMethod;
 using robotlink::Errors;
 
-constexpr char kKernel[] = "kernel", kGauss[] = "gauss", kSupportVectors[] = "svm";
+const std::map<std::string, TrainingMethod> kMethods = {{"kernel", TrainingMethod::kVotes},
+                                                        {"gauss", TrainingMethod::kGaussians},
+                                                        {"svm", TrainingMethod::kSupportVectors}};
 
 struct TrainArguments {
-  std::string strokes, images, out;
-  std::string method = kKernel;
+  std::string strokes, images, samples, out, samplesOut;
+  std::string method = "kernel";
   ClassNames classes;
   double several = 0;  ///< 0: each cell has one class
-  colortool::VoteOptions options;
-  colortool::GaussianOptions gauss;
-  colortool::SupportVectorOptions supportVectors;
+  bool asLearned = false;
+  colortool::TrainingSettings settings;
 };
 
-/// The classes that strokes are of, by their names; all that are not known are told.
-tl::expected<std::map<std::string, std::uint8_t>, Errors> classesOf(const std::vector<DiscStroke>& strokes,
-                                                                    const colortool::ColorClasses& known,
-                                                                    const std::string& file) {
-  std::map<std::string, std::uint8_t> classes{{std::string(DiscStroke::kBackground), 0}};
+/// Strokes as samples, and what of them could not be used.
+struct Learned {
+  Samples samples;
+  int outside = 0;
+  Errors problems;
+};
+
+/// Fails with all class names that are not known.
+tl::expected<void, Errors> checkClasses(const std::vector<DiscStroke>& strokes,
+                                        const colortool::ColorClasses& known, const std::string& file) {
   Errors errors;
+  std::set<std::string> told{std::string(DiscStroke::kBackground)};
   for (const DiscStroke& stroke : strokes) {
-    if (classes.contains(stroke.colorClass)) continue;
-    const std::uint8_t number = known.index(stroke.colorClass);
-    classes[stroke.colorClass] = number;
-    if (number != colortool::ColorClasses::kNone) continue;
+    if (known.index(stroke.colorClass) != colortool::ColorClasses::kNone ||
+        !told.insert(stroke.colorClass).second)
+      continue;
     std::string names;
     for (const std::string& name : known.names()) names += ", " + name;
     errors.push_back({"color.class",
@@ -51,46 +61,67 @@ tl::expected<std::map<std::string, std::uint8_t>, Errors> classesOf(const std::v
                       {file, 0, 0}});
   }
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  return classes;
+  return {};
 }
 
 /// Adds what a stroke touches of its image. False: nothing.
-bool add(const DiscStroke& stroke, const colortool::ColorImage& image, std::uint8_t colorClass,
-         ColorVotes& votes) {
+bool add(Samples& samples, const DiscStroke& stroke, const colortool::ColorImage& image) {
   const double scale = static_cast<double>(image.width) / DiscStroke::kReferenceWidth;
-  bool any = false;
-  colortool::visitDisc(image.width, image.height, stroke.x * scale, stroke.y * scale, stroke.radius * scale,
-                       [&](int x, int y) {
-                         votes.add(colortool::ColorTable::cellOf(image.at(x, y)), colorClass,
-                                   ColorVotes::kUnit);
-                         any = true;
-                       });
-  return any;
+  const colortool::ImagePoint at[] = {{stroke.x * scale, stroke.y * scale}};
+  const auto area = colortool::brushArea(image.width, image.height, at, stroke.radius * scale);
+  return addStroke(samples, {0, stroke.image, "", "", 0, 0}, image, area,
+                   {samples.classes.index(stroke.colorClass), false, 1, "point"}) != 0;
 }
 
-/// What the votes make; with several classes a cell if that is wanted.
-ColorTableFile::Packed tableOf(const TrainArguments& arguments, ColorVotes& votes) {
-  colortool::ColorTable table;
-  if (arguments.method == kGauss)
-    table = gaussianTable(votes.samples(), arguments.gauss);
-  else if (arguments.method == kSupportVectors)
-    table = supportVectorTable(votes.samples(), arguments.supportVectors);
-  else
-    table = votes.update();
+tl::expected<Learned, Errors> samplesOfStrokes(const TrainArguments& arguments) {
+  const auto strokes = colortool::readStrokeList(arguments.strokes);
+  if (!strokes) return tl::unexpected(strokes.error());
+  auto classes = chosenClasses(arguments.classes);
+  if (!classes) return tl::unexpected(Errors{classes.error()});
+  if (auto checked = checkClasses(*strokes, *classes, arguments.strokes); !checked)
+    return tl::unexpected(checked.error());
+  const auto images = ColorImages::open(arguments.images);
+  if (!images) return tl::unexpected(Errors{images.error()});
+  Learned learned;
+  learned.samples.classes = std::move(*classes);
+  std::map<std::string, colortool::ColorImage> loaded;
+  for (const DiscStroke& stroke : *strokes) {
+    auto image = loaded.find(stroke.image);
+    if (image == loaded.end()) {
+      auto read = images->load(stroke.image);
+      if (!read) return tl::unexpected(Errors{read.error()});
+      image = loaded.emplace(stroke.image, std::move(*read)).first;
+    }
+    if (!add(learned.samples, stroke, image->second)) ++learned.outside;
+  }
+  return learned;
+}
+
+tl::expected<Learned, Errors> samplesOfFile(const std::string& file) {
+  auto read = colortool::loadSamples(file);
+  if (!read) return tl::unexpected(Errors{read.error()});
+  return Learned{std::move(read->samples), 0, std::move(read->problems)};
+}
+
+/// What the samples make; with several classes a cell if that is wanted.
+ColorTableFile::Packed tableOf(const Samples& samples, double several) {
+  colortool::TableTrainer trainer;
+  const colortool::ColorTable& table = trainer.train(samples);
   std::vector<std::uint16_t> masks(ColorTableFile::kCellCount);
-  for (std::size_t cell = 0; cell < masks.size() && arguments.several > 0; ++cell) {
-    if (table.cells()[cell] != 0) masks[cell] = votes.classesOf(cell, arguments.several);
+  for (std::size_t cell = 0; cell < masks.size() && several > 0; ++cell) {
+    if (table.cells()[cell] != 0) masks[cell] = trainer.votes().classesOf(cell, several);
   }
   return ColorTableFile::pack(table.cells(), masks);
 }
 
 /// Says what was lost, and how the program ends because of it.
-int tellLosses(const TrainArguments& arguments, int strokesOutside, const ColorTableFile::Packed& made) {
-  if (strokesOutside != 0) {
+int tellLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
+  for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
+  if (learned.outside != 0) {
     std::cerr << arguments.strokes << ": "
-              << (strokesOutside == 1
+              << (learned.outside == 1
                       ? "one stroke lies outside of its image"
-                      : std::to_string(strokesOutside) + " strokes lie outside of their images")
+                      : std::to_string(learned.outside) + " strokes lie outside of their images")
               << "\n";
   }
   if (made.reducedCells != 0) {
@@ -99,104 +130,99 @@ int tellLosses(const TrainArguments& arguments, int strokesOutside, const ColorT
                  "with numbers up to "
               << ColorTableFile::kMostOfSeveral << "\n";
   }
-  return strokesOutside != 0 || made.reducedCells != 0 ? kDoneWithLosses : kDone;
+  const bool losses = !learned.problems.empty() || learned.outside != 0 || made.reducedCells != 0;
+  return losses ? kDoneWithLosses : kDone;
 }
 
 int run(const TrainArguments& arguments) {
-  const auto strokes = colortool::readStrokeList(arguments.strokes);
-  if (!strokes) return printErrors(strokes.error());
-  auto known = chosenClasses(arguments.classes);
-  if (!known) return printErrors({known.error()});
-  const auto classes = classesOf(*strokes, *known, arguments.strokes);
-  if (!classes) return printErrors(classes.error());
-  const auto images = ColorImages::open(arguments.images);
-  if (!images) return printErrors({images.error()});
-
-  ColorVotes votes(known->size(), arguments.options);
-  std::map<std::string, colortool::ColorImage> loaded;
-  int outside = 0;
-  for (const DiscStroke& stroke : *strokes) {
-    auto image = loaded.find(stroke.image);
-    if (image == loaded.end()) {
-      auto read = images->load(stroke.image);
-      if (!read) return printErrors({read.error()});
-      image = loaded.emplace(stroke.image, std::move(*read)).first;
-    }
-    if (!add(stroke, image->second, classes->at(stroke.colorClass), votes)) ++outside;
+  auto learned = arguments.samples.empty() ? samplesOfStrokes(arguments) : samplesOfFile(arguments.samples);
+  if (!learned) return printErrors(learned.error());
+  Samples& samples = learned->samples;
+  if (!arguments.asLearned) {
+    samples.settings = arguments.settings;
+    samples.settings.method = kMethods.at(arguments.method);
   }
-  const auto made = tableOf(arguments, votes);
-  const colortool::NamedColorTable table{made.file, std::move(*known)};
+  const auto made = tableOf(samples, arguments.several);
+  const colortool::NamedColorTable table{made.file, samples.classes};
   if (const auto saved = table.save(arguments.out); !saved) return printErrors({saved.error()});
-  std::cout << arguments.out << ": " << strokes->size() << " strokes in " << loaded.size() << " images\n";
-  return tellLosses(arguments, outside, made);
+  if (!arguments.samplesOut.empty()) {
+    if (const auto saved = saveSamples(samples, arguments.samplesOut); !saved)
+      return printErrors({saved.error()});
+  }
+  std::cout << arguments.out << ": " << samples.strokes.size() << " strokes in " << samples.images.size()
+            << " images\n";
+  return tellLosses(arguments, *learned, made);
+}
+
+/// Options of a method, by their usual values.
+void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
+  using Votes = colortool::VoteOptions;
+  const auto number = [&](const char* name, double& value, const char* help, const CLI::Validator& range) {
+    command.add_option(name, value, help)->check(range)->capture_default_str();
+  };
+  number("--radius", settings.votes.radius, "How far a sample reaches in Cb and Cr: one standard deviation",
+         CLI::Range(Votes::kLeastRadius, Votes::kMostRadius));
+  number("--y-weight", settings.votes.brightnessWeight,
+         "What a difference in Y counts against one in Cb or Cr",
+         CLI::Range(Votes::kLeastBrightnessWeight, 1.0));
+  number("--rejection", settings.votes.rejection,
+         "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
+  number("--background-weight", settings.votes.backgroundWeight,
+         "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
+  number("--reject-distance", settings.gaussians.mostSquaredDistance,
+         "gauss: squared Mahalanobis distance from a class past which a colour is not of it",
+         CLI::PositiveNumber);
+  number("--cost", settings.supportVectors.cost, "svm: what a sample on the wrong side costs",
+         CLI::PositiveNumber);
+  number("--gamma", settings.supportVectors.gamma, "svm: of its radial basis functions", CLI::PositiveNumber);
+  number("--reject-radius", settings.supportVectors.mostDistance,
+         "svm: how far from a sample a class reaches at most", CLI::PositiveNumber);
+  command.add_flag("!--keep-unsupported", settings.cleanUp.removeUnsupported,
+                   "Leaves cells that no sample speaks for in the table");
+  command.add_flag("!--keep-holes", settings.cleanUp.fillHoles,
+                   "Leaves holes in the middle of a class in the table");
 }
 
 }  // namespace
 
 void addColorTrainCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<TrainArguments>();
-  CLI::App* command = color.add_subcommand("train", "Makes a colour table from strokes in images");
-  command
-      ->add_option("--strokes", arguments->strokes,
-                   "CSV with the header image,class,x,y,radius; in pixels of the image at a width of 320; "
-                   "class background is none of them")
-      ->required();
-  command
-      ->add_option("--images", arguments->images,
-                   "The folder of the images (PNG, JPEG, .yuyv), or a log file")
-      ->required();
+  CLI::App* command =
+      color.add_subcommand("train", "Makes a colour table from strokes in images, or from samples");
+  CLI::Option* strokes = command->add_option(
+      "--strokes", arguments->strokes,
+      "CSV with the header image,class,x,y,radius; in pixels of the image at a width of 320; class "
+      "background is none of them");
+  CLI::Option* images = command->add_option("--images", arguments->images,
+                                            "The folder of the images (PNG, JPEG, .yuyv), or a log file");
+  CLI::Option* samples = command->add_option("--samples", arguments->samples,
+                                             "Samples that the workbench saved, instead of strokes");
+  strokes->needs(images)->excludes(samples);
+  images->needs(strokes);
   command->add_option("--out", arguments->out, "The colour table (.c64)")->required();
+  command->add_option("--save-samples", arguments->samplesOut,
+                      "Also writes what was learned from, for the workbench");
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers; they are written beside the table");
   command
       ->add_option(
           "--method", arguments->method,
           "kernel: samples vote around them; gauss: one Gaussian per class; svm: a support vector machine")
-      ->check(CLI::IsMember({kKernel, kGauss, kSupportVectors}))
-      ->capture_default_str();
-  auto& options = arguments->options;
-  using Options = colortool::VoteOptions;
-  command
-      ->add_option("--radius", options.radius,
-                   "How far a sample reaches in Cb and Cr: one standard deviation")
-      ->check(CLI::Range(Options::kLeastRadius, Options::kMostRadius))
-      ->capture_default_str();
-  command
-      ->add_option("--y-weight", options.brightnessWeight,
-                   "What a difference in Y counts against one in Cb or Cr")
-      ->check(CLI::Range(Options::kLeastBrightnessWeight, 1.0))
-      ->capture_default_str();
-  command
-      ->add_option("--rejection", options.rejection,
-                   "What a class needs at least, as a share of one sample's own vote")
-      ->check(CLI::NonNegativeNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--background-weight", options.backgroundWeight,
-                   "What a sample of the background counts against one of a class")
-      ->check(CLI::Range(0.0, 1.0))
-      ->capture_default_str();
-  command
-      ->add_option("--reject-distance", arguments->gauss.mostSquaredDistance,
-                   "gauss: squared Mahalanobis distance from a class past which a colour is not of it")
-      ->check(CLI::PositiveNumber)
+      ->check(CLI::IsMember(kMethods))
       ->capture_default_str();
   command
       ->add_option("--several", arguments->several,
                    "kernel: a cell keeps all classes that have this share of the best one's votes")
       ->check(CLI::Range(0.0, 1.0));
-  command->add_option("--cost", arguments->supportVectors.cost, "svm: what a sample on the wrong side costs")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->add_option("--gamma", arguments->supportVectors.gamma, "svm: of its radial basis functions")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command
-      ->add_option("--reject-radius", arguments->supportVectors.mostDistance,
-                   "svm: how far from a sample a class reaches at most")
-      ->check(CLI::PositiveNumber)
-      ->capture_default_str();
-  command->callback([arguments, &status] { status = run(*arguments); });
+  addSettings(*command, arguments->settings);
+  CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,
+                                       "Learns as the samples' file says, whatever the options here are");
+  own->needs(samples);
+  command->callback([arguments, strokes, samples, &status] {
+    if (strokes->empty() && samples->empty())
+      throw CLI::RequiredError("--strokes with --images, or --samples");
+    status = run(*arguments);
+  });
 }
 
 }  // namespace app
