@@ -1,0 +1,58 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Files of samples and lists of strokes.
+#include <cstdio>
+#include <cstdlib>
+
+#include "colortool/SampleFile.h"
+#include "colortool/StrokeList.h"
+#include "colortool/TableTrainer.h"
+#include "tests/colortool/SampleFixture.h"
+#include "tests/fuzz/FuzzTarget.h"
+
+using namespace colortool;
+
+namespace {
+
+void require(bool condition, const char* what) {
+  if (condition) return;
+  std::fprintf(stderr, "not so: %s\n", what);
+  std::abort();
+}
+
+void checkSamples(const Samples& samples) {
+  std::uint64_t last = 0;
+  for (const StrokePtr& stroke : samples.strokes) {
+    const SampleImage* image = samples.image(stroke->image);
+    require(image != nullptr, "each stroke has its image");
+    require(isValid(stroke->area, image->width, image->height), "each stroke is inside of it");
+    require(stroke->colors.size() == pixelCount(stroke->area), "each pixel has a colour");
+    require(stroke->colorClass < samples.classes.size(), "each stroke has a class");
+    require(stroke->id > last || last == 0, "strokes are sorted");
+    last = stroke->id;
+  }
+  const auto again = parseSamples(samplesText(samples), "again");
+  require(again && again->problems.empty() && again->samples == samples,
+          "samples are read as they were written");
+}
+
+}  // namespace
+
+extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
+  const std::string_view bytes(reinterpret_cast<const char*>(data), size);
+  const auto read = parseSamples(bytes, "fuzz");
+  if (read)
+    checkSamples(read->samples);
+  else
+    require(!read.error().text.empty(), "a refusal says why");
+  if (const auto strokes = parseStrokeList(bytes, "fuzz"); !strokes)
+    require(!strokes.error().empty(), "a refusal has a reason");
+  return 0;
+}
+
+std::vector<std::string> fuzzSeeds() {
+  Samples samples = quarterSamples();
+  samples.corrections = {{"nao", {}}};
+  restate(samples, {2}, {2, true, 3});
+  return {samplesText(samples), samplesText(emptySamples()),
+          "image,class,x,y,radius\n000.yuyv,orange,12,13.5,3\n000.yuyv,background,1e3,-1,0\n"};
+}

@@ -1,0 +1,93 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/TrueClassFrames.h"
+
+#include <QApplication>
+#include <QSignalSpy>
+#include <QTest>
+
+#include "robotlink/packages/Packages.h"
+#include "tests/widgets/ColorWorld.h"
+
+namespace widgets::test {
+
+class TrueClassFramesTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void init() {
+    world_ = std::make_unique<ColorWorld>();
+    bench_ = &colorBench(world_->context);
+    frames_ = std::make_unique<TrueClassFrames>(*bench_);
+  }
+  void cleanup() {
+    frames_.reset();
+    world_.reset();
+  }
+
+  void theRobotIsAskedAndItsImagesScoreTheTable() {
+    frames_->setOn(true);
+    QCOMPARE(world_->requests.size(), std::size_t{1});
+    QCOMPARE(world_->requests[0].set_key().name(), std::string("package/oracle/classes"));
+    tell();
+    QCOMPARE(bench_->labelled().size(), std::size_t{1});
+    bench_->setFrame(world_->frame());
+    bench_->setCurrentClass(1);
+    const colortool::ImagePoint at[] = {{8, 7}};
+    bench_->addStroke(colortool::brushArea(40, 30, at, 3), "brush");
+    QTRY_VERIFY(bench_->upToDate() && bench_->quality() != nullptr &&
+                bench_->quality()->task == bench_->colors()->task);
+    QVERIFY(bench_->quality()->labelled);
+    QCOMPARE(bench_->quality()->labelled->recall(1), 1.0);
+    QCOMPARE(bench_->quality()->labelled->recall(bench_->samples().classes.index("green")), 0.0);
+    frames_->setOn(false);
+    QCOMPARE(world_->requests.back().set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+    QVERIFY(bench_->labelled().empty());
+  }
+
+  void oneImageASecondIsTakenAndTheLastOnesStay() {
+    frames_->setOn(true);
+    for (int i = 0; i < 5; ++i) tell(300);
+    QCOMPARE(bench_->labelled().size(), std::size_t{2});
+    for (std::size_t i = 0; i < TrueClassFrames::kMost + 5; ++i) tell(1000);
+    QCOMPARE(bench_->labelled().size(), TrueClassFrames::kMost);
+  }
+
+  void aRefusalIsTold() {
+    QSignalSpy failures(bench_, &ColorBench::failed);
+    world_->refusal = "this robot has no oracle";
+    frames_->setOn(true);
+    world_->advance();
+    QCOMPARE(failures.count(), 1);
+    QVERIFY(failures[0][0].toString().contains(QStringLiteral("this robot has no oracle")));
+  }
+
+ private:
+  /// The camera's image and its true classes, in the numbers of 2002.
+  void tell(int milliseconds = 40) {
+    auto image = std::make_shared<foxglove::RawImage>(*ColorWorld::image());
+    robotlink::assign(*image->mutable_timestamp(), world_->now());
+    robotlink::Image classes(40, 30, robotlink::PixelFormat::kMono8);
+    const auto& all = bench_->samples().classes;
+    for (int y = 0; y < 15; ++y) {
+      for (int x = 0; x < 40; ++x) classes.row(y)[x] = x < 20 ? all.index("orange") : all.index("green");
+    }
+    auto labels = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*labels, classes.view(), world_->now(), "camera");
+    world_->push(ColorWorld::kStream, image);
+    world_->push("red1/" + std::string(robotlink::kOracleClasses.name), labels);
+    world_->advance(milliseconds);
+    frames_->tick();
+  }
+
+  std::unique_ptr<ColorWorld> world_;
+  ColorBench* bench_ = nullptr;
+  std::unique_ptr<TrueClassFrames> frames_;
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::TrueClassFramesTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "TrueClassFramesTest.moc"

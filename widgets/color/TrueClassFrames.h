@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <deque>
+#include <string>
+
+#include "robotlink/base/Clock.h"
+#include "widgets/color/ColorLearner.h"
+
+namespace widgets {
+
+class ColorBench;
+
+/// Images of a simulated robot with the true class of each pixel, to score tables with: while it is on, it
+/// asks the robot for them (package oracle/classes) and gives the bench one image a second, the last kMost.
+/// Logs that hold them serve as well. tick() is called once a tick. GUI thread; the bench must outlive it.
+class TrueClassFrames final : public QObject {
+  Q_OBJECT
+ public:
+  static constexpr std::size_t kMost = 30;
+
+  explicit TrueClassFrames(ColorBench& bench, QObject* parent = nullptr);
+
+  void setOn(bool on);
+  bool on() const { return on_; }
+  std::size_t count() const { return frames_.size(); }
+  void tick();
+
+ private:
+  void ask(const std::string& robot, bool on);
+
+  ColorBench& bench_;
+  bool on_ = false;
+  std::string asked_;  // the robot that was asked
+  std::deque<LabelledFrame> frames_;
+  robotlink::Instant last_;  // of the images
+};
+
+}  // namespace widgets
