@@ -84,9 +84,9 @@ void buildColour(ViewDocks& docks) {
     docks.add(QLatin1String(id), Place::kTab, samples);
   ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
   if (samples != nullptr) samples->setAsCurrentTab();
-  setSizes(image, {560, 250, 150});
+  setSizes(image, {540, 240, 180});
   setSizes(space, {560, 400});
-  setSizes(timeLine, {560, 250, 150});
+  setSizes(timeLine, {540, 240, 180});
   setColumns(image, {1180, 420});
 }
 

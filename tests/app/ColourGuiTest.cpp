@@ -6,10 +6,12 @@
 #include <QLabel>
 #include <fstream>
 
+#include "foxglove/Image.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/Desk.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorCanvas.h"
+#include "widgets/image/ImagePixels.h"
 
 namespace {
 
@@ -150,6 +152,7 @@ class ColourGuiTest : public QObject {
       }
       const double falseBall = share(painter.segmented(), labels, 0, painter.colorOf("orange"), 0);
       QVERIFY2(falseBall <= 0.01, qPrintable(QString::number(falseBall)));
+      keepPicture(desk, image);
     }
   }
 
@@ -193,13 +196,17 @@ class ColourGuiTest : public QObject {
     const int below = painter.image().height() - 8;
     painter.stroke(Qt::Key_5, {10, below}, {40, below});
     painter.stroke(Qt::Key_5, {painter.image().width() - 40, below}, {painter.image().width() - 10, below});
+    painter.stroke(Qt::Key_0, {10, 10}, {painter.image().width() - 10, 10});  // what is beyond the walls
+    painter.stroke(Qt::Key_0, {20, 30}, {50, 40});
     QCOMPARE(painter.segmented().pixelColor(center), painter.colorOf("orange"));
+    QCOMPARE(painter.segmented().pixelColor(30, 20), QColor(Qt::black));
 
     painter.click("colorSend");
     auto& sent = desk.find<QLabel>("colorSent");
     QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ red1 uses it")), qPrintable(sent.text()), kWaitMs);
     painter.click("colorFreeze");
-    QTRY_VERIFY_WITH_TIMEOUT(ballPercept(desk) != nullptr && ballPercept(desk)->seen(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(seesBall(desk), kWaitMs);
+    keepPicture(desk, "violet-ball");
   }
 
  private:
@@ -233,6 +240,24 @@ class ColourGuiTest : public QObject {
   const robotcontrol::BallPercept* ballPercept(Desk& desk) {
     auto& session = desk.workbench.session();
     return session.store().latestAs<robotcontrol::BallPercept>("red1/percepts/ball", session.timeline().newest());
+  }
+
+  /// Whether the newest percept says that the ball is where the image that it is of shows it.
+  bool seesBall(Desk& desk) {
+    const robotcontrol::BallPercept* percept = ballPercept(desk);
+    if (percept == nullptr || !percept->seen()) return false;
+    const auto* image = desk.workbench.session().store().latestAs<foxglove::RawImage>(
+        "red1/camera/image", robotlink::instant(percept->timestamp()));
+    if (image == nullptr) return false;
+    const std::vector<QPoint> ball = violet(widgets::toQImage(robotlink::imageView(*image)));
+    const QPoint center = middle(ball);
+    const auto& seen = percept->center_in_image();
+    return ball.size() > 60 && std::hypot(seen.x() - center.x(), seen.y() - center.y()) < 8;
+  }
+  /// For people to look at.
+  static void keepPicture(Desk& desk, const char* name) {
+    const QString folder = qEnvironmentVariable("ROBOTCONTROL_TEST_PICTURES");
+    if (!folder.isEmpty()) desk.window.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
   }
 
   std::filesystem::path home_;
