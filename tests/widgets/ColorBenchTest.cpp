@@ -69,6 +69,24 @@ class ColorBenchTest : public QObject {
     QCOMPARE(bench_->quality()->labelled->recall(bench_->samples().classes.index("orange")), 1.0);
   }
 
+  void correctionsChangeWhatTheTableSees() {
+    stroke("orange", 8, 7);
+    waitForColors();
+    QVERIFY(bench_->colors()->corrected == nullptr);
+    colortool::Samples next = bench_->samples();
+    colortool::ColorCorrection darker;
+    darker.channels[0] = {1, -60};
+    next.corrections = {{"red1", darker}};
+    next.settings.correctCameras = true;
+    bench_->change(QStringLiteral("correct"), std::move(next));
+    waitForColors();
+    QVERIFY(bench_->colors()->corrected != nullptr);
+    const auto color = robotlink::pixelYCbCr(bench_->colors()->seen(), 3, 3);
+    QVERIFY(std::abs(color.y - 80) <= 1);
+    QCOMPARE(classAt(3, 3), QStringLiteral("orange"));
+    QCOMPARE(bench_->colors()->table->classOf(color), bench_->samples().classes.index("orange"));
+  }
+
   void imagesAreCollectedOnce() {
     bench_->collect();
     bench_->collect();

@@ -60,10 +60,12 @@ void ColorImageView::commitGesture() {
       return bench_.erase(gesture_->area(), name);
     case ColorTool::kSelect: {
       colortool::CellSet cells;
-      const colortool::ColorImage& image = bench_.frame()->colors();
+      const LearnedColors* colors = bench_.colors();
+      const bool known = colors != nullptr && colors->frame == bench_.frame();
+      const robotlink::ImageView image = known ? colors->seen() : bench_.frame()->view();
       for (const colortool::PixelRun& run : gesture_->area()) {
         for (int x = run.begin; x < run.end; ++x)
-          cells.set(colortool::ColorTable::cellOf(image.at(x, run.y)));
+          cells.set(colortool::ColorTable::cellOf(robotlink::pixelYCbCr(image, x, run.y)));
       }
       return cells.empty() ? bench_.clearSelection() : bench_.select(cells);
     }

@@ -254,7 +254,7 @@ void ColorImageView::showColors() {
   const std::vector<robotlink::Rgb> classColors = bench_.classColors();
   leftLayers_.over = toQImage(colors->classes->view(), classColors, std::move(leftLayers_.over));
   rightLayers_.picture = rightImage();
-  applyLayers();
+  showSelection();
   updatePixel();
 }
 
@@ -262,11 +262,11 @@ QImage ColorImageView::rightImage() const {
   const LearnedColors& colors = *bench_.colors();
   const auto layer = static_cast<RightLayer>(rightLayer_->currentIndex());
   if (layer == RightLayer::kMargins)
-    return colors.margins ? marginImage(colors.frame->view(), *colors.margins) : rightLayers_.picture;
+    return colors.margins ? marginImage(colors.seen(), *colors.margins) : rightLayers_.picture;
   const bool compares = layer == RightLayer::kReference || layer == RightLayer::kDifference;
   if (!compares || !bench_.reference()) return leftLayers_.over;
   robotlink::Image classes;
-  bench_.reference()->classify(colors.frame->view(), classes);
+  bench_.reference()->classify(colors.seen(), classes);
   if (layer == RightLayer::kReference) return toQImage(classes.view(), bench_.classColors());
   return differenceImage(leftLayers_.picture, *colors.classes, classes, bench_.classColors());
 }
@@ -274,7 +274,8 @@ QImage ColorImageView::rightImage() const {
 QString ColorImageView::rightCaption() const {
   switch (static_cast<RightLayer>(rightLayer_->currentIndex())) {
     case RightLayer::kClasses:
-      return bench_.samples().strokes.empty() ? tr("Choose a class and paint in the left picture") : QString();
+      return bench_.samples().strokes.empty() ? tr("Choose a class and paint in the left picture")
+                                              : QString();
     case RightLayer::kReference:
       return bench_.reference() ? tr("By %1").arg(bench_.referenceName())
                                 : tr("There is no table to compare with yet");
@@ -329,9 +330,9 @@ void ColorImageView::updatePixel() {
   const int x = static_cast<int>(std::floor(cursor_->x())), y = static_cast<int>(std::floor(cursor_->y()));
   const auto pixel = pixelAt(frame->view(), x, y);
   if (!pixel) return pixel_->clear();
-  const robotlink::YCbCr color = robotlink::pixelYCbCr(frame->view(), x, y);
   QString text = widgets::describe(*pixel);
-  if (colors != nullptr) {
+  if (colors != nullptr && colors->frame == frame) {
+    const robotlink::YCbCr color = robotlink::pixelYCbCr(colors->seen(), x, y);
     const std::size_t cell = colortool::ColorTable::cellOf(color);
     const std::uint8_t colorClass = colors->table->classOf(color);
     text += QStringLiteral("   %1").arg(QString::fromStdString(colors->samples.classes.name(colorClass))) +

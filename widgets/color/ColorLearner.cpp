@@ -5,6 +5,7 @@
 #include <map>
 #include <utility>
 
+#include "colortool/ImageCorrector.h"
 #include "colortool/TableTrainer.h"
 
 namespace widgets {
@@ -35,6 +36,7 @@ void add(Evaluation& evaluation, const LabelledFrame& labelled, const Samples& s
 /// What the thread has.
 struct ColorLearner::Work {
   colortool::TableTrainer trainer;
+  std::optional<colortool::ImageCorrector> corrector;
   std::optional<Samples> samples;  ///< those that `table` is of
   std::shared_ptr<const ColorTable> table;
   std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not yet known
@@ -46,13 +48,24 @@ struct ColorLearner::Work {
       margins.reset();
       samples = task.samples;
     }
-    LearnedColors colors{task.number, task.samples, table, task.frame, {}, margins};
+    LearnedColors colors{task.number, task.samples, table, task.frame, correct(task), {}, margins};
     if (task.frame) {
       auto classes = std::make_shared<robotlink::Image>();
-      table->classify(task.frame->view(), *classes);
+      table->classify(colors.seen(), *classes);
       colors.classes = std::move(classes);
     }
     return colors;
+  }
+
+  /// The frame's image with its camera's correction; null if there is none.
+  std::shared_ptr<const robotlink::Image> correct(const ColorTask& task) {
+    if (!task.frame) return nullptr;
+    const colortool::ColorCorrection wanted = task.samples.correctionOf(task.frame->place().camera);
+    if (wanted.none()) return nullptr;
+    if (!corrector || !(corrector->correction() == wanted)) corrector.emplace(wanted);
+    auto image = std::make_shared<robotlink::Image>();
+    corrector->correct(task.frame->view(), *image);
+    return image;
   }
 };
 

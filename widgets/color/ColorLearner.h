@@ -38,9 +38,16 @@ struct LearnedColors {
   colortool::Samples samples;  ///< what the table was made of
   std::shared_ptr<const colortool::ColorTable> table;
   ColorFramePtr frame;
+  /// The frame with what Samples::correctionOf() does to its camera's colours; null: nothing.
+  std::shared_ptr<const robotlink::Image> corrected;
   std::shared_ptr<const robotlink::Image> classes;  ///< of the frame, kMono8; null without a frame
   /// By ColorTable::cellOf, see TableTrainer::margins(). Null until they are known, shortly after the table.
   std::shared_ptr<const std::vector<std::uint8_t>> margins;
+
+  /// The frame's colours as the table sees them; empty without a frame.
+  robotlink::ImageView seen() const {
+    return corrected ? corrected->view() : frame ? frame->view() : robotlink::ImageView();
+  }
 };
 
 /// How good a table is, over images whose classes are known.
