@@ -70,7 +70,8 @@ class Regridder {
     return mostFrequent(all);
   }
   std::uint8_t at(int i, int j, int k) const {
-    return grid_.classes[static_cast<std::size_t>((i * grid_.sides[1] + j) * grid_.sides[2] + k)];
+    const int cell = (i * grid_.sides[1] + j) * grid_.sides[2] + k;
+    return grid_.classes[static_cast<std::size_t>(cell)];
   }
 
   const CellGrid& grid_;

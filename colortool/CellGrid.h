@@ -2,6 +2,7 @@
 #pragma once
 
 #include <array>
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -17,6 +18,11 @@ struct CellGrid {
   bool crFirst = false;  ///< Cr before Cb
   std::vector<std::uint8_t> classes;
 
+  static constexpr std::size_t count(const std::array<int, 3>& sides) {
+    std::size_t product = 1;
+    for (const int side : sides) product *= static_cast<std::size_t>(side);
+    return product;
+  }
   static bool fits(int side) { return side >= 1 && side <= kMostCells && (side & (side - 1)) == 0; }
 };
 

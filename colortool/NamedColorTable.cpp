@@ -15,7 +15,6 @@
 
 namespace colortool {
 
-using robotlink::Error;
 using robotlink::Errors;
 using robotlink::Result;
 

@@ -27,7 +27,7 @@ struct NumberedTable {
   std::uint8_t none;
   std::span<const Class> known;  ///< become our classes 1, 2, ...
 
-  std::size_t bytes() const { return static_cast<std::size_t>(sides[0] * sides[1] * sides[2]); }
+  std::size_t bytes() const { return CellGrid::count(sides); }
   ColorClasses classes() const;
 };
 

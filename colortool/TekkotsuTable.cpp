@@ -156,7 +156,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   }
   if (!scanner.done()) return wrong(file, at, "something follows the numbers of cells");
   at += sizes->size() + 1;
-  const auto cells = static_cast<std::size_t>(grid.sides[0] * grid.sides[1] * grid.sides[2]);
+  const std::size_t cells = CellGrid::count(grid.sides);
   if (bytes.size() - at != cells) {
     return wrong(file, at,
                  fmt::format("{} cells are wanted, {} x {} x {}, but {} bytes follow", cells, grid.sides[0],
