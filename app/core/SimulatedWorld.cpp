@@ -92,7 +92,7 @@ const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
     posesRendered_ = simulation_->steps();
   }
   simcore::ImageNoise noise;
-  noise.sigma = options_.noise ? sensor.noise : 0;
+  noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
   noise.seed = options_.seed;
   noise.stream = camera;
   noise.frame = simulation_->steps();

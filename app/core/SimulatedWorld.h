@@ -29,6 +29,7 @@ class SimulatedWorld {
     bool blackout = false;  ///< all images are black
     simcore::Lighting lighting = {};
     std::optional<simcore::Vignetting> vignetting = {};  ///< of all cameras, instead of their own
+    std::optional<double> imageNoise = {};  ///< standard deviation, grey values; likewise, unless `noise` is off
   };
   /// What it did and what that cost, in real time.
   struct Costs {

@@ -15,10 +15,12 @@ class App;
 
 namespace app {
 
-/// The options of `robotctl sim` about what simulated cameras see: light, lens, and the true classes of pixels.
+/// The options of `robotctl sim` about what simulated cameras see: light, lens, and the true classes of
+/// pixels.
 struct CameraOptions {
   simcore::Lighting lighting;
   std::vector<double> vignetting;  ///< falloff, and perhaps tint
+  std::optional<double> imageNoise;
   bool classImages = false;
   std::string labelledFolder;  ///< empty: no labelled images are written
   double labelledEvery = 1;    ///< s

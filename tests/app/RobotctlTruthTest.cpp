@@ -64,7 +64,7 @@ TEST_F(RobotctlTruth, aLogWithClassImagesHoldsItsOwnLabels) {
   const json asIs = evaluated("--images game.mcap --labels game.mcap");
   EXPECT_GT(asIs["recall"]["orange"], 0.95);
   EXPECT_GT(asIs["mean_recall"], 0.9);
-  const std::string dark = " --light 0.5 --warmth 0.5 --vignetting 0.4 0.1";
+  const std::string dark = " --light 0.5 --warmth 0.5 --vignetting 0.4 0.1 --image-noise 6";
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --class-images --images jpeg --record dark.mcap" + dark).status, 0);
   const json other = evaluated("--images dark.mcap --labels dark.mcap");
   EXPECT_LT(other["mean_recall"], asIs["mean_recall"]);
@@ -82,7 +82,7 @@ TEST_F(RobotctlTruth, whatCannotBeDoneIsSaid) {
   const RobotctlOutcome sim = robotctl("sim " + kScene + " --seconds 0.1 --labelled-images file");
   EXPECT_EQ(sim.status, 1);
   EXPECT_THAT(sim.errors, HasSubstr("file/images: cannot make this folder for labelled images"));
-  for (const char* wrong : {"--light 11", "--light -1", "--warmth 2", "--vignetting 1.5", "--vignetting 0.1 0.2 0.3",
+  for (const char* wrong : {"--light 11", "--light -1", "--warmth 2", "--vignetting 1.5", "--image-noise -1", "--image-noise 3 --no-noise", "--vignetting 0.1 0.2 0.3",
                             "--images-every 1", "--trials 1 --labelled-images x"}) {
     EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 " + wrong).status, 2) << wrong;
   }

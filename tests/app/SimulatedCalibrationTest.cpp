@@ -31,18 +31,19 @@ struct LabelledImage {
   robotlink::Image labels;
 };
 
-/// A lighting, with a lens.
+/// A lighting, with a lens and with noise of the image.
 struct Light {
   const char* name;
   simcore::Lighting lighting;
   simcore::Vignetting vignetting;
+  double noise = 2.5;
 };
 
 constexpr char kCamera[] = "red1";
 
 constexpr Light kUsual{"usual", {1, 0}, {}};
 constexpr Light kDimAndWarm{"dim and warm", {0.75, 0.2}, {}};
-constexpr Light kBrightAndCool{"bright and cool, with vignetting", {1.2, -0.2}, {0.35, 0.1}};
+constexpr Light kBrightAndCool{"bright and cool, with vignetting and noise", {1.2, -0.2}, {0.35, 0.1}, 4};
 
 // Where the robot looks from: at ball, goals, beacons and both robots, nearby and from afar.
 constexpr Pose2 kLearnedViews[] = {{-0.8, 0, 0},      {-0.3, 0, 0},     {1.3, 0.9, 0.55}, {-1.3, 0, 3.14},
@@ -79,6 +80,7 @@ class SimulatedCalibration : public testing::Test {
     SimulatedWorld::Options options;
     options.lighting = light.lighting;
     options.vignetting = light.vignetting;
+    options.imageNoise = light.noise;
     auto world = SimulatedWorld::create(scene_, options);
     EXPECT_TRUE(world) << (world ? "" : world.error().describe());
     std::vector<LabelledImage> images;
@@ -215,11 +217,11 @@ TEST_F(SimulatedCalibration, aTableLearntInOneLightingIsScoredInThree) {
   const std::vector<LabelledImage> learnt = see(kUsual, kLearnedViews);
   const std::vector<colortool::Samples> samples = strokesIn(learnt, all);
   const ColorTable palette = paletteTable(all);
-  // Measured with five seeds: mean recall 0.996, 0.906 and 0.982, the worst 0.992, 0.886 and 0.978; false
-  // colour at most 0, 0 and 0.022 (the grey hall, which is bluish then). The palette's table has a mean
-  // recall of 0.973, 0.931 and 0.888.
+  // Measured with five seeds: mean recall 0.996, 0.906 and 0.979, the worst 0.992, 0.886 and 0.976; false
+  // colour at most 0, 0 and 0.079 (the grey hall, which is bluish then). The palette's table has a mean
+  // recall of 0.973, 0.931 and 0.871, and false colour 0, 0 and 0.122.
   const std::tuple<Light, double, double, double> expected[] = {
-      {kUsual, 0.985, 0.97, 0.001}, {kDimAndWarm, 0.84, 0.80, 0.001}, {kBrightAndCool, 0.96, 0.94, 0.05}};
+      {kUsual, 0.985, 0.97, 0.001}, {kDimAndWarm, 0.84, 0.80, 0.001}, {kBrightAndCool, 0.96, 0.94, 0.11}};
   std::vector<Scores> ours, ofPalette;
   for (const auto& [light, mean, worst, mostFalse] : expected) {
     const std::vector<LabelledImage> images = see(light, kOtherViews);
@@ -235,6 +237,7 @@ TEST_F(SimulatedCalibration, aTableLearntInOneLightingIsScoredInThree) {
   EXPECT_GT(ours[0].mean, ours[2].mean);
   EXPECT_GT(ours[0].mean, ofPalette[0].mean) << "and is better than one that knows but the colours";
   EXPECT_GT(ours[2].mean, ofPalette[2].mean);
+  EXPECT_LT(ours[2].mostFalse, ofPalette[2].mostFalse);
 }
 
 TEST_F(SimulatedCalibration, aTableLearntInThreeLightingsStandsAllOfThem) {
@@ -246,9 +249,9 @@ TEST_F(SimulatedCalibration, aTableLearntInThreeLightingsStandsAllOfThem) {
   for (const Light& light : {kUsual, kDimAndWarm, kBrightAndCool}) {
     const Scores scores = scoresOf(samples, see(light, kOtherViews));
     SCOPED_TRACE(described(light, scores));
-    // Measured: mean recall 0.992, 0.977 and 0.988; false colour at most 0, 0 and 0.009.
+    // Measured: mean recall 0.992, 0.975 and 0.985; false colour at most 0, 0 and 0.059.
     EXPECT_GT(scores.mean, 0.95);
-    EXPECT_LT(scores.mostFalse, 0.02);
+    EXPECT_LT(scores.mostFalse, 0.09);
   }
 }
 

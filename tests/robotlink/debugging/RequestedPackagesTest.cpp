@@ -2,7 +2,11 @@
 // What a platform makes only while somebody wants it.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <thread>
+
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/process/ThreadExecutor.h"
 #include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
@@ -42,7 +46,8 @@ TEST(RequestedPackages, areToldWithTheirOwnTimesWhileTheirKeyIsOn) {
   EXPECT_EQ(keyIn(robot)->mode().kind(), KeyMode::ALWAYS);
   const auto told = robot.on(kPath);
   EXPECT_NEAR(static_cast<double>(told.size()), 10, 1);
-  for (const auto* message : told) EXPECT_EQ(instant(message->timestamp()), instant(message->image().timestamp()));
+  for (const auto* message : told)
+    EXPECT_EQ(instant(message->timestamp()), instant(message->image().timestamp()));
   ASSERT_TRUE(robot.setKey(kKey, KeyMode::OFF).accepted());
   robot.run(10);
   const int made = robot.platform.classesMade();
@@ -64,6 +69,42 @@ TEST(RequestedPackages, keysOfOtherPackagesAreStillRefused) {
   ToyRobot robot;
   EXPECT_EQ(robot.setKey("package/oracle/nothing", KeyMode::ALWAYS).reason(),
             "no process of this layout has 'package/oracle/nothing'");
+}
+
+TEST(RequestedPackages, mayBeAskedForWhileEveryProcessHasItsThread) {
+  ManualClock steps;
+  ToyPlatform platform("toy", steps);
+  auto layout = parseLayout(kToyLayout, "toy.yaml");
+  ASSERT_TRUE(layout);
+  RobotSetup setup;
+  setup.name = "red1";
+  auto program = RobotProgram::create(setup, *layout, platform, {});
+  ASSERT_TRUE(program);
+  std::atomic<int> told{0};
+  (*program)->debugProcess().setListener([&](const auto& queue) {
+    for (const auto& message : queue->messages()) told += message.path() == kPath ? 1 : 0;
+  });
+  ThreadExecutor executor({});
+  for (Process* process : (*program)->processes()) executor.add(*process);
+  executor.start();
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(20);
+  robotcontrol::Request request;
+  request.mutable_set_key()->set_name(kKey);
+  for (int i = 0; i < 200 || (told == 0 && std::chrono::steady_clock::now() < deadline); ++i) {
+    if (i % 20 == 0) {
+      request.mutable_set_key()->mutable_mode()->set_kind(i % 40 == 0 ? KeyMode::ALWAYS : KeyMode::OFF);
+      (*program)->debugProcess().request(request);
+    }
+    platform.tryBeginFrame();
+    platform.actuate();
+    steps.advance(std::chrono::milliseconds(8));
+    executor.clockAdvanced();
+    platform.runFrame();
+    std::this_thread::sleep_for(std::chrono::microseconds(200));
+  }
+  (*program)->stop();
+  executor.stop();
+  EXPECT_GT(told, 0);
 }
 
 TEST(RequestedPackages, theNextProgramOnThePlatformStartsWithoutThem) {
