@@ -6,12 +6,14 @@
 #include <random>
 
 #include "colortool/ColorVotes.h"
+#include "colortool/TableCleanUp.h"
 #include "tests/colortool/AiboPatches.h"
 
 namespace {
 
 using colortool::ColorTable;
 using colortool::ColorVotes;
+using colortool::TableCleanUp;
 
 using Colors = std::vector<robotlink::YCbCr>;
 using Session = std::map<std::string, Colors>;  // by label
@@ -34,7 +36,8 @@ ColorTable learned(const Session& session, unsigned seed) {
     for (std::size_t i = 0; i < kPixelsOfAStroke; ++i)
       votes.add(ColorTable::cellOf(colors[random() % colors.size()]), colorClass, ColorVotes::kUnit);
   }
-  return votes.update();
+  TableCleanUp cleanUp;
+  return cleanUp.clean(votes.update(), colortool::sampledCells(votes.samples(), votes.classes()), {});
 }
 
 struct Score {
