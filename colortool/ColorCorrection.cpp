@@ -32,6 +32,14 @@ double squaredImageRadius(double x, double y, int width, int height) {
          (double{1} * width * width + double{1} * height * height);
 }
 
+bool ColorCorrection::isFinite() const {
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::ranges::all_of(vignetting.luma, finite) && std::ranges::all_of(vignetting.blue, finite) &&
+         std::ranges::all_of(vignetting.red, finite) &&
+         std::ranges::all_of(
+             channels, [&](const ChannelLine& line) { return finite(line.gain) && finite(line.offset); });
+}
+
 ChannelLine ColorCorrection::lumaAt(double squaredRadius) const {
   const double shade = std::clamp(1 + curve(vignetting.luma, squaredRadius), kLeastShade, kMostShade);
   return limited(channels[0].gain / shade, channels[0].offset);

@@ -37,6 +37,8 @@ struct ColorCorrection {
   std::array<ChannelLine, 3> channels{};
 
   bool none() const { return *this == ColorCorrection{}; }
+  /// Whether all are numbers; what is not must not be applied.
+  bool isFinite() const;
   /// Of a pixel at (x, y) of an image of that size: rounded, and within 0 to 255.
   robotlink::YCbCr apply(robotlink::YCbCr color, int x, int y, int width, int height) const;
   /// All that is done to a channel at a distance from the centre of the image.

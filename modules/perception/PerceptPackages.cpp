@@ -87,6 +87,16 @@ colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
   return colortool::ColorTable::translated({cells, from.cells().size()}, numbers);
 }
 
+colortool::ColorCorrection colorCorrection(const robotcontrol::ColorCorrection& from) {
+  colortool::ColorCorrection to;
+  to.vignetting = {
+      {from.luma_r2(), from.luma_r4()}, {from.blue_r2(), from.blue_r4()}, {from.red_r2(), from.red_r4()}};
+  if (from.has_y()) to.channels[0] = {from.y().gain(), from.y().offset()};
+  if (from.has_cb()) to.channels[1] = {from.cb().gain(), from.cb().offset()};
+  if (from.has_cr()) to.channels[2] = {from.cr().gain(), from.cr().offset()};
+  return to.isFinite() ? to : colortool::ColorCorrection{};
+}
+
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from) {
   return {from.darkest(), from.brightest(), from.usual(), from.tolerance(), from.brightness_weight()};
 }

@@ -4,6 +4,7 @@
 #include <string_view>
 #include <vector>
 
+#include "colortool/ColorCorrection.h"
 #include "colortool/PaletteTable.h"
 #include "colortool/Regions.h"
 #include "modules/perception/BallGeometry.h"
@@ -12,6 +13,7 @@
 namespace robotcontrol {
 class BallGeometryParameters;
 class CameraPose;
+class ColorCorrection;
 class ColorRegions;
 class ColorTable;
 class LandmarkGeometryParameters;
@@ -38,6 +40,8 @@ void readRegions(const robotcontrol::ColorRegions& from, std::string_view classN
 /// The same table with the class numbers of `classes`, by their names; classes of other names are none.
 colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
                                  const colortool::ColorClasses& classes);
+/// None if its values are no numbers.
+colortool::ColorCorrection colorCorrection(const robotcontrol::ColorCorrection& from);
 
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from);
 BallGeometry::Options ballGeometry(const robotcontrol::BallGeometryParameters& from, double ballRadius);

@@ -3,6 +3,7 @@
 #include <optional>
 
 #include "PerceptionParameters.pb.h"
+#include "colortool/ImageCorrector.h"
 #include "foxglove/Image.pb.h"
 #include "modules/perception/FieldLandmarks.h"
 #include "modules/perception/PerceptPackages.h"
@@ -39,7 +40,7 @@ class Segmentation : public robotlink::Solution {
     tableIsNew_ = tableIsNew_ || given_.isNew();
     if (!image_ || !image_.isNew()) return;
     updateTable();
-    table_.classify(robotlink::imageView(*image_), classImage_);
+    table_.classify(correctedImage(), classImage_);
     const std::vector<colortool::Region>& found = find(classImage_.view());
     draw(found);
 
@@ -60,6 +61,8 @@ class Segmentation : public robotlink::Solution {
     if (given_ && !given_->cells().empty()) {
       if (!tableIsNew_) return;
       table_ = colorTable(*given_, classes_);
+      corrector_.reset();
+      if (given_->has_correction()) corrector_.emplace(colorCorrection(given_->correction()));
       tableLighting_.reset();
       tableIsNew_ = false;
       return;
@@ -67,7 +70,16 @@ class Segmentation : public robotlink::Solution {
     const colortool::LightingRange wanted = lightingRange(lighting());
     if (tableLighting_ == wanted) return;
     table_ = fieldColorTable(*field_, classes_, wanted);
+    corrector_.reset();
     tableLighting_ = wanted;
+  }
+
+  /// Valid until the next image.
+  robotlink::ImageView correctedImage() {
+    const robotlink::ImageView seen = robotlink::imageView(*image_);
+    if (!corrector_) return seen;
+    corrector_->correct(seen, correctedImage_);
+    return correctedImage_.view();
   }
 
   void draw(const std::vector<colortool::Region>& found) {
@@ -86,6 +98,8 @@ class Segmentation : public robotlink::Solution {
   colortool::ColorTable table_;
   std::optional<colortool::LightingRange> tableLighting_;  ///< that it was made for; none if it was given
   bool tableIsNew_ = true;                                 ///< the one that was given was not looked at yet
+  std::optional<colortool::ImageCorrector> corrector_;     ///< as the table that was given asks for
+  robotlink::Image correctedImage_;
   robotlink::Image classImage_;
   robotlink::Input<foxglove::RawImage> image_;
   robotlink::Input<robotcontrol::ColorTable> given_;

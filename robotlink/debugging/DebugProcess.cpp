@@ -2,6 +2,7 @@
 #include "robotlink/debugging/DebugProcess.h"
 
 #include <algorithm>
+#include <cmath>
 #include <set>
 
 #include "robotlink/base/BoundedQueue.h"
@@ -34,6 +35,14 @@ std::string wrongWith(const robotcontrol::KeyMode& mode) {
   return needsNumber && mode.n() == 0 ? "this mode of a debug key needs a number above 0" : "";
 }
 
+bool isFinite(const robotcontrol::ColorCorrection& c) {
+  const auto lines = {c.y().gain(),    c.y().offset(), c.cb().gain(),
+                      c.cb().offset(), c.cr().gain(),  c.cr().offset()};
+  const auto curves = {c.luma_r2(), c.luma_r4(), c.blue_r2(), c.blue_r4(), c.red_r2(), c.red_r4()};
+  const auto finite = [](double value) { return std::isfinite(value); };
+  return std::ranges::all_of(lines, finite) && std::ranges::all_of(curves, finite);
+}
+
 /// Empty if it can be used, or has no cells at all.
 std::string wrongWith(const robotcontrol::ColorTable& table) {
   constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
@@ -42,8 +51,8 @@ std::string wrongWith(const robotcontrol::ColorTable& table) {
     return "a colour table has " + std::to_string(kCells) + " cells, this one has " +
            std::to_string(table.cells().size());
   const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
-  return std::ranges::all_of(table.cells(), known) ? ""
-                                                   : "cells of the colour table have classes without a name";
+  if (!std::ranges::all_of(table.cells(), known)) return "cells of the colour table have classes without a name";
+  return isFinite(table.correction()) ? "" : "the colour table's correction has values that are no numbers";
 }
 
 }  // namespace

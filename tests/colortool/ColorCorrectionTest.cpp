@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <limits>
+
 namespace colortool {
 namespace {
 
@@ -44,6 +46,16 @@ TEST(ColorCorrection, whatIsTooMuchStaysWithinTheValues) {
   EXPECT_EQ(correction.apply({20, 130, 128}, 0, 0, 40, 30), YCbCr({160, 0, 128}))
       << "at most 8 times as bright";
   EXPECT_EQ(correction.apply({200, 130, 128}, 0, 0, 40, 30), YCbCr({255, 0, 128}));
+}
+
+TEST(ColorCorrection, whatIsNoNumberIsNoticed) {
+  ColorCorrection correction;
+  EXPECT_TRUE(correction.isFinite());
+  correction.channels[2].offset = std::numeric_limits<double>::quiet_NaN();
+  EXPECT_FALSE(correction.isFinite());
+  correction = {};
+  correction.vignetting.red[1] = std::numeric_limits<double>::infinity();
+  EXPECT_FALSE(correction.isFinite());
 }
 
 }  // namespace

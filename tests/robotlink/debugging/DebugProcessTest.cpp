@@ -4,6 +4,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <cmath>
 #include <set>
 
 #include "tests/robotlink/debugging/ToyRobot.h"
@@ -50,6 +51,9 @@ TEST(DebugProcessTest, aColourTableThatNobodyUsesOrThatIsNoneIsRefused) {
   EXPECT_EQ("a colour table has 262144 cells, this one has 10", robot.ask(request).reason());
   table.set_cells(std::string(262144, '\1'));
   EXPECT_EQ("cells of the colour table have classes without a name", robot.ask(request).reason());
+  table.add_class_names("orange");
+  table.mutable_correction()->mutable_cb()->set_gain(std::nan(""));
+  EXPECT_EQ("the colour table's correction has values that are no numbers", robot.ask(request).reason());
 }
 
 TEST(DebugProcessTest, eachRequestIsAnsweredExactlyOnceHoweverManyThereAre) {
