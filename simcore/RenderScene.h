@@ -31,6 +31,7 @@ struct RenderInstance {
   Rgb color;
   std::string name;
   bool castsShadow = true;
+  std::string colorName = {};  ///< that a palette has for it; empty if it has none
 };
 
 /// A point light. Irradiance on a surface facing it at distance d is `intensity` / (1 + d^2 * attenuation).

@@ -64,9 +64,10 @@ class Builder {
         scene_->bodies.push_back(name);
       }
       for (const VisualDescription& visual : link.visuals) {
-        const Rgb color = visual.teamColor && model.teamColor ? *model.teamColor : visual.color;
-        scene_->instances.push_back({meshIndex(visual.shape), body, linkInBody * visual.poseInLink, color,
-                                     name + "/" + visual.name, visual.castsShadow});
+        const bool ofTeam = visual.teamColor && model.teamColor;
+        scene_->instances.push_back({meshIndex(visual.shape), body, linkInBody * visual.poseInLink,
+                                     ofTeam ? *model.teamColor : visual.color, name + "/" + visual.name,
+                                     visual.castsShadow, ofTeam ? model.teamColorName : visual.colorName});
       }
     }
   }

@@ -39,6 +39,7 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
   }
   if (!include.team.empty()) {
     const auto color = files.palette.find(include.team);
+    instance.teamColorName = include.team;
     if (color != files.palette.end())
       instance.teamColor = color->second;
     else

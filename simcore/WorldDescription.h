@@ -40,6 +40,7 @@ struct VisualDescription {
   Pose3 poseInLink = Pose3::Identity();
   Shape shape;
   Rgb color;
+  std::string colorName;  ///< of a palette; empty: none, or the team's
   bool teamColor = false;
   bool castsShadow = true;
 };
@@ -100,6 +101,7 @@ struct ModelInstance {
   std::shared_ptr<const ModelDescription> type;
   Pose3 poseInWorld = Pose3::Identity();
   std::optional<Rgb> teamColor;
+  std::string teamColorName;
   robotlink::FilePosition where;  ///< its <include> or <model>
 };
 

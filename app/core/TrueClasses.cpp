@@ -7,9 +7,10 @@
 namespace app {
 namespace {
 
-std::uint8_t classOf(robotlink::Rgb color, const colortool::ColorClasses& classes) {
+std::uint8_t classOf(const simcore::RenderInstance& surface, const colortool::ColorClasses& classes) {
+  if (const std::uint8_t named = classes.index(surface.colorName); named != TrueClasses::kBackground) return named;
   for (int i = 1; i < classes.size(); ++i) {
-    if (classes.shownColor(i) == color) return static_cast<std::uint8_t>(i);
+    if (classes.shownColor(i) == surface.color) return static_cast<std::uint8_t>(i);
   }
   return TrueClasses::kBackground;
 }
@@ -23,7 +24,7 @@ colortool::ColorClasses TrueClasses::classes() {
 TrueClasses::TrueClasses(const simcore::RenderScene& scene) {
   const colortool::ColorClasses all = classes();
   for (const simcore::RenderInstance& instance : scene.instances)
-    ofInstances_.push_back(classOf(instance.color, all));
+    ofInstances_.push_back(classOf(instance, all));
 }
 
 void TrueClasses::ignoreMixedPairs(robotlink::Image& classes) {

@@ -67,7 +67,10 @@ void readColor(const sdf::Visual& visual, VisualDescription& result, const SdfCo
   const auto name = element->Get<std::string>("robotcontrol:color");
   const auto found = context.palette.find(name);
   result.teamColor = name == "team";
-  if (found != context.palette.end()) result.color = found->second;
+  if (found != context.palette.end()) {
+    result.color = found->second;
+    result.colorName = name;
+  }
   if (!result.teamColor && found == context.palette.end()) {
     context.fail(element->GetElement("robotcontrol:color"), "scene.color",
                  "no palette has the colour '" + name + "'");

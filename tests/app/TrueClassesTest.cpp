@@ -56,7 +56,17 @@ std::uint8_t number(const char* name) {
 
 }  // namespace
 
-TEST(TrueClasses, surfacesAreOfTheClassWhosePaletteColorTheyHave) {
+TEST(TrueClasses, surfacesAreOfTheClassThatTheirColorIsNamedAfter) {
+  simcore::RenderScene scene;
+  scene.instances.emplace_back().colorName = "orange";
+  scene.instances.back().color = {250, 215, 0};
+  scene.instances.emplace_back().colorName = "carpet";
+  const TrueClasses classes(scene);
+  EXPECT_EQ(std::vector(classes.ofInstances().begin(), classes.ofInstances().end()),
+            (std::vector<std::uint8_t>{number("orange"), TrueClasses::kBackground}));
+}
+
+TEST(TrueClasses, surfacesInAColorWithoutANameAreOfTheClassThatIsShownInIt) {
   simcore::RenderScene scene;
   for (const robotlink::Rgb color : {robotlink::Rgb{255, 105, 0}, {95, 88, 84}, {0, 130, 50}}) {
     scene.instances.emplace_back().color = color;

@@ -77,6 +77,8 @@ TEST_F(SceneTest, robotsWearTheirTeamsColor) {
   ASSERT_EQ(instances.size(), 2U);
   EXPECT_EQ(instances[0].color, (robotlink::Rgb{200, 0, 0}));
   EXPECT_EQ(instances[1].color, (robotlink::Rgb{0, 0, 90}));
+  EXPECT_EQ(instances[0].colorName, "red");
+  EXPECT_EQ(instances[1].colorName, "blue");
   EXPECT_EQ(instances[0].mesh, instances[1].mesh) << "equal shapes share a mesh";
 }
 
