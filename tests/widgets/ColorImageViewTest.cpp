@@ -272,6 +272,30 @@ class ColorImageViewTest : public QObject {
     QVERIFY2(sent->text().contains(QStringLiteral("send it again")), qPrintable(sent->text()));
   }
 
+  void theCorrectionOfTheRobotsCameraGoesWithTheTable() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    QVERIFY(!s.world.requests.back().set_color_table().table().has_correction());
+    s.world.advance();
+    colortool::Samples next = s.bench.samples();
+    colortool::ColorCorrection correction;
+    correction.vignetting.luma = {-0.25, 0.1};
+    correction.channels[1] = {1.1, -3};
+    next.corrections = {{"red1", correction}};
+    next.settings.correctVignetting = next.settings.correctCameras = true;
+    s.bench.change(QStringLiteral("correct"), std::move(next));
+    s.settle();
+    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    const auto& sent = s.world.requests.back().set_color_table().table().correction();
+    QCOMPARE(sent.luma_r2(), -0.25);
+    QCOMPARE(sent.luma_r4(), 0.1);
+    QCOMPARE(sent.cb().gain(), 1.1);
+    QCOMPARE(sent.cb().offset(), -3.0);
+    QCOMPARE(sent.y().gain(), 1.0);
+  }
+
   void eachNewTableIsSentWhileThatIsOn() {
     Shown s;
     QTest::mouseClick(child<QToolButton>(s.view, "colorAutoSend"), Qt::LeftButton);

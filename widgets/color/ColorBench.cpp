@@ -5,13 +5,14 @@
 #include <algorithm>
 
 #include "colortool/ClassPresets.h"
+#include "foxglove/Image.pb.h"
 #include "widgets/color/ColorSender.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace widgets {
 namespace {
 
-constexpr std::size_t kMostCollected = 200;
+constexpr std::size_t kMostCollectedBytes = std::size_t{128} << 20U;
 constexpr int kThumbnailHeight = 72;
 
 /// A step of the document. It keeps its own history; this is its place on Qt's stack.
@@ -134,7 +135,13 @@ void ColorBench::setFrame(ColorFramePtr frame) {
 }
 
 void ColorBench::collect() {
-  if (!frame_ || collected_.size() >= kMostCollected) return;
+  if (!frame_) return;
+  std::size_t bytes = 0;
+  for (const CollectedFrame& collected : collected_) bytes += collected.frame->message()->data().size();
+  if (bytes > kMostCollectedBytes) {
+    Q_EMIT failed(tr("No more images can be put aside; remove some of the strip first (Delete)"));
+    return;
+  }
   const bool there = std::ranges::any_of(collected_, [this](const CollectedFrame& collected) {
     return collected.frame->place() == frame_->place();
   });

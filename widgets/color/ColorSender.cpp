@@ -15,6 +15,24 @@ namespace {
 
 constexpr std::chrono::seconds kPatience(5);
 
+void assign(robotcontrol::ColorCorrection& to, const colortool::ColorCorrection& from) {
+  const colortool::Vignetting& lens = from.vignetting;
+  to.set_luma_r2(lens.luma[0]);
+  to.set_luma_r4(lens.luma[1]);
+  to.set_blue_r2(lens.blue[0]);
+  to.set_blue_r4(lens.blue[1]);
+  to.set_red_r2(lens.red[0]);
+  to.set_red_r4(lens.red[1]);
+  const auto line = [](robotcontrol::ColorCorrection::ChannelLine& channel,
+                       const colortool::ChannelLine& value) {
+    channel.set_gain(value.gain);
+    channel.set_offset(value.offset);
+  };
+  line(*to.mutable_y(), from.channels[0]);
+  line(*to.mutable_cb(), from.channels[1]);
+  line(*to.mutable_cr(), from.channels[2]);
+}
+
 QString hex(std::uint64_t checksum) {
   return QStringLiteral("%1").arg(checksum, 16, 16, QLatin1Char('0')).left(8);
 }
@@ -61,6 +79,9 @@ void ColorSender::send() {
   for (int i = 1; i < classes.size(); ++i) table.add_class_names(classes.name(i));
   const auto cells = colors->table->cells();
   table.set_cells(cells.data(), cells.size());
+  // Samples know cameras by their robots.
+  const colortool::ColorCorrection correction = colors->samples.correctionOf(robot_);
+  if (!correction.none()) assign(*table.mutable_correction(), correction);
   expected_ = robotlink::checksum(table);
   tell(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));
   patience_.start(kPatience);
