@@ -23,6 +23,7 @@
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Icon.h"
+#include "widgets/color/ColorFiles.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace app {
@@ -58,6 +59,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   connectSignals();
   restoreWindow();
   if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
+  createColors(userFolder);
 }
 
 MainWindow::~MainWindow() {
@@ -160,6 +162,7 @@ void MainWindow::tick() {
   toolBar_->refresh();
   recordingBar_->refresh();
   tickLogs();
+  widgets::colorFiles(context_).tick();
   status_->refresh();
   docks_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs) return;
@@ -195,6 +198,7 @@ void MainWindow::keepWindow() {
 }
 
 void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLoseColors()) return event->ignore();
   widgets::openLogs(context_).saveBookmarks();
   keepWindow();
   QMainWindow::closeEvent(event);

@@ -62,6 +62,8 @@ class MainWindow : public QMainWindow {
   void createActions();
   void createLogs();
   void addBookmarkCommand();
+  void createColors(const std::filesystem::path& userFolder);
+  bool mayLoseColors();
   void createErrorBar();
   void createMenus();
   void createFileMenu();

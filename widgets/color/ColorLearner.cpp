@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/color/ColorLearner.h"
 
-#include <algorithm>
-#include <map>
 #include <utility>
 
 #include "colortool/ImageCorrector.h"
@@ -12,24 +10,7 @@ namespace widgets {
 namespace {
 
 using colortool::ColorTable;
-using colortool::Evaluation;
 using colortool::Samples;
-
-/// Adds an image to an evaluation; classes are matched by their names.
-void add(Evaluation& evaluation, const LabelledFrame& labelled, const Samples& samples,
-         const ColorTable& table) {
-  std::array<std::uint8_t, 256> numbers;
-  numbers.fill(Evaluation::kIgnored);
-  numbers[0] = colortool::ColorClasses::kNone;
-  for (std::size_t i = 1; i < std::min<std::size_t>(labelled.classNames.size(), Evaluation::kIgnored); ++i) {
-    const std::uint8_t number = samples.classes.index(labelled.classNames[i]);
-    // What the table has no class for is background to it.
-    numbers[i] = number;
-  }
-  std::vector<std::uint8_t> labels(labelled.labels.size());
-  std::ranges::transform(labelled.labels, labels.begin(), [&](std::uint8_t label) { return numbers[label]; });
-  evaluation.add(table, labelled.frame->colors(), labels);
-}
 
 }  // namespace
 
@@ -40,7 +21,8 @@ struct ColorLearner::Work {
   std::optional<Samples> samples;  ///< those that `table` is of
   std::shared_ptr<const ColorTable> table;
   std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not yet known
-  std::shared_ptr<const std::vector<LabelledFrame>> scored;
+  std::shared_ptr<const ColorTable> scoredTable;             ///< with what the quality was asked for last
+  std::shared_ptr<const std::vector<LabelledFrame>> scoredImages;
 
   LearnedColors learn(const ColorTask& task) {
     if (!samples || !(*samples == task.samples)) {
@@ -69,7 +51,8 @@ struct ColorLearner::Work {
   }
 };
 
-ColorLearner::ColorLearner(std::function<void()> news) : news_(std::move(news)), thread_([this] { run(); }) {}
+ColorLearner::ColorLearner(std::function<void()> news)
+    : news_(std::move(news)), scorer_(news_), thread_([this] { run(); }) {}
 
 ColorLearner::~ColorLearner() {
   {
@@ -94,13 +77,12 @@ std::optional<LearnedColors> ColorLearner::takeColors() {
 }
 
 std::optional<ColorQuality> ColorLearner::takeQuality() {
-  const std::lock_guard lock(mutex_);
-  return std::exchange(quality_, std::nullopt);
+  return scorer_.take();
 }
 
 bool ColorLearner::idle() const {
   const std::lock_guard lock(mutex_);
-  return !task_ && !busy_ && !colors_ && !quality_;
+  return !task_ && !busy_ && !colors_ && scorer_.idle();
 }
 
 bool ColorLearner::newTask() const {
@@ -110,10 +92,10 @@ bool ColorLearner::newTask() const {
 
 void ColorLearner::run() {
   Work work;
-  const auto publish = [this](auto& slot, auto value) {
+  const auto publish = [this](LearnedColors colors) {
     {
       const std::lock_guard lock(mutex_);
-      slot = std::move(value);
+      colors_ = std::move(colors);
     }
     news_();
   };
@@ -129,26 +111,16 @@ void ColorLearner::run() {
       busy_ = true;
     }
     LearnedColors colors = work.learn(task);
-    const bool scored = work.margins && work.scored == task.labelled;
-    publish(colors_, colors);
-    if (scored || newTask()) continue;
-    if (!work.margins) {
-      work.margins = std::make_shared<std::vector<std::uint8_t>>(work.trainer.margins());
-      colors.margins = work.margins;
-      publish(colors_, colors);
+    publish(colors);
+    if (work.scoredTable != work.table || work.scoredImages != task.labelled) {
+      work.scoredTable = work.table;
+      work.scoredImages = task.labelled;
+      scorer_.ask({task.number, task.samples, work.table, task.labelled});
     }
-    ColorQuality quality{task.number, task.samples.classes, {}};
-    if (task.labelled && !task.labelled->empty()) {
-      Evaluation evaluation(task.samples.classes.size());
-      for (const LabelledFrame& labelled : *task.labelled) {
-        if (newTask()) break;
-        add(evaluation, labelled, task.samples, *work.table);
-      }
-      quality.labelled = std::move(evaluation);
-    }
-    if (newTask()) continue;
-    work.scored = task.labelled;
-    publish(quality_, std::move(quality));
+    if (work.margins || newTask()) continue;
+    work.margins = std::make_shared<std::vector<std::uint8_t>>(work.trainer.margins());
+    colors.margins = work.margins;
+    publish(std::move(colors));
   }
 }
 

@@ -10,19 +10,12 @@
 #include <thread>
 #include <vector>
 
-#include "colortool/Evaluation.h"
 #include "colortool/Samples.h"
 #include "robotlink/base/Image.h"
 #include "widgets/color/ColorFrame.h"
+#include "widgets/color/ColorScorer.h"
 
 namespace widgets {
-
-/// An image whose pixels' classes are known.
-struct LabelledFrame {
-  ColorFramePtr frame;
-  std::vector<std::uint8_t> labels;     ///< a pixel each: index of `names`, or Evaluation::kIgnored
-  std::vector<std::string> classNames;  ///< [0] is none
-};
 
 /// What the learner is asked for. Cheap to copy.
 struct ColorTask {
@@ -50,15 +43,8 @@ struct LearnedColors {
   }
 };
 
-/// How good a table is, over images whose classes are known.
-struct ColorQuality {
-  std::uint64_t task = 0;
-  colortool::ColorClasses classes;
-  std::optional<colortool::Evaluation> labelled;
-};
-
 /// Makes tables of samples and segments images with them, in a thread of its own: at first what is seen, then
-/// the margins, then, as long as nothing new is asked for, the quality. Only the newest task counts.
+/// the margins. How good the table is, a ColorScorer finds out beside it. Only the newest task counts.
 /// All but the constructor's function is called by one thread. The destructor waits for the work in hand.
 class ColorLearner {
  public:
@@ -81,13 +67,13 @@ class ColorLearner {
   bool newTask() const;
 
   const std::function<void()> news_;
-  mutable std::mutex mutex_;  // protects what follows but the thread
+  mutable std::mutex mutex_;  // protects what follows but the scorer and the thread
   std::condition_variable wakeUp_;
   std::optional<ColorTask> task_;
   std::optional<LearnedColors> colors_;
-  std::optional<ColorQuality> quality_;
   bool busy_ = false;
   bool quit_ = false;
+  ColorScorer scorer_;
   std::thread thread_;
 };
 

@@ -1,0 +1,179 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorFileActions.h"
+
+#include <QAction>
+#include <QCoreApplication>
+#include <QFileDialog>
+#include <QHBoxLayout>
+#include <QMenu>
+#include <QMessageBox>
+#include <QToolButton>
+
+#include "widgets/Controls.h"
+#include "widgets/Icon.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFiles.h"
+
+namespace widgets {
+namespace {
+
+QString translated(const char* text) {
+  return QCoreApplication::translate("widgets::ColorFileActions", text);
+}
+QString sampleFiles() {
+  return translated("Samples of colours (*.samples);;All files (*)");
+}
+QString tableFiles() {
+  return translated("Colour tables (*.c64)");
+}
+QString anyTables() {
+  return translated("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
+}
+
+/// Asks for a file to write, in the folder used last; an empty path: none.
+std::filesystem::path fileToWrite(const ColorFiles& files, QWidget* parent, const QString& title,
+                                  const QString& filter, const QString& suffix) {
+  QFileDialog dialog(parent, title, files.folder(), filter);
+  dialog.setAcceptMode(QFileDialog::AcceptSave);
+  dialog.setDefaultSuffix(suffix);
+  if (!files.file().empty())
+    dialog.selectFile(QString::fromStdString(files.file().stem().string()) + QLatin1Char('.') + suffix);
+  if (dialog.exec() != QDialog::Accepted || dialog.selectedFiles().isEmpty()) return {};
+  return dialog.selectedFiles().first().toStdString();
+}
+
+/// True: done. Tells what failed.
+bool tell(const ColorFiles& files, const robotlink::Result<void>& done) {
+  if (!done) Q_EMIT files.bench().failed(QString::fromStdString(done.error().describe()));
+  return done.has_value();
+}
+
+bool saveTo(ColorFiles& files, const std::filesystem::path& file) {
+  return !file.empty() && tell(files, files.saveAs(file));
+}
+
+bool askAndSave(ColorFiles& files, QWidget* parent) {
+  return saveTo(files, fileToWrite(files, parent, translated("Save samples"), sampleFiles(),
+                                   QStringLiteral("samples")));
+}
+
+}  // namespace
+
+bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
+  if (!files.changed()) return true;
+  QMessageBox box(QMessageBox::Warning, translated("Colour samples"),
+                  translated("The samples %1 of the colour table were changed and not saved.")
+                      .arg(files.title().chopped(1)),
+                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+  box.setObjectName(QStringLiteral("unsavedSamples"));
+  box.setInformativeText(translated("Save them?"));
+  box.setDefaultButton(QMessageBox::Save);
+  switch (box.exec()) {
+    case QMessageBox::Save:
+      return files.file().empty() ? askAndSave(files, parent) : saveTo(files, files.file());
+    case QMessageBox::Discard:
+      return true;
+    default:
+      return false;
+  }
+}
+
+ColorFileActions::ColorFileActions(ColorFiles& files, QWidget* view)
+    : QObject(view), files_(files), view_(view) {
+  createActions();
+  connectSignals();
+}
+
+void ColorFileActions::createActions() {
+  new_ = makeAction(view_, "file-new",
+                    {"colorNew", tr("New"), tr("Begins samples anew, with the classes of 2002")});
+  open_ = makeAction(view_, "open",
+                     {"colorOpen", tr("Open…"), tr("Opens samples from a file"), QKeySequence::Open});
+  save_ = makeAction(view_, "save",
+                     {"colorSave", tr("Save"), tr("Saves the samples to their file"), QKeySequence::Save});
+  menu_ = new QMenu(tr("Files"), view_);
+  menu_->setObjectName(QStringLiteral("colorFileMenu"));
+  menu_->setToolTipsVisible(true);
+}
+
+void ColorFileActions::connectSignals() {
+  connect(new_, &QAction::triggered, this, &ColorFileActions::startAnew);
+  connect(open_, &QAction::triggered, this, &ColorFileActions::open);
+  connect(save_, &QAction::triggered, this, &ColorFileActions::save);
+  const auto add = [this](const char* name, const char* iconName, const QString& text,
+                          const QString& toolTip) {
+    QAction* action = menu_->addAction(icon(iconName), text);
+    action->setObjectName(QLatin1String(name));
+    action->setToolTip(toolTip);
+    return action;
+  };
+  connect(add("colorSaveAs", "save", tr("Save &as…"), tr("Saves the samples to another file")),
+          &QAction::triggered, this, &ColorFileActions::saveAs);
+  connect(add("colorMerge", "add", tr("&Merge samples…"), tr("Adds the samples of another file to these")),
+          &QAction::triggered, this, &ColorFileActions::merge);
+  menu_->addSeparator();
+  connect(add("colorExport", "export", tr("&Export table…"),
+              tr("Writes the table to a .c64 file, with the names of its classes beside it")),
+          &QAction::triggered, this, &ColorFileActions::exportTable);
+  several_ = add("colorSeveral", "layers", tr("Exported cells may have &several classes"),
+                 tr("Where classes come close a cell of the exported table is of all of them"));
+  several_->setCheckable(true);
+  menu_->addSeparator();
+  connect(add("colorImport", "open", tr("&Compare with table…"),
+              tr("Reads a table to compare with; yours stays as it is")),
+          &QAction::triggered, this, &ColorFileActions::importReference);
+}
+
+void ColorFileActions::addTo(QHBoxLayout* row) const {
+  addButtons(row, {new_, open_, save_});
+  auto* more = new QToolButton(row->parentWidget());
+  describe(*more, {"colorFiles", tr("More with files"),
+                   tr("Save as, merge, export the table, read a table to compare with")});
+  more->setText(tr("More"));
+  more->setAutoRaise(true);
+  more->setPopupMode(QToolButton::InstantPopup);
+  more->setMenu(menu_);
+  row->addWidget(more);
+}
+
+void ColorFileActions::read(const QString& title, const QString& filter, const Use& use) {
+  const QString file = QFileDialog::getOpenFileName(view_, title, files_.folder(), filter);
+  if (!file.isEmpty()) tell(files_, use(file.toStdString()));
+}
+
+void ColorFileActions::startAnew() {
+  if (mayLoseSamples(files_, view_)) files_.startAnew();
+}
+
+void ColorFileActions::open() {
+  if (!mayLoseSamples(files_, view_)) return;
+  read(tr("Open samples"), sampleFiles(), [this](const auto& file) { return files_.open(file); });
+}
+
+void ColorFileActions::save() {
+  if (files_.file().empty())
+    askAndSave(files_, view_);
+  else
+    saveTo(files_, files_.file());
+}
+
+void ColorFileActions::saveAs() {
+  askAndSave(files_, view_);
+}
+
+void ColorFileActions::merge() {
+  read(tr("Merge samples"), sampleFiles(), [this](const auto& file) { return files_.merge(file); });
+}
+
+void ColorFileActions::exportTable() {
+  const auto file =
+      fileToWrite(files_, view_, tr("Export colour table"), tableFiles(), QStringLiteral("c64"));
+  if (!file.empty()) tell(files_, files_.exportTable(file, several_->isChecked()));
+}
+
+void ColorFileActions::importReference() {
+  read(tr("Compare with table"), anyTables(),
+       [this](const auto& file) { return files_.importReference(file); });
+}
+
+}  // namespace widgets

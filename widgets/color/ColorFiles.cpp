@@ -1,0 +1,257 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorFiles.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+#include <utility>
+
+#include "colortool/ColorTableFile.h"
+#include "colortool/NamedColorTable.h"
+#include "colortool/SampleFile.h"
+#include "colortool/TableImport.h"
+#include "colortool/TableTrainer.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorRecovery.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kTicksUntilKept = 60;
+/// Of several classes are cells where others have at least this share of the best one's votes.
+constexpr double kCloseShare = 0.7;
+constexpr std::size_t kMostProblemsShown = 12;
+
+QString text(const std::filesystem::path& path) {
+  return QString::fromStdString(path.string());
+}
+
+/// The classes of each cell as ColorTableFile::pack() takes them.
+std::vector<std::uint16_t> closeClasses(const colortool::TableTrainer& trainer) {
+  const auto winners = trainer.table().cells();
+  std::vector<std::uint16_t> masks(winners.size(), 0);
+  for (std::size_t cell = 0; cell < winners.size(); ++cell) {
+    if (winners[cell] == colortool::ColorClasses::kNone) continue;
+    masks[cell] = trainer.votes().classesOf(cell, kCloseShare);
+    // What cleaning up made of it may have few votes.
+    if (winners[cell] <= 16) masks[cell] |= static_cast<std::uint16_t>(1U << (winners[cell] - 1U));
+  }
+  return masks;
+}
+
+bool correctsColors(const colortool::Samples& samples) {
+  return std::ranges::any_of(samples.corrections, [&](const colortool::CameraCorrection& camera) {
+    return !samples.correctionOf(camera.camera).none();
+  });
+}
+
+}  // namespace
+
+ColorFiles::ColorFiles(ColorBench& bench) : QObject(&bench), bench_(bench) {
+  setObjectName(QStringLiteral("colorFiles"));
+  connect(&bench, &ColorBench::samplesChanged, this, [this] {
+    if (ticksUnkept_ == 0) ticksUnkept_ = 1;
+  });
+  connect(&bench.undoStack(), &QUndoStack::cleanChanged, this, [this] { Q_EMIT titleChanged(title()); });
+  connect(qApp, &QCoreApplication::aboutToQuit, this, &ColorFiles::keepNow);
+}
+
+ColorFiles::~ColorFiles() = default;
+
+bool ColorFiles::changed() const {
+  return !bench_.undoStack().isClean();
+}
+
+QString ColorFiles::title() const {
+  const QString name = file_.empty() ? tr("unnamed") : text(file_.filename());
+  return changed() ? name + QLatin1Char('*') : name;
+}
+
+void ColorFiles::setFile(const std::filesystem::path& file) {
+  file_ = file;
+  if (!file.empty()) remember(file);
+  discard();
+  Q_EMIT titleChanged(title());
+}
+
+void ColorFiles::remember(const std::filesystem::path& file) {
+  std::error_code error;
+  folder_ = text(std::filesystem::absolute(file, error).parent_path());
+}
+
+void ColorFiles::discard() {
+  if (std::exchange(kept_, false)) recovery_->drop();
+  ticksUnkept_ = 0;
+}
+
+void ColorFiles::tell(const QString& text) {
+  message_ = {text, false};
+  Q_EMIT told(text);
+}
+
+void ColorFiles::fail(const QString& reason) {
+  message_ = {reason, true};
+  Q_EMIT bench_.failed(reason);
+}
+
+void ColorFiles::startAnew() {
+  bench_.setDocument({});
+  setFile({});
+}
+
+void ColorFiles::show(const robotlink::Errors& problems, const QString& what) {
+  robotlink::Errors shown = problems;
+  shown.resize(std::min(shown.size(), kMostProblemsShown));
+  QString all = what + QLatin1Char('\n') + QString::fromStdString(robotlink::describe(shown));
+  if (shown.size() < problems.size())
+    all += tr("\n… and %n more", nullptr, static_cast<int>(problems.size() - shown.size()));
+  fail(all);
+}
+
+robotlink::Result<void> ColorFiles::open(const std::filesystem::path& file) {
+  auto read = colortool::loadSamples(file);
+  if (!read) return tl::unexpected(read.error());
+  bench_.setDocument(std::move(read->samples), !read->problems.empty());
+  const bool whole = read->problems.empty();
+  setFile(whole ? file : std::filesystem::path());
+  if (whole) return {};
+  remember(file);
+  ticksUnkept_ = 1;
+  show(read->problems,
+       tr("Only a part of %1 could be read. It is open without a name, so that the file stays "
+          "as it is:")
+           .arg(text(file)));
+  return {};
+}
+
+robotlink::Result<void> ColorFiles::save() {
+  if (!file_.empty()) return saveAs(file_);
+  return robotlink::failure("color.no-file", "the samples have no file yet; name one: color.save-as FILE");
+}
+
+robotlink::Result<void> ColorFiles::saveAs(const std::filesystem::path& file) {
+  if (const auto saved = colortool::saveSamples(bench_.samples(), file); !saved) return saved;
+  bench_.setSaved();
+  setFile(file);
+  tell(tr("Saved: %1").arg(text(file)));
+  return {};
+}
+
+robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
+  const auto read = colortool::loadSamples(file);
+  if (!read) return tl::unexpected(read.error());
+  colortool::Samples next = bench_.samples();
+  colortool::merge(next, read->samples);
+  const auto more = static_cast<int>(next.strokes.size() - bench_.samples().strokes.size());
+  bench_.change(tr("Merge %1").arg(text(file.filename())), std::move(next));
+  remember(file);
+  tell(tr("%n stroke(s) came from %1", nullptr, more).arg(text(file.filename())));
+  if (!read->problems.empty())
+    show(read->problems, tr("Only a part of %1 could be read and was added:").arg(text(file)));
+  return {};
+}
+
+robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& file, bool several) {
+  const colortool::Samples& samples = bench_.samples();
+  if (samples.strokes.empty()) {
+    return robotlink::failure("color.no-strokes",
+                              "there are no strokes to make a table of; draw some in an image first");
+  }
+  colortool::TableTrainer trainer;
+  const auto& table = trainer.train(samples);
+  const auto masks =
+      several ? closeClasses(trainer) : std::vector<std::uint16_t>(colortool::ColorTable::kCellCount);
+  auto packed = colortool::ColorTableFile::pack(table.cells(), masks);
+  const colortool::NamedColorTable named{std::move(packed.file), samples.classes};
+  if (const auto saved = named.save(file); !saved) return saved;
+  remember(file);
+  QString said = tr("Exported: %1").arg(text(file));
+  if (packed.reducedCells > 0) {
+    said +=
+        tr("\n%n cell(s) of several classes, one of them above %1, are of the best one alone: the format has "
+           "no room for more",
+           nullptr, static_cast<int>(packed.reducedCells))
+            .arg(colortool::ColorTableFile::kMostOfSeveral);
+  }
+  if (correctsColors(samples))
+    said += tr("\nThe corrections of cameras and vignetting are not part of the table");
+  tell(said);
+  return {};
+}
+
+robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path& file) {
+  const auto read = colortool::importTable(file);
+  if (!read) return robotlink::failure(read.error().front().id, robotlink::describe(read.error()));
+  const colortool::NamedColorTable& theirs = read->table;
+  const auto& classes = bench_.samples().classes;
+  const auto numbers = colortool::classNumbers(theirs.classes, classes);
+  auto table = std::make_shared<const colortool::ColorTable>(
+      colortool::ColorTable::translated(theirs.file.singleClasses(), numbers));
+  bench_.setReference(std::move(table), text(file.filename()));
+  remember(file);
+  QStringList unknown;
+  for (const std::string& name : theirs.classes.names()) {
+    if (classes.index(name) == colortool::ColorClasses::kNone) unknown << QString::fromStdString(name);
+  }
+  QString said = tr("Compared with %1").arg(text(file.filename()));
+  if (!unknown.isEmpty())
+    said +=
+        tr("; its classes %1 are not among yours and count as none").arg(unknown.join(QStringLiteral(", ")));
+  tell(said);
+  return {};
+}
+
+void ColorFiles::startRecovery(const std::filesystem::path& folder) {
+  recovery_ = std::make_unique<ColorRecovery>(folder, [this](const robotlink::Error& error) {
+    const QString reason = QString::fromStdString(error.describe());
+    QMetaObject::invokeMethod(
+        this, [this, reason] { fail(tr("Changes cannot be kept safe: %1").arg(reason)); },
+        Qt::QueuedConnection);
+  });
+  auto left = recovery_->left();
+  if (!left) return;
+  if (!*left) {
+    fail(tr("Samples that were not saved could not be brought back: %1")
+             .arg(QString::fromStdString(left->error().describe())));
+    return;
+  }
+  const auto strokes = static_cast<int>((*left)->samples.strokes.size());
+  bench_.setDocument(std::move((*left)->samples), true);
+  kept_ = true;
+  Q_EMIT titleChanged(title());
+  const QString said =
+      tr("The program did not end well the last time. What was not saved came back: %n stroke(s). "
+         "Save the samples to keep them.",
+         nullptr, strokes);
+  if ((*left)->problems.empty())
+    tell(said);
+  else
+    show((*left)->problems, said);
+}
+
+void ColorFiles::tick() {
+  if (ticksUnkept_ > 0 && ++ticksUnkept_ > kTicksUntilKept) followChanges();
+}
+
+void ColorFiles::followChanges() {
+  ticksUnkept_ = 0;
+  if (!recovery_) return;
+  if (changed()) {
+    recovery_->keep(bench_.samples());
+    kept_ = true;
+  } else if (std::exchange(kept_, false)) {
+    recovery_->drop();
+  }
+}
+
+void ColorFiles::keepNow() {
+  if (ticksUnkept_ > 0) followChanges();
+  if (recovery_) recovery_->finish();
+}
+
+ColorFiles& colorFiles(ViewContext& context) {
+  ColorBench& bench = colorBench(context);
+  auto* files = bench.findChild<ColorFiles*>(QString(), Qt::FindDirectChildrenOnly);
+  return files != nullptr ? *files : *new ColorFiles(bench);
+}
+
+}  // namespace widgets

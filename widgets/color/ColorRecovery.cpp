@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorRecovery.h"
+
+#include <QLockFile>
+#include <string>
+#include <system_error>
+#include <utility>
+
+namespace widgets {
+namespace {
+
+constexpr int kMostPrograms = 9;
+
+std::filesystem::path placeOf(const std::filesystem::path& folder, int number) {
+  return folder / (number == 1 ? "recovery.samples" : "recovery-" + std::to_string(number) + ".samples");
+}
+
+/// Moves a file to the first free "NAME-damaged-N.samples" beside it.
+std::filesystem::path setAside(const std::filesystem::path& file) {
+  for (int number = 1;; ++number) {
+    std::filesystem::path aside = file;
+    aside.replace_filename(file.stem().string() + "-damaged-" + std::to_string(number) + ".samples");
+    std::error_code error;
+    if (std::filesystem::exists(aside, error)) continue;
+    std::filesystem::rename(file, aside, error);
+    return error ? file : aside;
+  }
+}
+
+}  // namespace
+
+ColorRecovery::ColorRecovery(std::filesystem::path folder, std::function<void(robotlink::Error)> failed)
+    : failed_(std::move(failed)) {
+  std::error_code error;
+  std::filesystem::create_directories(folder, error);  // if it fails, so does writing, which is told
+  choosePlace(folder);
+  thread_ = std::thread([this] { run(); });
+}
+
+ColorRecovery::~ColorRecovery() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+  }
+  wakeUp_.notify_all();
+  thread_.join();
+}
+
+/// The first place that nobody holds and where something was left, else the first that nobody holds.
+void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
+  for (int number = 1; number <= kMostPrograms; ++number) {
+    const std::filesystem::path place = placeOf(folder, number);
+    std::error_code error;
+    const bool left = std::filesystem::exists(place, error);
+    if (lock_ && !left) continue;
+    auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.string() + ".lock"));
+    lock->setStaleLockTime(0);  // that of a program that is no more does not count; an old one may still work
+    if (!lock->tryLock(0)) continue;
+    lock_ = std::move(lock);
+    file_ = place;
+    if (left) return;
+  }
+  // All are held, or the folder cannot be written: a place that is nobody's, so that nothing is lost.
+  if (!lock_) file_ = placeOf(folder, kMostPrograms + 1);
+}
+
+std::optional<robotlink::Result<colortool::ReadSamples>> ColorRecovery::left() {
+  std::error_code error;
+  if (!lock_ || !std::filesystem::exists(file_, error)) return std::nullopt;
+  auto read = colortool::loadSamples(file_);
+  if (read && read->problems.empty()) return read;
+  const std::string note = "what was there is kept in " + setAside(file_).string();
+  if (!read) {
+    robotlink::Error damaged = read.error();
+    damaged.text += "; " + note;
+    return tl::unexpected(damaged);
+  }
+  read->problems.push_back({"color.recovery-damaged", note, {}, {}});
+  return read;
+}
+
+void ColorRecovery::keep(colortool::Samples samples) {
+  ask({std::move(samples)});
+}
+
+void ColorRecovery::drop() {
+  ask({});
+}
+
+void ColorRecovery::ask(Job job) {
+  {
+    const std::lock_guard lock(mutex_);
+    job_ = std::move(job);
+  }
+  wakeUp_.notify_all();
+}
+
+void ColorRecovery::finish() {
+  std::unique_lock lock(mutex_);
+  done_.wait(lock, [this] { return !job_ && !busy_; });
+}
+
+void ColorRecovery::run() {
+  std::unique_lock lock(mutex_);
+  while (true) {
+    wakeUp_.wait(lock, [this] { return quit_ || job_; });
+    if (!job_) return;  // what was asked for is done before the end
+    const Job job = *std::exchange(job_, std::nullopt);
+    busy_ = true;
+    lock.unlock();
+    work(job);
+    lock.lock();
+    busy_ = false;
+    done_.notify_all();
+  }
+}
+
+void ColorRecovery::work(const Job& job) const {
+  if (!job.samples) {
+    std::error_code error;
+    std::filesystem::remove(file_, error);
+    if (error)
+      failed_({"color.recovery", "the file cannot be removed: " + error.message(), {}, {file_.string()}});
+    return;
+  }
+  if (const auto saved = colortool::saveSamples(*job.samples, file_); !saved) failed_(saved.error());
+}
+
+}  // namespace widgets
