@@ -1,0 +1,46 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorCloud.h"
+
+#include "colortool/ColorTable.h"
+
+namespace widgets {
+namespace {
+
+constexpr std::uint32_t kBits = 7;
+
+std::uint32_t placeOf(robotlink::YCbCr color) {
+  return (static_cast<std::uint32_t>(color.y >> 1) << (2 * kBits)) |
+         (static_cast<std::uint32_t>(color.cb >> 1) << kBits) | static_cast<std::uint32_t>(color.cr >> 1);
+}
+
+}  // namespace
+
+std::size_t ColorCloud::pixelsIn(std::size_t cell) const {
+  std::size_t pixels = 0;
+  for (const CloudPoint& point : points) {
+    if (colortool::ColorTable::cellOf(point.color) == cell) pixels += point.pixels;
+  }
+  return pixels;
+}
+
+std::shared_ptr<const ColorCloud> CloudMaker::cloudOf(const colortool::ColorImage& image) {
+  places_.resize(std::size_t{1} << (3 * kBits));
+  for (const robotlink::YCbCr color : image.pixels) {
+    const std::uint32_t index = placeOf(color);
+    Place& place = places_[index];
+    if (place.pixels++ == 0) {
+      place.color = color;
+      used_.push_back(index);
+    }
+  }
+  auto cloud = std::make_shared<ColorCloud>();
+  cloud->points.reserve(used_.size());
+  for (const std::uint32_t index : used_) {
+    cloud->points.push_back({places_[index].color, places_[index].pixels});
+    places_[index].pixels = 0;
+  }
+  used_.clear();
+  return cloud;
+}
+
+}  // namespace widgets

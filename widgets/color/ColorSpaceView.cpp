@@ -1,0 +1,315 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorSpaceView.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLocale>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorSpaceCanvas.h"
+#include "widgets/color/ColorSpacePanel.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Colour space"),
+     QT_TRANSLATE_NOOP("widgets::ColorSpaceView",
+                       "Pixels, samples and the table's classes in the three dimensions of colour"),
+     "color-space", true, create<ColorSpaceView>}};
+
+constexpr int kTicksBetweenImages = 3;  // of 30 a second
+
+QString rangeOf(int cell) {
+  const int first = cell * static_cast<int>(colortool::ColorTable::kCellSize);
+  return QStringLiteral("%1-%2").arg(first).arg(first + static_cast<int>(colortool::ColorTable::kCellSize) -
+                                                1);
+}
+
+std::size_t pixelsIn(const ColorCloud& cloud, const colortool::CellSet& cells) {
+  std::size_t pixels = 0;
+  for (const CloudPoint& point : cloud.points) {
+    if (cells.contains(colortool::ColorTable::cellOf(point.color))) pixels += point.pixels;
+  }
+  return pixels;
+}
+
+}  // namespace
+
+ColorSpaceView::ColorSpaceView(ViewContext& context, QWidget* parent)
+    : View(context, parent), bench_(colorBench(context)) {
+  setObjectName(QStringLiteral("colorSpaceView"));
+  createActions();
+  createViews();
+  connectSignals();
+  connectBench();
+  tick();
+}
+
+ColorSpaceView::~ColorSpaceView() = default;
+
+void ColorSpaceView::createActions() {
+  const auto toggle = [this](const char* icon, const ControlText& text, bool checked) {
+    QAction* action = makeAction(this, icon, text);
+    action->setCheckable(true);
+    action->setChecked(checked);
+    return action;
+  };
+  pixels_ = toggle(
+      "color-pixels",
+      {"colorSpacePixels", tr("Pixels"), tr("Shows the colours of the image's pixels"), Qt::Key_P}, true);
+  samplesShown_ = toggle("color-samples",
+                         {"colorSpaceSamples", tr("Samples"),
+                          tr("Shows the colours that strokes touched, in their class's colour"), Qt::Key_S},
+                         true);
+  tableShown_ = toggle(
+      "color-surfaces",
+      {"colorSpaceTable", tr("Table"), tr("Shows the surfaces of the table's classes"), Qt::Key_T}, true);
+  showPanel_ = toggle("settings",
+                      {"colorSpaceSettings", tr("Classes and cut"),
+                       tr("Shows which classes are shown, and where it is cut"), Qt::Key_D},
+                      true);
+  reset_ = makeAction(this, "reset",
+                      {"colorSpaceReset", tr("Reset"), tr("Looks at it as at first"), Qt::Key_Home});
+  clear_ = makeAction(
+      this, "clear",
+      {"colorSpaceClear", tr("Select nothing"), tr("Forgets what is selected (Escape in the picture)")});
+}
+
+void ColorSpaceView::createViews() {
+  canvas_ = new ColorSpaceCanvas(this);
+  hint_ = new EmptyHint(canvas_);
+  panel_ = new ColorSpacePanel(this);
+  auto* splitter = new QSplitter(this);
+  splitter->setObjectName(QStringLiteral("colorSpaceSplitter"));
+  splitter->addWidget(canvas_);
+  splitter->addWidget(panel_);
+  splitter->setStretchFactor(0, 1);
+  splitter->setCollapsible(0, false);
+  splitter->setSizes({420, 150});
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter, 1);
+  layout->addWidget(createFooter());
+  connect(showPanel_, &QAction::toggled, panel_, &QWidget::setVisible);
+}
+
+QWidget* ColorSpaceView::createToolRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  space_ = new QComboBox(row->parentWidget());
+  widgets::describe(*space_,
+                    {"colorSpaceChoice", tr("Colour space"), tr("In which space colours are shown")});
+  for (const colortool::ColorSpace space : colortool::kColorSpaces)
+    space_->addItem(QLatin1String(colortool::nameOf(space)));
+  row->addWidget(space_);
+  addButtons(row, {pixels_, samplesShown_, tableShown_});
+  row->addStretch(1);
+  selection_ = addLabel(row, "colorSpaceSelection", tr("What is selected"));
+  addButtons(row, {clear_, reset_, showPanel_});
+  return row->parentWidget();
+}
+
+QWidget* ColorSpaceView::createFooter() {
+  QHBoxLayout* footer = makeFooter(this);
+  swatch_ = addLabel(footer, "colorSpaceSwatch", tr("Colour under the cursor"));
+  swatch_->setFixedSize(22, 14);
+  pointed_ = addLabel(footer, "colorSpacePointed", tr("Cell under the cursor"));
+  pointed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  pointed_->setMinimumHeight(fontMetrics().lineSpacing() + 2);  // also without a text
+  footer->setStretchFactor(pointed_, 1);
+  return footer->parentWidget();
+}
+
+void ColorSpaceView::connectSignals() {
+  connect(space_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    panel_->setLook(look());
+    updateLook();
+  });
+  for (QAction* action : {pixels_, samplesShown_, tableShown_})
+    connect(action, &QAction::toggled, this, &ColorSpaceView::updateLook);
+  connect(panel_, &ColorSpacePanel::lookChanged, this, &ColorSpaceView::updateLook);
+  connect(reset_, &QAction::triggered, canvas_, [this] { canvas_->setCamera({}); });
+  connect(clear_, &QAction::triggered, &bench_, &ColorBench::clearSelection);
+  connect(canvas_, &ColorSpaceCanvas::clearWanted, &bench_, &ColorBench::clearSelection);
+  connect(canvas_, &ColorSpaceCanvas::cellsChosen, this, &ColorSpaceView::select);
+  connect(canvas_, &ColorSpaceCanvas::pointedCellChanged, this, &ColorSpaceView::updatePointed);
+  connect(canvas_, &ColorSpaceCanvas::pictureShown, this, &ColorSpaceView::updateSelection);
+}
+
+void ColorSpaceView::connectBench() {
+  connect(&bench_, &ColorBench::selectionChanged, this, [this] { changed(Due::kNow); });
+  connect(&bench_, &ColorBench::frameChanged, this, [this] { changed(Due::kSoon); });
+  connect(&bench_, &ColorBench::colorsChanged, this, [this] {
+    // Another image is segmented each time; that changes nothing here.
+    const bool same = contents_ != nullptr && contents_->table == table() && contents_->samples == samples();
+    changed(same ? Due::kNothing : Due::kNow);
+    updatePointed();
+  });
+}
+
+void ColorSpaceView::changed(Due due) {
+  due_ = std::max(due_, due);
+}
+
+std::shared_ptr<const colortool::ColorTable> ColorSpaceView::table() const {
+  if (bench_.otherTable() != nullptr) return bench_.otherTable();
+  return bench_.colors() == nullptr ? nullptr : bench_.colors()->table;
+}
+
+const colortool::Samples& ColorSpaceView::samples() const {
+  return bench_.colors() == nullptr ? bench_.samples() : bench_.colors()->samples;
+}
+
+void ColorSpaceView::tick() {
+  ++ticks_;
+  if (due_ == Due::kNow || (due_ == Due::kSoon && ticks_ >= kTicksBetweenImages)) updateContents();
+  canvas_->tick();
+}
+
+void ColorSpaceView::updateContents() {
+  due_ = Due::kNothing;
+  ticks_ = 0;
+  auto contents = std::make_shared<ColorSpaceContents>();
+  contents->frame = bench_.frame();
+  contents->table = table();
+  contents->samples = samples();
+  if (bench_.hasSelection()) contents->selection = std::make_shared<colortool::CellSet>(bench_.selection());
+  contents_ = contents;
+  panel_->setClasses(contents->samples.classes);
+  canvas_->setContents(std::move(contents));
+  clear_->setEnabled(bench_.hasSelection());
+  updateHint();
+  updateSelection();
+}
+
+void ColorSpaceView::updateHint() {
+  const bool nothing =
+      contents_->frame == nullptr && contents_->samples.strokes.empty() &&
+      (contents_->table == nullptr ||
+       std::ranges::all_of(contents_->table->cells(), [](std::uint8_t cell) { return cell == 0; }));
+  hint_->setHint(
+      nothing ? tr("There are no colours yet.\nOpen a colour image and draw strokes in it: its pixels, "
+                   "the strokes' samples and the table that is made of them appear here.")
+              : QString());
+}
+
+ColorSpaceLook ColorSpaceView::look() const {
+  ColorSpaceLook look;
+  look.space = colortool::kColorSpaces[static_cast<std::size_t>(std::max(0, space_->currentIndex()))];
+  look.pixels = pixels_->isChecked();
+  look.samples = samplesShown_->isChecked();
+  look.table = tableShown_->isChecked();
+  panel_->addTo(look);
+  return look;
+}
+
+void ColorSpaceView::updateLook() {
+  canvas_->setLook(look());
+}
+
+void ColorSpaceView::updatePointed() {
+  const auto cell = canvas_->pointedCell();
+  pointed_->setText(cell ? describe(*cell) : QString());
+  if (!cell) return swatch_->clear();
+  const auto middle = [](std::size_t part) { return static_cast<std::uint8_t>((part & 63U) * 4 + 2); };
+  const robotlink::Rgb color = robotlink::toRgb({middle(*cell >> 12U), middle(*cell >> 6U), middle(*cell)});
+  QPixmap pixmap(22, 14);
+  pixmap.fill(QColor(color.r, color.g, color.b));
+  swatch_->setPixmap(pixmap);
+}
+
+QString ColorSpaceView::describe(std::size_t cell) const {
+  QStringList parts{tr("Y %1  Cb %2  Cr %3")
+                        .arg(rangeOf(static_cast<int>(cell >> 12U)),
+                             rangeOf(static_cast<int>(cell >> 6U & 63U)),
+                             rangeOf(static_cast<int>(cell & 63U)))};
+  if (contents_->table != nullptr) {
+    const std::uint8_t colorClass = contents_->table->cells()[cell];
+    const auto& classes = contents_->samples.classes;
+    parts << (colorClass == 0 || colorClass >= classes.size()
+                  ? tr("background")
+                  : QString::fromStdString(classes.name(colorClass)));
+  }
+  const LearnedColors* colors = bench_.colors();
+  if (bench_.otherTable() == nullptr && colors != nullptr && colors->margins != nullptr)
+    parts << tr("margin %1 %").arg(qRound((*colors->margins)[cell] / 2.55));
+  if (canvas_->picture().cloud != nullptr)
+    parts << tr("%n pixel(s)", nullptr, static_cast<int>(canvas_->picture().cloud->pixelsIn(cell)));
+  return parts.join(QStringLiteral("   "));
+}
+
+void ColorSpaceView::updateSelection() {
+  if (contents_ == nullptr || contents_->selection == nullptr) return selection_->clear();
+  const auto& cloud = canvas_->picture().cloud;
+  const QString cells = QLocale().toString(qulonglong(contents_->selection->size()));
+  selection_->setText(
+      cloud == nullptr
+          ? tr("%1 cells").arg(cells)
+          : tr("%1 cells, %2 pixels")
+                .arg(cells, QLocale().toString(qulonglong(pixelsIn(*cloud, *contents_->selection)))));
+}
+
+void ColorSpaceView::select(const colortool::CellSet& cells, SelectionChange change) {
+  colortool::CellSet selection = cells;
+  if (change != SelectionChange::kReplace && bench_.hasSelection()) {
+    for (std::size_t row = 0; row < colortool::CellSet::kRows; ++row) {
+      const auto before = bench_.selection().row(row);
+      selection.row(row) =
+          change == SelectionChange::kAdd ? before | cells.row(row) : before & ~cells.row(row);
+    }
+  } else if (change == SelectionChange::kTakeAway) {
+    return;
+  }
+  selection.empty() ? bench_.clearSelection() : bench_.select(selection);
+}
+
+QJsonObject ColorSpaceView::saveState() const {
+  const ColorSpaceLook shown = look();
+  QJsonArray hidden;
+  for (const std::string& name : shown.hidden) hidden.append(QString::fromStdString(name));
+  return {{QStringLiteral("space"), QLatin1String(colortool::nameOf(shown.space))},
+          {QStringLiteral("pixels"), shown.pixels},
+          {QStringLiteral("samples"), shown.samples},
+          {QStringLiteral("table"), shown.table},
+          {QStringLiteral("opacity"), shown.opacity},
+          {QStringLiteral("hidden"), hidden},
+          {QStringLiteral("cut"), static_cast<int>(shown.cut.along)},
+          {QStringLiteral("cutAt"), shown.cut.at},
+          {QStringLiteral("cutOther"), shown.cut.other},
+          {QStringLiteral("panel"), showPanel_->isChecked()},
+          {QStringLiteral("camera"), stateOf(canvas_->camera())}};
+}
+
+void ColorSpaceView::restoreState(const QJsonObject& state) {
+  ColorSpaceLook wanted;
+  space_->setCurrentIndex(std::max(0, space_->findText(state[QStringLiteral("space")].toString())));
+  wanted.space = look().space;
+  wanted.opacity = std::clamp(state[QStringLiteral("opacity")].toDouble(wanted.opacity), 0.0, 1.0);
+  for (const QJsonValue& name : state[QStringLiteral("hidden")].toArray())
+    wanted.hidden.push_back(name.toString().toStdString());
+  const int along = state[QStringLiteral("cut")].toInt();
+  if (along >= 0 && along <= static_cast<int>(ColorSpaceCut::Along::kThird))
+    wanted.cut.along = static_cast<ColorSpaceCut::Along>(along);
+  wanted.cut.at = std::clamp(state[QStringLiteral("cutAt")].toDouble(wanted.cut.at), 0.0, 1.0);
+  wanted.cut.other = state[QStringLiteral("cutOther")].toBool();
+  panel_->setLook(wanted);
+  pixels_->setChecked(state[QStringLiteral("pixels")].toBool(true));
+  samplesShown_->setChecked(state[QStringLiteral("samples")].toBool(true));
+  tableShown_->setChecked(state[QStringLiteral("table")].toBool(true));
+  showPanel_->setChecked(state[QStringLiteral("panel")].toBool(true));
+  canvas_->setCamera(colorSpaceCameraOf(state[QStringLiteral("camera")].toObject()));
+  updateLook();
+}
+
+}  // namespace widgets
