@@ -311,6 +311,43 @@ class ColorSpaceViewTest : public QObject {
     QCOMPARE(places.size(), std::size_t{4});
   }
 
+  void whatDiffersFromAReferenceIsSeenAlone() {
+    Shown s;
+    auto* surfaces = child<QComboBox>(s.view, "colorSpaceSurfaces");
+    QVERIFY(!surfaces->isEnabled());
+    s.bench.setReference(s.bench.colors()->table, QStringLiteral("yesterday"));
+    s.stroke("skyblue", 8, 22);  // was white
+    s.toggle("colorSpacePixels");
+    s.toggle("colorSpaceSamples");
+    QVERIFY(s.step());
+    QVERIFY(surfaces->isEnabled());
+    QVERIFY(s.countLike("orange") > 300 && s.countLike("skyblue") > 300);
+    surfaces->setFocus();
+    QTest::keyClick(surfaces, Qt::Key_Down);
+    QVERIFY(s.step());
+    QVERIFY(s.countLike("orange") > 300);
+    QCOMPARE(s.countLike("skyblue"), 0);  // not in the reference
+    QTest::keyClick(surfaces, Qt::Key_Down);
+    QVERIFY(s.step());
+    QVERIFY(s.countLike("skyblue") > 300);
+    QVERIFY(s.countLike("orange") < s.countLike("skyblue") / 5);
+    moveMouse(*s.canvas, s.at(kWhite));
+    const QString text = child<QLabel>(s.view, "colorSpacePointed")->text();
+    QVERIFY2(text.contains(QStringLiteral("skyblue   reference: background")), qPrintable(text));
+  }
+
+  void theColorThatAnImageViewPointsToIsMarked() {
+    Shown s;
+    const QImage before = s.canvas->rendered();
+    s.bench.setPointed(kGreen);
+    const QImage marked = s.canvas->rendered();
+    QVERIFY(marked != before);
+    const QRect around(s.at(kGreen) - QPoint(12, 12), QSize(25, 25));
+    QVERIFY(marked.copy(around) != before.copy(around));
+    s.bench.setPointed({});
+    QCOMPARE(s.canvas->rendered(), before);
+  }
+
   void aCutTakesAPartAway() {
     Shown s;
     auto* cut = child<QComboBox>(s.view, "colorSpaceCut");

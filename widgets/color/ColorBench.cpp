@@ -188,6 +188,12 @@ void ColorBench::clearSelection() {
   Q_EMIT selectionChanged();
 }
 
+void ColorBench::setPointed(const std::optional<robotlink::YCbCr>& color) {
+  if (color == pointed_) return;
+  pointed_ = color;
+  Q_EMIT pointedChanged();
+}
+
 void ColorBench::ask() {
   learner_->ask({++asked_, document_.samples(), frame_, labelled_});
 }

@@ -87,6 +87,10 @@ class ColorBench final : public QObject {
   bool hasSelection() const { return selected_; }
   void select(const colortool::CellSet& cells);
   void clearSelection();
+  /// The colour that the cursor points to in an image, corrected, so that others show where it is; nothing: to
+  /// none.
+  const std::optional<robotlink::YCbCr>& pointed() const { return pointed_; }
+  void setPointed(const std::optional<robotlink::YCbCr>& color);
 
   robotlink::Session& session() const { return session_; }
   ColorSender& sender() { return *sender_; }
@@ -101,6 +105,7 @@ class ColorBench final : public QObject {
   void qualityChanged();
   void referenceChanged();
   void selectionChanged();
+  void pointedChanged();
   /// Something could not be done: what, and why.
   void failed(const QString& reason);
 
@@ -125,6 +130,7 @@ class ColorBench final : public QObject {
   std::uint64_t asked_ = 0;
   colortool::CellSet selection_;
   bool selected_ = false;
+  std::optional<robotlink::YCbCr> pointed_;
   ColorSender* sender_ = nullptr;          // a child
   std::unique_ptr<ColorLearner> learner_;  // last: it uses the others
 };

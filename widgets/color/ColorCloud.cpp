@@ -23,12 +23,14 @@ std::size_t ColorCloud::pixelsIn(std::size_t cell) const {
   return pixels;
 }
 
-std::shared_ptr<const ColorCloud> CloudMaker::cloudOf(const colortool::ColorImage& image) {
+std::shared_ptr<const ColorCloud> CloudMaker::cloudOf(const robotlink::ImageView& image) {
   places_.resize(std::size_t{1} << (3 * kBits));
-  for (const robotlink::YCbCr color : image.pixels) {
-    const std::uint32_t index = placeOf(color);
-    Place& place = places_[index];
-    if (place.pixels++ == 0) {
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x) {
+      const robotlink::YCbCr color = robotlink::pixelYCbCr(image, x, y);
+      const std::uint32_t index = placeOf(color);
+      Place& place = places_[index];
+      if (place.pixels++ != 0) continue;
       place.color = color;
       used_.push_back(index);
     }

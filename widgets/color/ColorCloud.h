@@ -5,7 +5,7 @@
 #include <memory>
 #include <vector>
 
-#include "colortool/ColorImage.h"
+#include "robotlink/base/Image.h"
 
 namespace widgets {
 
@@ -23,11 +23,11 @@ struct ColorCloud {
   std::size_t pixelsIn(std::size_t cell) const;
 };
 
-/// Counts colours to within two values of a channel, so that there are eight points a cell at most. Some 5 ns
+/// Counts colours to within two values of a channel, so that there are eight points a cell at most. Some 8 ns
 /// a pixel; keeps 16 MB for the next image. One thread.
 class CloudMaker {
  public:
-  std::shared_ptr<const ColorCloud> cloudOf(const colortool::ColorImage& image);
+  std::shared_ptr<const ColorCloud> cloudOf(const robotlink::ImageView& image);
 
  private:
   struct Place {

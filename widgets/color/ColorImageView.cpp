@@ -326,13 +326,17 @@ QString ColorImageView::marginText(std::size_t cell) const {
 void ColorImageView::updatePixel() {
   const ColorFramePtr& frame = bench_.frame();
   const LearnedColors* colors = bench_.colors();
-  if (!cursor_ || !frame) return pixel_->clear();
-  const int x = static_cast<int>(std::floor(cursor_->x())), y = static_cast<int>(std::floor(cursor_->y()));
-  const auto pixel = pixelAt(frame->view(), x, y);
-  if (!pixel) return pixel_->clear();
+  const int x = cursor_ ? static_cast<int>(std::floor(cursor_->x())) : -1,
+            y = cursor_ ? static_cast<int>(std::floor(cursor_->y())) : -1;
+  const auto pixel = frame ? pixelAt(frame->view(), x, y) : std::nullopt;
+  if (!pixel) {
+    bench_.setPointed(std::nullopt);
+    return pixel_->clear();
+  }
   QString text = widgets::describe(*pixel);
   if (colors != nullptr && colors->frame == frame) {
     const robotlink::YCbCr color = robotlink::pixelYCbCr(colors->seen(), x, y);
+    bench_.setPointed(color);
     const std::size_t cell = colortool::ColorTable::cellOf(color);
     const std::uint8_t colorClass = colors->table->classOf(color);
     text += QStringLiteral("   %1").arg(QString::fromStdString(colors->samples.classes.name(colorClass))) +

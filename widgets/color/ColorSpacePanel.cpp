@@ -53,12 +53,7 @@ void ColorSpacePanel::createViews() {
   list_->setSelectionMode(QAbstractItemView::NoSelection);
   layout->addWidget(list_, 1);
 
-  layout->addWidget(new QLabel(tr("Opacity of surfaces"), this));
-  opacity_ = new QSlider(Qt::Horizontal, this);
-  describe(*opacity_, {"colorSpaceOpacity", tr("Opacity of surfaces"),
-                       tr("How much the surfaces of the table hide what is behind them")});
-  opacity_->setRange(0, kSteps);
-  layout->addWidget(opacity_);
+  layout->addWidget(createSurfaces());
   layout->addWidget(createCut());
   setLook(ColorSpaceLook{});
 }
@@ -74,6 +69,24 @@ QWidget* ColorSpacePanel::createButtons() {
   connect(all, &QAction::triggered, this, [this] { checkAll(true); });
   connect(none, &QAction::triggered, this, [this] { checkAll(false); });
   return row->parentWidget();
+}
+
+QWidget* ColorSpacePanel::createSurfaces() {
+  auto* box = new QWidget(this);
+  auto* layout = new QVBoxLayout(box);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(3);
+  surfaces_ = new QComboBox(box);
+  describe(*surfaces_, {"colorSpaceSurfaces", tr("Surfaces"), tr("Whose surfaces are shown")});
+  surfaces_->addItems({tr("of the table"), tr("of the reference"), tr("of what differs")});
+  opacity_ = new QSlider(Qt::Horizontal, box);
+  describe(*opacity_, {"colorSpaceOpacity", tr("Opacity of surfaces"),
+                       tr("How much the surfaces hide what is behind them")});
+  opacity_->setRange(0, kSteps);
+  layout->addWidget(new QLabel(tr("Surfaces"), box));
+  layout->addWidget(surfaces_);
+  layout->addWidget(opacity_);
+  return box;
 }
 
 QWidget* ColorSpacePanel::createCut() {
@@ -97,6 +110,7 @@ QWidget* ColorSpacePanel::createCut() {
 }
 
 void ColorSpacePanel::connectSignals() {
+  connect(surfaces_, qOverload<int>(&QComboBox::currentIndexChanged), this, &ColorSpacePanel::lookChanged);
   connect(opacity_, &QSlider::valueChanged, this, &ColorSpacePanel::lookChanged);
   connect(cutAt_, &QSlider::valueChanged, this, &ColorSpacePanel::lookChanged);
   connect(cutOther_, &QCheckBox::toggled, this, &ColorSpacePanel::lookChanged);
@@ -116,6 +130,12 @@ void ColorSpacePanel::setClasses(const colortool::ColorClasses& classes) {
   if (classes == classes_) return;
   classes_ = classes;
   listClasses();
+}
+
+void ColorSpacePanel::setHasReference(bool has) {
+  surfaces_->setEnabled(has);
+  surfaces_->setToolTip(has ? tr("Whose surfaces are shown")
+                            : tr("There is no table to compare with: choose a reference first"));
 }
 
 void ColorSpacePanel::listClasses() {
@@ -156,6 +176,7 @@ void ColorSpacePanel::enableCut() {
 
 void ColorSpacePanel::addTo(ColorSpaceLook& look) const {
   look.hidden = hidden_;
+  look.surfaces = static_cast<SurfacesOf>(surfaces_->currentIndex());
   look.opacity = double(opacity_->value()) / kSteps;
   look.cut.along = static_cast<ColorSpaceCut::Along>(cut_->currentIndex());
   look.cut.at = double(cutAt_->value()) / kSteps;
@@ -167,6 +188,7 @@ void ColorSpacePanel::setLook(const ColorSpaceLook& look) {
   nameCuts(look.space);
   hidden_ = look.hidden;
   listClasses();
+  surfaces_->setCurrentIndex(static_cast<int>(look.surfaces));
   opacity_->setValue(qRound(look.opacity * kSteps));
   cut_->setCurrentIndex(static_cast<int>(look.cut.along));
   cutAt_->setValue(qRound(look.cut.at * kSteps));

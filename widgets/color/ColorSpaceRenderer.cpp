@@ -2,6 +2,7 @@
 #include "widgets/color/ColorSpaceRenderer.h"
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 
 #include "colortool/StrokeCells.h"
@@ -17,6 +18,11 @@ namespace {
 
 constexpr double kDimmed = 0.78;       // how much of the background what is not selected gets
 constexpr double kHighlighted = 0.55;  // how much of the highlight a selected surface gets
+constexpr std::array<std::uint8_t, 256> kSameClasses = [] {
+  std::array<std::uint8_t, 256> numbers{};
+  for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint8_t>(i);
+  return numbers;
+}();
 constexpr QRgb kBackgroundClass = qRgb(128, 128, 128);
 /// Samples are seen over pixels of their colour, and the rim of a point behind it. That of selected pixels is
 /// so far behind that it surrounds groups of them instead of each.
@@ -50,6 +56,20 @@ std::vector<bool> shownClasses(const ColorSpaceLook& look, const ColorClasses& c
   std::vector<bool> shown(256, true);
   for (int i = 0; i < classes.size(); ++i) shown[static_cast<std::size_t>(i)] = look.shows(classes.name(i));
   return shown;
+}
+
+/// The classes whose surfaces are shown, by ColorTable::cellOf; none where nothing is to be seen.
+ColorTable surfaceTable(const ColorSpaceContents& contents, SurfacesOf surfaces) {
+  if (surfaces == SurfacesOf::kTable) return contents.table == nullptr ? ColorTable() : *contents.table;
+  if (contents.reference == nullptr) return {};
+  if (surfaces == SurfacesOf::kReference || contents.table == nullptr) return *contents.reference;
+  const auto now = contents.table->cells(), before = contents.reference->cells();
+  std::vector<std::uint8_t> cells(now.begin(), now.end());
+  for (std::size_t cell = 0; cell < cells.size(); ++cell) {
+    const std::uint8_t changed = now[cell] == ColorClasses::kNone ? before[cell] : now[cell];
+    cells[cell] = now[cell] == before[cell] ? ColorClasses::kNone : changed;
+  }
+  return ColorTable::translated(cells, kSameClasses);
 }
 
 CellSet cellsOf(const ColorTable& table, const std::vector<bool>& shown) {
@@ -134,9 +154,10 @@ ColorSpacePicture ColorSpaceRenderer::render(std::shared_ptr<const ColorSpaceReq
 }
 
 void ColorSpaceRenderer::updateCloud(const ColorSpaceContents& contents) {
-  if (contents.frame == frame_) return;
+  if (contents.frame == frame_ && contents.corrected == corrected_) return;
   frame_ = contents.frame;
-  cloud_ = frame_ == nullptr ? nullptr : clouds_.cloudOf(frame_->colors());
+  corrected_ = contents.corrected;
+  cloud_ = frame_ == nullptr ? nullptr : clouds_.cloudOf(contents.pixels());
 }
 
 void ColorSpaceRenderer::updateSamples(const colortool::Samples& samples) {
@@ -154,8 +175,14 @@ void ColorSpaceRenderer::updateSamples(const colortool::Samples& samples) {
 
 void ColorSpaceRenderer::updateSurfaces(const ColorSpaceRequest& request, const Vector3f& toViewer) {
   const ColorSpaceLook& look = request.look;
-  SurfaceKey key{look.table ? request.contents->table : nullptr, lattice_, look.cut, Vector3f::Zero(),
-                 shownClasses(look, request.contents->samples.classes)};
+  const ColorSpaceContents& contents = *request.contents;
+  SurfaceKey key{look.table ? contents.table : nullptr,
+                 look.table ? contents.reference : nullptr,
+                 look.surfaces,
+                 lattice_,
+                 look.cut,
+                 Vector3f::Zero(),
+                 shownClasses(look, contents.samples.classes)};
   if (look.cut.along == ColorSpaceCut::Along::kView) key.toViewer = toViewer;
   if (key == surfaceKey_) return;
   const bool sameCut = key.lattice == surfaceKey_.lattice && key.cut == surfaceKey_.cut &&
@@ -163,10 +190,11 @@ void ColorSpaceRenderer::updateSurfaces(const ColorSpaceRequest& request, const 
   if (!sameCut) left_ = cellsLeftBy(look.cut, *lattice_, toViewer);
   surfaceKey_ = std::move(key);
   faces_.clear();
-  if (surfaceKey_.table == nullptr) return;
-  const CellSet cells =
-      both(cellsOf(*surfaceKey_.table, surfaceKey_.shownClasses), both(left_, lattice_->real()));
-  faces_ = surfacesOf(surfaceKey_.table->cells(), cells, *lattice_);
+  inside_ = {};
+  if (!look.table) return;
+  const ColorTable table = surfaceTable(contents, look.surfaces);
+  inside_ = both(cellsOf(table, surfaceKey_.shownClasses), both(left_, lattice_->real()));
+  faces_ = surfacesOf(table.cells(), inside_, *lattice_);
 }
 
 void ColorSpaceRenderer::drawPoints(Drawing& drawing) {
@@ -228,11 +256,8 @@ void ColorSpaceRenderer::drawSurfaces(Drawing& drawing) {
     }
     surfaces_.quad(corners, color, face.cell);
   }
-  if (surfaceKey_.table == nullptr) return;
   // What is inside of a surface can be selected, too.
-  const CellSet inside =
-      both(cellsOf(*surfaceKey_.table, drawing.shownClasses), both(left_, lattice_->real()));
-  for (std::size_t row = 0; row < CellSet::kRows; ++row) drawing.shown.row(row) |= inside.row(row);
+  for (std::size_t row = 0; row < CellSet::kRows; ++row) drawing.shown.row(row) |= inside_.row(row);
 }
 
 void ColorSpaceRenderer::drawSelection(Drawing& drawing) {

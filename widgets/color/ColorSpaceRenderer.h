@@ -25,7 +25,8 @@ class ColorSpaceRenderer {
   };
   /// What the last surfaces were made of.
   struct SurfaceKey {
-    std::shared_ptr<const colortool::ColorTable> table;
+    std::shared_ptr<const colortool::ColorTable> table, reference;
+    SurfacesOf surfaces = SurfacesOf::kTable;
     std::shared_ptr<const ColorLattice> lattice;
     ColorSpaceCut cut;
     Eigen::Vector3f toViewer = Eigen::Vector3f::Zero();  ///< zero unless the cut depends on it
@@ -45,11 +46,13 @@ class ColorSpaceRenderer {
   std::shared_ptr<const ColorLattice> lattice_;
   CloudMaker clouds_;
   ColorFramePtr frame_;
+  std::shared_ptr<const robotlink::Image> corrected_;
   std::shared_ptr<const ColorCloud> cloud_;
   colortool::Samples samples_;
   std::vector<SampleCell> sampleCells_;
   SurfaceKey surfaceKey_;
-  colortool::CellSet left_;  ///< by the cut
+  colortool::CellSet left_;    ///< by the cut
+  colortool::CellSet inside_;  ///< of the surfaces
   std::vector<SurfaceFace> faces_;
   ColorSpaceRaster solid_, surfaces_;
 };

@@ -22,16 +22,31 @@ namespace widgets {
 
 /// What there is to be seen. Immutable.
 struct ColorSpaceContents {
-  ColorFramePtr frame;                                  ///< its pixels; null: none
-  std::shared_ptr<const colortool::ColorTable> table;   ///< its surfaces, and the pixels' classes; null: none
-  colortool::Samples samples;                           ///< and the classes of all
-  std::shared_ptr<const colortool::CellSet> selection;  ///< null: nothing is selected
+  ColorFramePtr frame;  ///< its pixels; null: none
+  std::shared_ptr<const robotlink::Image>
+      corrected;  ///< the pixels as the table sees them; null: as they are
+  std::shared_ptr<const colortool::ColorTable> table;      ///< what classes pixels have; null: none
+  std::shared_ptr<const colortool::ColorTable> reference;  ///< what it is compared with; null: nothing
+  colortool::Samples samples;                              ///< and the classes of all
+  std::shared_ptr<const colortool::CellSet> selection;     ///< null: nothing is selected
+
+  robotlink::ImageView pixels() const {
+    return corrected ? corrected->view() : frame ? frame->view() : robotlink::ImageView();
+  }
+};
+
+/// Whose surfaces are shown.
+enum class SurfacesOf : std::uint8_t {
+  kTable,
+  kReference,
+  kDifference,  ///< cells that the reference puts elsewhere, in the table's class or, if it has none, in that
 };
 
 /// What of it the user wants to see, and how.
 struct ColorSpaceLook {
   colortool::ColorSpace space = colortool::ColorSpace::kYCbCr;
   bool pixels = true, samples = true, table = true;
+  SurfacesOf surfaces = SurfacesOf::kTable;
   double opacity = 0.45;            ///< of the table's surfaces, from 0 to 1
   std::vector<std::string> hidden;  ///< names of classes; "none": what is of no class
   ColorSpaceCut cut;

@@ -149,26 +149,23 @@ void ColorSpaceView::connectSignals() {
 
 void ColorSpaceView::connectBench() {
   connect(&bench_, &ColorBench::selectionChanged, this, [this] { changed(Due::kNow); });
-  connect(&bench_, &ColorBench::frameChanged, this, [this] { changed(Due::kSoon); });
+  connect(&bench_, &ColorBench::referenceChanged, this, [this] { changed(Due::kNow); });
+  connect(&bench_, &ColorBench::pointedChanged, this, [this] {
+    const auto& color = bench_.pointed();
+    canvas_->setMarkedCell(color ? std::optional(colortool::ColorTable::cellOf(*color)) : std::nullopt);
+  });
+
   connect(&bench_, &ColorBench::colorsChanged, this, [this] {
-    // Another image is segmented each time; that changes nothing here.
-    const bool same = contents_ != nullptr && contents_->table == table() && contents_->samples == samples();
-    changed(same ? Due::kNothing : Due::kNow);
+    const LearnedColors& colors = *bench_.colors();
+    const bool sameTable = contents_->table == colors.table && contents_->samples == colors.samples;
+    const bool sameImage = contents_->frame == colors.frame && contents_->corrected == colors.corrected;
+    changed(!sameTable ? Due::kNow : sameImage ? Due::kNothing : Due::kSoon);
     updatePointed();
   });
 }
 
 void ColorSpaceView::changed(Due due) {
   due_ = std::max(due_, due);
-}
-
-std::shared_ptr<const colortool::ColorTable> ColorSpaceView::table() const {
-  if (bench_.otherTable() != nullptr) return bench_.otherTable();
-  return bench_.colors() == nullptr ? nullptr : bench_.colors()->table;
-}
-
-const colortool::Samples& ColorSpaceView::samples() const {
-  return bench_.colors() == nullptr ? bench_.samples() : bench_.colors()->samples;
 }
 
 void ColorSpaceView::tick() {
@@ -181,12 +178,19 @@ void ColorSpaceView::updateContents() {
   due_ = Due::kNothing;
   ticks_ = 0;
   auto contents = std::make_shared<ColorSpaceContents>();
-  contents->frame = bench_.frame();
-  contents->table = table();
-  contents->samples = samples();
+  if (const LearnedColors* colors = bench_.colors()) {
+    contents->frame = colors->frame;
+    contents->corrected = colors->corrected;
+    contents->table = colors->table;
+    contents->samples = colors->samples;
+  } else {
+    contents->samples = bench_.samples();
+  }
+  contents->reference = bench_.reference();
   if (bench_.hasSelection()) contents->selection = std::make_shared<colortool::CellSet>(bench_.selection());
   contents_ = contents;
   panel_->setClasses(contents->samples.classes);
+  panel_->setHasReference(contents->reference != nullptr);
   canvas_->setContents(std::move(contents));
   clear_->setEnabled(bench_.hasSelection());
   updateHint();
@@ -234,15 +238,16 @@ QString ColorSpaceView::describe(std::size_t cell) const {
                         .arg(rangeOf(static_cast<int>(cell >> 12U)),
                              rangeOf(static_cast<int>(cell >> 6U & 63U)),
                              rangeOf(static_cast<int>(cell & 63U)))};
-  if (contents_->table != nullptr) {
-    const std::uint8_t colorClass = contents_->table->cells()[cell];
+  const auto classIn = [&](const colortool::ColorTable& table) {
+    const std::uint8_t colorClass = table.cells()[cell];
     const auto& classes = contents_->samples.classes;
-    parts << (colorClass == 0 || colorClass >= classes.size()
-                  ? tr("background")
-                  : QString::fromStdString(classes.name(colorClass)));
-  }
+    const bool none = colorClass == colortool::ColorClasses::kNone || colorClass >= classes.size();
+    return none ? tr("background") : QString::fromStdString(classes.name(colorClass));
+  };
+  if (contents_->table != nullptr) parts << classIn(*contents_->table);
+  if (contents_->reference != nullptr) parts << tr("reference: %1").arg(classIn(*contents_->reference));
   const LearnedColors* colors = bench_.colors();
-  if (bench_.otherTable() == nullptr && colors != nullptr && colors->margins != nullptr)
+  if (colors != nullptr && colors->margins != nullptr)
     parts << tr("margin %1 %").arg(qRound((*colors->margins)[cell] / 2.55));
   if (canvas_->picture().cloud != nullptr)
     parts << tr("%n pixel(s)", nullptr, static_cast<int>(canvas_->picture().cloud->pixelsIn(cell)));
@@ -282,6 +287,7 @@ QJsonObject ColorSpaceView::saveState() const {
           {QStringLiteral("pixels"), shown.pixels},
           {QStringLiteral("samples"), shown.samples},
           {QStringLiteral("table"), shown.table},
+          {QStringLiteral("surfaces"), static_cast<int>(shown.surfaces)},
           {QStringLiteral("opacity"), shown.opacity},
           {QStringLiteral("hidden"), hidden},
           {QStringLiteral("cut"), static_cast<int>(shown.cut.along)},
@@ -295,6 +301,9 @@ void ColorSpaceView::restoreState(const QJsonObject& state) {
   ColorSpaceLook wanted;
   space_->setCurrentIndex(std::max(0, space_->findText(state[QStringLiteral("space")].toString())));
   wanted.space = look().space;
+  const int surfaces = state[QStringLiteral("surfaces")].toInt();
+  if (surfaces >= 0 && surfaces <= static_cast<int>(SurfacesOf::kDifference))
+    wanted.surfaces = static_cast<SurfacesOf>(surfaces);
   wanted.opacity = std::clamp(state[QStringLiteral("opacity")].toDouble(wanted.opacity), 0.0, 1.0);
   for (const QJsonValue& name : state[QStringLiteral("hidden")].toArray())
     wanted.hidden.push_back(name.toString().toStdString());

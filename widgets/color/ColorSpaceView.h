@@ -47,8 +47,6 @@ class ColorSpaceView final : public View {
   void updatePointed();
   void updateSelection();
   QString describe(std::size_t cell) const;
-  std::shared_ptr<const colortool::ColorTable> table() const;
-  const colortool::Samples& samples() const;
   void select(const colortool::CellSet& cells, SelectionChange change);
 
   ColorBench& bench_;

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a picture of the colour space costs, 600 x 500 pixels: an image of some 20,000 colours, a table of six
+// classes and samples.
+#include <benchmark/benchmark.h>
+
+#include <algorithm>
+#include <array>
+#include <cmath>
+#include <random>
+
+#include "foxglove/Image.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "widgets/color/ColorSpaceRenderer.h"
+
+namespace {
+
+using colortool::ColorTable;
+using robotlink::YCbCr;
+using widgets::ColorSpaceCut;
+
+/// What a robot sees: ball, goals, field, lines and wall.
+constexpr std::array<YCbCr, 6> kColors = {
+    {{140, 60, 200}, {170, 40, 140}, {90, 150, 110}, {90, 110, 90}, {220, 128, 128}, {60, 128, 128}}};
+
+widgets::ColorFramePtr noisyFrame(unsigned seed) {
+  std::mt19937 random(seed);
+  std::normal_distribution<double> brightness(0, 22), chroma(0, 9);
+  const auto value = [](double center, double off) {
+    return static_cast<std::uint8_t>(std::clamp(center + off, 0.0, 255.0));
+  };
+  robotlink::Image image(640, 480, robotlink::PixelFormat::kYuyv);
+  for (std::size_t i = 0; i < image.data.size(); i += 4) {
+    const YCbCr color = kColors[i / 4 % kColors.size()];
+    image.data[i] = value(color.y, brightness(random));
+    image.data[i + 1] = value(color.cb, chroma(random));
+    image.data[i + 2] = value(color.y, brightness(random));
+    image.data[i + 3] = value(color.cr, chroma(random));
+  }
+  auto message = std::make_shared<foxglove::RawImage>();
+  robotlink::assign(*message, image.view(), {}, "camera");
+  return std::make_shared<widgets::ColorFrame>(message, "red1/camera/image", "", robotlink::Instant{});
+}
+
+std::shared_ptr<const ColorTable> tableOfColors(double reach) {
+  auto table = std::make_shared<ColorTable>();
+  for (int y = 0; y < ColorTable::kCells; ++y) {
+    for (int cb = 0; cb < ColorTable::kCells; ++cb) {
+      for (int cr = 0; cr < ColorTable::kCells; ++cr) {
+        double nearest = reach;
+        for (std::size_t i = 0; i + 1 < kColors.size(); ++i) {
+          const double distance =
+              std::hypot(0.4 * (4 * y - kColors[i].y), 4 * cb - kColors[i].cb, 4 * cr - kColors[i].cr);
+          if (distance >= nearest) continue;
+          nearest = distance;
+          table->setCell(y, cb, cr, static_cast<std::uint8_t>(i + 1));
+        }
+      }
+    }
+  }
+  return table;
+}
+
+colortool::Samples samplesOf(const widgets::ColorFrame& frame) {
+  colortool::Samples samples;
+  samples.classes = colortool::ColorClasses({{"orange", {255, 105, 0}},
+                                             {"yellow", {250, 215, 0}},
+                                             {"blue", {15, 30, 130}},
+                                             {"green", {0, 130, 50}},
+                                             {"white", {235, 235, 235}}});
+  for (int i = 0; i < 60; ++i) {
+    const colortool::ImagePoint at[] = {{10.0 + 10 * i, 8.0 * i + 4}};
+    colortool::addStroke(samples, frame.place(), frame.colors(),
+                         colortool::brushArea(frame.width(), frame.height(), at, 3),
+                         {static_cast<std::uint8_t>(i % 6), false, 1, "brush"});
+  }
+  return samples;
+}
+
+struct Desk {
+  widgets::ColorSpaceRenderer renderer;
+  widgets::ColorSpaceContents contents;
+  widgets::ColorSpaceRequest request;
+
+  Desk() {
+    contents.frame = noisyFrame(1);
+    contents.table = tableOfColors(32);
+    contents.samples = samplesOf(*contents.frame);
+    request.colors = {QColor(40, 40, 40), QColor(255, 0, 200)};
+    request.widget = {600, 500};
+    draw();
+  }
+  void draw() {
+    request.contents = std::make_shared<widgets::ColorSpaceContents>(contents);
+    benchmark::DoNotOptimize(renderer.render(std::make_shared<widgets::ColorSpaceRequest>(request)));
+  }
+};
+
+void turning(benchmark::State& state) {
+  Desk desk;
+  desk.request.look.space = static_cast<colortool::ColorSpace>(state.range(0));
+  desk.draw();
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    desk.request.camera.turn({3, 1});
+    desk.draw();
+  }
+}
+BENCHMARK(turning)->DenseRange(0, 3)->Unit(benchmark::kMillisecond);
+
+void turningACutAcrossTheView(benchmark::State& state) {
+  Desk desk;
+  desk.request.look.cut.along = ColorSpaceCut::Along::kView;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    desk.request.camera.turn({3, 1});
+    desk.draw();
+  }
+}
+BENCHMARK(turningACutAcrossTheView)->Unit(benchmark::kMillisecond);
+
+void withSmoothEdges(benchmark::State& state) {
+  Desk desk;
+  desk.request.smooth = true;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    desk.draw();
+  }
+}
+BENCHMARK(withSmoothEdges)->Unit(benchmark::kMillisecond);
+
+void anotherImage(benchmark::State& state) {
+  Desk desk;
+  const std::array frames = {noisyFrame(2), noisyFrame(3)};
+  std::size_t i = 0;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    desk.contents.frame = frames[i++ % frames.size()];
+    desk.draw();
+  }
+}
+BENCHMARK(anotherImage)->Unit(benchmark::kMillisecond);
+
+void anotherTable(benchmark::State& state) {
+  Desk desk;
+  const std::array tables = {tableOfColors(28), tableOfColors(34)};
+  std::size_t i = 0;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    desk.contents.table = tables[i++ % tables.size()];
+    desk.draw();
+  }
+}
+BENCHMARK(anotherTable)->Unit(benchmark::kMillisecond);
+
+void anotherSpace(benchmark::State& state) {
+  Desk desk;
+  for (auto unused : state) {
+    static_cast<void>(unused);
+    auto& space = desk.request.look.space;
+    space = space == colortool::ColorSpace::kHsi ? colortool::ColorSpace::kTsl : colortool::ColorSpace::kHsi;
+    desk.draw();
+  }
+}
+BENCHMARK(anotherSpace)->Unit(benchmark::kMillisecond);
+
+}  // namespace
