@@ -51,6 +51,7 @@ void ColorSpacePanel::createViews() {
             tr("Which classes are shown: their surfaces, their samples, and the pixels that the table "
                "puts into them")});
   list_->setSelectionMode(QAbstractItemView::NoSelection);
+  list_->setMinimumHeight(4 * fontMetrics().height());
   layout->addWidget(list_, 1);
 
   layout->addWidget(createSurfaces());

@@ -154,10 +154,18 @@ ColorSpacePicture ColorSpaceRenderer::render(std::shared_ptr<const ColorSpaceReq
 }
 
 void ColorSpaceRenderer::updateCloud(const ColorSpaceContents& contents) {
-  if (contents.frame == frame_ && contents.corrected == corrected_) return;
-  frame_ = contents.frame;
-  corrected_ = contents.corrected;
-  cloud_ = frame_ == nullptr ? nullptr : clouds_.cloudOf(contents.pixels());
+  const bool sameImage = contents.frame == frame_ && contents.corrected == corrected_;
+  if (sameImage && cloudLattice_ == lattice_) return;
+  if (!sameImage) {
+    frame_ = contents.frame;
+    corrected_ = contents.corrected;
+    cloud_ = frame_ == nullptr ? nullptr : clouds_.cloudOf(contents.pixels());
+  }
+  cloudLattice_ = lattice_;
+  cloudPlaces_.clear();
+  if (cloud_ == nullptr) return;
+  for (const CloudPoint& point : cloud_->points)
+    cloudPlaces_.push_back(colortool::placeIn(lattice_->space(), colortool::valueOf(point.color)));
 }
 
 void ColorSpaceRenderer::updateSamples(const colortool::Samples& samples) {
@@ -199,14 +207,14 @@ void ColorSpaceRenderer::updateSurfaces(const ColorSpaceRequest& request, const 
 
 void ColorSpaceRenderer::drawPoints(Drawing& drawing) {
   if (cloud_ == nullptr) return;
-  const colortool::ColorSpace space = lattice_->space();
   // Larger with the number of pixels and, more slowly, with the zoom.
   const auto zoom = static_cast<float>(std::sqrt(drawing.request.camera.zoom));
-  for (const CloudPoint& point : cloud_->points) {
+  for (std::size_t i = 0; i < cloudPlaces_.size(); ++i) {
+    const CloudPoint& point = cloud_->points[i];
     const std::size_t cell = ColorTable::cellOf(point.color);
     if (!left_.contains(cell) || !drawing.shownClasses[drawing.classOf(cell)]) continue;
     drawing.shown.set(cell);
-    const Vector3f at = drawing.projection(colortool::placeIn(space, colortool::valueOf(point.color)));
+    const Vector3f at = drawing.projection(cloudPlaces_[i]);
     const float size = zoom * (1.6F + 0.55F * std::log2(static_cast<float>(point.pixels)));
     const int diameter = drawing.pixels(std::min(size, 14.F));
     const auto id = static_cast<std::uint32_t>(cell);

@@ -48,6 +48,8 @@ class ColorSpaceRenderer {
   ColorFramePtr frame_;
   std::shared_ptr<const robotlink::Image> corrected_;
   std::shared_ptr<const ColorCloud> cloud_;
+  std::shared_ptr<const ColorLattice> cloudLattice_;  ///< in whose space the places are
+  std::vector<Eigen::Vector3f> cloudPlaces_;          ///< of its points
   colortool::Samples samples_;
   std::vector<SampleCell> sampleCells_;
   SurfaceKey surfaceKey_;

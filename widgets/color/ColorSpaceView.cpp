@@ -7,6 +7,7 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QLocale>
+#include <QScrollArea>
 #include <QSplitter>
 #include <QVBoxLayout>
 #include <algorithm>
@@ -87,11 +88,18 @@ void ColorSpaceView::createActions() {
 void ColorSpaceView::createViews() {
   canvas_ = new ColorSpaceCanvas(this);
   hint_ = new EmptyHint(canvas_);
-  panel_ = new ColorSpacePanel(this);
+  panel_ = new ColorSpacePanel;
+  // A low dock has no room for all of it.
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel_);
+  scroll->setMinimumWidth(panel_->minimumSizeHint().width() + 18);
   auto* splitter = new QSplitter(this);
   splitter->setObjectName(QStringLiteral("colorSpaceSplitter"));
   splitter->addWidget(canvas_);
-  splitter->addWidget(panel_);
+  splitter->addWidget(scroll);
   splitter->setStretchFactor(0, 1);
   splitter->setCollapsible(0, false);
   splitter->setSizes({420, 150});
@@ -102,7 +110,7 @@ void ColorSpaceView::createViews() {
   layout->addWidget(createToolRow());
   layout->addWidget(splitter, 1);
   layout->addWidget(createFooter());
-  connect(showPanel_, &QAction::toggled, panel_, &QWidget::setVisible);
+  connect(showPanel_, &QAction::toggled, scroll, &QWidget::setVisible);
 }
 
 QWidget* ColorSpaceView::createToolRow() {
@@ -225,6 +233,7 @@ void ColorSpaceView::updateLook() {
 void ColorSpaceView::updatePointed() {
   const auto cell = canvas_->pointedCell();
   pointed_->setText(cell ? describe(*cell) : QString());
+  pointed_->setToolTip(pointed_->text());  // where there is no room for all of it
   if (!cell) return swatch_->clear();
   const auto middle = [](std::size_t part) { return static_cast<std::uint8_t>((part & 63U) * 4 + 2); };
   const robotlink::Rgb color = robotlink::toRgb({middle(*cell >> 12U), middle(*cell >> 6U), middle(*cell)});
