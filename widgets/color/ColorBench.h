@@ -100,6 +100,9 @@ class ColorBench final : public QObject {
   void samplesChanged();
   void meaningChanged();  ///< class, "must not be" or weight of the next stroke
   void frameChanged();
+  /// A view wants this image to be worked on: the one that chooses images holds it; null: that of the time
+  /// line again.
+  void frameWanted(const widgets::ColorFramePtr& frame);
   void collectedChanged();
   void colorsChanged();  ///< table, segmented image or margins
   void qualityChanged();

@@ -152,12 +152,14 @@ void ColorImageView::connectSignals() {
   connect(twoPictures_, &QAction::toggled, right_, &QWidget::setVisible);
   connect(showStrokes_, &QAction::toggled, this, &ColorImageView::showMarks);
   connect(cancel_, &QAction::triggered, this, &ColorImageView::cancelGesture);
-  connect(strip_, &ColorStrip::chosen, this, [this](const ColorFramePtr& frame) {
+  const auto pin = [this](const ColorFramePtr& frame) {
     pinned_ = frame;
-    freeze_->setChecked(true);
+    freeze_->setChecked(frame != nullptr);
     pinned_ = frame;
     tick();
-  });
+  };
+  connect(strip_, &ColorStrip::chosen, this, pin);
+  connect(&bench_, &ColorBench::frameWanted, this, pin);
   connect(streams_, &StreamChoice::choiceChanged, this, [this] {
     freeze_->setChecked(false);
     tick();

@@ -10,6 +10,19 @@ namespace {
 
 using colortool::Evaluation;
 
+/// The image's colours as the table sees them: with its camera's correction.
+colortool::ColorImage seen(const ColorFrame& frame, const colortool::Samples& samples) {
+  colortool::ColorImage image = frame.colors();
+  const auto correction = samples.correctionOf(frame.place().camera);
+  if (correction.none()) return image;
+  auto pixel = image.pixels.begin();
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < image.width; ++x, ++pixel)
+      *pixel = correction.apply(*pixel, x, y, image.width, image.height);
+  }
+  return image;
+}
+
 /// Adds an image to an evaluation; classes are matched by their names, and what the table has no class for is
 /// background to it.
 void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScorer::Task& task) {
@@ -20,7 +33,7 @@ void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScore
   for (std::size_t i = 1; i < names; ++i) numbers[i] = task.samples.classes.index(labelled.classNames[i]);
   std::vector<std::uint8_t> labels(labelled.labels.size());
   std::ranges::transform(labelled.labels, labels.begin(), [&](std::uint8_t label) { return numbers[label]; });
-  evaluation.add(*task.table, labelled.frame->colors(), labels);
+  evaluation.add(*task.table, seen(*labelled.frame, task.samples), labels);
 }
 
 }  // namespace

@@ -1,0 +1,198 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorQualityView.h"
+
+#include <QAbstractItemModelTester>
+#include <QApplication>
+#include <QLabel>
+#include <QTableView>
+#include <QTemporaryDir>
+#include <QTest>
+#include <QToolButton>
+#include <fstream>
+
+#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/DialogAnswer.h"
+#include "widgets/color/LabelledFolder.h"
+#include "widgets/models/ConfusionModel.h"
+
+namespace widgets::test {
+
+/// Figures of a table, and where they come from.
+class ColorQualityViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { failAtWarnings(); }
+  void init() {
+    world_ = std::make_unique<ColorWorld>();
+    bench_ = &colorBench(world_->context);
+    bench_->setDocument(colortool::emptySamples());
+    bench_->setFrame(world_->frame());
+    view_ = std::make_unique<ColorQualityView>(world_->context);
+    view_->resize(900, 300);
+    view_->show();
+    QVERIFY(QTest::qWaitForWindowActive(view_.get()));
+    testers_.clear();
+    for (const char* name : {"strokesMatrix", "labelledMatrix"}) {
+      testers_.push_back(std::make_unique<QAbstractItemModelTester>(
+          child<QTableView>(*view_, name)->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
+    }
+  }
+  void cleanup() {
+    testers_.clear();
+    view_.reset();
+    world_.reset();
+  }
+
+  void tooLittleToJudgeByIsSaid() {
+    QVERIFY(hint("strokesMatrix").contains(QStringLiteral("at least two of each class")));
+    QVERIFY(hint("labelledMatrix").contains(QStringLiteral("No labelled images")));
+    stroke(1, 8, 7);
+    stroke(1, 10, 7);
+    stroke(2, 30, 7);
+    QTRY_COMPARE(cell("strokesMatrix", "orange", "Recall"), QStringLiteral("100.0 %"));
+    QCOMPARE(cell("strokesMatrix", "green", "Recall"), QStringLiteral("–"));
+    const QString note = child<QLabel>(*view_, "strokesNote")->text();
+    QVERIFY(note.contains(QStringLiteral("green")) && !note.contains(QStringLiteral("orange")));
+    QVERIFY(note.contains(QStringLiteral("background")));
+    QVERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
+    QVERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
+  }
+
+  void figuresFollowStrokesAndUndo() {
+    goodStrokes();
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
+    QVERIFY(summary("strokes").contains(QStringLiteral("False colours 0.00 %")));
+    stroke(2, 8, 9);  // green, it says, on orange
+    stroke(2, 12, 9);
+    QTRY_VERIFY(cell("strokesMatrix", "green", "orange").toDouble() > 0 ||
+                cell("strokesMatrix", "orange", "green").toDouble() > 0);
+    QTest::keyClick(view_.get(), Qt::Key_Z, Qt::ControlModifier);
+    click(*view_, "colorQualityUndo");
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
+  }
+
+  void labelledImagesAreScoredByTheNamesOfTheirClasses() {
+    goodStrokes();
+    LabelledFrame labelled{world_->frame(),
+                           std::vector<std::uint8_t>(40 * 30, colortool::Evaluation::kIgnored),
+                           {"none", "white", "orange"}};
+    for (int y = 0; y < 15; ++y) std::fill_n(labelled.labels.begin() + y * 40, 20, std::uint8_t{2});
+    for (int y = 15; y < 30; ++y) std::fill_n(labelled.labels.begin() + y * 40 + 20, 20, std::uint8_t{0});
+    bench_->setLabelled({labelled});
+    QTRY_COMPARE(cell("labelledMatrix", "orange", "Recall"), QStringLiteral("100.0 %"));
+    QCOMPARE(cell("labelledMatrix", "background", "none"), QStringLiteral("100.0"));
+    QVERIFY(summary("labelled").contains(QStringLiteral("False colours 0.00 %")));
+    // What the table takes for right is shaded, and still reads.
+    auto* table = child<QTableView>(*view_, "labelledMatrix");
+    const QImage picture = table->viewport()->grab().toImage();
+    const QRect right = table->visualRect(index(*table, "orange", "orange"));
+    QVERIFY(picture.pixelColor(right.topLeft() + QPoint(3, 3)) != table->palette().color(QPalette::Base));
+    keepPicture(*view_, "color-quality");
+  }
+
+  void aFolderOfLabelledImagesIsRead() {
+    const std::string folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+    if (!std::filesystem::exists(folder))
+      QSKIP("the labelled images of the real log are not here (../shared/data/colour)");
+    const auto name = DialogAnswer::file(QString::fromStdString(folder));
+    click(*view_, "qualityOpen");
+    QTRY_VERIFY((view_->tick(), bench_->labelled().size() == 3));
+    QVERIFY(state().contains(QStringLiteral("3 labelled image")));
+    const LabelledFrame& first = bench_->labelled()[0];
+    QCOMPARE(first.frame->width(), 640);
+    QCOMPARE(first.classNames[3], std::string("blue"));
+    QVERIFY(std::ranges::count(first.labels, 5) > 1000);  // the field
+    goodStrokes();
+    QTRY_VERIFY(!cell("labelledMatrix", "green", "Recall").isEmpty());
+    view_->tick();
+    click(*view_, "qualityClose");
+    QVERIFY(bench_->labelled().empty());
+    QVERIFY(hint("labelledMatrix").contains(QStringLiteral("No labelled images")));
+  }
+
+  void aFolderWithoutLabelsIsToldAndChangesNothing() {
+    QTemporaryDir folder;
+    std::ofstream(folder.filePath(QStringLiteral("a.png")).toStdString()) << "no picture";
+    const auto name = DialogAnswer::file(folder.path());
+    click(*view_, "qualityOpen");
+    QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("no image here has labels"))));
+    QVERIFY(bench_->labelled().empty());
+  }
+
+  void damagedImagesAreLeftOutAndTold() {
+    QTemporaryDir folder;
+    QDir(folder.path()).mkpath(QStringLiteral("labels"));
+    const auto put = [&folder](const char* name, QSize size, QImage::Format format) {
+      QImage image(size, format);
+      image.fill(format == QImage::Format_Grayscale8 ? 1 : 0xffff8000);
+      QVERIFY(image.save(folder.filePath(QLatin1String(name))));
+    };
+    put("good.png", {8, 6}, QImage::Format_RGB888);
+    put("labels/good.png", {8, 6}, QImage::Format_Grayscale8);
+    put("small.png", {8, 6}, QImage::Format_RGB888);
+    put("labels/small.png", {4, 6}, QImage::Format_Grayscale8);
+    std::ofstream(folder.filePath(QStringLiteral("broken.yuyv")).toStdString()) << "short";
+    put("labels/broken.png", {8, 6}, QImage::Format_Grayscale8);
+    put("alone.png", {8, 6}, QImage::Format_RGB888);
+    LabelledFolder reading(folder.path().toStdString(), "nao");
+    std::optional<robotlink::Result<LabelledFolder::Read>> read;
+    QTRY_VERIFY((read = read ? std::move(read) : reading.take()).has_value());
+    QVERIFY(read->has_value());
+    QCOMPARE((*read)->frames.size(), std::size_t{1});
+    QCOMPARE((*read)->frames[0].frame->place().camera, std::string("nao"));
+    QCOMPARE((*read)->problems.size(), std::size_t{2});
+    const std::string problems = robotlink::describe((*read)->problems);
+    QVERIFY(problems.find("small.png") != std::string::npos &&
+            problems.find("broken.yuyv") != std::string::npos);
+  }
+
+ private:
+  static QModelIndex index(const QTableView& table, const char* row, const char* column) {
+    const auto* model = table.model();
+    for (int r = 0; r < model->rowCount(); ++r) {
+      for (int c = 0; c < model->columnCount(); ++c) {
+        if (model->headerData(r, Qt::Vertical).toString() == QLatin1String(row) &&
+            model->headerData(c, Qt::Horizontal).toString() == QLatin1String(column))
+          return model->index(r, c);
+      }
+    }
+    return {};
+  }
+  QString cell(const char* matrix, const char* row, const char* column) const {
+    return index(*child<QTableView>(*view_, matrix), row, column).data().toString();
+  }
+  QString hint(const char* matrix) const {
+    return child<QLabel>(*child<QTableView>(*view_, matrix)->viewport(), "emptyHint")->text();
+  }
+  QString summary(const char* name) const {
+    return child<QLabel>(*view_, (QByteArray(name) + "Summary").constData())->text();
+  }
+  QString state() const { return child<QLabel>(*view_, "qualityState")->text(); }
+  void stroke(int colorClass, double x, double y) {
+    bench_->setCurrentClass(colorClass);
+    const colortool::ImagePoint at[] = {{x, y}};
+    bench_->addStroke(colortool::brushArea(40, 30, at, 3), "brush");
+  }
+  void goodStrokes() {
+    for (const double dx : {0.0, 4.0}) {
+      stroke(1, 8 + dx, 7);
+      stroke(2, 28 + dx, 7);
+      stroke(3, 8 + dx, 22);
+      stroke(0, 28 + dx, 22);
+    }
+  }
+
+  std::unique_ptr<ColorWorld> world_;
+  std::unique_ptr<ColorQualityView> view_;
+  std::vector<std::unique_ptr<QAbstractItemModelTester>> testers_;
+  ColorBench* bench_ = nullptr;
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::ColorQualityViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "ColorQualityViewTest.moc"

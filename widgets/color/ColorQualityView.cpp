@@ -1,0 +1,202 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorQualityView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QLabel>
+#include <QSplitter>
+#include <QToolButton>
+#include <set>
+
+#include "widgets/Controls.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ConfusionPanel.h"
+#include "widgets/color/LabelledFolder.h"
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"color-quality", QT_TRANSLATE_NOOP("View", "Quality"),
+     QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
+     "quality", false, create<ColorQualityView>}};
+
+/// Whose images these are, if all strokes are of one camera.
+std::string onlyCamera(const colortool::Samples& samples) {
+  std::set<std::string> cameras;
+  for (const colortool::SampleImage& image : samples.images) cameras.insert(image.camera);
+  return cameras.size() == 1 ? *cameras.begin() : std::string();
+}
+
+}  // namespace
+
+ColorQualityView::ColorQualityView(ViewContext& context, QWidget* parent)
+    : View(context, parent),
+      bench_(colorBench(context)),
+      history_(addColorActions(*this, "colorQuality", bench_)),
+      trueClasses_(bench_) {
+  setObjectName(QStringLiteral("colorQualityView"));
+  createActions();
+  createViews();
+  connectSignals();
+  showQuality();
+}
+
+ColorQualityView::~ColorQualityView() = default;
+
+void ColorQualityView::createActions() {
+  open_ = makeAction(this, "open",
+                     {"qualityOpen", tr("Labelled images…"),
+                      tr("Scores the table over a folder of images with labels: grey PNGs of the same name "
+                         "with the numbers of the classes")});
+  simulated_ = makeAction(this, "simulation",
+                          {"qualitySimulated", tr("Simulator's classes"),
+                           tr("Scores the table over what the simulated camera truly sees")});
+  simulated_->setCheckable(true);
+  close_ =
+      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Forgets the labelled images")});
+}
+
+void ColorQualityView::createViews() {
+  QHBoxLayout* row = makeToolRow(this);
+  addButtons(row, {history_.undo, history_.redo});
+  row->addSpacing(6);
+  for (QAction* action : {open_, simulated_}) {
+    auto* button = makeButton(row->parentWidget(), action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    row->addWidget(button);
+  }
+  addButtons(row, {close_});
+  state_ = new QLabel(row->parentWidget());
+  describe(*state_, {"qualityState", tr("State of the labelled images"), {}});
+  row->addSpacing(8);
+  row->addWidget(state_, 1);
+  strokes_ = new ConfusionPanel("strokes", tr("Your strokes"), this);
+  labelled_ = new ConfusionPanel("labelled", tr("Labelled images"), this);
+  splitter_ = new QSplitter(Qt::Horizontal, this);
+  splitter_->setObjectName(QStringLiteral("qualitySplitter"));
+  splitter_->addWidget(strokes_);
+  splitter_->addWidget(labelled_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 2, 4, 4);
+  layout->setSpacing(3);
+  layout->addWidget(row->parentWidget());
+  layout->addWidget(splitter_, 1);
+}
+
+void ColorQualityView::connectSignals() {
+  connect(open_, &QAction::triggered, this, &ColorQualityView::openFolder);
+  connect(close_, &QAction::triggered, this, &ColorQualityView::closeImages);
+  connect(simulated_, &QAction::toggled, this, [this](bool on) {
+    reading_.reset();
+    if (!on) return closeImages();
+    bench_.setLabelled({});
+    trueClasses_.setOn(true);
+    showQuality();
+  });
+  connect(&bench_, &ColorBench::qualityChanged, this, &ColorQualityView::showQuality);
+  connect(&bench_, &ColorBench::samplesChanged, this, &ColorQualityView::showQuality);
+}
+
+void ColorQualityView::openFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of images with labels"), folder_);
+  if (folder.isEmpty()) return;
+  simulated_->setChecked(false);
+  folder_ = folder;
+  reading_ = std::make_unique<LabelledFolder>(folder.toStdString(), onlyCamera(bench_.samples()));
+}
+
+void ColorQualityView::closeImages() {
+  reading_.reset();
+  trueClasses_.setOn(false);
+  if (simulated_->isChecked()) return simulated_->setChecked(false);
+  bench_.setLabelled({});
+  say({});
+  showQuality();
+}
+
+void ColorQualityView::takeRead() {
+  say(tr("Reading… %1 %").arg(qRound(100 * reading_->progress())));
+  auto read = reading_->take();
+  if (!read) return;
+  reading_.reset();
+  if (!*read) return say(QString::fromStdString(read->error().describe()), true);
+  const auto count = static_cast<int>((*read)->frames.size());
+  const auto problems = static_cast<int>((*read)->problems.size());
+  bench_.setLabelled(std::move((*read)->frames));
+  QString text = tr("%n labelled image(s)", nullptr, count);
+  if (problems > 0) text += tr("; %n could not be read", nullptr, problems);
+  say(text, problems > 0);
+  if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
+  showQuality();
+}
+
+void ColorQualityView::tick() {
+  trueClasses_.tick();
+  if (reading_) takeRead();
+  if (simulated_->isChecked())
+    say(tr("%n image(s) of the simulation", nullptr, static_cast<int>(trueClasses_.count())));
+  close_->setEnabled(!bench_.labelled().empty() || reading_ != nullptr);
+}
+
+void ColorQualityView::showQuality() {
+  showStrokes();
+  showLabelled();
+}
+
+QString ColorQualityView::strokesNote() const {
+  const ColorQuality& quality = *bench_.quality();
+  QStringList notes, alone;
+  for (const std::uint8_t colorClass : quality.strokes->alone)
+    alone << QString::fromStdString(quality.classes.name(colorClass));
+  if (!alone.isEmpty())
+    notes << tr("Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.")
+                 .arg(alone.join(QStringLiteral(", ")));
+  if (quality.strokes->evaluation.labelled(0) == 0)
+    notes << tr("No stroke of the background: false colours are not known.");
+  return notes.join(QLatin1Char(' '));
+}
+
+void ColorQualityView::showStrokes() {
+  const ColorQuality* quality = bench_.quality();
+  if (bench_.samples().strokes.empty())
+    return strokes_->showNothing(
+        tr("There are no strokes yet. Draw at least two of each class, and some of the background."));
+  if (quality == nullptr || !quality->strokes) return strokes_->showNothing(tr("Finding out…"));
+  strokes_->show(quality->classes, quality->strokes->evaluation, quality->strokes->alone, strokesNote());
+}
+
+void ColorQualityView::showLabelled() {
+  if (bench_.labelled().empty()) {
+    return labelled_->showNothing(
+        simulated_->isChecked()
+            ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
+            : tr("No labelled images. Open a folder of them, or take those of the simulator."));
+  }
+  const ColorQuality* quality = bench_.quality();
+  if (quality == nullptr || !quality->labelled) return labelled_->showNothing(tr("Finding out…"));
+  labelled_->show(quality->classes, *quality->labelled, {}, {});
+}
+
+void ColorQualityView::say(const QString& text, bool bad) {
+  QPalette colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  state_->setPalette(bad ? colors : QPalette());
+  state_->setText(text);
+  state_->setToolTip({});
+}
+
+QJsonObject ColorQualityView::saveState() const {
+  return {{QStringLiteral("folder"), folder_},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void ColorQualityView::restoreState(const QJsonObject& state) {
+  folder_ = state.value(QStringLiteral("folder")).toString();
+  const QString sizes = state.value(QStringLiteral("splitter")).toString();
+  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+}
+
+}  // namespace widgets

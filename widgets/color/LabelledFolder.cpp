@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/LabelledFolder.h"
+
+#include <algorithm>
+#include <map>
+#include <span>
+#include <utility>
+
+#include "colortool/ClassPresets.h"
+#include "colortool/NamedColorTable.h"
+#include "foxglove/Image.pb.h"
+#include "logplayer/ImageCoding.h"
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace widgets {
+namespace {
+
+namespace fs = std::filesystem;
+using robotlink::failure;
+using robotlink::Image;
+using robotlink::Result;
+
+constexpr const char* kNamesFile = "labels.classes";
+constexpr int kYuyvWidth = 320, kYuyvHeight = 240;  // of pixels with two Y each
+
+std::string endingOf(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
+
+std::vector<fs::path> filesOf(const fs::path& folder) {
+  std::vector<fs::path> files;
+  std::error_code error;
+  for (fs::directory_iterator entry(folder, error), end; !error && entry != end; entry.increment(error))
+    files.push_back(entry->path());
+  std::ranges::sort(files);
+  return files;
+}
+
+fs::path labelFolder(const fs::path& folder) {
+  std::error_code error;
+  for (const fs::path& candidate : {folder / "labels", folder.parent_path() / "labels"}) {
+    if (fs::is_directory(candidate, error)) return candidate;
+  }
+  return folder;
+}
+
+/// Images of a folder and of those in it, by their names without ending.
+std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path& labels) {
+  std::map<std::string, fs::path> images;
+  const auto add = [&images, &labels](const fs::path& file) {
+    const std::string ending = endingOf(file);
+    const bool isLabel = ending == ".png" && file.parent_path() == labels;
+    if (!isLabel && (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".yuyv"))
+      images.try_emplace(file.stem().string(), file);
+  };
+  for (const fs::path& file : filesOf(folder)) {
+    std::error_code error;
+    if (!fs::is_directory(file, error)) {
+      add(file);
+    } else if (file != labels) {
+      for (const fs::path& inside : filesOf(file)) add(inside);
+    }
+  }
+  return images;
+}
+
+Result<Image> decoded(const fs::path& file) {
+  const auto bytes = robotlink::readFile(file, 256U << 20U);
+  if (!bytes) return tl::unexpected(bytes.error());
+  if (endingOf(file) == ".yuyv") {
+    Image image(2 * kYuyvWidth, kYuyvHeight, robotlink::PixelFormat::kYuyv);
+    if (bytes->size() != image.data.size())
+      return failure("image.size",
+                     "a .yuyv image has 307200 bytes, this has " + std::to_string(bytes->size()),
+                     {file.string()});
+    std::ranges::copy(*bytes, image.data.begin());
+    return image;
+  }
+  const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
+  auto image = endingOf(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
+  if (!image) image.error().where = {file.string(), 0, 0};
+  return image;
+}
+
+/// The labels of each pixel of an image. In a .yuyv file two pixels share a label, which is that of the
+/// second.
+Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& file, bool yuyv) {
+  const auto labels = decoded(file);
+  if (!labels) return tl::unexpected(labels.error());
+  const int step = yuyv ? 2 : 1;
+  if (labels->format != robotlink::PixelFormat::kMono8)
+    return failure("image.labels", "labels are a grey PNG with the classes' numbers; this one has colours",
+                   {file.string()});
+  if (labels->width * step != image.width || labels->height != image.height)
+    return failure("image.labels", "the labels are not of the size of their image", {file.string()});
+  std::vector<std::uint8_t> result(
+      static_cast<std::size_t>(image.width) * static_cast<std::size_t>(image.height),
+      colortool::Evaluation::kIgnored);
+  std::size_t at = 0;
+  for (int y = 0; y < image.height; ++y) {
+    for (int x = 0; x < labels->width; ++x, at += static_cast<std::size_t>(step))
+      result[at + static_cast<std::size_t>(step) - 1] = labels->row(y)[x];
+  }
+  return result;
+}
+
+Result<std::vector<std::string>> namesOf(const fs::path& labels) {
+  colortool::ColorClasses classes = colortool::findClassPreset("bhuman2009")->classes();
+  std::error_code error;
+  if (const fs::path file = labels / kNamesFile; fs::exists(file, error)) {
+    const auto text = robotlink::readFile(file);
+    if (!text) return tl::unexpected(text.error());
+    const auto named = colortool::parseColorClasses(*text, file.string());
+    if (!named) return failure(named.error().front().id, robotlink::describe(named.error()));
+    classes = *named;
+  }
+  std::vector<std::string> names = classes.names();
+  names.insert(names.begin(), "none");
+  return names;
+}
+
+}  // namespace
+
+LabelledFolder::LabelledFolder(fs::path folder, std::string camera)
+    : folder_(std::move(folder)), camera_(std::move(camera)), thread_([this] {
+        auto read = readAll();
+        const std::lock_guard lock(mutex_);
+        read_ = std::move(read);
+      }) {}
+
+LabelledFolder::~LabelledFolder() {
+  quit_ = true;
+  thread_.join();
+}
+
+std::optional<Result<LabelledFolder::Read>> LabelledFolder::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(read_, std::nullopt);
+}
+
+Result<LabelledFolder::Read> LabelledFolder::readAll() {
+  const fs::path labels = labelFolder(folder_);
+  const auto names = namesOf(labels);
+  if (!names) return tl::unexpected(names.error());
+  const auto images = imagesIn(folder_, labels);
+  Read read;
+  std::size_t done = 0;
+  for (const auto& [name, file] : images) {
+    if (quit_) break;
+    progress_ = static_cast<double>(done++) / static_cast<double>(images.size());
+    const fs::path label = labels / (name + ".png");
+    std::error_code error;
+    if (!fs::exists(label, error)) continue;
+    const auto image = decoded(file);
+    auto values = image ? labelsFor(*image, label, endingOf(file) == ".yuyv") : tl::unexpected(image.error());
+    if (!values) {
+      read.problems.push_back(values.error());
+      continue;
+    }
+    auto message = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*message, image->view(), {}, "camera");
+    const std::string stream = (camera_.empty() ? "file" : camera_) + "/" + name;
+    read.frames.push_back({std::make_shared<ColorFrame>(message, stream, file.string(), robotlink::Instant{}),
+                           std::move(*values), *names});
+  }
+  if (!read.frames.empty()) return read;
+  return failure("image.labels",
+                 read.problems.empty()
+                     ? "no image here has labels: a grey PNG of the same name in a folder \"labels\""
+                     : robotlink::describe(read.problems),
+                 {folder_.string()});
+}
+
+}  // namespace widgets
