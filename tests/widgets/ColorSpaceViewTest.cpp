@@ -353,7 +353,7 @@ class ColorSpaceViewTest : public QObject {
     auto* cut = child<QComboBox>(s.view, "colorSpaceCut");
     cut->setFocus();
     QTest::keyClick(cut, Qt::Key_End);  // at Cr
-    QCOMPARE(cut->currentText(), QStringLiteral("at Cr"));
+    QCOMPARE(cut->currentText(), QStringLiteral("cut at Cr"));
     QVERIFY(s.step());
     QCOMPARE(s.countLike("orange"), 0);  // Cr is 200, the cut at a half
     QVERIFY(s.countLike("green") > 300);

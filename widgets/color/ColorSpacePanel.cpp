@@ -51,7 +51,8 @@ void ColorSpacePanel::createViews() {
             tr("Which classes are shown: their surfaces, their samples, and the pixels that the table "
                "puts into them")});
   list_->setSelectionMode(QAbstractItemView::NoSelection);
-  list_->setMinimumHeight(4 * fontMetrics().height());
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  list_->setMinimumHeight(5 * fontMetrics().height());
   layout->addWidget(list_, 1);
 
   layout->addWidget(createSurfaces());
@@ -79,12 +80,12 @@ QWidget* ColorSpacePanel::createSurfaces() {
   layout->setSpacing(3);
   surfaces_ = new QComboBox(box);
   describe(*surfaces_, {"colorSpaceSurfaces", tr("Surfaces"), tr("Whose surfaces are shown")});
-  surfaces_->addItems({tr("of the table"), tr("of the reference"), tr("of what differs")});
+  surfaces_->addItems({tr("table's surfaces"), tr("reference's surfaces"), tr("what differs")});
   opacity_ = new QSlider(Qt::Horizontal, box);
   describe(*opacity_, {"colorSpaceOpacity", tr("Opacity of surfaces"),
                        tr("How much the surfaces hide what is behind them")});
   opacity_->setRange(0, kSteps);
-  layout->addWidget(new QLabel(tr("Surfaces"), box));
+
   layout->addWidget(surfaces_);
   layout->addWidget(opacity_);
   return box;
@@ -102,7 +103,7 @@ QWidget* ColorSpacePanel::createCut() {
   cutAt_->setRange(0, kSteps);
   cutOther_ = new QCheckBox(tr("Other part"), box);
   describe(*cutOther_, {"colorSpaceCutOther", tr("Other part"), tr("Shows what is cut off instead")});
-  layout->addWidget(new QLabel(tr("Cut"), box));
+
   layout->addWidget(cut_);
   layout->addWidget(cutAt_);
   layout->addWidget(cutOther_);
@@ -164,9 +165,9 @@ void ColorSpacePanel::nameCuts(colortool::ColorSpace space) {
   const QSignalBlocker blocker(cut_);
   const int chosen = std::max(0, cut_->currentIndex());
   cut_->clear();
-  cut_->addItems({tr("no cut"), tr("across the view")});
+  cut_->addItems({tr("no cut"), tr("cut the view")});
   for (const char* channel : colortool::channelNames(space))
-    cut_->addItem(tr("at %1").arg(QLatin1String(channel)));
+    cut_->addItem(tr("cut at %1").arg(QLatin1String(channel)));
   cut_->setCurrentIndex(chosen);
 }
 

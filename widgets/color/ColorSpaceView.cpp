@@ -95,7 +95,7 @@ void ColorSpaceView::createViews() {
   scroll->setFrameShape(QFrame::NoFrame);
   scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   scroll->setWidget(panel_);
-  scroll->setMinimumWidth(panel_->minimumSizeHint().width() + 18);
+  scroll->setMinimumWidth(std::max(150, panel_->minimumSizeHint().width() + 18));
   auto* splitter = new QSplitter(this);
   splitter->setObjectName(QStringLiteral("colorSpaceSplitter"));
   splitter->addWidget(canvas_);
