@@ -76,6 +76,15 @@ bool SampleDocument::change(std::string text, Samples next, std::string gesture)
   return !together;
 }
 
+Samples SampleDocument::samplesAt(std::size_t position) const {
+  Samples samples = samples_;
+  for (std::size_t at = position_; at > position; --at)
+    apply(samples, steps_[at - 1].before, steps_[at - 1].added, steps_[at - 1].removed);
+  for (std::size_t at = position_; at < std::min(position, steps_.size()); ++at)
+    apply(samples, steps_[at].after, steps_[at].removed, steps_[at].added);
+  return samples;
+}
+
 void SampleDocument::undo() {
   if (!canUndo()) return;
   const Step& step = steps_[--position_];

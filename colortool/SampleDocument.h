@@ -36,6 +36,8 @@ class SampleDocument {
   std::size_t steps() const { return steps_.size(); }
   const std::string& text(std::size_t step) const { return steps_[step].text; }
   std::size_t position() const { return position_; }
+  /// The samples after that many steps, 0 to steps(); those that were undone count.
+  Samples samplesAt(std::size_t position) const;
 
   /// Whether this is other than when setSaved() was called last, or at first.
   bool changed() const { return savedPosition_ != position_; }

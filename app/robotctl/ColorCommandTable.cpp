@@ -8,13 +8,14 @@
 
 #include "app/robotctl/ColorCommands.h"
 #include "app/robotctl/Commands.h"
+#include "colortool/TableDifference.h"
 
 namespace app {
 namespace {
 
-using colortool::ColorClasses;
 using colortool::ColorTableFile;
 using colortool::NamedColorTable;
+using colortool::TableDifference;
 
 struct TableArguments {
   std::string table, other;
@@ -61,9 +62,38 @@ int info(const TableArguments& arguments) {
   return kDone;
 }
 
-/// The class of each cell, numbered as in `classes`.
-colortool::ColorTable numberedAs(const ColorClasses& classes, const NamedColorTable& table) {
-  return colortool::ColorTable::translated(table.file.singleClasses(), classNumbers(table.classes, classes));
+TableDifference difference(const NamedColorTable& before, const NamedColorTable& after) {
+  return {singleTable(before.file), before.classes, singleTable(after.file), after.classes};
+}
+
+nlohmann::ordered_json json(const TableDifference& difference) {
+  nlohmann::ordered_json changes = nlohmann::ordered_json::array(),
+                         classes = nlohmann::ordered_json::object();
+  for (int from = 0; from < difference.classes().size(); ++from) {
+    const std::string& name = difference.classes().name(from);
+    const TableDifference::OfClass sum = difference.ofClass(from);
+    classes[name] = {
+        {"before", sum.before}, {"after", sum.after}, {"gained", sum.gained}, {"lost", sum.lost}};
+    for (int to = 0; to < difference.classes().size(); ++to) {
+      if (from != to && difference.count(from, to) > 0)
+        changes.push_back({{"from", name},
+                           {"to", difference.classes().name(to)},
+                           {"cells", difference.count(from, to)}});
+    }
+  }
+  return {{"changed", difference.changed()}, {"changes", changes}, {"classes", classes}};
+}
+
+void print(const TableDifference& difference) {
+  const auto number = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
+  for (int from = 0; from < difference.classes().size(); ++from) {
+    for (int to = 0; to < difference.classes().size(); ++to) {
+      if (from == to || difference.count(from, to) == 0) continue;
+      std::printf("%-12s -> %-12s %7llu cells\n", difference.classes().name(from).c_str(),
+                  difference.classes().name(to).c_str(), number(difference.count(from, to)));
+    }
+  }
+  std::printf("%llu of %zu cells differ\n", number(difference.changed()), ColorTableFile::kCellCount);
 }
 
 int diff(const TableArguments& arguments) {
@@ -71,30 +101,11 @@ int diff(const TableArguments& arguments) {
              second = loadTable(arguments.other, arguments.classes);
   if (!first) return printErrors(first.error());
   if (!second) return printErrors(second.error());
-  const ColorClasses classes = unite(first->classes, second->classes);
-  const colortool::ColorTable firstTable = numberedAs(classes, *first),
-                              secondTable = numberedAs(classes, *second);
-  const auto before = firstTable.cells(), after = secondTable.cells();
-  std::map<std::pair<std::uint8_t, std::uint8_t>, std::uint64_t> changes;
-  std::uint64_t changed = 0;
-  for (std::size_t i = 0; i < before.size(); ++i) {
-    if (before[i] == after[i]) continue;
-    ++changes[{before[i], after[i]}];
-    ++changed;
-  }
-  nlohmann::ordered_json list = nlohmann::ordered_json::array();
-  for (const auto& [pair, count] : changes) {
-    const std::string &from = classes.name(pair.first), &to = classes.name(pair.second);
-    if (arguments.json)
-      list.push_back({{"from", from}, {"to", to}, {"cells", count}});
-    else
-      std::printf("%-12s -> %-12s %7llu cells\n", from.c_str(), to.c_str(),
-                  static_cast<unsigned long long>(count));
-  }
+  const TableDifference found = difference(*first, *second);
   if (arguments.json)
-    std::cout << nlohmann::ordered_json{{"changed", changed}, {"changes", list}}.dump(2) << "\n";
+    std::cout << json(found).dump(2) << "\n";
   else
-    std::printf("%llu of %zu cells differ\n", static_cast<unsigned long long>(changed), before.size());
+    print(found);
   return kDone;
 }
 

@@ -79,6 +79,11 @@ TEST_F(RobotctlColor, tablesAreDescribedAndCompared) {
   for (const auto& change : differences.at("changes")) sum += change.at("cells").get<std::uint64_t>();
   EXPECT_GT(sum, 100U);
   EXPECT_EQ(differences.at("changed"), sum);
+  const json& orange = differences.at("classes").at("orange");
+  EXPECT_GT(orange.at("gained"), 0);
+  EXPECT_EQ(orange.at("before"), info.at("cells").at("orange"));
+  EXPECT_EQ(orange.at("before").get<int>() + orange.at("gained").get<int>() - orange.at("lost").get<int>(),
+            orange.at("after").get<int>());
 }
 
 TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {

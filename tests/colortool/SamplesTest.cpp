@@ -97,6 +97,9 @@ TEST(SampleDocument, undoAndRedoAreExact) {
     EXPECT_EQ(document.samples(), states[i]) << i;
   }
   EXPECT_FALSE(document.canRedo());
+  for (int i = 0; i < 5; ++i) document.undo();
+  for (std::size_t i = 0; i < states.size(); ++i) EXPECT_EQ(document.samplesAt(i), states[i]) << i;
+  EXPECT_EQ(document.samples(), states[10]);
   EXPECT_EQ(document.steps(), 15U);
   EXPECT_EQ(document.text(12), "radius");
 }

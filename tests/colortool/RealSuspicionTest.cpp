@@ -1,0 +1,154 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What is suspicious in the images of a real robot, by good and by bad tables.
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <map>
+#include <random>
+
+#include "colortool/ClassPresets.h"
+#include "colortool/ColorTableFile.h"
+#include "colortool/Suspicion.h"
+#include "colortool/TableTrainer.h"
+#include "logplayer/ImageCoding.h"
+#include "robotlink/base/AtomicFile.h"
+
+namespace {
+
+using namespace colortool;
+namespace fs = std::filesystem;
+
+const fs::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+constexpr int kWidth = 320, kHeight = 240;
+
+/// Pixels of (Y1, Cb, Cr); as an image each is twice as wide.
+robotlink::Image imageOf(const std::string& stem) {
+  const std::string bytes = robotlink::readFile(kData / "yuyv" / (stem + ".yuyv")).value();
+  robotlink::Image image(2 * kWidth, kHeight, robotlink::PixelFormat::kYuyv);
+  std::copy_n(bytes.begin(), std::min(bytes.size(), image.data.size()), image.data.begin());
+  for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = image.data[i + 2];
+  return image;
+}
+
+std::vector<std::string> stems() {
+  std::vector<std::string> stems;
+  for (const auto& entry : fs::directory_iterator(kData / "yuyv")) stems.push_back(entry.path().stem());
+  std::ranges::sort(stems);
+  return stems;
+}
+
+robotlink::Image labelsOf(const std::string& stem) {
+  const std::string bytes = robotlink::readFile(kData / "labels" / (stem + ".png")).value();
+  return logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).value();
+}
+
+const char* const kLabelled[] = {"000", "032", "066"};
+constexpr std::uint8_t kAnyone = 255;  // a label
+
+/// Whether all of a stroke of radius 3 is of one label.
+bool isInside(const robotlink::Image& labels, int x, int y) {
+  const std::uint8_t label = labels.row(y)[x];
+  return labels.row(y - 3)[x] == label && labels.row(y + 3)[x] == label && labels.row(y)[x - 3] == label &&
+         labels.row(y)[x + 3] == label;
+}
+
+/// A number of strokes a class in each labelled image at random places inside of the labels.
+Samples strokes(int perClass, const std::vector<std::uint8_t>& ofClasses, unsigned seed) {
+  Samples samples;
+  samples.classes = findClassPreset("bhuman2009")->classes();
+  std::mt19937 random(seed);
+  for (const std::string stem : kLabelled) {
+    const robotlink::Image labels = labelsOf(stem), image = imageOf(stem);
+    const ColorImage colors = ColorImage::of(image.view());
+    for (const std::uint8_t colorClass : ofClasses) {
+      std::vector<ImagePoint> places;
+      for (int y = 4; y < kHeight - 4; ++y) {
+        for (int x = 4; x < kWidth - 4; ++x) {
+          if (labels.row(y)[x] == colorClass && isInside(labels, x, y)) places.push_back({2.0 * x, 1.0 * y});
+        }
+      }
+      for (int i = 0; i < perClass && !places.empty(); ++i) {
+        const ImagePoint at[] = {places[random() % places.size()]};
+        addStroke(samples, {0, stem, "nao", "", 2 * kWidth, kHeight}, colors,
+                  brushArea(2 * kWidth, kHeight, at, 3), {colorClass});
+      }
+    }
+  }
+  return samples;
+}
+const std::vector<std::uint8_t> kEverything = {0, 1, 3, 4, 5, 7};
+
+SuspicionMeter meterOf(const Samples& samples) {
+  TableTrainer trainer;
+  const ColorTable& table = trainer.train(samples);
+  return {table, trainer.margins(), thingClasses(samples.classes)};
+}
+
+SuspicionMeter meterOfTheTeam() {
+  const ColorTableFile file = ColorTableFile::load(kData / "tables/default.c64").value();
+  const ColorClasses classes = findClassPreset("bhuman2009")->classes();
+  return {ColorTable::translated(file.singleClasses(), classNumbers(classes, classes)),
+          {},
+          thingClasses(classes)};
+}
+
+double scoreOfAll(SuspicionMeter meter) {
+  double sum = 0;
+  for (const std::string& stem : stems()) sum += meter.measure(imageOf(stem).view()).score;
+  return sum;
+}
+
+/// Pixels of the image that was measured last that are of a thing's colour, and labelled otherwise.
+int falseColors(const SuspicionMeter& meter, const std::string& stem) {
+  const robotlink::Image labels = labelsOf(stem);
+  const std::vector<bool> things = thingClasses(findClassPreset("bhuman2009")->classes());
+  int count = 0;
+  for (int y = 0; y < kHeight; ++y) {
+    for (int x = 0; x < kWidth; ++x) {
+      const std::uint8_t label = labels.row(y)[x], found = meter.classes().row(y)[2 * x];
+      count += label != kAnyone && label != found && things[found] ? 1 : 0;
+    }
+  }
+  return count;
+}
+
+class RealSuspicion : public testing::Test {
+ protected:
+  void SetUp() override {
+    if (!fs::exists(kData)) GTEST_SKIP() << "the real images are not in " << kData;
+  }
+};
+
+TEST_F(RealSuspicion, aStrokeWithALargeRadiusMakesAWorseTableThanMany) {
+  for (const unsigned seed : {1U, 2U, 3U}) {
+    Samples bad = strokes(1, {1}, seed);
+    bad.strokes.resize(1);
+    bad.settings.votes.radius = VoteOptions::kMostRadius;
+    const double worst = scoreOfAll(meterOf(bad));
+    for (const int perClass : {1, 3, 10})
+      EXPECT_GT(worst, 2 * scoreOfAll(meterOf(strokes(perClass, kEverything, seed)))) << seed;
+  }
+}
+
+TEST_F(RealSuspicion, imagesWithFalseColoursComeFirst) {
+  std::vector<SuspicionMeter> meters{meterOfTheTeam()};
+  for (const unsigned seed : {1U, 2U}) {
+    for (const int perClass : {1, 3, 10}) meters.push_back(meterOf(strokes(perClass, kEverything, seed)));
+  }
+  int compared = 0;
+  for (SuspicionMeter& meter : meters) {
+    std::map<double, std::string> byScore;
+    std::map<int, std::string> byFalseColors;
+    for (const std::string stem : kLabelled) {
+      byScore[meter.measure(imageOf(stem).view()).score] = stem;
+      byFalseColors[falseColors(meter, stem)] = stem;
+    }
+    // Some good tables have next to none, of 76800 pixels.
+    if (byFalseColors.rbegin()->first < 50) continue;
+    EXPECT_EQ(byScore.rbegin()->second, byFalseColors.rbegin()->second);
+    ++compared;
+  }
+  EXPECT_GE(compared, 4);
+}
+
+}  // namespace
