@@ -8,6 +8,7 @@
 #include "colortool/SampleFile.h"
 #include "tests/widgets/ColorWorld.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/color/ColorSender.h"
 
 namespace widgets::test {
 
@@ -40,6 +41,11 @@ class ColorCommandsTest : public QObject {
     QCOMPARE(bench_->samples().strokes.size(), std::size_t{3});
     does("color.redo");
     QVERIFY(fails("color.redo").find("nothing") != std::string::npos);
+    does("color.send");
+    QVERIFY(world_->requests.back().has_set_color_table());
+    does("color.auto-send on");
+    QVERIFY(bench_->sender().autoSend());
+    does("color.auto-send off");
     does("color.method gaussians");
     does("color.option gaussian-distance 20");
     QCOMPARE(bench_->samples().settings.gaussians.mostSquaredDistance, 20.0);

@@ -11,8 +11,10 @@
 #include "colortool/PixelArea.h"
 #include "colortool/TrainingOptions.h"
 #include "robotlink/session/CommandTable.h"
+#include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/color/ColorSender.h"
 
 namespace widgets {
 namespace {
@@ -205,6 +207,18 @@ void addTableCommands(Commands& commands) {
                {{"name", Type::kText, "such as radius"}, {"value", Type::kNumber, "switches: 0 or 1"}},
                [](ColorBench& bench, auto&, const Values& values) {
                  return setOption(bench, text(values, 0), number(values, 1));
+               });
+  commands.add("color.send", "Gives the table to the selected robot's program", {},
+               [](ColorBench& bench, auto&, auto&) -> Result<void> {
+                 if (bench.session().selectedRobot().empty())
+                   return failure("color.no-robot", "there is no robot; open a scene or a log first");
+                 bench.sender().send();
+                 return {};
+               });
+  commands.add("color.auto-send", "Says whether each new table goes to the robot at once",
+               {{"on", Type::kBool, ""}}, [](ColorBench& bench, auto&, const Values& values) -> Result<void> {
+                 bench.sender().setAutoSend(std::get<bool>(values[0]));
+                 return {};
                });
 }
 
