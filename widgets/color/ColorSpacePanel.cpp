@@ -107,6 +107,11 @@ QWidget* ColorSpacePanel::createCut() {
   layout->addWidget(cut_);
   layout->addWidget(cutAt_);
   layout->addWidget(cutOther_);
+  // Their longest texts shall not take the picture's room.
+  for (QComboBox* choice : {surfaces_, cut_}) {
+    choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+    choice->setMinimumContentsLength(8);
+  }
   nameCuts(colortool::ColorSpace::kYCbCr);
   return box;
 }
