@@ -382,7 +382,7 @@ class ColorSpaceViewTest : public QObject {
     QTRY_VERIFY(s.bench.colors()->margins != nullptr);
     moveMouse(*s.canvas, s.at(kOrange));
     const QString text = child<QLabel>(s.view, "colorSpacePointed")->text();
-    for (const char* part : {"Y 140-143", "Cb 60-63", "Cr 200-203", "orange", "margin", "300 pixel"})
+    for (const char* part : {"Y 140-143", "Cb 60-63", "Cr 200-203", "orange", "margin", "pixels: 300"})
       QVERIFY2(text.contains(QLatin1String(part)), qPrintable(text));
     moveMouse(*s.canvas, {2, 2});
     QVERIFY(child<QLabel>(s.view, "colorSpacePointed")->text().isEmpty());

@@ -269,7 +269,7 @@ void ColorClassesView::remove() {
   const QString name = className(gone);
   const auto strokes = static_cast<int>(colortool::strokesOf(bench_.samples(), gone));
   bench_.change(tr("Remove %1").arg(name), colortool::withoutClass(bench_.samples(), gone));
-  say(tr("Removed %1 with %n stroke(s); Undo brings it back", nullptr, strokes).arg(name), false);
+  say(tr("Removed %1 (strokes: %2); Undo brings it back").arg(name).arg(strokes), false);
 }
 
 void ColorClassesView::move(int by) {

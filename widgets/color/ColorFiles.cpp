@@ -144,7 +144,7 @@ robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
   const auto more = static_cast<int>(next.strokes.size() - bench_.samples().strokes.size());
   bench_.change(tr("Merge %1").arg(text(file.filename())), std::move(next));
   remember(file);
-  tell(tr("%n stroke(s) came from %1", nullptr, more).arg(text(file.filename())));
+  tell(tr("Strokes that came from %1: %2").arg(text(file.filename())).arg(more));
   if (!read->problems.empty())
     show(read->problems, tr("Only a part of %1 could be read and was added:").arg(text(file)));
   return {};
@@ -167,10 +167,10 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   QString said = tr("Exported: %1").arg(text(file));
   if (packed.reducedCells > 0) {
     said +=
-        tr("\n%n cell(s) of several classes, one of them above %1, are of the best one alone: the format has "
-           "no room for more",
-           nullptr, static_cast<int>(packed.reducedCells))
-            .arg(colortool::ColorTableFile::kMostOfSeveral);
+        tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
+           "format has no room for more: %2")
+            .arg(colortool::ColorTableFile::kMostOfSeveral)
+            .arg(packed.reducedCells);
   }
   if (correctsColors(samples))
     said += tr("\nThe corrections of cameras and vignetting are not part of the table");
@@ -219,9 +219,9 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
   kept_ = true;
   Q_EMIT titleChanged(title());
   const QString said =
-      tr("The program did not end well the last time. What was not saved came back: %n stroke(s). "
-         "Save the samples to keep them.",
-         nullptr, strokes);
+      tr("The program did not end well the last time. What was not saved came back (strokes: %1). "
+         "Save the samples to keep them.")
+          .arg(strokes);
   if ((*left)->problems.empty())
     tell(said);
   else

@@ -126,8 +126,8 @@ void ColorQualityView::takeRead() {
   const auto count = static_cast<int>((*read)->frames.size());
   const auto problems = static_cast<int>((*read)->problems.size());
   bench_.setLabelled(std::move((*read)->frames));
-  QString text = tr("%n labelled image(s)", nullptr, count);
-  if (problems > 0) text += tr("; %n could not be read", nullptr, problems);
+  QString text = tr("Labelled images: %1").arg(count);
+  if (problems > 0) text += tr("; could not be read: %1").arg(problems);
   say(text, problems > 0);
   if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
   showQuality();
@@ -137,7 +137,7 @@ void ColorQualityView::tick() {
   trueClasses_.tick();
   if (reading_) takeRead();
   if (simulated_->isChecked())
-    say(tr("%n image(s) of the simulation", nullptr, static_cast<int>(trueClasses_.count())));
+    say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
   close_->setEnabled(!bench_.labelled().empty() || reading_ != nullptr);
 }
 

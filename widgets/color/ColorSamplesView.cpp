@@ -179,7 +179,7 @@ void ColorSamplesView::updateCount() {
   const auto selected = static_cast<int>(chosen().size());
   const int all = model_.rowCount();
   count_->setText(selected > 1 ? tr("%1 of %2 strokes").arg(selected).arg(all)
-                               : tr("%n stroke(s)", nullptr, all));
+                               : tr("strokes: %1").arg(all));
   remove_->setEnabled(selected > 0);
   lighting_->setEnabled(selected > 0);
 }
@@ -210,7 +210,7 @@ void ColorSamplesView::remove() {
   if (ids.empty()) return;
   colortool::Samples next = bench_.samples();
   colortool::removeStrokes(next, ids);
-  bench_.change(tr("Remove %n stroke(s)", nullptr, static_cast<int>(ids.size())), std::move(next));
+  bench_.change(tr("Remove strokes: %1").arg(ids.size()), std::move(next));
 }
 
 void ColorSamplesView::setWeight(const std::vector<std::uint64_t>& ids, double weight) {

@@ -259,7 +259,7 @@ QString ColorSpaceView::describe(std::size_t cell) const {
   if (colors != nullptr && colors->margins != nullptr)
     parts << tr("margin %1 %").arg(qRound((*colors->margins)[cell] / 2.55));
   if (canvas_->picture().cloud != nullptr)
-    parts << tr("%n pixel(s)", nullptr, static_cast<int>(canvas_->picture().cloud->pixelsIn(cell)));
+    parts << tr("pixels: %1").arg(canvas_->picture().cloud->pixelsIn(cell));
   return parts.join(QStringLiteral("   "));
 }
 
