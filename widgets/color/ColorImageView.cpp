@@ -122,7 +122,6 @@ QWidget* ColorImageView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "colorTime", tr("Time of the image"));
   state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
-  sent_ = addLabel(footer, "colorSent", tr("Whether the robot uses this table"));
   pixel_ = addLabel(footer, "colorPixel",
                     tr("Pixel under the cursor: position, colour, class, how sure it is, cell"));
   zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
@@ -301,11 +300,13 @@ void ColorImageView::showSending() {
   const ColorSender& sender = bench_.sender();
   const bool good = sender.state() == ColorSender::State::kConfirmed;
   const bool bad = sender.state() == ColorSender::State::kFailed;
-  sent_->setText(good ? QStringLiteral("✓ %1").arg(sender.text()) : sender.text());
+  QLabel* note = toolRow_->note();
+  note->setText(good ? QStringLiteral("✓ %1").arg(sender.text()) : sender.text());
   QPalette colors = palette();
   if (good || bad)
     colors.setColor(QPalette::WindowText, colorOf(good ? Meaning::kGood : Meaning::kBad, palette()));
-  sent_->setPalette(colors);
+  note->setPalette(colors);
+  note->setToolTip(sender.text());
   autoSend_->setChecked(sender.autoSend());
 }
 

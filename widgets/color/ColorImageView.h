@@ -76,7 +76,7 @@ class ColorImageView final : public View {
   StreamChoice* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QComboBox* rightLayer_ = nullptr;
-  QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr, *sent_ = nullptr;
+  QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
   QAction *freeze_ = nullptr, *collect_ = nullptr, *twoPictures_ = nullptr, *showStrokes_ = nullptr;
   QAction *cancel_ = nullptr, *send_ = nullptr, *autoSend_ = nullptr;

@@ -131,7 +131,11 @@ void ColorToolRow::createControls() {
   row->addWidget(radius_);
   row->addWidget(tolerance_);
   addButtons(row, {undo_, redo_});
-  row->addStretch(1);
+  note_ = new QLabel(this);
+  describe(*note_, {"colorSent", tr("Whether the robot uses this table"), {}});
+  note_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  note_->setContentsMargins(10, 0, 10, 0);
+  row->addWidget(note_, 1);
   row->addWidget(new QLabel(tr("Overlay"), this));
   row->addWidget(opacity_);
 }

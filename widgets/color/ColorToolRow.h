@@ -10,6 +10,7 @@
 class QAction;
 class QActionGroup;
 class QDoubleSpinBox;
+class QLabel;
 class QMenu;
 class QSlider;
 class QSpinBox;
@@ -32,6 +33,8 @@ class ColorToolRow final : public QWidget {
   /// How strongly the classes are laid over the image, 0 to 1.
   double opacity() const;
   void scaleRadius(double factor);
+  /// A place for a sentence in the row: whether the robot uses the table.
+  QLabel* note() { return note_; }
 
   QJsonObject saveState() const;
   void restoreState(const QJsonObject& state);
@@ -55,6 +58,7 @@ class ColorToolRow final : public QWidget {
   QDoubleSpinBox* radius_ = nullptr;
   QSpinBox* tolerance_ = nullptr;
   QSlider* opacity_ = nullptr;
+  QLabel* note_ = nullptr;
 };
 
 /// A small square of a class's colour, grey for the background.
