@@ -132,6 +132,10 @@ class ColourGuiTest : public QObject {
     for (int i = 0; i < 3; ++i) painter.key(Qt::Key_BracketLeft);  // as thin as the lines
     for (const auto& stroke : strokes) painter.stroke(stroke.key, stroke.from, stroke.to);
     QCOMPARE(painter.bench().samples().strokes.size(), std::size(strokes));
+    // The program that runs on the log uses it from now on.
+    painter.click("colorSend");
+    auto& sent = desk.find<QLabel>("colorSent");
+    QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ nao uses it")), qPrintable(sent.text()), kWaitMs);
 
     for (const auto& [image, steps] : {std::pair{"032", 32}, {"066", 34}}) {
       const ColorBench& bench = painter.bench();
