@@ -119,8 +119,9 @@ class ColorClassesViewTest : public QObject {
     QCOMPARE(int{bench_->samples().strokes[0]->colorClass}, 3);
     press("classRemove");
     QVERIFY(bench_->samples().strokes.empty());
-    QVERIFY(message().contains(QStringLiteral("strokes: 1")));
+    QVERIFY(message().contains(QStringLiteral("1 stroke;")));
     press("colorClassesUndo");
+    QVERIFY(message().isEmpty());
     QCOMPARE(bench_->samples().strokes.size(), std::size_t{1});
     QCOMPARE(bench_->samples().classes.name(bench_->samples().strokes[0]->colorClass), std::string("green"));
   }

@@ -166,7 +166,7 @@ class ColorFilesTest : public QObject {
     at.stroke(1, 8, 7);
     QVERIFY(at.files.merge(path("other.samples")));
     QCOMPARE(at.strokes(), std::size_t{5});
-    QVERIFY(at.told.last().contains(QStringLiteral(": 4")));
+    QVERIFY(at.told.last().contains(QStringLiteral("4 strokes")));
     at.bench.undoStack().undo();
     QCOMPARE(at.strokes(), std::size_t{1});
   }
@@ -243,7 +243,7 @@ class ColorFilesTest : public QObject {
       next.files.startRecovery(path("colors"));
       QCOMPARE(next.bench.samples(), lost);
       QVERIFY(next.files.changed());
-      QVERIFY(next.told.last().contains(QStringLiteral("strokes: 2")));
+      QVERIFY(next.told.last().contains(QStringLiteral("2 strokes")));
       QVERIFY(next.files.saveAs(path("saved.samples")));
     }
     QVERIFY(!std::filesystem::exists(recoveryFile()));

@@ -97,7 +97,7 @@ class ColorQualityViewTest : public QObject {
     const auto name = DialogAnswer::file(QString::fromStdString(folder));
     click(*view_, "qualityOpen");
     QTRY_VERIFY((view_->tick(), bench_->labelled().size() == 3));
-    QVERIFY(state().contains(QStringLiteral("Labelled images: 3")));
+    QVERIFY(state().contains(QStringLiteral("images: 3")));
     const LabelledFrame& first = bench_->labelled()[0];
     QCOMPARE(first.frame->width(), 640);
     QCOMPARE(first.classNames[3], std::string("blue"));

@@ -61,7 +61,7 @@ class ColorSamplesViewTest : public QObject {
     QCOMPARE(text(0, StrokeModel::kCamera), QStringLiteral("red1"));
     QVERIFY(text(0, StrokeModel::kImage).startsWith(QStringLiteral("red1/camera/image")));
     QVERIFY(!index(0, StrokeModel::kClass).data(Qt::DecorationRole).value<QIcon>().isNull());
-    QCOMPARE(child<QLabel>(*view_, "samplesCount")->text(), QStringLiteral("strokes: 2"));
+    QCOMPARE(child<QLabel>(*view_, "samplesCount")->text(), QStringLiteral("2 strokes"));
   }
 
   void whatDisagreesIsFoundBySortingByIt() {

@@ -23,6 +23,10 @@ QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
 
 }  // namespace
 
+QString strokesText(std::size_t count) {
+  return count == 1 ? translated("1 stroke") : translated("%1 strokes").arg(count);
+}
+
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench) {
   const QByteArray undoName = QByteArray(prefix) + "Undo", redoName = QByteArray(prefix) + "Redo";
   QUndoStack& stack = bench.undoStack();

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QString>
+
 class QAction;
 class QWidget;
 
@@ -19,5 +21,8 @@ struct ColorActions {
 /// view. `prefix` begins the names of the actions: "colorClasses" makes "colorClassesUndo". The bench must
 /// outlive the view.
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench);
+
+/// "1 stroke", "2 strokes".
+QString strokesText(std::size_t count);
 
 }  // namespace widgets

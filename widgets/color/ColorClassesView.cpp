@@ -200,6 +200,7 @@ void ColorClassesView::connectSignals() {
 }
 
 void ColorClassesView::showSamples() {
+  say({}, false);  // it was of what was before
   model_.setSamples(bench_.samples());
   showMeaning();
 }
@@ -267,9 +268,9 @@ void ColorClassesView::remove() {
   const int gone = bench_.currentClass();
   if (gone == 0) return;
   const QString name = className(gone);
-  const auto strokes = static_cast<int>(colortool::strokesOf(bench_.samples(), gone));
+  const std::size_t strokes = colortool::strokesOf(bench_.samples(), gone);
   bench_.change(tr("Remove %1").arg(name), colortool::withoutClass(bench_.samples(), gone));
-  say(tr("Removed %1 (strokes: %2); Undo brings it back").arg(name).arg(strokes), false);
+  say(tr("Removed %1 with %2; Undo brings it back").arg(name, strokesText(strokes)), false);
 }
 
 void ColorClassesView::move(int by) {

@@ -10,6 +10,7 @@
 #include "colortool/SampleFile.h"
 #include "colortool/TableImport.h"
 #include "colortool/TableTrainer.h"
+#include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorRecovery.h"
 
@@ -49,6 +50,7 @@ bool correctsColors(const colortool::Samples& samples) {
 ColorFiles::ColorFiles(ColorBench& bench) : QObject(&bench), bench_(bench) {
   setObjectName(QStringLiteral("colorFiles"));
   connect(&bench, &ColorBench::samplesChanged, this, [this] {
+    message_ = {};  // it was of what was before
     if (ticksUnkept_ == 0) ticksUnkept_ = 1;
   });
   connect(&bench.undoStack(), &QUndoStack::cleanChanged, this, [this] { Q_EMIT titleChanged(title()); });
@@ -141,10 +143,10 @@ robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
   if (!read) return tl::unexpected(read.error());
   colortool::Samples next = bench_.samples();
   colortool::merge(next, read->samples);
-  const auto more = static_cast<int>(next.strokes.size() - bench_.samples().strokes.size());
+  const std::size_t more = next.strokes.size() - bench_.samples().strokes.size();
   bench_.change(tr("Merge %1").arg(text(file.filename())), std::move(next));
   remember(file);
-  tell(tr("Strokes that came from %1: %2").arg(text(file.filename())).arg(more));
+  tell(tr("%1 came from %2").arg(strokesText(more), text(file.filename())));
   if (!read->problems.empty())
     show(read->problems, tr("Only a part of %1 could be read and was added:").arg(text(file)));
   return {};
@@ -166,11 +168,11 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   remember(file);
   QString said = tr("Exported: %1").arg(text(file));
   if (packed.reducedCells > 0) {
-    said +=
-        tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
-           "format has no room for more: %2")
-            .arg(colortool::ColorTableFile::kMostOfSeveral)
-            .arg(packed.reducedCells);
+    said += tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
+               "format "
+               "has no room for more: %2")
+                .arg(colortool::ColorTableFile::kMostOfSeveral)
+                .arg(packed.reducedCells);
   }
   if (correctsColors(samples))
     said += tr("\nThe corrections of cameras and vignetting are not part of the table");
@@ -214,14 +216,14 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
              .arg(QString::fromStdString(left->error().describe())));
     return;
   }
-  const auto strokes = static_cast<int>((*left)->samples.strokes.size());
+  const std::size_t strokes = (*left)->samples.strokes.size();
   bench_.setDocument(std::move((*left)->samples), true);
   kept_ = true;
   Q_EMIT titleChanged(title());
   const QString said =
-      tr("The program did not end well the last time. What was not saved came back (strokes: %1). "
-         "Save the samples to keep them.")
-          .arg(strokes);
+      tr("The program ended without saving the last time. What was not saved came back: %1. Save the samples "
+         "to keep them.")
+          .arg(strokesText(strokes));
   if ((*left)->problems.empty())
     tell(said);
   else

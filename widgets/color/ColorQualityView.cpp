@@ -127,7 +127,7 @@ void ColorQualityView::takeRead() {
   const auto problems = static_cast<int>((*read)->problems.size());
   bench_.setLabelled(std::move((*read)->frames));
   QString text = tr("Labelled images: %1").arg(count);
-  if (problems > 0) text += tr("; could not be read: %1").arg(problems);
+  if (problems > 0) text += tr("; %n could not be read", nullptr, problems);
   say(text, problems > 0);
   if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
   showQuality();
@@ -136,8 +136,7 @@ void ColorQualityView::takeRead() {
 void ColorQualityView::tick() {
   trueClasses_.tick();
   if (reading_) takeRead();
-  if (simulated_->isChecked())
-    say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
+  if (simulated_->isChecked()) say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
   close_->setEnabled(!bench_.labelled().empty() || reading_ != nullptr);
 }
 

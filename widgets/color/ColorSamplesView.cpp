@@ -179,7 +179,7 @@ void ColorSamplesView::updateCount() {
   const auto selected = static_cast<int>(chosen().size());
   const int all = model_.rowCount();
   count_->setText(selected > 1 ? tr("%1 of %2 strokes").arg(selected).arg(all)
-                               : tr("strokes: %1").arg(all));
+                               : strokesText(static_cast<std::size_t>(all)));
   remove_->setEnabled(selected > 0);
   lighting_->setEnabled(selected > 0);
 }
@@ -210,7 +210,7 @@ void ColorSamplesView::remove() {
   if (ids.empty()) return;
   colortool::Samples next = bench_.samples();
   colortool::removeStrokes(next, ids);
-  bench_.change(tr("Remove strokes: %1").arg(ids.size()), std::move(next));
+  bench_.change(tr("Remove %1").arg(strokesText(ids.size())), std::move(next));
 }
 
 void ColorSamplesView::setWeight(const std::vector<std::uint64_t>& ids, double weight) {
@@ -253,7 +253,8 @@ void ColorSamplesView::showImage(const colortool::SampleImage& image) {
   const auto time = timeOf(image);
   ReplayControl& replay = openLogs(context()).replay();
   const auto newest = session().timeline().newest() + std::chrono::milliseconds(1);
-  if (time && replay.open() && *time >= replay.begin() && *time <= replay.end() + std::chrono::milliseconds(1)) {
+  if (time && replay.open() && *time >= replay.begin() &&
+      *time <= replay.end() + std::chrono::milliseconds(1)) {
     Q_EMIT bench_.frameWanted(nullptr);
     replay.jumpTo(*time);
   } else if (time && !replay.open() && *time <= newest) {

@@ -17,6 +17,12 @@ QString percent(double share) {
 
 }  // namespace
 
+QIcon untinted(const QPixmap& pixmap) {
+  QIcon icon(pixmap);
+  icon.addPixmap(pixmap, QIcon::Selected);
+  return icon;
+}
+
 QIcon swatch(const QColor& color) {
   QPixmap pixmap(kSwatchSide, kSwatchSide);
   pixmap.fill(Qt::transparent);
@@ -28,7 +34,7 @@ QIcon swatch(const QColor& color) {
   const QRectF square(3, 3, kSwatchSide - 6, kSwatchSide - 6);
   painter.drawRoundedRect(square, 5, 5);
   if (!color.isValid()) painter.drawLine(square.bottomLeft(), square.topRight());
-  return QIcon(pixmap);
+  return untinted(pixmap);
 }
 
 void ColorClassModel::setSamples(const colortool::Samples& samples) {

@@ -53,6 +53,8 @@ class ColorClassModel final : public QAbstractTableModel {
   std::vector<Row> rows_;
 };
 
+/// An icon whose colours stay what they are in selected rows, too.
+QIcon untinted(const QPixmap& pixmap);
 /// A class's colour as a small square; for the background a crossed one.
 QIcon swatch(const QColor& color);
 

@@ -25,7 +25,7 @@ QIcon picture(const colortool::Thumbnail& thumbnail, const QColor& color) {
     painter.drawImage(QRect(0, 0, kPictureSide, kPictureSide), image);
   }
   if (color.isValid()) painter.fillRect(kPictureSide + 1, 0, 5, kPictureSide, color);
-  return QIcon(pixmap);
+  return untinted(pixmap);
 }
 
 bool sameIds(const std::vector<colortool::StrokePtr>& a, const std::vector<colortool::StrokePtr>& b,

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Samples of colours that are not saved: asked about when the window is closed, back after a crash.
+#include <QApplication>
+#include <QLabel>
+#include <QMessageBox>
+#include <QStatusBar>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "tests/colortool/SampleFixture.h"
+#include "tests/widgets/Bench.h"
+#include "tests/widgets/DialogAnswer.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFiles.h"
+
+namespace {
+
+/// A program with its window, on a home that outlives it.
+struct Sitting {
+  explicit Sitting(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
+    window.show();
+  }
+  widgets::ColorBench& bench() { return *window.context().colors; }
+  void passTime() {
+    for (int i = 0; i < 62; ++i) window.tick();
+  }
+  app::Workbench workbench;
+  app::MainWindow window;
+};
+
+}  // namespace
+
+class ColourFilesGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString());
+  }
+  void cleanupTestCase() { Bench::tidyUp(); }
+  void init() { std::filesystem::remove_all(home_ / "colors"); }
+
+  void closingAsksAboutSamplesThatAreNotSaved() {
+    Sitting at(home_);
+    at.bench().change(QStringLiteral("Strokes"), colortool::quarterSamples());
+    at.passTime();
+    {
+      const DialogAnswer cancel(
+          [](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::RejectRole); });
+      QVERIFY(!at.window.close());
+      QVERIFY(cancel.asked());
+    }
+    QVERIFY(at.window.isVisible());
+    const DialogAnswer discard(
+        [](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::DestructiveRole); });
+    QVERIFY(at.window.close());
+    QVERIFY(discard.asked());
+    QTRY_VERIFY2(!std::filesystem::exists(home_ / "colors" / "recovery.samples"),
+                 "what was given up must not come back");
+  }
+
+  void whatWasNotSavedComesBackAtTheNextStart() {
+    {
+      Sitting crashed(home_);
+      crashed.bench().change(QStringLiteral("Strokes"), colortool::quarterSamples());
+      crashed.passTime();
+    }  // without being asked
+    Sitting next(home_);
+    QCOMPARE(next.bench().samples(), colortool::quarterSamples());
+    QVERIFY(next.window.statusBar()->currentMessage().contains(QStringLiteral("4 strokes")));
+    QVERIFY(next.workbench.commands().runLine("color.discard").has_value());
+    QVERIFY(next.bench().samples().strokes.empty());
+  }
+
+  void aScriptsErrorIsShown() {
+    Sitting at(home_);
+    Q_EMIT at.bench().failed(QStringLiteral("the disk is full"));
+    QCOMPARE(child<QLabel>(at.window, "errorText").text(), QStringLiteral("the disk is full"));
+    QVERIFY(at.window.close());  // nothing to ask about
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(ColourFilesGuiTest)
+#include "ColourFilesGuiTest.moc"
