@@ -66,6 +66,7 @@ class ColorQualityViewTest : public QObject {
     stroke(2, 12, 9);
     QTRY_VERIFY(cell("strokesMatrix", "green", "orange").toDouble() > 0 ||
                 cell("strokesMatrix", "orange", "green").toDouble() > 0);
+    keepPicture(*view_, "color-quality-mistakes");
     QTest::keyClick(view_.get(), Qt::Key_Z, Qt::ControlModifier);
     click(*view_, "colorQualityUndo");
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
