@@ -8,6 +8,7 @@
 #include "colortool/SampleFile.h"
 #include "tests/widgets/ColorWorld.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/color/ColorFrameFinder.h"
 #include "widgets/color/ColorSender.h"
 
 namespace widgets::test {
@@ -51,6 +52,16 @@ class ColorCommandsTest : public QObject {
     QCOMPARE(bench_->samples().settings.gaussians.mostSquaredDistance, 20.0);
   }
 
+  void framesAreSearched() {
+    QVERIFY(fails("color.find-frames").find("no images to search") != std::string::npos);
+    world_->show();
+    bench_->setFrame(world_->frame());
+    does("color.find-frames");
+    ColorFrameFinder& finder = colorFrameFinder(world_->context);
+    QTRY_VERIFY(!finder.busy());
+    QCOMPARE(finder.progress().seen, std::uint64_t{1});
+  }
+
   void filesAreWrittenAndChangesAreNotLost() {
     const QTemporaryDir folder;
     const std::string samples = folder.filePath(QStringLiteral("a.samples")).toStdString(),
@@ -64,6 +75,11 @@ class ColorCommandsTest : public QObject {
     does("color.export \"" + table + "\"");
     does("color.compare \"" + table + "\"");
     QVERIFY(bench_->reference() != nullptr);
+    does("color.compare none");
+    QVERIFY(bench_->reference() == nullptr);
+    does("color.compare now");
+    QTRY_VERIFY(bench_->upToDate());
+    QVERIFY(*bench_->reference() == *bench_->colors()->table);
     does("color.preset 2002");
     does("color.discard");  // as saved
     QCOMPARE(bench_->samples(), colortool::quarterSamples());

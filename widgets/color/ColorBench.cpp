@@ -85,6 +85,7 @@ void ColorBench::changed() {
     Q_EMIT meaningChanged();
   }
   ask();
+  if (reference_ && referenceClasses_ != samples().classes) numberReference();
   Q_EMIT samplesChanged();
 }
 
@@ -165,8 +166,23 @@ std::vector<robotlink::Rgb> ColorBench::classColors() const {
 }
 
 void ColorBench::setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name) {
-  reference_ = std::move(table);
-  referenceName_ = reference_ ? name : QString();
+  setReference({std::move(table), samples().classes, name});
+}
+
+void ColorBench::setReference(ReferenceTable reference) {
+  givenReference_ = reference.table ? std::move(reference) : ReferenceTable{};
+  numberReference();
+}
+
+void ColorBench::numberReference() {
+  const ReferenceTable& given = givenReference_;
+  referenceClasses_ = samples().classes;
+  if (!given.table || given.classes == referenceClasses_) {
+    reference_ = given.table;
+  } else {
+    reference_ = std::make_shared<const colortool::ColorTable>(colortool::ColorTable::translated(
+        given.table->cells(), classNumbers(given.classes, referenceClasses_)));
+  }
   Q_EMIT referenceChanged();
 }
 

@@ -24,6 +24,13 @@ struct CollectedFrame {
   QImage thumbnail;
 };
 
+/// A table that others are compared with: yesterday's, or another team's.
+struct ReferenceTable {
+  std::shared_ptr<const colortool::ColorTable> table;  ///< null: there is none
+  colortool::ColorClasses classes;                     ///< what its numbers mean
+  QString name;
+};
+
 /// The colour table that is being made, as all colour views of a window share it: the samples with their
 /// undo stack, the image that is worked on, the table and what it makes of the image, what is selected. All
 /// work is done by a ColorLearner; its results arrive as signals. GUI thread.
@@ -73,10 +80,15 @@ class ColorBench final : public QObject {
   bool upToDate() const { return colors_ && colors_->task == asked_; }
   /// In what classes are shown, by their numbers; 0 is background.
   std::vector<robotlink::Rgb> classColors() const;
-  /// A table to compare with, of the same classes: yesterday's, or another team's; null: none.
+  /// A table to compare with, of the classes of the samples; null: none.
   void setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name);
+  /// The same of any classes; they are matched by their names.
+  void setReference(ReferenceTable reference);
+  /// In numbers of the samples' classes, also when these change; what they do not have is none. Null: there is
+  /// none.
   const std::shared_ptr<const colortool::ColorTable>& reference() const { return reference_; }
-  const QString& referenceName() const { return referenceName_; }
+  const ReferenceTable& givenReference() const { return givenReference_; }
+  const QString& referenceName() const { return givenReference_.name; }
   /// Images whose classes are known; tables are scored with them.
   const std::vector<LabelledFrame>& labelled() const { return *labelled_; }
   void setLabelled(std::vector<LabelledFrame> labelled);
@@ -107,6 +119,8 @@ class ColorBench final : public QObject {
   void colorsChanged();  ///< table, segmented image or margins
   void qualityChanged();
   void referenceChanged();
+  void followWanted();      ///< somebody looks for images: views that are frozen go with the time line again
+  void differenceWanted();  ///< somebody wants to see in the image what the reference has other
   void selectionChanged();
   void pointedChanged();
   /// Something could not be done: what, and why.
@@ -114,6 +128,7 @@ class ColorBench final : public QObject {
 
  private:
   void changed();
+  void numberReference();
   void ask();
   void takeNews();
 
@@ -125,8 +140,9 @@ class ColorBench final : public QObject {
   double weight_ = 1;
   ColorFramePtr frame_;
   std::vector<CollectedFrame> collected_;
+  ReferenceTable givenReference_;
   std::shared_ptr<const colortool::ColorTable> reference_;
-  QString referenceName_;
+  colortool::ColorClasses referenceClasses_;  ///< that reference_ is numbered by
   std::shared_ptr<const std::vector<LabelledFrame>> labelled_;
   std::optional<LearnedColors> colors_;
   std::optional<ColorQuality> quality_;

@@ -14,6 +14,8 @@
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/color/ColorFrameFinder.h"
+#include "widgets/color/ColorReferences.h"
 #include "widgets/color/ColorSender.h"
 
 namespace widgets {
@@ -121,6 +123,12 @@ Result<void> usePreset(ColorBench& bench, const std::string& name) {
   return {};
 }
 
+Result<void> compare(ColorBench& bench, ColorFiles& files, const std::string& table) {
+  if (table != "now" && table != "none") return files.importReference(table);
+  bench.setReference(table == "now" ? referenceOfNow(bench) : ReferenceTable());
+  return {};
+}
+
 /// Adds commands to a table; they hold on to nothing that goes with the window.
 class Commands {
  public:
@@ -166,9 +174,11 @@ void addFileCommands(Commands& commands) {
                [](auto&, ColorFiles& files, const Values& values) {
                  return files.exportTable(text(values, 0), false);
                });
-  commands.add(
-      "color.compare", "Reads a colour table to compare with", {{"file", Type::kText, "a colour table"}},
-      [](auto&, ColorFiles& files, const Values& values) { return files.importReference(text(values, 0)); });
+  commands.add("color.compare", "Compares the table with another one",
+               {{"table", Type::kText, "a file, now (what it is now), or none"}},
+               [](ColorBench& bench, ColorFiles& files, const Values& values) {
+                 return compare(bench, files, text(values, 0));
+               });
 }
 
 void addStrokeCommands(Commands& commands) {
@@ -222,6 +232,12 @@ void addTableCommands(Commands& commands) {
                });
 }
 
+/// The finder lives as long as the bench.
+void addSearchCommands(Commands& commands, ColorFrameFinder* finder) {
+  commands.add("color.find-frames", "Looks for the images in which the table does most that is suspicious",
+               {}, [finder](auto&, auto&, auto&) { return finder->search(); });
+}
+
 }  // namespace
 
 void addColorCommands(ViewContext& context) {
@@ -230,6 +246,7 @@ void addColorCommands(ViewContext& context) {
   addFileCommands(commands);
   addStrokeCommands(commands);
   addTableCommands(commands);
+  addSearchCommands(commands, &colorFrameFinder(context));
 }
 
 }  // namespace widgets

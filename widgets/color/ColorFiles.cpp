@@ -8,11 +8,11 @@
 #include "colortool/ColorTableFile.h"
 #include "colortool/NamedColorTable.h"
 #include "colortool/SampleFile.h"
-#include "colortool/TableImport.h"
 #include "colortool/TableTrainer.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorRecovery.h"
+#include "widgets/color/ColorReferences.h"
 
 namespace widgets {
 namespace {
@@ -181,17 +181,14 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
 }
 
 robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path& file) {
-  const auto read = colortool::importTable(file);
-  if (!read) return robotlink::failure(read.error().front().id, robotlink::describe(read.error()));
-  const colortool::NamedColorTable& theirs = read->table;
-  const auto& classes = bench_.samples().classes;
-  const auto numbers = colortool::classNumbers(theirs.classes, classes);
-  auto table = std::make_shared<const colortool::ColorTable>(
-      colortool::ColorTable::translated(theirs.file.singleClasses(), numbers));
-  bench_.setReference(std::move(table), text(file.filename()));
+  auto read = readReference(file);
+  if (!read) return tl::unexpected(read.error());
+  const colortool::ColorClasses& classes = bench_.samples().classes;
+  const std::vector<std::string> names = read->classes.names();
+  bench_.setReference(std::move(*read));
   remember(file);
   QStringList unknown;
-  for (const std::string& name : theirs.classes.names()) {
+  for (const std::string& name : names) {
     if (classes.index(name) == colortool::ColorClasses::kNone) unknown << QString::fromStdString(name);
   }
   QString said = tr("Compared with %1").arg(text(file.filename()));

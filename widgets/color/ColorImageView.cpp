@@ -173,6 +173,11 @@ void ColorImageView::connectSignals() {
   connect(&bench_, &ColorBench::frameChanged, this, &ColorImageView::showFrame);
   connect(&bench_, &ColorBench::colorsChanged, this, &ColorImageView::showColors);
   connect(&bench_, &ColorBench::referenceChanged, this, &ColorImageView::showColors);
+  connect(&bench_, &ColorBench::followWanted, freeze_, [this] { freeze_->setChecked(false); });
+  connect(&bench_, &ColorBench::differenceWanted, this, [this] {
+    twoPictures_->setChecked(true);
+    rightLayer_->setCurrentIndex(static_cast<int>(RightLayer::kDifference));
+  });
   connect(&bench_, &ColorBench::selectionChanged, this, &ColorImageView::showSelection);
   connect(&bench_, &ColorBench::samplesChanged, this, &ColorImageView::showMarks);
 }

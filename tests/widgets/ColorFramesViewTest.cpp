@@ -1,0 +1,331 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/ColorFramesView.h"
+
+#include <QAbstractItemModelTester>
+#include <QAction>
+#include <QApplication>
+#include <QLabel>
+#include <QMenu>
+#include <QProgressBar>
+#include <QTableView>
+#include <QTest>
+#include <QToolButton>
+
+#include "logplayer/LogFile.h"
+#include "logplayer/LogWriter.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "tests/TestFolder.h"
+#include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/LogBench.h"
+#include "widgets/log/LogReader.h"
+
+namespace widgets::test {
+namespace {
+
+using Model = SuspiciousFrameModel;
+
+constexpr int kWidth = 320, kHeight = 240;
+constexpr char kStream[] = "red1/camera/image";
+constexpr char kRealLog[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
+constexpr int kWaitMs = 20000;
+
+/// Four quarters, and specks of orange, 4 pixels each, on the wall.
+std::shared_ptr<const foxglove::RawImage> imageWithSpecks(int specks) {
+  auto image = std::make_shared<foxglove::RawImage>(*ColorWorld::image(kWidth, kHeight));
+  std::string& data = *image->mutable_data();
+  for (int i = 0; i < specks; ++i) {
+    const int x = kWidth / 2 + 8 + 6 * (i % 20), y = kHeight / 2 + 8 + 6 * (i / 20);
+    for (int row = y; row < y + 2; ++row) {
+      char* pair = data.data() + 2 * (row * kWidth + x);
+      pair[0] = pair[2] = static_cast<char>(140);
+      pair[1] = 60;
+      pair[3] = static_cast<char>(200);
+    }
+  }
+  return image;
+}
+
+/// Frames 100 ms apart from 10 s on, each with that many specks.
+void writeLog(const std::filesystem::path& file, const std::vector<int>& specks) {
+  auto writer = logplayer::LogWriter::create(file, {});
+  if (!writer) qFatal("%s", writer.error().describe().c_str());
+  std::uint64_t number = 0;
+  for (const int count : specks) {
+    const auto time = at(10 + 0.1 * static_cast<double>(number++));
+    auto info = std::make_shared<robotcontrol::FrameInfo>();
+    info->set_number(number);
+    info->set_process("platform");
+    if (!(*writer)->write({{kStream, time, imageWithSpecks(count), "platform", number},
+                           {"red1/frames/platform", time, info, "platform", number}}))
+      qFatal("the log could not be written");
+  }
+  if (!(*writer)->container().close()) qFatal("the log could not be closed");
+}
+
+/// The view on a robot whose table knows orange, green and the wall.
+struct Shown : LogBench {
+  ColorBench& bench;
+  std::unique_ptr<ColorFramesView> view;
+  QTableView* table = nullptr;
+  std::unique_ptr<QAbstractItemModelTester> tester;
+
+  Shown() : bench(colorBench(context)) {
+    context.logs = std::make_shared<OpenLogs>(session, readLogFile);
+    show(imageWithSpecks(0), 0.5);
+    stroke("orange", 40, 60);
+    stroke("green", 240, 60);
+    stroke(nullptr, 162, 238);
+    view = std::make_unique<ColorFramesView>(context);
+    table = test::child<QTableView>(*view, "colorFramesTable");
+    tester = std::make_unique<QAbstractItemModelTester>(
+        table->model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    view->resize(720, 420);
+    view->show();
+    if (!QTest::qWaitForWindowExposed(view.get())) qFatal("the view is not shown");
+    turn();
+  }
+  void show(std::shared_ptr<const foxglove::RawImage> image, double time) {
+    session.push({kStream, at(time), image});
+    session.tick();
+    bench.setFrame(std::make_shared<ColorFrame>(std::move(image), kStream, "", at(time)));
+  }
+  void stroke(const char* name, double x, double y) {
+    bench.setCurrentClass(name == nullptr ? 0 : bench.samples().classes.index(name));
+    const colortool::ImagePoint at[] = {{x, y}};
+    bench.addStroke(colortool::brushArea(kWidth, kHeight, at, 3), "brush");
+    QTRY_VERIFY(bench.upToDate());
+  }
+  void turn() {
+    session.tick();
+    context.logs->tick();
+    view->tick();
+  }
+  void openLog(const std::filesystem::path& file, double offset = 0) {
+    LogBench::openLog(file.string(), offset);
+    QTRY_VERIFY_WITH_TIMEOUT((turn(), logs().logs().front()->overview->stage == LogOverview::Stage::kDone),
+                             kWaitMs);
+  }
+  void press(const char* button) {
+    QTest::mouseClick(test::child<QToolButton>(*view, button), Qt::LeftButton);
+    turn();
+  }
+  ColorFrameFinder& finder() { return colorFrameFinder(context); }
+  void waitForTheEnd() { QTRY_VERIFY_WITH_TIMEOUT((turn(), !finder().busy()), kWaitMs); }
+  void search() {
+    press("colorFramesSearch");
+    waitForTheEnd();
+  }
+  QString text(int row, int column) const { return table->model()->index(row, column).data().toString(); }
+  void clickRow(int row) {
+    table->scrollTo(table->model()->index(row, Model::kScore));
+    QTest::mouseClick(table->viewport(), Qt::LeftButton, {},
+                      table->visualRect(table->model()->index(row, Model::kScore)).center());
+  }
+  int rows() const { return table->model()->rowCount(); }
+  template <typename W>
+  W* part(const char* name) const {
+    return test::child<W>(*view, name);
+  }
+};
+
+}  // namespace
+
+class ColorFramesViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { failAtWarnings(); }
+
+  void theImagesOfALogAreListedWorstFirst() {
+    const TestFolder folder;
+    writeLog(folder / "game.mcap", {0, 3, 0, 40, 1, 0, 12});
+    Shown s;
+    s.openLog(folder / "game.mcap");
+    s.search();
+    QCOMPARE(s.rows(), 4);
+    const char* const times[] = {"10.300 s", "10.600 s", "10.100 s", "10.400 s"};
+    const int pixels[] = {160, 48, 12, 4};
+    for (int row = 0; row < 4; ++row) {
+      QCOMPARE(s.text(row, Model::kTime), QLatin1String(times[row]));
+      QCOMPARE(s.text(row, Model::kSpecks).toInt(), pixels[row]);
+      QCOMPARE(s.text(row, Model::kClasses), QStringLiteral("orange %1").arg(pixels[row]));
+      QVERIFY(!s.table->model()->index(row, Model::kTime).data(Qt::DecorationRole).value<QImage>().isNull());
+    }
+    QCOMPARE(s.part<QLabel>("colorFramesState")->text(),
+             QStringLiteral("game.mcap, red1/camera/image: 7 images, suspicious: 4"));
+    QVERIFY(!s.part<QProgressBar>("colorFramesProgress")->isVisible());
+  }
+
+  void aClickAndEnterJumpThere() {
+    const TestFolder folder;
+    writeLog(folder / "game.mcap", {0, 3, 0, 40, 1});
+    Shown s;
+    s.openLog(folder / "game.mcap", 100);
+    s.search();
+    s.clickRow(0);
+    QCOMPARE(s.asked().time(), at(110.3).time_since_epoch().count());
+    s.answer(true);
+    s.turn();
+    s.table->setFocus();
+    QTest::keyClick(s.table, Qt::Key_Down);
+    QTest::keyClick(s.table, Qt::Key_Return);
+    QCOMPARE(s.asked().time(), at(110.1).time_since_epoch().count());
+  }
+
+  void whatARobotSentIsSearchedWithoutALog() {
+    Shown s;
+    for (const int specks : {0, 5, 20}) s.show(imageWithSpecks(specks), 1 + 0.1 * specks);
+    QVERIFY(!s.part<QToolButton>("colorFramesLive")->isVisible());
+    s.search();
+    QCOMPARE(s.rows(), 2);
+    QCOMPARE(s.text(0, Model::kTime), QStringLiteral("3.000 s"));
+    s.clickRow(1);
+    QVERIFY(!s.session.timeline().live());
+    QCOMPARE(s.session.timeline().shown(), at(1.5));
+    QVERIFY(s.requests.empty());
+    s.press("colorFramesLive");
+    QVERIFY(s.session.timeline().live());
+    QVERIFY(!s.part<QToolButton>("colorFramesLive")->isVisible());
+  }
+
+  void aSearchIsCancelled() {
+    Shown s;
+    const auto image = imageWithSpecks(100);
+    for (int i = 0; i < 2500; ++i) s.session.push({kStream, at(1 + 0.01 * i), image});
+    s.session.tick();
+    s.press("colorFramesSearch");
+    QTRY_VERIFY((s.turn(), s.rows() > 0));  // they come while it goes
+    QVERIFY(s.part<QProgressBar>("colorFramesProgress")->isVisible());
+    s.press("colorFramesCancel");
+    s.waitForTheEnd();
+    const auto& progress = s.finder().progress();
+    QVERIFY(progress.cancelled);
+    QVERIFY2(progress.seen < progress.total, qPrintable(QString::number(progress.seen)));
+    QVERIFY(s.part<QLabel>("colorFramesState")->text().endsWith(QStringLiteral("cancelled")));
+    QVERIFY(!s.part<QToolButton>("colorFramesCancel")->isEnabled());
+    // A search may go on when its window closes.
+    s.press("colorFramesSearch");
+  }
+
+  void anotherTableMakesTheListStale() {
+    Shown s;
+    s.show(imageWithSpecks(5), 1);
+    auto* stale = s.part<QLabel>("colorFramesStale");
+    s.search();
+    QCOMPARE(s.rows(), 1);
+    QVERIFY(!stale->isVisible());
+    s.bench.undoStack().undo();
+    s.bench.undoStack().undo();
+    QTRY_VERIFY((s.turn(), s.bench.upToDate()));
+    QVERIFY(stale->isVisible());
+    s.bench.undoStack().redo();
+    s.bench.undoStack().redo();
+    QTRY_VERIFY(s.bench.upToDate());
+    s.turn();
+    QVERIFY2(!stale->isVisible(), "it is the same table again");
+    // A stroke on a speck: they are green from now on.
+    s.stroke("green", 240, 20);
+    s.stroke(nullptr, 60, 60);
+    s.stroke(nullptr, 20, 20);
+    s.turn();
+    QVERIFY(stale->isVisible());
+    QTest::keyClick(s.view.get(), Qt::Key_F5);
+    s.waitForTheEnd();
+    QVERIFY(!stale->isVisible());
+  }
+
+  void theClassesThatAreLookedAtCanBeChosen() {
+    Shown s;
+    s.show(imageWithSpecks(5), 1);
+    auto* menu = s.part<QMenu>("colorFramesClassMenu");
+    Q_EMIT menu->aboutToShow();
+    QStringList looked;
+    QAction* orange = nullptr;
+    for (QAction* action : menu->actions()) {
+      if (action->isChecked()) looked << action->text();
+      if (action->text() == QStringLiteral("orange")) orange = action;
+    }
+    QVERIFY(looked.contains(QStringLiteral("orange")) && !looked.contains(QStringLiteral("green")));
+    orange->trigger();
+    s.search();
+    QCOMPARE(s.rows(), 0);
+    const QJsonObject state = s.view->saveState();
+    s.finder().setChoices({});
+    s.search();
+    QCOMPARE(s.rows(), 1);
+    s.view->restoreState(state);
+    QVERIFY(!s.finder().looksAt(s.bench.samples().classes.index("orange")));
+  }
+
+  void whatCannotBeSearchedIsSaid() {
+    const TestFolder folder;
+    Shown s;
+    auto* problem = s.part<QLabel>("colorFramesProblem");
+    s.bench.setFrame(nullptr);
+    s.press("colorFramesSearch");
+    QVERIFY2(problem->isVisible() && problem->text().contains(QStringLiteral("no images to search")),
+             qPrintable(problem->text()));
+    writeLog(folder / "game.mcap", {3});
+    s.openLog(folder / "game.mcap");
+    s.search();
+    QVERIFY(!problem->isVisible());
+    QCOMPARE(s.rows(), 1);
+    std::filesystem::remove(folder / "game.mcap");
+    s.search();
+    QVERIFY2(problem->isVisible() && problem->text().contains(QStringLiteral("game.mcap")),
+             qPrintable(problem->text()));
+  }
+
+  void onlyTheWorstAreKept() {
+    Model model;
+    const QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    std::vector<SuspiciousFrame> frames;
+    for (int i = 0; i < 700; ++i) {
+      SuspiciousFrame frame;
+      frame.found.score = (i * 271) % 700;
+      frames.push_back(std::move(frame));
+      if (frames.size() == 70) model.add(std::exchange(frames, {}));
+    }
+    QCOMPARE(model.rowCount(), static_cast<int>(FrameSearch::kMostKept));
+    for (int row = 0; row < model.rowCount(); ++row) QVERIFY(model.frame(row).found.score >= 200);
+  }
+
+  void theRealLogIsSearched() {
+    if (!std::filesystem::exists(kRealLog))
+      QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
+    Shown s;
+    auto log = logplayer::LogFile::open(kRealLog, {});
+    QVERIFY(log);
+    logplayer::LogFile::Cursor cursor(*log, {"nao/camera/image"});
+    const auto first = cursor.next();
+    auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(first->value);
+    QVERIFY(image);
+    s.bench.setFrame(std::make_shared<ColorFrame>(image, "nao/camera/image", "", first->time));
+    s.bench.setDocument({});
+    for (const auto& [name, x, y] : {std::tuple{"orange", 168.0, 144.0},
+                                     {"orange", 169.0, 151.0},
+                                     {"green", 90.0, 101.0},
+                                     {"green", 180.0, 206.0},
+                                     {"blue", 201.0, 40.0},
+                                     {"white", 120.0, 153.0},
+                                     {"white", 220.0, 164.0}})
+      s.stroke(name, x, y);
+    s.stroke(nullptr, 140, 25);
+    s.openLog(kRealLog);
+    s.search();
+    QCOMPARE(s.finder().progress().seen, std::uint64_t{160});
+    QVERIFY(s.rows() > 20);
+    for (int row = 1; row < s.rows(); ++row)
+      QVERIFY(s.text(row, Model::kScore).toInt() <= s.text(row - 1, Model::kScore).toInt());
+    s.clickRow(0);
+    keepPicture(*s.view, "color-frames-view");
+  }
+};
+
+}  // namespace widgets::test
+
+int main(int argc, char** argv) {
+  QApplication application(argc, argv);
+  widgets::test::ColorFramesViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "ColorFramesViewTest.moc"

@@ -1,0 +1,124 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/SuspiciousFrameModel.h"
+
+#include <algorithm>
+#include <iterator>
+
+#include "robotlink/base/Clock.h"
+
+namespace widgets {
+
+void SuspiciousFrameModel::clear(colortool::ColorClasses classes) {
+  beginResetModel();
+  classes_ = std::move(classes);
+  frames_.clear();
+  endResetModel();
+}
+
+void SuspiciousFrameModel::add(std::vector<SuspiciousFrame> frames) {
+  if (frames.empty()) return;
+  const int first = rowCount();
+  beginInsertRows({}, first, first + static_cast<int>(frames.size()) - 1);
+  std::ranges::move(frames, std::back_inserter(frames_));
+  endInsertRows();
+  if (frames_.size() > FrameSearch::kMostKept) removeMildest(frames_.size() - FrameSearch::kMostKept);
+}
+
+void SuspiciousFrameModel::removeMildest(std::size_t count) {
+  for (; count > 0; --count) {
+    const auto mildest =
+        std::ranges::min_element(frames_, {}, [](const SuspiciousFrame& frame) { return frame.found.score; });
+    const int row = static_cast<int>(mildest - frames_.begin());
+    beginRemoveRows({}, row, row);
+    frames_.erase(mildest);
+    endRemoveRows();
+  }
+}
+
+int SuspiciousFrameModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(frames_.size());
+}
+
+int SuspiciousFrameModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
+
+double SuspiciousFrameModel::value(const SuspiciousFrame& frame, int column) const {
+  switch (column) {
+    case kTime:
+      return robotlink::seconds(frame.time);
+    case kScore:
+      return frame.found.score;
+    case kSpecks:
+      return frame.found.pixels.specks;
+    case kEnclosed:
+      return frame.found.pixels.enclosed;
+    case kAmbiguous:
+      return frame.found.pixels.ambiguous;
+    case kVast:
+      return frame.found.pixels.vast;
+    default:
+      return 0;
+  }
+}
+
+QString SuspiciousFrameModel::classesOf(const SuspiciousFrame& frame) const {
+  std::vector<std::pair<std::uint32_t, int>> counts;
+  for (std::size_t i = 0; i < frame.found.byClass.size(); ++i) {
+    if (frame.found.byClass[i].all() > 0)
+      counts.emplace_back(frame.found.byClass[i].all(), static_cast<int>(i));
+  }
+  std::ranges::sort(counts, std::greater<>());
+  QStringList texts;
+  for (const auto& [count, colorClass] : counts) {
+    if (colorClass < classes_.size())
+      texts << QStringLiteral("%1 %2").arg(QString::fromStdString(classes_.name(colorClass))).arg(count);
+  }
+  return texts.join(QStringLiteral(", "));
+}
+
+QVariant SuspiciousFrameModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const SuspiciousFrame& one = frame(index.row());
+  const int column = index.column();
+  switch (role) {
+    case Qt::DisplayRole:
+      if (column == kClasses) return classesOf(one);
+      if (column == kTime) return tr("%1 s").arg(value(one, column), 0, 'f', 3);
+      return QString::number(value(one, column), 'f', 0);
+    case kSortRole:
+      return column == kClasses ? QVariant(classesOf(one)) : QVariant(value(one, column));
+    case Qt::DecorationRole:
+      return column == kTime ? QVariant(one.thumbnail) : QVariant();
+    case Qt::ToolTipRole:
+      return column == kClasses ? QVariant(classesOf(one)) : QVariant();
+    case Qt::TextAlignmentRole:
+      return QVariant::fromValue<int>(
+          Qt::AlignVCenter | (column == kTime || column == kClasses ? Qt::AlignLeft : Qt::AlignRight));
+    default:
+      return {};
+  }
+}
+
+QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || section < 0 || section >= kColumns) return {};
+  if (role == Qt::TextAlignmentRole) {
+    return QVariant::fromValue<int>(
+        Qt::AlignVCenter | (section == kTime || section == kClasses ? Qt::AlignLeft : Qt::AlignRight));
+  }
+  const QString titles[] = {tr("Image"),     tr("Suspicion"), tr("Specks"), tr("Enclosed"),
+                            tr("Ambiguous"), tr("Vast"),      tr("Classes")};
+  const QString tips[] = {
+      tr("Its time"),
+      tr("Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones "
+         "0.1, those of vast areas 0.02"),
+      tr("Pixels of coloured areas that are too small to be things"),
+      tr("Pixels of small areas inside of a thing of another colour"),
+      tr("Pixels of coloured classes to which another class, or none, comes near"),
+      tr("Pixels of areas of one colour that cover more of the image than things do"),
+      tr("Suspicious pixels of each class")};
+  if (role == Qt::DisplayRole) return titles[section];
+  return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
+}
+
+}  // namespace widgets

@@ -1,0 +1,40 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QAbstractTableModel>
+#include <vector>
+
+#include "colortool/ColorClasses.h"
+#include "widgets/color/FrameSearch.h"
+
+namespace widgets {
+
+/// Frames in which a colour table does something suspicious, in the order in which they were found. Keeps the
+/// worst FrameSearch::kMostKept. GUI thread.
+class SuspiciousFrameModel final : public QAbstractTableModel {
+  Q_OBJECT
+ public:
+  enum Column { kTime, kScore, kSpecks, kEnclosed, kAmbiguous, kVast, kClasses, kColumns };
+  static constexpr int kSortRole = Qt::UserRole + 1;  ///< numbers as numbers
+
+  using QAbstractTableModel::QAbstractTableModel;
+  void clear(colortool::ColorClasses classes);
+  void add(std::vector<SuspiciousFrame> frames);
+  const SuspiciousFrame& frame(int row) const { return frames_[static_cast<std::size_t>(row)]; }
+
+  int rowCount(const QModelIndex& parent = {}) const override;
+  int columnCount(const QModelIndex& parent = {}) const override;
+  QVariant data(const QModelIndex& index, int role) const override;
+  QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
+
+ private:
+  double value(const SuspiciousFrame& frame, int column) const;
+  /// "orange 34, red 12": the classes of suspicious pixels, most first.
+  QString classesOf(const SuspiciousFrame& frame) const;
+  void removeMildest(std::size_t count);
+
+  colortool::ColorClasses classes_;
+  std::vector<SuspiciousFrame> frames_;
+};
+
+}  // namespace widgets
