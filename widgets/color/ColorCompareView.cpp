@@ -100,10 +100,9 @@ void ColorCompareView::createViews() {
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
   header.setStretchLastSection(true);
-  const char* texts[] = {"____robotBlue", "262144_", "262144_", "262144_", "none 12345, …"};
-  for (int column = 0; column <= TableDifferenceModel::kFrom; ++column)
-    header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
-  header.resizeSection(TableDifferenceModel::kLost, textWidth(*table_, QStringLiteral("262144__")));
+  const char* texts[] = {"____robotBlue", "262144_", "none 12345, …", "262144_", "none 12345, …", "262144_"};
+  for (int column = 0; column < TableDifferenceModel::kAfter; ++column)
+    header.resizeSection(column, textWidth(*table_, QString::fromUtf8(texts[column])));
   hint_ = new EmptyHint(table_);
 
   auto* layout = new QVBoxLayout(this);

@@ -132,11 +132,12 @@ void ColorFramesView::createViews() {
   header.setStretchLastSection(true);
   header.resizeSection(SuspiciousFrameModel::kTime,
                        kThumbnail.width() + textWidth(*table_, QStringLiteral("1234.567 s___")));
-  for (int column = SuspiciousFrameModel::kScore; column < SuspiciousFrameModel::kClasses; ++column)
-    header.resizeSection(
-        column,
-        textWidth(*table_, finder_.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString() +
-                               QStringLiteral("__")));
+  for (int column = SuspiciousFrameModel::kScore; column < SuspiciousFrameModel::kVast; ++column) {
+    const QString title = finder_.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
+    header.resizeSection(column, textWidth(*table_, title + QStringLiteral("__")));
+  }
+  header.resizeSection(SuspiciousFrameModel::kClasses,
+                       textWidth(*table_, QStringLiteral("orange 1234, red 123")));
   hint_ = new EmptyHint(table_);
   problem_ = new QLabel(this);
   problem_->setObjectName(QStringLiteral("colorFramesProblem"));

@@ -106,17 +106,17 @@ QVariant SuspiciousFrameModel::headerData(int section, Qt::Orientation orientati
     return QVariant::fromValue<int>(
         Qt::AlignVCenter | (section == kTime || section == kClasses ? Qt::AlignLeft : Qt::AlignRight));
   }
-  const QString titles[] = {tr("Image"),     tr("Suspicion"), tr("Specks"), tr("Enclosed"),
-                            tr("Ambiguous"), tr("Vast"),      tr("Classes")};
+  const QString titles[] = {tr("Image"),    tr("Suspicion"), tr("Classes"), tr("Specks"),
+                            tr("Enclosed"), tr("Ambiguous"), tr("Vast")};
   const QString tips[] = {
       tr("Its time"),
       tr("Suspicious pixels by their weights: specks count 1, enclosed ones 0.5, ambiguous ones "
          "0.1, those of vast areas 0.02"),
+      tr("Suspicious pixels of each class"),
       tr("Pixels of coloured areas that are too small to be things"),
       tr("Pixels of small areas inside of a thing of another colour"),
       tr("Pixels of coloured classes to which another class, or none, comes near"),
-      tr("Pixels of areas of one colour that cover more of the image than things do"),
-      tr("Suspicious pixels of each class")};
+      tr("Pixels of areas of one colour that cover more of the image than things do")};
   if (role == Qt::DisplayRole) return titles[section];
   return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();
 }

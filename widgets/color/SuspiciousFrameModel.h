@@ -14,7 +14,7 @@ namespace widgets {
 class SuspiciousFrameModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kTime, kScore, kSpecks, kEnclosed, kAmbiguous, kVast, kClasses, kColumns };
+  enum Column { kTime, kScore, kClasses, kSpecks, kEnclosed, kAmbiguous, kVast, kColumns };
   static constexpr int kSortRole = Qt::UserRole + 1;  ///< numbers as numbers
 
   using QAbstractTableModel::QAbstractTableModel;

@@ -138,15 +138,13 @@ QVariant TableDifferenceModel::headerData(int section, Qt::Orientation orientati
   if (orientation != Qt::Horizontal) return {};
   if (role == Qt::TextAlignmentRole)
     return QVariant::fromValue<int>(Qt::AlignVCenter | (isNumber(section) ? Qt::AlignRight : Qt::AlignLeft));
-  const QString titles[] = {tr("Class"), tr("Before"), tr("Now"), tr("Gained"),
-                            tr("from"),  tr("Lost"),   tr("to")};
-  const QString tips[] = {tr("Class of colours"),
-                          tr("Cells that are of it in the table that is compared with"),
-                          tr("Cells that are of it now"),
-                          tr("Cells that are of it now and were not"),
-                          tr("What they were"),
-                          tr("Cells that were of it and are not now"),
-                          tr("What they are")};
+  const QString titles[] = {tr("Class"), tr("Gained"), tr("from"), tr("Lost"),
+                            tr("to"),    tr("Before"), tr("Now")};
+  const QString tips[] = {
+      tr("Class of colours"),        tr("Cells that are of it now and were not"),
+      tr("What they were"),          tr("Cells that were of it and are not now"),
+      tr("What they are"),           tr("Cells that are of it in the table that is compared with"),
+      tr("Cells that are of it now")};
   if (section < 0 || section >= kColumns) return {};
   if (role == Qt::DisplayRole) return titles[section];
   return role == Qt::ToolTipRole ? QVariant(tips[section]) : QVariant();

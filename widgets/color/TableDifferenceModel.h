@@ -14,7 +14,7 @@ namespace widgets {
 class TableDifferenceModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kClass, kBefore, kAfter, kGained, kFrom, kLost, kTo, kColumns };
+  enum Column { kClass, kGained, kFrom, kLost, kTo, kBefore, kAfter, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
   /// Null: there are no rows. Rows of the same classes keep their place, so that a selection does.
