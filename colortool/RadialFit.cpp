@@ -86,8 +86,9 @@ double freedomOf(std::span<const RadialSample> samples) {
     groups.push_back(sample.group);
   }
   std::ranges::sort(groups);
-  const auto repeated = std::ranges::unique(groups);
-  return sum - static_cast<double>(groups.size() - repeated.size());
+  // Not std::ranges::unique, with which clang 14 cannot read the standard library.
+  const auto different = std::unique(groups.begin(), groups.end()) - groups.begin();
+  return sum - static_cast<double>(different);
 }
 
 /// Of most of the residuals.

@@ -177,8 +177,7 @@ void ColorSpaceRenderer::updateSamples(const colortool::Samples& samples) {
       sampleCells_.push_back({static_cast<std::uint32_t>(cell.cell), stroke->colorClass, stroke->mustNotBe});
   }
   std::ranges::sort(sampleCells_);
-  const auto repeated = std::ranges::unique(sampleCells_);
-  sampleCells_.erase(repeated.begin(), repeated.end());
+  sampleCells_.erase(std::unique(sampleCells_.begin(), sampleCells_.end()), sampleCells_.end());
 }
 
 void ColorSpaceRenderer::updateSurfaces(const ColorSpaceRequest& request, const Vector3f& toViewer) {
