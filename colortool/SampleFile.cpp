@@ -162,16 +162,18 @@ Json written(const Stroke& stroke, const ColorClasses& classes) {
     for (const std::uint8_t value : {pixel.r, pixel.g, pixel.b}) appendHex(thumbnail, value);
   }
   const bool background = stroke.colorClass == ColorClasses::kNone;
-  return {{"stroke", stroke.id},
-          {"image", stroke.image},
-          {"class", background ? "" : classes.name(stroke.colorClass)},
-          {"must_not_be", stroke.mustNotBe},
-          {"weight", stroke.weight},
-          {"tool", stroke.tool},
-          {"runs", runs},
-          {"colors", colors},
-          {"thumbnail",
-           {{"width", stroke.thumbnail.width}, {"height", stroke.thumbnail.height}, {"rgb", thumbnail}}}};
+  Json line = {{"stroke", stroke.id},
+               {"image", stroke.image},
+               {"class", background ? "" : classes.name(stroke.colorClass)},
+               {"must_not_be", stroke.mustNotBe},
+               {"weight", stroke.weight},
+               {"tool", stroke.tool},
+               {"runs", runs},
+               {"colors", colors}};
+  if (!stroke.thumbnail.pixels.empty())
+    line["thumbnail"] = {
+        {"width", stroke.thumbnail.width}, {"height", stroke.thumbnail.height}, {"rgb", thumbnail}};
+  return line;
 }
 
 PixelArea readArea(const Json& line, const SampleImage& image) {

@@ -54,6 +54,17 @@ TEST(SampleFile, whatWasWrittenIsReadAgain) {
   EXPECT_EQ(samplesText(read->samples), samplesText(samples));
 }
 
+TEST(SampleFile, aStrokeWithoutAThumbnailStaysAStroke) {
+  Samples samples = quarterSamples();
+  auto bare = std::make_shared<Stroke>(*samples.strokes[1]);
+  bare->thumbnail = {};
+  samples.strokes[1] = bare;
+  const auto read = parseSamples(samplesText(samples), "a.samples");
+  ASSERT_TRUE(read);
+  EXPECT_TRUE(read->problems.empty()) << robotlink::describe(read->problems);
+  EXPECT_EQ(read->samples, samples);
+}
+
 TEST(SampleFile, filesAreWrittenWholeAndReadAgain) {
   const TestFolder folder;
   const auto file = folder.path() / "a.samples";
