@@ -1,12 +1,17 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/color/ColorScorer.h"
 
+#include <sys/resource.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <array>
 #include <utility>
 
 namespace widgets {
 namespace {
+
+constexpr int kNice = 10;
 
 using colortool::Evaluation;
 
@@ -90,6 +95,8 @@ std::optional<ColorQuality> ColorScorer::score(const Task& task) const {
 }
 
 void ColorScorer::run() {
+  // The picture is waited for, figures are not. A thread may always become nicer.
+  ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
   std::unique_lock lock(mutex_);
   while (true) {
     busy_ = false;
