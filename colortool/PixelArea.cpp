@@ -235,13 +235,19 @@ std::size_t pixelCount(const PixelArea& area) {
 
 std::vector<PixelEdge> outline(const PixelArea& area) {
   std::vector<PixelEdge> edges;
-  PixelArea below = area;
-  for (PixelRun& run : below) {
-    ++run.y;
-    edges.push_back({run.begin, run.y - 1, run.begin, run.y});
-    edges.push_back({run.end, run.y - 1, run.end, run.y});
+  // Upright sides; those of rows that follow each other become one.
+  std::vector<std::pair<int, int>> sides;
+  for (const PixelRun& run : area) sides.insert(sides.end(), {{run.begin, run.y}, {run.end, run.y}});
+  std::ranges::sort(sides);
+  for (const auto& [x, y] : sides) {
+    if (!edges.empty() && edges.back().x0 == x && edges.back().y1 == y)
+      ++edges.back().y1;
+    else
+      edges.push_back({x, y, x, y + 1});
   }
   // Between a pixel of the area and one above or below that is not.
+  PixelArea below = area;
+  for (PixelRun& run : below) ++run.y;
   for (const PixelRun& run : without(area, below)) edges.push_back({run.begin, run.y, run.end, run.y});
   for (const PixelRun& run : without(below, area)) edges.push_back({run.begin, run.y, run.end, run.y});
   return edges;

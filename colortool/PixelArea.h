@@ -56,8 +56,8 @@ PixelArea united(const PixelArea& a, const PixelArea& b);
 PixelArea without(const PixelArea& a, const PixelArea& b);
 std::size_t pixelCount(const PixelArea& area);
 bool contains(const PixelArea& area, int x, int y);
-/// The sides of an area's pixels that other pixels do not share: between corners of pixels, that of the upper
-/// left pixel at (0, 0).
+/// Sides of an area's pixels that other pixels do not share, joined where they are in line: between corners
+/// of pixels, that of the upper left pixel at (0, 0).
 struct PixelEdge {
   int x0 = 0, y0 = 0, x1 = 0, y1 = 0;
   bool operator==(const PixelEdge&) const = default;

@@ -93,11 +93,14 @@ QPointF ColorCanvas::toWidget(const QPointF& image) const {
 
 void ColorCanvas::paintOutline(QPainter& painter, const QVector<QLineF>& edges, const QColor& color,
                                bool dashed) const {
-  // Dark below bright: an outline is seen on any colour.
   QPen pen(QColor(0, 0, 0, 170), 3);
   pen.setCosmetic(true);
-  painter.setPen(pen);
-  painter.drawLines(edges);
+  // Dark below bright: an outline is seen on any colour. Where pixels are smaller than the line there is no
+  // room for both, and there may be hundreds of strokes.
+  if (painter.transform().m11() >= 1) {
+    painter.setPen(pen);
+    painter.drawLines(edges);
+  }
   // Lighter than the class, or it would vanish in the segmented image.
   pen.setColor(mixed(color, Qt::white, 0.5));
   pen.setWidthF(1.4);
