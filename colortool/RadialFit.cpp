@@ -94,6 +94,7 @@ double freedomOf(std::span<const RadialSample> samples) {
 /// Of most of the residuals.
 double deviationOf(const std::vector<Equation>& equations) {
   std::vector<double> sizes;
+  sizes.reserve(equations.size());
   for (const Equation& e : equations) sizes.push_back(std::abs(e.residual));
   const auto middle = sizes.begin() + static_cast<std::ptrdiff_t>(sizes.size() / 2);
   std::ranges::nth_element(sizes, middle);
@@ -118,7 +119,7 @@ bool isWideEnough(std::span<const RadialSample> samples) {
 }
 
 /// Shorter, so that no corner becomes darker than can be.
-Eigen::Vector2d limited(Eigen::Vector2d c, RadialModel model) {
+Eigen::Vector2d limited(const Eigen::Vector2d& c, RadialModel model) {
   const double corner = 1 + c.sum();
   return model == RadialModel::kShade && corner < kDarkest ? c * (1 - kDarkest) / (1 - corner) : c;
 }

@@ -192,7 +192,8 @@ Thumbnail readThumbnail(const Json& object) {
   for (const auto& [r, g, b] : triplesOf(member<std::string>(object, "rgb"), "the thumbnail's pixels"))
     thumbnail.pixels.push_back({r, g, b});
   if (thumbnail.width > Thumbnail::kMostSide || thumbnail.height > Thumbnail::kMostSide ||
-      thumbnail.pixels.size() != static_cast<std::size_t>(thumbnail.width * thumbnail.height))
+      thumbnail.pixels.size() !=
+          static_cast<std::size_t>(thumbnail.width) * static_cast<std::size_t>(thumbnail.height))
     throw Wrong("the thumbnail's pixels do not fit its size");
   return thumbnail;
 }

@@ -9,8 +9,6 @@
 namespace colortool {
 namespace {
 
-using robotlink::YCbCr;
-
 /// A picture of the area's box and as much around it, made smaller by leaving out pixels.
 Thumbnail thumbnailOf(const ColorImage& image, const PixelArea& area) {
   int left = image.width, right = 0;

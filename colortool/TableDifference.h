@@ -22,7 +22,8 @@ class TableDifference {
 
   /// Cells that were of one class and are of the other; of `classes()`, 0 is none.
   std::uint64_t count(int from, int to) const {
-    return counts_[static_cast<std::size_t>(from * classes_.size() + to)];
+    return counts_[static_cast<std::size_t>(from) * static_cast<std::size_t>(classes_.size()) +
+                   static_cast<std::size_t>(to)];
   }
   /// All cells that are of another class.
   std::uint64_t changed() const { return changed_; }

@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "colortool/TableTrainer.h"
 
+#include <cmath>
+
 namespace colortool {
 
 ColorTable learnedTable(ColorVotes& votes, const TrainingSettings& settings) {
@@ -57,7 +59,7 @@ const ColorTable& TableTrainer::train(const Samples& samples) {
 std::vector<std::uint8_t> TableTrainer::margins() const {
   std::vector<std::uint8_t> margins(ColorTable::kCellCount);
   for (std::size_t cell = 0; cell < margins.size(); ++cell)
-    margins[cell] = static_cast<std::uint8_t>(255 * votes_.margin(cell) + 0.5);
+    margins[cell] = static_cast<std::uint8_t>(std::lround(255 * votes_.margin(cell)));
   return margins;
 }
 
