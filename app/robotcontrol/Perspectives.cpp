@@ -80,13 +80,14 @@ void buildColour(ViewDocks& docks) {
   ads::CDockWidget* classes = docks.add(QStringLiteral("color-classes"), Place::kRight);
   ads::CDockWidget* space = docks.add(QStringLiteral("color-space"), Place::kBottom, classes);
   ads::CDockWidget* samples = docks.add(QStringLiteral("color-samples"), Place::kBottom, image);
-  for (const char* id : {"color-quality", "color-compare", "color-frames", "messages"})
+  for (const char* id : {"color-compare", "color-frames", "messages"})
     docks.add(QLatin1String(id), Place::kTab, samples);
   ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
+  docks.add(QStringLiteral("color-quality"), Place::kRight, samples);  // how good the table is, always in view
   if (samples != nullptr) samples->setAsCurrentTab();
-  setSizes(image, {540, 240, 180});
-  setSizes(space, {560, 400});
-  setSizes(timeLine, {540, 240, 180});
+  setSizes(samples, {560, 620});
+  setSizes(space, {500, 460});
+  setSizes(timeLine, {480, 320, 160});
   setColumns(image, {1180, 420});
 }
 

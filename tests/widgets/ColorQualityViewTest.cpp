@@ -21,6 +21,17 @@ namespace widgets::test {
 class ColorQualityViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void falseColoursAreThoseThatThingsHave() {
+    ConfusionModel model;
+    colortool::Evaluation evaluation(4);  // none, orange, green, white
+    evaluation.add(0, 3, 60);
+    evaluation.add(0, 2, 20);
+    evaluation.add(0, 1, 10);
+    evaluation.add(0, 0, 10);
+    model.setEvaluation(colortool::emptySamples().classes, evaluation);
+    QCOMPARE(model.falseColors().value_or(-1), 0.1);
+  }
+
   void initTestCase() { failAtWarnings(); }
   void init() {
     world_ = std::make_unique<ColorWorld>();

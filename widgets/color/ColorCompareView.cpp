@@ -99,10 +99,14 @@ void ColorCompareView::createViews() {
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
-  header.setStretchLastSection(true);
+  header.setStretchLastSection(false);
   const char* texts[] = {"____robotBlue", "262144_", "none 12345, …", "262144_", "none 12345, …", "262144_"};
   for (int column = 0; column < TableDifferenceModel::kAfter; ++column)
     header.resizeSection(column, textWidth(*table_, QString::fromUtf8(texts[column])));
+  // What came from where, and went where, takes the room there is.
+  for (const int column : {TableDifferenceModel::kFrom, TableDifferenceModel::kTo})
+    header.setSectionResizeMode(column, QHeaderView::Stretch);
+  header.resizeSection(TableDifferenceModel::kAfter, textWidth(*table_, QStringLiteral("262144_")));
   hint_ = new EmptyHint(table_);
 
   auto* layout = new QVBoxLayout(this);

@@ -129,15 +129,15 @@ void ColorFramesView::createViews() {
   table_->verticalHeader()->setDefaultSectionSize(kThumbnail.height() + 4);
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
-  header.setStretchLastSection(true);
+  header.setStretchLastSection(false);
   header.resizeSection(SuspiciousFrameModel::kTime,
                        kThumbnail.width() + textWidth(*table_, QStringLiteral("1234.567 s___")));
-  for (int column = SuspiciousFrameModel::kScore; column < SuspiciousFrameModel::kVast; ++column) {
+  for (int column = SuspiciousFrameModel::kScore; column <= SuspiciousFrameModel::kVast; ++column) {
     const QString title = finder_.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
     header.resizeSection(column, textWidth(*table_, title + QStringLiteral("__")));
   }
-  header.resizeSection(SuspiciousFrameModel::kClasses,
-                       textWidth(*table_, QStringLiteral("orange 1234, red 123")));
+  header.setMinimumSectionSize(40);
+  header.setSectionResizeMode(SuspiciousFrameModel::kClasses, QHeaderView::Stretch);
   hint_ = new EmptyHint(table_);
   problem_ = new QLabel(this);
   problem_->setObjectName(QStringLiteral("colorFramesProblem"));

@@ -79,6 +79,7 @@ void ColorQualityView::createViews() {
   splitter_->setObjectName(QStringLiteral("qualitySplitter"));
   splitter_->addWidget(strokes_);
   splitter_->addWidget(labelled_);
+  splitter_->setSizes({420, 200});  // strokes there are always
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
   layout->setSpacing(3);

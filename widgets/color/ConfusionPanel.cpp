@@ -89,7 +89,7 @@ void ConfusionPanel::show(const colortool::ColorClasses& classes, const colortoo
                         .arg(figure(model_.meanRecall()), figure(model_.falseColors())));
   summary_->setToolTip(tr(
       "Mean recall: over the classes, what share of their pixels is found. False colours: the share of the "
-      "background that is found to be of a class."));
+      "background that is found to be of a colour that things have, such as orange or blue."));
   setNote(note);
   hint_->setHint({});
 }

@@ -5,6 +5,7 @@
 #include <QLocale>
 #include <algorithm>
 
+#include "colortool/Suspicion.h"
 #include "widgets/models/ColorClassModel.h"
 
 namespace widgets {
@@ -53,7 +54,12 @@ std::optional<double> ConfusionModel::meanRecall() const {
 
 std::optional<double> ConfusionModel::falseColors() const {
   if (!evaluation_ || evaluation_->labelled(0) == 0) return std::nullopt;
-  return 1 - evaluation_->recall(0);
+  const std::vector<bool> things = colortool::thingClasses(classes_);
+  std::vector<std::uint8_t> numbers;
+  for (std::size_t i = 1; i < things.size(); ++i) {
+    if (things[i]) numbers.push_back(static_cast<std::uint8_t>(i));
+  }
+  return evaluation_->falseColor(numbers);
 }
 
 int ConfusionModel::rowCount(const QModelIndex& parent) const {

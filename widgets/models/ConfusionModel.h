@@ -24,7 +24,8 @@ class ConfusionModel final : public QAbstractTableModel {
                      std::vector<std::uint8_t> alone = {});
   /// Over the classes, without background, whose figures say something; nothing without such.
   std::optional<double> meanRecall() const;
-  /// Share of the background's pixels that were found to be of a class; nothing without background.
+  /// Share of the background's pixels that were found to be of a colour that things have, neither green nor
+  /// white, grey or black (colortool::isThingColor()); nothing without background.
   std::optional<double> falseColors() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
