@@ -23,6 +23,9 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
      "quality", false, create<ColorQualityView>}};
 
+/// Of the place for labelled images while there are none, pixels.
+constexpr int kEmptyWidth = 200;
+
 /// Whose images these are, if all strokes are of one camera.
 std::string onlyCamera(const colortool::Samples& samples) {
   std::set<std::string> cameras;
@@ -79,7 +82,6 @@ void ColorQualityView::createViews() {
   splitter_->setObjectName(QStringLiteral("qualitySplitter"));
   splitter_->addWidget(strokes_);
   splitter_->addWidget(labelled_);
-  splitter_->setSizes({420, 200});  // strokes there are always
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
   layout->setSpacing(3);
@@ -169,7 +171,12 @@ void ColorQualityView::showStrokes() {
 }
 
 void ColorQualityView::showLabelled() {
-  if (bench_.labelled().empty()) {
+  const bool some = !bench_.labelled().empty();
+  // Without images the strokes have the room; with the first ones both have as much.
+  const bool narrow = labelled_->maximumWidth() == kEmptyWidth;
+  labelled_->setMaximumWidth(some ? QWIDGETSIZE_MAX : kEmptyWidth);
+  if (some && narrow) splitter_->setSizes({width() / 2, width() / 2});
+  if (!some) {
     return labelled_->showNothing(
         simulated_->isChecked()
             ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
