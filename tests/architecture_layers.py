@@ -41,6 +41,7 @@ MAY_INCLUDE["app/robotcontrol"] = ["app/core", "widgets", "widgets/models"] + EV
 OUTSIDE = {
     r"^ode/": ["simcore"],
     r"^embree3/": ["simcore"],
+    r"^boost/": ["robotlink/arcos", "robotlink/foxglove"],
     r"^sdf/": ["simcore"],
     r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "widgets/models", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],

@@ -86,7 +86,7 @@ void ReplayRobot::takeRequest(const Request& request) {
   } else if (request.has_set_parameters()) {
     const auto& wish = request.set_parameters();
     counts = plan_.runs(wish.task()) && !choices_.parameters.contains({wish.task(), wish.solution()});
-  } else if (request.has_motion()) {
+  } else if (request.has_motion() || request.has_set_goal()) {
     counts = true;
   } else if (request.has_set_color_table()) {
     counts = choices_.colorTable == nullptr;
@@ -102,6 +102,8 @@ void ReplayRobot::takeWish(const google::protobuf::Message& package) {
   Request request;
   if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
     *request.mutable_motion() = *motion;
+  } else if (const auto* goal = dynamic_cast<const robotcontrol::DriveGoal*>(&package)) {
+    *request.mutable_set_goal() = *goal;
   } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(&package)) {
     *request.mutable_set_color_table()->mutable_table() = *table;
   }

@@ -26,6 +26,45 @@ RobotDescription::Joint readJoint(const YamlNode& node) {
   return joint;
 }
 
+Pose2 readPose(const YamlNode& node, std::string_view key) {
+  const std::vector<double> numbers = node.numbers(key, 3);
+  if (numbers.size() != 3) return {};
+  return {numbers[0], numbers[1], radians(numbers[2])};
+}
+
+RobotDescription::Drive readDrive(const YamlNode& node) {
+  RobotDescription::Drive drive;
+  drive.length = node.numberIn("length", 0.01, 10);
+  drive.width = node.numberIn("width", 0.01, 10);
+  drive.radius = node.numberIn("radius", 0.01, 10);
+  drive.wheelRadius = node.numberIn("wheel_radius", 0.001, 1);
+  drive.track = node.numberIn("track", 0.01, 10);
+  drive.maximumSpeed = node.numberIn("max_speed", 0.01, 100);
+  drive.maximumRotation = radians(node.numberIn("max_rotation_deg", 1, 3600));
+  drive.acceleration = node.numberIn("acceleration", 0.01, 100);
+  drive.rotationAcceleration = radians(node.numberIn("rotation_acceleration_deg", 1, 36000));
+  return drive;
+}
+
+RobotDescription::Sonars readSonars(const YamlNode& node) {
+  RobotDescription::Sonars sonars;
+  sonars.openingAngle = radians(node.numberIn("opening_deg", 0, 180));
+  sonars.maximum = node.numberIn("max", 0.01, 1000);
+  for (const YamlNode& sensor : node.child("sensors").items()) sonars.sensors.push_back({readPose(sensor, "pose")});
+  return sonars;
+}
+
+RobotDescription::Laser readLaser(const YamlNode& node) {
+  RobotDescription::Laser laser;
+  laser.inRobot = readPose(node, "pose");
+  laser.startAngle = radians(node.numberIn("start_deg", -360, 360));
+  laser.endAngle = radians(node.numberIn("end_deg", -360, 360));
+  laser.readings = static_cast<int>(node.numberIn("readings", 2, 10000));
+  laser.maximum = node.numberIn("max", 0.01, 1000);
+  if (laser.endAngle <= laser.startAngle) node.fail("robot.laser", "end_deg must be above start_deg");
+  return laser;
+}
+
 }  // namespace
 
 int RobotDescription::jointIndex(const std::string& joint) const {
@@ -41,13 +80,17 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   RobotDescription robot;
   robot.name = root.required<std::string>("name");
   robot.title = root.required<std::string>("title");
-  for (const YamlNode& node : root.child("joints").items()) {
+  for (const YamlNode& node : root.optionalChild("joints").items()) {
     RobotDescription::Joint joint = readJoint(node);
     if (robot.jointIndex(joint.name) >= 0) {
       node.fail("robot.joint-twice", "joint " + joint.name + " is listed twice", {joint.name});
     }
     robot.joints.push_back(std::move(joint));
   }
+  if (const YamlNode drive = root.optionalChild("drive"); !drive.empty()) robot.drive = readDrive(drive);
+  if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty()) robot.sonars = readSonars(sonars);
+  if (const YamlNode laser = root.optionalChild("laser"); !laser.empty()) robot.laser = readLaser(laser);
+  if (robot.joints.empty() && !robot.drive) root.fail("robot.moves", "a robot needs joints or a drive");
   const YamlNode platform = root.child("platform");
   robot.offers = platform.required<std::vector<std::string>>("offers");
   robot.simulatedOnly = platform.optional<std::vector<std::string>>("simulated_only", {});

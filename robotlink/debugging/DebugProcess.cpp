@@ -65,6 +65,7 @@ struct DebugProcess::Implementation {
         requested(owner, debug),
         remoteMotion(owner, kRemoteMotion.name, Blocking::kNo),
         colorTable(owner, kColorTable.name, Blocking::kNo),
+        driveGoal(owner, kDriveGoal.name, Blocking::kNo),
         solutionsDue(!routes.absent.empty()) {
     for (const auto& list : routes.processes) {
       names.push_back(list.process);
@@ -80,6 +81,7 @@ struct DebugProcess::Implementation {
   void setKey(const Request& request);
   void sendMotion(const Request& request);
   void sendColorTable(const Request& request);
+  void sendGoal(const Request& request);
   void sendTo(const std::string& name, const std::string& what, const Request& request);
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
@@ -97,6 +99,7 @@ struct DebugProcess::Implementation {
   RequestedPackages requested;
   Sender<robotcontrol::RemoteMotion> remoteMotion;
   Sender<robotcontrol::ColorTable> colorTable;
+  Sender<robotcontrol::DriveGoal> driveGoal;
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
   std::vector<const Process*> watched;
@@ -136,6 +139,8 @@ void DebugProcess::offer(const PackagePtr& package) {
   } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(package.get())) {
     if (!wrongWith(*table).empty()) return;
     implementation_->colorTable.send(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
+  } else if (dynamic_cast<const robotcontrol::DriveGoal*>(package.get()) != nullptr) {
+    implementation_->driveGoal.send(std::static_pointer_cast<const robotcontrol::DriveGoal>(package));
   }
 }
 
@@ -210,6 +215,8 @@ void DebugProcess::Implementation::route(const Request& request) {
       return sendMotion(request);
     case Request::kSetColorTable:
       return sendColorTable(request);
+    case Request::kSetGoal:
+      return sendGoal(request);
     default:
       return answer(request, "a robot's program cannot do this; ask its platform or the simulation");
   }
@@ -254,6 +261,17 @@ void DebugProcess::Implementation::sendColorTable(const Request& request) {
   if (!colorTable.connected()) return answer(request, "no task of this layout uses a colour table");
   colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
   answer(request, "", checksum(table));
+}
+
+void DebugProcess::Implementation::sendGoal(const Request& request) {
+  const robotcontrol::Pose2& pose = request.set_goal().pose_in_field();
+  if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.heading()))
+    return answer(request, "the goal's pose has values that are no numbers");
+  if (!driveGoal.connected()) return answer(request, "no task of this layout drives to goals");
+  auto goal = std::make_shared<robotcontrol::DriveGoal>(request.set_goal());
+  assign(*goal->mutable_timestamp(), process.frameTime());
+  driveGoal.send(std::move(goal));
+  answer(request, "");
 }
 
 /// `what`: the task or key that the request is about.

@@ -20,7 +20,7 @@ namespace robotlink {
 class AnySender;
 
 /// The process of a layout that is linked to all others: collects their debug queues and hands requests out
-/// to them. Offers the packages "remote/motion" and "colors/table". What it collects goes to its listener as
+/// to them. Offers the packages "remote/motion", "remote/goal" and "colors/table". What it collects goes to its listener as
 /// whole queues, unchanged, in the process's thread; the listener (a session, a network link) must not block.
 ///
 /// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,

@@ -124,7 +124,7 @@ void RobotProgram::Implementation::connectDebugging() {
 }
 
 std::vector<std::string> debugPackages() {
-  return {kRemoteMotion.name, kColorTable.name};
+  return {kRemoteMotion.name, kColorTable.name, kDriveGoal.name};
 }
 
 bool isDebugPackage(const std::string& package) {

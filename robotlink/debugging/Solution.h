@@ -20,6 +20,7 @@ class Descriptor;
 namespace robotlink {
 
 struct FieldDescription;
+struct GroundMap;
 
 /// A package as the tasks of one process see it. Its address stays the same as long as the process lives.
 struct PackageSlot {
@@ -63,6 +64,7 @@ struct RobotSetup {
   std::string team;  ///< "red" or "blue"
   RobotDescription description;
   std::shared_ptr<const FieldDescription> field;
+  std::shared_ptr<const GroundMap> map = {};  ///< of the building that it drives in; null: it knows none
 };
 
 /// What the constructor of a solution is given: its inputs and outputs, its parameters, its process's debug

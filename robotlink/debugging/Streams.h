@@ -33,6 +33,7 @@ inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransfor
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus
 inline constexpr char kRecording[] = "recording";    ///< RecordingStatus
 inline constexpr char kReplay[] = "replay";          ///< ReplayStatus
+inline constexpr char kMap[] = "map";                ///< GroundMap
 inline constexpr char kBookmarks[] = "bookmarks";    ///< foxglove.Event, in log files
 
 }  // namespace robotlink::streams

@@ -3,6 +3,7 @@
 
 namespace foxglove {
 class JointStates;
+class LaserScan;
 class RawImage;
 }  // namespace foxglove
 
@@ -14,10 +15,16 @@ class BodySensors;
 class CameraPose;
 class ColorRegions;
 class ColorTable;
+class DriveGoal;
+class DrivePath;
+class DriveRequest;
+class DriveState;
 class HeadMode;
 class HeadRequest;
 class JointRequest;
 class LandmarkPercepts;
+class LinkPackets;
+class LinkStatus;
 class MotionRequest;
 class MotionStatus;
 class OracleWorld;
@@ -25,6 +32,7 @@ class PlayersModel;
 class RemoteMotion;
 class RobotPercepts;
 class RobotPose;
+class SonarReadings;
 }  // namespace robotcontrol
 
 namespace robotlink {
@@ -43,12 +51,20 @@ inline constexpr Package<robotcontrol::BodyReadings> kBodyReadings{"body/reading
 inline constexpr Package<robotcontrol::OracleWorld> kOracleWorld{"oracle/world"};
 /// What each pixel of camera/image truly shows: mono8, on request only; numbers as in STREAMS.md.
 inline constexpr Package<foxglove::RawImage> kOracleClasses{"oracle/classes"};
+inline constexpr Package<robotcontrol::DriveState> kDriveState{"drive/state"};
+inline constexpr Package<robotcontrol::SonarReadings> kSonar{"range/sonar"};
+inline constexpr Package<foxglove::LaserScan> kLaser{"range/laser"};
+/// How the line to the robot does, and on request what goes over it.
+inline constexpr Package<robotcontrol::LinkStatus> kLinkStatus{"link/status"};
+inline constexpr Package<robotcontrol::LinkPackets> kLinkPackets{"link/packets"};
 // ...and takes.
 inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/request"};
+inline constexpr Package<robotcontrol::DriveRequest> kDriveRequest{"drive/request"};
 
 // What the debug process offers: a person's wishes.
 inline constexpr Package<robotcontrol::RemoteMotion> kRemoteMotion{"remote/motion"};
 inline constexpr Package<robotcontrol::ColorTable> kColorTable{"colors/table"};
+inline constexpr Package<robotcontrol::DriveGoal> kDriveGoal{"remote/goal"};
 
 // What the tasks of the robot program exchange.
 inline constexpr Package<robotcontrol::CameraPose> kCameraPose{"camera/pose"};
@@ -63,5 +79,8 @@ inline constexpr Package<robotcontrol::MotionRequest> kMotionRequest{"behavior/m
 inline constexpr Package<robotcontrol::HeadMode> kHeadMode{"behavior/head"};
 inline constexpr Package<robotcontrol::HeadRequest> kHeadRequest{"motion/head"};
 inline constexpr Package<robotcontrol::MotionStatus> kMotionStatus{"motion/status"};
+inline constexpr Package<robotcontrol::DrivePath> kDrivePath{"models/path"};
+/// What the behaviour of a robot on wheels would like, before obstacles are avoided.
+inline constexpr Package<robotcontrol::DriveRequest> kDriveWish{"behavior/drive"};
 
 }  // namespace robotlink
