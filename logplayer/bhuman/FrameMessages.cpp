@@ -6,8 +6,8 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/debugging/Utf8.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 

@@ -5,8 +5,8 @@
 #include <deque>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Streams.h"
-#include "robotlink/debugging/Utf8.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace robotlink {

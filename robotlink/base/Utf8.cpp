@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/debugging/Utf8.h"
+#include "robotlink/base/Utf8.h"
 
 #include <cstdint>
 

@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/base/GroundMap.h"
+
+#include <gtest/gtest.h>
+
+#include <string>
+
+using namespace robotlink;
+using Kind = GroundMap::Place::Kind;
+
+namespace {
+
+const std::filesystem::path kMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
+
+GroundMap parsed(const std::string& text) {
+  const auto map = GroundMap::parse(text, "folder/room.map");
+  EXPECT_TRUE(map) << describe(map.error());
+  return map.value_or(GroundMap{});
+}
+
+std::string errorsOf(const std::string& text) {
+  const auto map = GroundMap::parse(text, "room.map");
+  return map ? "" : describe(map.error());
+}
+
+std::string withCairn(const std::string& cairn) {
+  return "2D-Map\nCairn: " + cairn + "\nLINES\n0 0 1000 0\nDATA\n";
+}
+
+}  // namespace
+
+TEST(GroundMap, linesPointsAndPlacesAreReadInMetresAndRadians) {
+  const GroundMap map = parsed(
+      "2D-Map\nMinPos: 0 0\nMaxPos: 1 1\nNumPoints: 2\nResolution: 50\nPointsAreSorted: true\n"
+      "Cairn: GoalWithHeading -1860 -22440 -48.5 \"\" ICON \"Lobby door\"\n"
+      "LINES\n-1000 0 2500 -40\nDATA\n20 -40\n60.5 1e3\n");
+  EXPECT_EQ(map.name, "room");
+  EXPECT_EQ(map.resolution, 0.05);
+  ASSERT_EQ(map.lines.size(), 1U);
+  EXPECT_EQ(map.lines[0].from, Vector2(-1, 0));
+  EXPECT_EQ(map.lines[0].to, Vector2(2.5, -0.04));
+  ASSERT_EQ(map.points.size(), 2U);
+  EXPECT_EQ(map.points[1], Vector2(0.0605, 1));
+  ASSERT_EQ(map.places.size(), 1U);
+  const GroundMap::Place& door = map.places[0];
+  EXPECT_EQ(door.kind, Kind::kGoal);
+  EXPECT_EQ(door.type, "GoalWithHeading");
+  EXPECT_EQ(door.name, "Lobby door");
+  EXPECT_TRUE(door.hasHeading);
+  EXPECT_DOUBLE_EQ(door.pose.x, -1.86);
+  EXPECT_DOUBLE_EQ(door.pose.y, -22.44);
+  EXPECT_DOUBLE_EQ(door.pose.heading, radians(-48.5));
+  EXPECT_TRUE(map.notes.empty());
+}
+
+TEST(GroundMap, kindsOfPlacesAreToldApart) {
+  const GroundMap map = parsed(
+      "2D-Map-Ex4\n"
+      "Cairn: Goal 1 2 90 \"\" ICON \"a\"\n"
+      "Cairn: RobotHome 1 2 90 \"\" ICON \"\"\n"
+      "Cairn: DockLynx 1 2 90 \"\" ICON \"c\"\n"
+      "Cairn: ForbiddenLine 1 2 0 \"\" ICON \"\" 1000 2000 3000 4000\n"
+      "Cairn: ForbiddenArea 0 0 30 \"\" ICON \"\" -1000 -2000 3000 4000\n"
+      "Cairn: Measure 1 2 0.5 \"\" ICON \"stick\" 5 6 7 8\n");
+  ASSERT_EQ(map.places.size(), 6U);
+  const Kind kinds[] = {Kind::kGoal,          Kind::kHome,          Kind::kDock,
+                        Kind::kForbiddenLine, Kind::kForbiddenArea, Kind::kOther};
+  const bool headings[] = {false, true, true, false, false, true};
+  for (std::size_t i = 0; i < 6; ++i) {
+    EXPECT_EQ(map.places[i].kind, kinds[i]) << i;
+    EXPECT_EQ(map.places[i].hasHeading, headings[i]) << i;
+  }
+  EXPECT_EQ(map.places[4].extent.from, Vector2(-1, -2));
+  EXPECT_EQ(map.places[4].extent.to, Vector2(3, 4));
+  EXPECT_DOUBLE_EQ(map.places[4].pose.heading, radians(30));
+  EXPECT_EQ(map.places[5].type, "Measure");
+  EXPECT_EQ(map.places[5].extent.to, Vector2(0.007, 0.008));
+  EXPECT_EQ(map.find(Kind::kHome), &map.places[1]);
+  EXPECT_EQ(map.find("stick"), &map.places[5]);
+  EXPECT_EQ(map.find("nowhere"), nullptr);
+}
+
+TEST(GroundMap, countsOfTheHeaderAreNotTrusted) {
+  const GroundMap map =
+      parsed("2D-Map\nNumPoints: 99999999999\nNumLines: -3\nLINES\n0 0 1 1\nDATA\n1 2\n3 4\n");
+  EXPECT_EQ(map.lines.size(), 1U);
+  EXPECT_EQ(map.points.size(), 2U);
+}
+
+TEST(GroundMap, filesOfOtherSystemsAreReadTheSame) {
+  const std::string text =
+      "2D-Map-Ex2\nCairn: Goal 1 2 0 \"\" ICON \"a b\"\n\nLINES\n0 0 1000 0\n\nDATA\n1 2\n";
+  std::string other = "\xEF\xBB\xBF";
+  for (const char c : text) other += c == '\n' ? std::string("  \r\n") : std::string(1, c);
+  const GroundMap expected = parsed(text), map = parsed(other);
+  EXPECT_EQ(map.lines, expected.lines);
+  EXPECT_EQ(map.points, expected.points);
+  EXPECT_EQ(map.places, expected.places);
+}
+
+TEST(GroundMap, allSensorsOfAMapCount) {
+  const GroundMap map = parsed(
+      "2D-Map-Ex\nSources: LMS TIM\nTIMMinPos: 0 0\nTIMNumPoints: 1\nLINES\n0 0 1 0\nDATA\n1 2\nTIM_LINES\n0 "
+      "0 0 1\n"
+      "2 2 3 3\nTIM_DATA\n5 6\n");
+  EXPECT_EQ(map.lines.size(), 3U);
+  EXPECT_EQ(map.points.size(), 2U);
+}
+
+TEST(GroundMap, whatIsLeftOutIsNotedOnceWithItsLine) {
+  const GroundMap map = parsed(
+      "2D-Map\nMapInfo: GoalType Name=Goal\nMapInfo: SectorType Name=BadGPS \"Label=a b\n"
+      "OriginLatLongAlt: 42.8 -71.5 72\n# a comment\nResolution: -5\nDATA\n1 2\n");
+  EXPECT_EQ(map.resolution, 0.02);
+  ASSERT_EQ(map.notes.size(), 3U);
+  EXPECT_NE(map.notes[0].find("room.map:6: the resolution"), std::string::npos) << map.notes[0];
+  EXPECT_NE(map.notes[1].find("room.map:2: MapInfo is not used, 2 entries"), std::string::npos)
+      << map.notes[1];
+  EXPECT_NE(map.notes[2].find("room.map:4: OriginLatLongAlt is not used"), std::string::npos) << map.notes[2];
+}
+
+TEST(GroundMap, namesInLatin1BecomeUtf8) {
+  EXPECT_EQ(parsed(withCairn("Goal 0 0 0 \"\" ICON \"T\xFCr\"")).places[0].name, "T\xC3\xBCr");
+  EXPECT_EQ(parsed(withCairn("Goal 0 0 0 \"\" ICON \"T\xC3\xBCr\"")).places[0].name, "T\xC3\xBCr");
+}
+
+TEST(GroundMap, boundsAreThoseOfWhatIsThere) {
+  const auto bounds = parsed("2D-Map\nMaxPos: 9 9\nLINES\n-1000 0 2000 500\nDATA\n0 -3000\n").bounds();
+  EXPECT_EQ(bounds.low, Vector2(-1, -3));
+  EXPECT_EQ(bounds.high, Vector2(2, 0.5));
+  const auto places = parsed("2D-Map\nCairn: Goal 1000 2000 0\nCairn: Goal 3000 -500 0\n").bounds();
+  EXPECT_EQ(places.low, Vector2(1, -0.5));
+  EXPECT_EQ(places.high, Vector2(3, 2));
+  EXPECT_EQ(parsed("2D-Map\n").bounds().high, Vector2(0, 0));
+}
+
+TEST(GroundMap, whatIsWrongIsSaidWithItsPlace) {
+  EXPECT_EQ(errorsOf(""), "room.map: the file is empty: a map begins with '2D-Map'");
+  EXPECT_NE(errorsOf("<sdf>\n").find("room.map:1:1: this is no map"), std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\nLINES\n0 0 1\n").find("room.map:3:1: a line of LINES must be four numbers"),
+            std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\nDATA\n 1 2 3\n").find("room.map:3:2: a line of DATA must be two numbers"),
+            std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\nDATA\n1 2x\n").find("two numbers"), std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\nDATA\n1 200000000\n").find("room.map:3:3: a coordinate"), std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\nDATA\n1 2\nnonsense\n").find("room.map:4:1: this is neither"),
+            std::string::npos);
+  EXPECT_NE(errorsOf("2D-Map\n17 4\n").find("room.map:2:1: this is neither"), std::string::npos);
+  EXPECT_NE(errorsOf(withCairn("Goal 1 x 0")).find("room.map:2:15: a Cairn's pose"), std::string::npos);
+  EXPECT_NE(errorsOf(withCairn("Goal 1 nan 0")).find("a Cairn's pose"), std::string::npos);
+  EXPECT_NE(errorsOf(withCairn("Goal 1 2")).find("must have a type and a pose"), std::string::npos);
+  EXPECT_NE(errorsOf(withCairn("Goal 1 2 0 \"\" ICON \"open")).find("room.map:2:27: a quote"),
+            std::string::npos);
+  EXPECT_NE(errorsOf(withCairn("ForbiddenLine 1 2 0 \"\" ICON \"\" 1 2 3")).find("must end in its corners"),
+            std::string::npos);
+}
+
+TEST(GroundMap, aFileOfNonsenseGivesFewErrors) {
+  std::string text = "2D-Map\n";
+  for (int i = 0; i < 1000; ++i) text += "nonsense\n";
+  const auto map = GroundMap::parse(text, "room.map");
+  ASSERT_FALSE(map);
+  EXPECT_EQ(map.error().size(), 20U);
+  EXPECT_NE(map.error().back().text.find("not listed"), std::string::npos);
+}
+
+TEST(GroundMap, aFileThatIsNotThereIsAnError) {
+  const auto map = GroundMap::load("/nowhere/at/all.map");
+  ASSERT_FALSE(map);
+  EXPECT_NE(describe(map.error()).find("/nowhere/at/all.map"), std::string::npos);
+}
+
+struct RealMap {
+  const char* file;
+  std::size_t lines, points, places;
+  Vector2 low, high;
+};
+
+class RealMaps : public testing::TestWithParam<RealMap> {};
+
+TEST_P(RealMaps, areReadAsTheyAre) {
+  const RealMap& expected = GetParam();
+  if (!std::filesystem::exists(kMaps / expected.file)) GTEST_SKIP() << "../shared/data/arcos is not here";
+  const auto map = GroundMap::load(kMaps / expected.file);
+  ASSERT_TRUE(map) << describe(map.error());
+  EXPECT_EQ(map->lines.size(), expected.lines);
+  EXPECT_EQ(map->points.size(), expected.points);
+  EXPECT_EQ(map->places.size(), expected.places);
+  EXPECT_EQ(map->resolution, 0.02);
+  EXPECT_EQ(map->bounds().low, expected.low);
+  EXPECT_EQ(map->bounds().high, expected.high);
+  EXPECT_NE(map->find(Kind::kHome), nullptr);
+}
+
+INSTANTIATE_TEST_SUITE_P(
+    GroundMap, RealMaps,
+    testing::Values(RealMap{"columbia.map", 470, 63311, 25, {-4.78, -27}, {19.56, 24.68}},
+                    RealMap{"office.map", 101, 0, 1, {0, 0}, {18.76, 14}},
+                    RealMap{"triangle.map", 9, 0, 1, {0, 0}, {10.26, 10.08}}),
+    [](const auto& map) { return std::filesystem::path(map.param.file).stem().string(); });
