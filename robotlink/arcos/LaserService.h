@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <span>
+#include <vector>
+
+#include "robotlink/arcos/Command.h"
+#include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/ServerSettings.h"
+
+namespace robotlink::arcos {
+
+/// The laser of MobileSim's family, which goes through the robot's own line: what a client set by the
+/// commands 230 to 233, or by 35 to 38 as old clients do, and a scan as the packets that it wants. A plain
+/// state machine.
+class LaserService {
+ public:
+  /// Readings of one packet.
+  static constexpr int kPlainReadings = 64, kExtendedReadings = 32;
+
+  explicit LaserService(std::optional<ServerSettings::Laser> laser) : laser_(laser) { restore(); }
+
+  /// False if the command is none of the laser's.
+  bool obey(const Command& command);
+  /// As the robot begins: off.
+  void restore();
+
+  bool isOn() const { return laser_ && mode_ != Mode::kOff; }
+  /// How many readings a scan has for the client.
+  int readings() const;
+  /// One scan; `ranges` is all that the device measured, m, the robot's pose that of its odometry.
+  std::vector<Packet> packets(std::span<const double> ranges, const Pose2& odometry, bool moved) const;
+
+ private:
+  enum class Mode : std::uint8_t { kOff = 0, kPlain = 1, kExtended = 2 };
+  int rangeMm(std::span<const double> ranges, int reading) const;
+
+  const std::optional<ServerSettings::Laser> laser_;
+  Mode mode_ = Mode::kOff;
+  double startDeg_ = 0, endDeg_ = 0, incrementDeg_ = 0;
+};
+
+}  // namespace robotlink::arcos

@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+#include <span>
+#include <string>
+#include <variant>
+#include <vector>
+
+#include "robotlink/arcos/Command.h"
+#include "robotlink/arcos/LaserService.h"
+#include "robotlink/arcos/MotionController.h"
+#include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/ServerSettings.h"
+#include "robotlink/arcos/SonarFiring.h"
+
+namespace robotlink::arcos {
+
+/// What the robot's senses tell its microcontroller, ranges apart. SI units and radians.
+struct RobotSensing {
+  double leftTravel = 0, rightTravel = 0;  ///< m of the wheels' rims, as the encoders count them
+  double leftSpeed = 0, rightSpeed = 0;    ///< m/s
+  bool leftBlocked = false, rightBlocked = false;
+  std::uint8_t frontBumpers = 0,
+               rearBumpers = 0;  ///< bit i: segment i is pressed, counted from the left, the front up
+  bool stopButton = false;       ///< held: the motors are off, whatever the client says
+  double battery = 12.8;         ///< V
+  double charge = 1;             ///< 0 to 1
+  double rotationRate = 0;       ///< rad/s, of the gyroscope
+  double temperature = 25;       ///< degC
+  Pose2 truePose;
+  double trueHeight = 0;
+};
+
+/// How the microcontroller comes by ranges; called within step(), for what is due then and nothing else.
+class RangeFinders {
+ public:
+  virtual ~RangeFinders() = default;
+  /// m; where there is no echo, the sonars' maximum or more.
+  virtual double sonar(int number) = 0;
+  /// All readings that the device can make, m, counter-clockwise; valid until the next call.
+  virtual std::span<const double> laser() = 0;
+};
+
+/// What a client asks of the simulator itself; to be fulfilled by the session's owner.
+namespace simulator_request {
+struct SetPose {
+  Pose2 pose;  ///< true one, in the field; the odometry stays
+};
+/// Back to where the robot stood at the start; the odometry is 0 already.
+struct Reset {};
+struct LoadMap {
+  std::string file;  ///< as the client wrote it; to be answered by mapLoaded()
+};
+struct Message {
+  std::string text;  ///< to be shown
+};
+struct Exit {
+  int status = 0;
+};
+}  // namespace simulator_request
+using SimulatorRequest =
+    std::variant<simulator_request::SetPose, simulator_request::Reset, simulator_request::LoadMap,
+                 simulator_request::Message, simulator_request::Exit>;
+
+/// The microcontroller of a Pioneer, the robot's side of ARCOS: handshake, commands, information packets,
+/// watchdog. A state machine fed with packets and with what the robot senses; it moves no bytes and asks no
+/// clock.
+///
+/// One client at a time. Whatever a client sends is harmless; memory is bounded as long as its owner takes
+/// what goes out. Packets that go out are never longer than clients read, and never have the numbers 0xFE and
+/// 0xFF, which clients take for a restart. One thread at a time.
+class ServerSession {
+ public:
+  enum class State : std::uint8_t {
+    kWaiting,     ///< for SYNC0; or a client is amid its handshake
+    kIdentified,  ///< the handshake is done, OPEN has not come
+    kOpen,        ///< information packets go out
+  };
+  /// What goes out and is not taken is dropped past this many packets, the newest first.
+  static constexpr std::size_t kMaximumOutgoing = 1024;
+
+  explicit ServerSession(ServerSettings settings = {});
+
+  void take(const Packet& packet, Instant now);
+  /// The line is closed: the robot stops, its parameters become those it began with, and it waits for the
+  /// next client.
+  void clientGone(Instant now);
+  /// To be called every few milliseconds. The wheels' command holds until the next call.
+  WheelCommand step(const RobotSensing& sensing, RangeFinders& ranges, Instant now);
+
+  /// What goes to the client, oldest first.
+  std::vector<Packet> takeOutgoing();
+  std::vector<SimulatorRequest> takeRequests();
+  /// Tells the client what is loaded now, whoever wanted it.
+  void mapLoaded(const std::string& file, bool loaded, bool byUser);
+
+  State state() const { return state_; }
+  const ServerSettings& settings() const { return settings_; }
+  const MotionController& motion() const { return motion_; }
+  bool sonarOn() const { return sonars_.anyOn(); }
+  /// The watchdog has stopped the robot, which waits for the next packet.
+  bool starved() const { return starved_; }
+  std::uint64_t droppedPackets() const { return dropped_; }
+
+ private:
+  /// A packet that is sent once or with each information packet, as its command says: 0 never, 1 once, more
+  /// always.
+  struct Subscription {
+    bool once = false, always = false;
+    void ask(int argument);
+    bool due();
+  };
+  enum Subscribable : std::uint8_t {
+    kEncoder,
+    kIo,
+    kImu,
+    kGyro,
+    kJoystick,
+    kBattery,
+    kStatistics,
+    kSubscribables
+  };
+
+  void takeWaiting(const Packet& packet);
+  void takeConnected(const Packet& packet);
+  void obey(const Command& command);
+  bool obeyMotion(const Command& command);
+  bool obeySubscription(const Command& command);
+  bool obeySensors(const Command& command);
+  bool obeySimulator(const Command& command);
+  void obeySimulatorControl(const std::string& bytes);
+  void close();
+  void send(Packet packet);
+  void checkWatchdog(Instant now);
+  void sampleGyroscope(const RobotSensing& sensing, Instant now);
+  void sendCycle(const RobotSensing& sensing, RangeFinders& ranges);
+  void sendBefore(const RobotSensing& sensing);
+  void sendAfter(const RobotSensing& sensing);
+
+  const ServerSettings settings_;
+  State state_ = State::kWaiting;
+  int syncs_ = 0;  ///< of the handshake that have come, while waiting
+  MotionController motion_;
+  SonarFiring sonars_;
+  LaserService laser_;
+  std::array<Subscription, kSubscribables> subscriptions_{};
+  Instant now_, lastHeard_, nextCycle_, nextGyroSample_;
+  bool stepped_ = false;  ///< there was a step, so that there is an instant to count from
+  bool starved_ = false;
+  int bumpStall_ = 0;
+  std::uint8_t digitalOut_ = 0;
+  double testedBattery_ = 0;  ///< V, instead of the real one; 0: not tested
+  struct GyroSample {
+    std::uint16_t rate = 0;
+    std::uint8_t temperature = 0;
+  };
+  std::vector<GyroSample> gyroSamples_;
+  std::vector<Packet> outgoing_;
+  std::uint64_t dropped_ = 0;
+  std::vector<SimulatorRequest> requests_;
+};
+
+}  // namespace robotlink::arcos
