@@ -14,7 +14,6 @@ using robotlink::RobotDescription;
 
 namespace {
 
-constexpr char kLayoutFile[] = "layouts/compact.yaml";
 constexpr char kFieldFile[] = "fields/2002.yaml";
 constexpr char kRobotFile[] = "robots/ers210.yaml";
 
@@ -29,6 +28,12 @@ tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged
   return read;
 }
 
+/// The one that a robot has unless another is chosen.
+std::filesystem::path shippedLayout(const ProgramSetup::File& description) {
+  const auto robot = robotlink::parseRobotDescription(description.text(), description.name());
+  return robotlink::resource("layouts/" + (robot ? robot->layout : RobotDescription().layout) + ".yaml");
+}
+
 tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std::string& robot,
                                            const std::filesystem::path& layout) {
   const auto own = robotlink::resource("robots/" + robot + ".yaml");
@@ -40,10 +45,10 @@ tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std
     if (read) *to = std::move(*read);
     return read ? Errors{} : read.error();
   };
-  Errors errors = take(logged != nullptr && layout.empty() ? &logged->layout() : nullptr,
-                       layout.empty() ? robotlink::resource(kLayoutFile) : layout, files.mutable_layout());
   const Errors ofRobot = take(logged != nullptr ? &logged->description() : nullptr,
                               known ? own : robotlink::resource(kRobotFile), files.mutable_description());
+  Errors errors = take(logged != nullptr && layout.empty() ? &logged->layout() : nullptr,
+                       layout.empty() ? shippedLayout(files.description()) : layout, files.mutable_layout());
   const Errors ofField = take(logged != nullptr ? &logged->field() : nullptr, robotlink::resource(kFieldFile),
                               files.mutable_field());
   errors.insert(errors.end(), ofRobot.begin(), ofRobot.end());

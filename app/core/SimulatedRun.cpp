@@ -2,6 +2,7 @@
 #include "app/core/SimulatedRun.h"
 
 #include <algorithm>
+#include <set>
 
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
@@ -54,7 +55,11 @@ Errors SimulatedRun::load() {
   if (!world) return {world.error()};
   world_ = std::move(*world);
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
-  auto programs = makePrograms(options_.layout);
+  if (!options_.layout.empty()) {
+    for (const Robot& robot : robots_) options_.layouts[robot.description->name] = options_.layout;
+    options_.layout.clear();
+  }
+  auto programs = makePrograms(options_.layouts);
   if (!programs) return programs.error();
   if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
@@ -75,19 +80,39 @@ Errors SimulatedRun::describeRobots() {
   return {};
 }
 
-tl::expected<std::vector<SimulatedRun::Robot>, Errors> SimulatedRun::makePrograms(
-    const std::filesystem::path& file) {
+std::filesystem::path SimulatedRun::layoutOf(const Robot& robot, const Layouts& chosen) const {
+  const auto found = chosen.find(robot.description->name);
+  return found != chosen.end() ? found->second
+                               : robotlink::resource("layouts/" + robot.description->layout + ".yaml");
+}
+
+std::filesystem::path SimulatedRun::layout() const {
+  return robots_.empty() ? std::filesystem::path() : layoutOf(robots_.front(), options_.layouts);
+}
+
+tl::expected<robotlink::Layout, Errors> SimulatedRun::readChosenLayout(const std::filesystem::path& file) const {
   auto layout = robotlink::readLayout(file);
-  if (!layout) return tl::unexpected(layout.error());
+  if (!layout) return layout;
   for (auto& process : layout->processes) {
     for (auto& task : process.tasks) {
       const auto chosen = options_.solutions.find(task.task);
       if (chosen != options_.solutions.end()) task.solution = chosen->second;
     }
   }
+  return layout;
+}
+
+tl::expected<std::vector<SimulatedRun::Robot>, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
+  std::map<std::filesystem::path, robotlink::Layout> read;
   std::vector<Robot> robots;
   for (const Robot& robot : robots_) {
-    auto made = makeProgram(robot, *layout);
+    const std::filesystem::path file = layoutOf(robot, layouts);
+    if (!read.contains(file)) {
+      auto layout = readChosenLayout(file);
+      if (!layout) return tl::unexpected(layout.error());
+      read[file] = std::move(*layout);
+    }
+    auto made = makeProgram(robot, read[file]);
     if (!made) return tl::unexpected(made.error());
     robots.push_back(std::move(*made));
   }
@@ -159,7 +184,7 @@ void SimulatedRun::stopPrograms() {
 }
 
 void SimulatedRun::record(Robot& robot) {
-  const ProgramFiles files{options_.layout, descriptionFile(robot.description->name), robotlink::resource(kFieldFile),
+  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name), robotlink::resource(kFieldFile),
                            options_.executor == ExecutorKind::kLockstep ? "lockstep" : "threads"};
   tap_->attach(robot.name, *robot.platform, *robot.program, programSetup(*robot.program, *robot.platform, files));
 }
@@ -207,22 +232,51 @@ void SimulatedRun::stepThreads() {
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
   // Whether the programs can be made anew is tried before anything is given up: a file may have been broken meanwhile.
-  if (auto tried = makePrograms(options_.layout); !tried) return tried.error();
+  if (auto tried = makePrograms(options_.layouts); !tried) return tried.error();
   stopPrograms();  // Their processes must not read a clock that jumps.
   world_->reset(seed);
   options_.world.seed = seed;
-  auto programs = makePrograms(options_.layout);
+  auto programs = makePrograms(options_.layouts);
   if (!programs) return programs.error();
   if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
   return {};
 }
 
+/// Why robots of this kind cannot be run in a layout; nothing if they can.
+Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
+  auto read = readChosenLayout(layout);
+  if (!read) return read.error();
+  for (const Robot& robot : robots_) {
+    if (robot.description->name != kind) continue;
+    auto made = makeProgram(robot, *read);
+    if (!made) return made.error();
+    made->program->stop();
+    return {};
+  }
+  return {};
+}
+
 Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
-  auto programs = makePrograms(file);
+  Errors errors;
+  std::set<std::string> kinds, changed;
+  for (const Robot& robot : robots_) kinds.insert(robot.description->name);
+  for (const std::string& kind : kinds) {
+    if (Errors reasons = whyNot(kind, file); reasons.empty()) {
+      changed.insert(kind);
+    } else if (errors.empty()) {
+      errors = std::move(reasons);
+    }
+  }
+  if (changed.empty()) return errors;
+  Layouts layouts = options_.layouts;
+  for (const std::string& kind : changed) layouts[kind] = file;
+  auto programs = makePrograms(layouts);
   if (!programs) return programs.error();
-  options_.layout = file;
-  for (Robot& robot : *programs) robot.solutions.clear();
+  options_.layouts = std::move(layouts);
+  for (Robot& robot : *programs) {
+    if (changed.contains(robot.description->name)) robot.solutions.clear();
+  }
   startPrograms(std::move(*programs));
   return {};
 }

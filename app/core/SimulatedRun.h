@@ -36,7 +36,9 @@ enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 /// What a run is made of. Paths are files; defaults are those of the resources.
 struct RunOptions {
   std::filesystem::path scene;
-  std::filesystem::path layout;
+  std::filesystem::path layout;  ///< of all robots; empty: that of their kind
+  /// By what kind of robot it is ("ers210"); kinds without one have the layout of their description.
+  std::map<std::string, std::filesystem::path> layouts = {};
   SimulatedWorld::Options world;
   ExecutorKind executor = ExecutorKind::kLockstep;
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
@@ -68,8 +70,8 @@ class SimulatedRun {
   /// World and programs as they were at the start, with another seed; debug keys and solutions stay as they were chosen.
   /// If the programs cannot be made anew, all goes on as before.
   robotlink::Errors reset(std::uint64_t seed);
-  /// Starts the programs anew in another layout, with its solutions, while the world stays as it is. If that is not possible, all
-  /// goes on as before.
+  /// Starts the programs anew in another layout, with its solutions, while the world stays as it is: those of the robots of
+  /// all kinds that can be run in it. If there are none, all goes on as before.
   robotlink::Errors setLayout(const std::filesystem::path& file);
 
   SimulatedWorld& world() { return *world_; }
@@ -78,6 +80,8 @@ class SimulatedRun {
   std::vector<std::string> robots() const;
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
   std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
+  /// The file of the layout in which the first robot's program runs.
+  std::filesystem::path layout() const;
 
   /// Hands a request to a robot's program, or STOP to its platform. Fails if there is no such robot or its queue is full.
   robotlink::Result<void> request(const robotcontrol::Request& request);
@@ -96,7 +100,11 @@ class SimulatedRun {
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
   robotlink::Errors describeRobots();
-  tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const std::filesystem::path& layout);
+  using Layouts = std::map<std::string, std::filesystem::path>;
+  std::filesystem::path layoutOf(const Robot& robot, const Layouts& chosen) const;
+  tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const Layouts& layouts);
+  tl::expected<robotlink::Layout, robotlink::Errors> readChosenLayout(const std::filesystem::path& file) const;
+  robotlink::Errors whyNot(const std::string& kind, const std::filesystem::path& layout);
   tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
   void startPrograms(std::vector<Robot> robots);
   void record(Robot& robot);

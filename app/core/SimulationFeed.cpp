@@ -70,7 +70,7 @@ LoadedPlatform SimulationFeed::describe() const {
   LoadedPlatform loaded;
   for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
   loaded.field = run_->field();
-  loaded.layout = run_->options().layout;
+  loaded.layout = run_->layout();
   loaded.simulation = run_->options();
   return loaded;
 }

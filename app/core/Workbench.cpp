@@ -9,6 +9,8 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/process/Layout.h"
 #include "robotlink/session/KeyPresets.h"
 
 namespace app {
@@ -57,12 +59,22 @@ Workbench::~Workbench() { session_.setRequestSink({}); }
 std::vector<std::filesystem::path> Workbench::scenes() { return filesIn("scenes", ".sdf"); }
 std::vector<std::filesystem::path> Workbench::layouts() { return filesIn("layouts", ".yaml"); }
 
+std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotDescription& robot) {
+  const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
+  const robotlink::PlatformPackages platform{robot.offers, robot.takes, robotlink::debugPackages()};
+  std::vector<std::filesystem::path> fitting = layouts();
+  std::erase_if(fitting, [&](const std::filesystem::path& file) {
+    const auto layout = robotlink::readLayout(file);
+    return !layout || !robotlink::checkLayout(*layout, catalog, platform).empty();
+  });
+  return fitting;
+}
+
 std::filesystem::path Workbench::layoutNamed(const std::string& name) { return shippedOr(layouts(), name); }
 
 RunOptions Workbench::defaultOptions() {
   RunOptions options;
   options.scene = robotlink::resource("scenes/field2002.sdf");
-  options.layout = robotlink::resource("layouts/compact.yaml");
   return options;
 }
 

@@ -67,6 +67,8 @@ class Workbench {
   /// The shipped ones.
   static std::vector<std::filesystem::path> scenes();
   static std::vector<std::filesystem::path> layouts();
+  /// Those of them in which robots of a kind can be run.
+  static std::vector<std::filesystem::path> layoutsFor(const robotlink::RobotDescription& robot);
   /// A shipped layout by its name ("compact"), or any by its path.
   static std::filesystem::path layoutNamed(const std::string& name);
   static RunOptions defaultOptions();

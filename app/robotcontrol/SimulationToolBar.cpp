@@ -6,10 +6,12 @@
 #include <QLabel>
 #include <QToolButton>
 #include <cmath>
+#include <set>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/config/RobotDescription.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -78,7 +80,6 @@ void SimulationToolBar::createBoxes() {
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));
   addFiles(scene_, Workbench::scenes());
-  addFiles(layout_, Workbench::layouts());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
   const auto addLabelled = [this](const QString& text, QWidget* widget) {
     auto* label = new QLabel(text, this);
@@ -121,6 +122,18 @@ void SimulationToolBar::connectSignals() {
   connect(stop_, &QAction::triggered, this, [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
 }
 
+/// Those that at least one of the robots can be run in.
+void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
+  layout_->clear();
+  std::set<std::string> kinds;
+  std::set<std::filesystem::path> files;
+  for (const auto& [name, description] : loaded.robots) {
+    if (!kinds.insert(description->name).second) continue;
+    for (const auto& file : Workbench::layoutsFor(*description)) files.insert(file);
+  }
+  addFiles(layout_, {files.begin(), files.end()});
+}
+
 void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
@@ -128,6 +141,7 @@ void SimulationToolBar::showLoaded() {
   for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty());
   selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
   layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));
+  showLayouts(*loaded);
   selectFile(layout_, loaded->layout);
   robot_->clear();
   for (const std::string& robot : workbench_.session().robots()) robot_->addItem(QString::fromStdString(robot));

@@ -10,6 +10,7 @@ namespace app {
 
 class CommandActions;
 class Workbench;
+struct LoadedPlatform;
 
 /// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not what was clicked.
 /// GUI thread.
@@ -33,6 +34,7 @@ class SimulationToolBar : public QToolBar {
   void createActions();
   void createBoxes();
   void connectSignals();
+  void showLayouts(const LoadedPlatform& loaded);
   void refreshSpeed(double requested);
 
   Workbench& workbench_;

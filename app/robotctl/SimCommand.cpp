@@ -26,7 +26,7 @@ using nlohmann::json;
 
 struct SimArguments {
   RunOptions run = Workbench::defaultOptions();
-  std::string layout = "compact";
+  std::string layout;
   std::vector<std::string> solutions;
   std::string executor = "lockstep";
   double seconds = 10;
@@ -104,7 +104,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   const double simulated = robotlink::seconds(world.clock().now());
   json figures;
   figures["scene"] = run.options().scene.string();
-  figures["layout"] = run.options().layout.string();
+  figures["layout"] = run.layout().string();
   figures["seed"] = world.options().seed;
   figures["robots"] = run.robots().size();
   figures["simulated_seconds"] = simulated;
@@ -233,7 +233,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     return kUsage;
   }
   arguments.camera.applyTo(arguments.run);
-  arguments.run.layout = layoutFile(arguments.layout);
+  if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
   // Nobody waits for threads: they need the time that a real robot would give them.
@@ -251,8 +251,8 @@ void addSimCommand(CLI::App& app, int& status) {
   auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each)")
                       ->check(CLI::Range(0.0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")->capture_default_str();
-  sim->add_option("--layout", arguments->layout, "A process layout: a file, or the name of a shipped one")
-      ->capture_default_str();
+  sim->add_option("--layout", arguments->layout,
+                  "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
   sim->add_option("--executor", arguments->executor,
                   "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")

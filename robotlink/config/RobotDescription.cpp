@@ -80,6 +80,7 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   RobotDescription robot;
   robot.name = root.required<std::string>("name");
   robot.title = root.required<std::string>("title");
+  robot.layout = root.optional<std::string>("layout", robot.layout);
   for (const YamlNode& node : root.optionalChild("joints").items()) {
     RobotDescription::Joint joint = readJoint(node);
     if (robot.jointIndex(joint.name) >= 0) {

@@ -45,6 +45,7 @@ struct RobotDescription {
   };
   std::string name;   ///< "ers210"
   std::string title;  ///< "Sony Aibo ERS-210"
+  std::string layout = "compact";  ///< name of the shipped process layout that its program has unless another one is chosen
   std::vector<Joint> joints;  ///< in the order of JointRequest.positions
   std::vector<std::string> offers;  ///< packages that its platforms send, the simulated one's oracle among them
   std::vector<std::string> simulatedOnly;  ///< those of `offers` that only a simulator has
