@@ -13,12 +13,13 @@
 
 namespace robotlink::arcos {
 
-/// A line to a robot: bytes in order, both ways, over TCP, a serial line, or memory. It is what touches the operating system and
-/// knows nothing of packets.
+/// A line to a robot: bytes in order, both ways, over TCP, a serial line, or memory. It is what touches the
+/// operating system and knows nothing of packets.
 ///
-/// One thread may read while another writes, and any thread may close. Once it failed with an error whose id is not
-/// "stream.busy" it stays so: open a new one. Errors: "stream.closed" (closed here), "stream.lost" (the far end closed it, or a
-/// serial adapter was unplugged), "stream.busy" (the far end took no bytes for kWriteLimit; some may have been sent).
+/// One thread may read while another writes, and any thread may close. Once it failed with an error whose id
+/// is not "stream.busy" it stays so: open a new one. Errors: "stream.closed" (closed here), "stream.lost"
+/// (the far end closed it, or a serial adapter was unplugged), "stream.busy" (the far end took no bytes for
+/// kWriteLimit; some may have been sent).
 class ByteStream {
  public:
   /// How long write() waits for a far end that takes nothing.
@@ -26,8 +27,8 @@ class ByteStream {
 
   virtual ~ByteStream() = default;
 
-  /// Waits until there are bytes, but at most `timeout` (0: does not wait), and takes as many as fit. 0 if there were none.
-  /// What came before the far end went is still read, before the error.
+  /// Waits until there are bytes, but at most `timeout` (0: does not wait), and takes as many as fit. 0 if
+  /// there were none. What came before the far end went is still read, before the error.
   virtual Result<std::size_t> read(std::span<std::uint8_t> bytes, Duration timeout) = 0;
 
   /// Sends all of them.
@@ -40,8 +41,10 @@ class ByteStream {
   virtual std::string address() const = 0;
 };
 
-/// Opens a line by its URL: "tcp://localhost:8101" or "serial:///dev/ttyUSB0?baud=9600" (see StreamUrl.h). Blocks for `timeLimit`
-/// at most, but for the look-up of a host's name, whose limit is the system's. The error's text says what is wrong and what to do.
-Result<std::unique_ptr<ByteStream>> open(const std::string& url, Duration timeLimit = std::chrono::seconds(5));
+/// Opens a line by its URL: "tcp://localhost:8101" or "serial:///dev/ttyUSB0?baud=9600" (see StreamUrl.h).
+/// Blocks for `timeLimit` at most, but for the look-up of a host's name, whose limit is the system's. The
+/// error's text says what is wrong and what to do.
+Result<std::unique_ptr<ByteStream>> open(const std::string& url,
+                                         Duration timeLimit = std::chrono::seconds(5));
 
 }  // namespace robotlink::arcos

@@ -24,8 +24,8 @@ struct SerialAddress {
   bool operator==(const SerialAddress&) const = default;
 };
 
-/// Where a robot is, as people write it: "tcp://HOST[:PORT]" (an IPv6 address in brackets) or "serial://DEVICE[?baud=RATE]", whose
-/// DEVICE is an absolute path.
+/// Where a robot is, as people write it: "tcp://HOST[:PORT]" (an IPv6 address in brackets) or
+/// "serial://DEVICE[?baud=RATE]", whose DEVICE is an absolute path.
 using StreamUrl = std::variant<TcpAddress, SerialAddress>;
 
 /// The error ("url.bad") says how it should have been written.
