@@ -1,0 +1,130 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <concepts>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "robotlink/arcos/Packet.h"
+
+// How the structs of server packets are read and written: each has one function, visitFields(packet,
+// visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers
+// and descriptions are visitors, so the order of fields stands in one place. Integers are little-endian and
+// as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector), then its
+// elements between enter() and leave(). Only this folder's sources include this.
+namespace robotlink::arcos {
+
+/// Reads fields from a packet's data. A required field that is not there makes ok() false; an optional one
+/// that is not there ends the packet: it and all optional ones after it stay empty.
+class FieldReader {
+ public:
+  explicit FieldReader(std::span<const std::uint8_t> data) : data_(data) {}
+
+  template <typename T>
+  void operator()(const char* name, T& value, const char* = "") {
+    if (take(value) || !ok_) return;
+    ok_ = false;
+    missing_ = name;
+  }
+  template <typename T>
+  void operator()(const char*, std::optional<T>& value, const char* = "") {
+    T found{};
+    ended_ = ended_ || !take(found);
+    if (!ended_) value = std::move(found);
+  }
+  /// Every element takes at least a byte, so a count that lies costs no memory.
+  template <std::unsigned_integral Count, typename T>
+  void size(const char* name, std::vector<T>& list) {
+    Count count = 0;
+    (*this)(name, count);
+    if (ok_ && count <= data_.size()) {
+      list.resize(count);
+    } else if (ok_) {
+      ok_ = false;
+      missing_ = name;
+    }
+  }
+  void enter(const char*, std::size_t) {}
+  void leave() {}
+  void rest(Bytes& bytes) {
+    bytes.assign(data_.begin(), data_.end());
+    data_ = {};
+  }
+  void bytes(Bytes& taken, std::size_t count) {
+    if (count > data_.size()) ok_ = false;
+    if (!ok_) return;
+    taken.assign(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(count));
+    data_ = data_.subspan(count);
+  }
+
+  bool ok() const { return ok_; }
+  /// The first required field that was not there.
+  const char* missing() const { return missing_; }
+
+  /// False, and nothing is taken, if it is not there.
+  template <std::integral T>
+  bool take(T& value) {
+    if (data_.size() < sizeof(T)) return false;
+    std::uint64_t bits = 0;
+    for (std::size_t i = 0; i < sizeof(T); ++i) bits |= std::uint64_t{data_[i]} << (8 * i);
+    value = static_cast<T>(bits);
+    data_ = data_.subspan(sizeof(T));
+    return true;
+  }
+  bool take(std::string& value) {
+    const auto end = std::find(data_.begin(), data_.end(), std::uint8_t{0});
+    if (end == data_.end()) return false;
+    value.assign(data_.begin(), end);
+    data_ = data_.subspan(value.size() + 1);
+    return true;
+  }
+
+ private:
+  std::span<const std::uint8_t> data_;
+  const char* missing_ = "";
+  bool ok_ = true;
+  bool ended_ = false;
+};
+
+/// Writes fields; stops at the first optional one that is empty.
+class FieldWriter {
+ public:
+  explicit FieldWriter(Bytes& data) : data_(data) {}
+
+  template <std::integral T>
+  void operator()(const char*, const T& value, const char* = "") {
+    const auto bits = static_cast<std::uint64_t>(value);
+    for (std::size_t i = 0; i < sizeof(T); ++i)
+      data_.push_back(static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFU));
+  }
+  void operator()(const char*, const std::string& value, const char* = "") {
+    data_.insert(data_.end(), value.begin(), std::find(value.begin(), value.end(), '\0'));
+    data_.push_back(0);
+  }
+  template <typename T>
+  void operator()(const char* name, const std::optional<T>& value, const char* = "") {
+    ended_ = ended_ || !value;
+    if (!ended_) (*this)(name, *value);
+  }
+  template <std::unsigned_integral Count, typename T>
+  void size(const char* name, const std::vector<T>& list) {
+    (*this)(name, static_cast<Count>(std::min<std::size_t>(list.size(), std::numeric_limits<Count>::max())));
+  }
+  void enter(const char*, std::size_t) {}
+  void leave() {}
+  void rest(const Bytes& bytes) { data_.insert(data_.end(), bytes.begin(), bytes.end()); }
+  void bytes(const Bytes& given, std::size_t count) {
+    const std::size_t there = std::min(count, given.size());
+    data_.insert(data_.end(), given.begin(), given.begin() + static_cast<std::ptrdiff_t>(there));
+    data_.insert(data_.end(), count - there, 0);
+  }
+
+ private:
+  Bytes& data_;
+  bool ended_ = false;
+};
+
+}  // namespace robotlink::arcos
