@@ -18,6 +18,22 @@ constexpr double kServoGain = 0.4;
 // Solids sink into each other a little where they rest on each other; more than this is a wrong place.
 constexpr double kMaxOverlap = 0.003;
 
+/// Touches that are less than a moment apart are one.
+class TouchCount {
+ public:
+  void afterStep(bool touches) {
+    if (touches && stepsSince_ > kMoment) ++count_;
+    stepsSince_ = touches ? 0 : stepsSince_ + 1;
+    if (touches) ++steps_;
+  }
+  std::uint64_t count() const { return count_; }
+  std::uint64_t steps() const { return steps_; }
+
+ private:
+  static constexpr std::uint64_t kMoment = 25;
+  std::uint64_t stepsSince_ = kMoment + 1, count_ = 0, steps_ = 0;
+};
+
 constexpr std::uint64_t kSolverStream =
     0x736F6C766572;  // keeps the solver's random numbers apart from the sensors'
 
@@ -35,6 +51,8 @@ struct Simulation::Implementation {
   std::vector<int> balls, robots;           // models
   std::vector<std::uint64_t> ballContacts;  // by robot
   std::vector<bool> touchedBall;            // in the last step, by robot
+  std::vector<TouchCount> obstacles;        // by robot
+  std::vector<WheelState> wheelStates;      // by drive
   bool readingsValid = false, posesValid = false;
 
   Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
@@ -58,6 +76,8 @@ struct Simulation::Implementation {
     poses.assign(physics->bodyCount() + 1, Pose3::Identity());
     ballContacts.assign(robots.size(), 0);
     touchedBall.assign(robots.size(), false);
+    obstacles.assign(robots.size(), {});
+    wheelStates.assign(ports.drives.size(), {});
     invalidate();
   }
 
@@ -83,6 +103,13 @@ struct Simulation::Implementation {
     }
   }
 
+  void readWheels() {
+    for (std::size_t i = 0; i < wheelStates.size(); ++i) {
+      const Physics::SideState left = physics->sideState(2 * i), right = physics->sideState(2 * i + 1);
+      wheelStates[i] = {left.travel, right.travel, left.speed, right.speed, left.blocked, right.blocked};
+    }
+  }
+
   void updateReadings() {
     sensing->read({options.noise, options.seed, steps}, ports.sensors);
     readingsValid = true;
@@ -91,6 +118,13 @@ struct Simulation::Implementation {
   void updatePoses() {
     for (std::size_t i = 0; i < physics->bodyCount(); ++i) poses[i + 1] = physics->linkInWorld(i);
     posesValid = true;
+  }
+
+  const TouchCount* obstaclesOf(const std::string& robot) const {
+    for (std::size_t r = 0; r < robots.size(); ++r) {
+      if (world.models[static_cast<std::size_t>(robots[r])].name == robot) return &obstacles[r];
+    }
+    return nullptr;
   }
 
   int modelIndex(const std::string& name) const {
@@ -104,6 +138,9 @@ Simulation::~Simulation() = default;
 
 robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Scene> scene,
                                                                   SimulationOptions options) {
+  if (options.kinematic) {
+    return robotlink::failure("simulation.kinematic", "kinematic drives are not known yet: leave the option off", {}, {});
+  }
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
   const Implementation& made = *simulation->implementation_;
@@ -126,6 +163,10 @@ void Simulation::step() {
   ++i.steps;
   i.sensing->afterStep();
   i.countBallContacts();
+  for (std::size_t r = 0; r < i.robots.size(); ++r) {
+    i.obstacles[r].afterStep(i.physics->touchedObstacle(i.robots[r]));
+  }
+  i.readWheels();
   i.invalidate();
 }
 
@@ -179,6 +220,26 @@ void Simulation::setTorqueLimit(std::size_t servo, double share) {
   implementation_->ports.servoStates[servo].torqueShare = std::clamp(share, 0.0, 1.0);
 }
 
+std::span<const WheelDrive> Simulation::drives() const {
+  return implementation_->ports.drives;
+}
+
+const WheelState& Simulation::wheelState(std::size_t drive) const {
+  return implementation_->wheelStates[drive];
+}
+
+void Simulation::requestWheelSpeeds(std::size_t drive, double left, double right) {
+  const double limit = implementation_->ports.drives[drive].maximumSpeed;
+  if (std::isnan(left) || std::isnan(right)) return;
+  implementation_->physics->setRimSpeed(2 * drive, std::clamp(left, -limit, limit));
+  implementation_->physics->setRimSpeed(2 * drive + 1, std::clamp(right, -limit, limit));
+}
+
+void Simulation::setDriveOn(std::size_t drive, bool on) {
+  implementation_->physics->setSideOn(2 * drive, on);
+  implementation_->physics->setSideOn(2 * drive + 1, on);
+}
+
 std::optional<Pose3> Simulation::modelPose(const std::string& model) const {
   const int index = implementation_->modelIndex(model);
   if (index < 0) return std::nullopt;
@@ -224,6 +285,16 @@ std::uint64_t Simulation::ballContacts(const std::string& robot) const {
     if (i.world.models[static_cast<std::size_t>(i.robots[r])].name == robot) return i.ballContacts[r];
   }
   return 0;
+}
+
+std::uint64_t Simulation::obstacleContacts(const std::string& robot) const {
+  const TouchCount* touches = implementation_->obstaclesOf(robot);
+  return touches != nullptr ? touches->count() : 0;
+}
+
+robotlink::Duration Simulation::obstacleContactTime(const std::string& robot) const {
+  const TouchCount* touches = implementation_->obstaclesOf(robot);
+  return kStep * static_cast<std::int64_t>(touches != nullptr ? touches->steps() : 0);
 }
 
 std::uint64_t Simulation::digest() const {

@@ -49,9 +49,29 @@ struct Servo {
   double maximumTorque = 0;         ///< N m
 };
 
+/// Driven wheels on a robot's two sides ("skid steering"). A side's wheels are told one speed.
+struct WheelDrive {
+  PortInfo info;           ///< "p3at1/drive": the speeds of the left and the right rims, {2}, m/s
+  double wheelRadius = 0;  ///< m
+  double track = 0;        ///< m; while nothing is in the way, the robot turns by (right - left) / track
+  double maximumSpeed = 0;  ///< m/s, of the rims
+};
+
+/// What a drive's encoders and motors tell. Travel is that of the rims, mean of a side's wheels, since the
+/// simulation began; it never wraps, and goes on while wheels slip.
+struct WheelState {
+  double leftTravel = 0, rightTravel = 0;  ///< m
+  double leftSpeed = 0, rightSpeed = 0;    ///< m/s
+  /// The motors do what they can, yet the wheels hardly turn, for a tenth of a second at least.
+  bool leftBlocked = false, rightBlocked = false;
+};
+
 struct SimulationOptions {
   std::uint64_t seed = 1;
   bool noise = true;
+  /// Models with a drive are moved by their odometry, and stop before what is in the way, instead of by
+  /// forces.
+  bool kinematic = false;
 };
 
 /// A world in motion: bodies, joints, contacts, sensors and servos, in steps of Simulation::kStep.
@@ -87,6 +107,14 @@ class Simulation {
   /// Share of the maximum torque that a servo may use, 0 to 1.
   void setTorqueLimit(std::size_t servo, double share);
 
+  std::span<const WheelDrive> drives() const;
+  const WheelState& wheelState(std::size_t drive) const;
+  /// Speeds of a drive's rims, m/s, limited to what it can, from the next step on. How fast they may change is
+  /// up to whoever asks.
+  void requestWheelSpeeds(std::size_t drive, double left, double right);
+  /// Motors without power roll out against their gears' friction. They are on at first.
+  void setDriveOn(std::size_t drive, bool on);
+
   /// True pose of a model ("red1", "ball") in the world. A robot's frame lies at its body's centre, x to the
   /// front.
   std::optional<Pose3> modelPose(const std::string& model) const;
@@ -97,6 +125,10 @@ class Simulation {
   /// How often a robot and the ball began to touch.
   std::uint64_t ballContacts() const;
   std::uint64_t ballContacts(const std::string& robot) const;
+
+  /// How often a robot began to touch anything but the floor, and for how long it did altogether.
+  std::uint64_t obstacleContacts(const std::string& robot) const;
+  robotlink::Duration obstacleContactTime(const std::string& robot) const;
 
   /// A hash over all poses and velocities.
   std::uint64_t digest() const;

@@ -68,16 +68,29 @@ struct JointDescription {
   double maximumSpeed = 0, maximumTorque = 0;
   double initialAngle = 0;
   double positionNoise = 0;  ///< standard deviation, rad
+  bool wheel = false;        ///< turned by the model's drive
+};
+
+/// Wheels on two sides of a model. Each is a joint whose child has one solid, a cylinder about the joint's
+/// axis.
+struct DriveDescription {
+  std::string name = "drive";
+  std::vector<int> left, right;  ///< joints
+  double wheelRadius = 0;
+  double track = 0;         ///< that the model turns about on firm ground
+  double maximumSpeed = 0;  ///< m/s of the rims
+  double maximumForce = 0;  ///< N at the rim of each wheel
+  double idleForce = 0;     ///< N by which the rim of each wheel resists without power
 };
 
 struct SensorDescription {
-  enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kContact };
+  enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kGyroscope, kContact };
   Kind kind = Kind::kCamera;
   std::string name;
   int link = 0;
   Pose3 poseInLink = Pose3::Identity();
   double noise = 0;                 ///< standard deviation in the reading's unit; cameras: grey values
-  double minimum = 0, maximum = 0;  ///< distance: range, m; accelerometer: range of each axis, m/s^2
+  double minimum = 0, maximum = 0;  ///< distance: range, m; imus: range of each axis, m/s^2 or rad/s
   int collision = 0;                ///< contact: index in the link's collisions
   int width = 0, height = 0;        ///< camera
   double horizontalAngle = 0, verticalAngle = 0, rate = 0;  ///< camera; rad, Hz
@@ -94,6 +107,7 @@ struct ModelDescription {
   std::vector<LinkDescription> links;
   std::vector<JointDescription> joints;
   std::vector<SensorDescription> sensors;
+  std::optional<DriveDescription> drive;
 };
 
 struct ModelInstance {

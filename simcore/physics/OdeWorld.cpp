@@ -1,6 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/OdeWorld.h"
 
+#include <cmath>
+#include <span>
+
+#include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/Physics.h"
 
 namespace simcore {
@@ -51,12 +55,90 @@ class Builder {
     dSpaceSetCleanup(added.space, 0);
     // A higher level than the static space's: the model as a whole is compared with static geoms first.
     dSpaceSetSublevel(added.space, 1);
-    for (const LinkDescription& link : model.type->links) addBody(model, link, index, added.space);
-    for (const JointDescription& joint : model.type->joints) addJoint(model, joint, added.firstBody);
+    const ModelDescription& type = *model.type;
+    ode_.bodies.resize(added.firstBody + type.links.size());
+    for (std::size_t i = 0; i < type.links.size(); ++i) {
+      const int link = static_cast<int>(i);
+      if (isWheel(type, link)) continue;
+      ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
+    }
+    if (type.drive) addDrive(model, *type.drive, index, added);
+    for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
     pose(model, added.firstBody);
   }
 
-  void addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
+  void addDrive(const ModelInstance& model, const DriveDescription& drive, int index, const OdeModel& added) {
+    const std::size_t first = ode_.wheels.size();
+    for (const std::vector<int>* joints : {&drive.left, &drive.right}) {
+      const auto count = static_cast<double>(joints->size());
+      OdeWheelSide side;
+      side.firstWheel = ode_.wheels.size();
+      side.wheelCount = joints->size();
+      side.maximumForce = drive.maximumForce * count;
+      side.idleForce = drive.idleForce * count;
+      ode_.wheelSides.push_back(side);
+      for (const int joint : *joints) {
+        addWheel(*model.type, model.type->joints[static_cast<std::size_t>(joint)], index, added);
+      }
+    }
+    settleGeometry(drive, first);
+  }
+
+  void addWheel(const ModelDescription& type, const JointDescription& joint, int index, const OdeModel& added) {
+    const LinkDescription& link = type.links[static_cast<std::size_t>(joint.child)];
+    OdeBody& body = ode_.bodies[added.firstBody + static_cast<std::size_t>(joint.child)];
+    OdeWheel wheel;
+    wheel.body = added.firstBody + static_cast<std::size_t>(joint.parent);
+    wheel.side = ode_.wheelSides.size() - 1;
+    const OdeBody& carrier = ode_.bodies[wheel.body];
+    const Pose3& carrierInModel = type.links[static_cast<std::size_t>(joint.parent)].poseInModel;
+    const Pose3 bodyInModel = carrierInModel * Eigen::Translation3d(carrier.centerInLink);
+    wheel.linkInBody = bodyInModel.inverse() * link.poseInModel;
+    wheel.axisInBody = bodyInModel.linear().transpose() * joint.axisInModel;
+    wheel.axisInLink = link.poseInModel.linear().transpose() * joint.axisInModel;
+    CollisionDescription tread = link.collisions.front();
+    wheel.radius = tread.shape.radius;
+    tread.shape.kind = Shape::Kind::kSphere;
+    tread.poseInLink = carrierInModel.inverse() * link.poseInModel * tread.poseInLink;
+    body.id = carrier.id;
+    body.wheel = static_cast<int>(ode_.wheels.size());
+    body.firstGeom = ode_.geoms.size();
+    addBodyGeom(carrier, tread, index, added.space);
+    ode_.geoms.back().wheel = body.wheel;
+    ode_.wheels.push_back(wheel);
+  }
+
+  /// What depends on all wheels of a drive, from `first` on: which way is forwards, and how they share load and slip.
+  void settleGeometry(const DriveDescription& drive, std::size_t first) {
+    const std::span<OdeWheel> wheels = std::span(ode_.wheels).subspan(first);
+    const auto meanPlace = [](std::span<const OdeWheel> some) {
+      Vector3 sum = Vector3::Zero();
+      for (const OdeWheel& wheel : some) sum += wheel.linkInBody.translation();
+      return Vector3(sum / static_cast<double>(some.size()));
+    };
+    const Vector3 middle = meanPlace(wheels);
+    const Vector3 toLeft = meanPlace(wheels.first(drive.left.size())) - meanPlace(wheels.subspan(drive.left.size()));
+    double along = 0, across = 0;  // the mean distances of wheels from the middle: root of squares, and plain
+    for (const OdeWheel& wheel : wheels) {
+      const Vector3 place = wheel.linkInBody.translation() - middle;
+      const double sideways = std::abs(place.dot(toLeft.normalized()));
+      across += sideways / static_cast<double>(wheels.size());
+      along += (place.squaredNorm() - sideways * sideways) / static_cast<double>(wheels.size());
+    }
+    dMass mass;
+    dBodyGetMass(ode_.bodies[wheels[0].body].id, &mass);
+    for (OdeWheel& wheel : wheels) {
+      if (wheel.axisInBody.dot(toLeft) < 0) {
+        wheel.axisInBody = -wheel.axisInBody;
+        wheel.axisInLink = -wheel.axisInLink;
+      }
+      wheel.slipRatio = slipRatioFor(drive.track, std::sqrt(along), across);
+      wheel.restLoad = mass.mass * ode_.description.gravity.norm() / static_cast<double>(wheels.size());
+      wheel.load = wheel.restLoad;
+    }
+  }
+
+  OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
     OdeBody body;
     body.id = dBodyCreate(ode_.world);
     body.centerInLink = link.centerOfMass;
@@ -67,9 +149,9 @@ class Builder {
     dBodySetMass(body.id, &mass);
     dBodySetAutoDisableFlag(body.id, 0);
     setDamping(body.id, link);
-    ode_.bodies.push_back(body);
     place(body, model.poseInWorld * link.poseInModel);
     for (const CollisionDescription& collision : link.collisions) addBodyGeom(body, collision, index, space);
+    return body;
   }
 
   static void setDamping(dBodyID body, const LinkDescription& link) {
@@ -120,6 +202,7 @@ class Builder {
   }
 
   void addJoint(const ModelInstance& model, const JointDescription& joint, std::size_t firstBody) {
+    if (joint.wheel) return;
     const dBodyID child = ode_.bodies[firstBody + static_cast<std::size_t>(joint.child)].id;
     const dBodyID parent =
         joint.parent < 0 ? nullptr : ode_.bodies[firstBody + static_cast<std::size_t>(joint.parent)].id;
@@ -154,6 +237,7 @@ class Builder {
           above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
     }
     for (std::size_t i = 0; i < type.links.size(); ++i) {
+      if (ode_.bodies[firstBody + i].wheel >= 0) continue;
       place(ode_.bodies[firstBody + i], model.poseInWorld * moved[i] * type.links[i].poseInModel);
     }
   }
@@ -232,9 +316,16 @@ Pose3 poseOf(const dReal* position, const dReal* rotation) {
   return pose;
 }
 
-Pose3 linkPose(const OdeBody& body) {
-  return poseOf(dBodyGetPosition(body.id), dBodyGetRotation(body.id)) *
-         Eigen::Translation3d(-body.centerInLink);
+OdeWheelContact& OdeWorld::nextWheelContact() {
+  if (wheelContactCount == wheelContacts.size()) wheelContacts.emplace_back();
+  return wheelContacts[wheelContactCount++];
+}
+
+Pose3 OdeWorld::linkPose(std::size_t body) const {
+  const OdeBody& one = bodies[body];
+  if (one.wheel >= 0) return wheelLinkPose(*this, wheels[static_cast<std::size_t>(one.wheel)]);
+  return poseOf(dBodyGetPosition(one.id), dBodyGetRotation(one.id)) *
+         Eigen::Translation3d(-one.centerInLink);
 }
 
 }  // namespace simcore

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "simcore/WorldDescription.h"
+#include "simcore/physics/OdeWheels.h"
 
 namespace simcore {
 
@@ -17,11 +18,13 @@ struct OdeGeom {
   int model = 0;
   double friction = 1;
   double restitution = 0;
+  int wheel = -1;  ///< of OdeWorld::wheels; -1: no wheel
   bool touched = false;
 };
 
 struct OdeBody {
-  dBodyID id = nullptr;
+  dBodyID id = nullptr;  ///< of a wheel: that of the body that carries it
+  int wheel = -1;        ///< of OdeWorld::wheels; -1: no wheel
   Vector3 centerInLink = Vector3::Zero();
   std::size_t firstGeom = 0;  ///< of its geoms, which follow each other
 };
@@ -29,6 +32,7 @@ struct OdeBody {
 struct OdeModel {
   dSpaceID space = nullptr;  ///< null: static
   std::size_t firstBody = 0, bodyCount = 0;
+  bool touchesObstacle = false;  ///< anything but a floor, in the last step
 };
 
 /// Owns everything that ODE made for one world.
@@ -49,13 +53,19 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   std::vector<dJointID> hinges;
   std::vector<OdeModel> models;
+  std::vector<OdeWheel> wheels;
+  std::vector<OdeWheelSide> wheelSides;
+  std::deque<OdeWheelContact> wheelContacts;  ///< those of this step come first; a deque: ODE keeps pointers
+  std::size_t wheelContactCount = 0;
   std::vector<std::pair<int, int>> touches;  ///< pairs of moving models, lower index first, of the last step
+
+  OdeWheelContact& nextWheelContact();
+  Pose3 linkPose(std::size_t body) const;
 };
 
 /// Makes ODE ready to be used by the calling thread.
 void prepareOdeForThread();
 
 Pose3 poseOf(const dReal* position, const dReal* rotation);
-Pose3 linkPose(const OdeBody& body);
 
 }  // namespace simcore

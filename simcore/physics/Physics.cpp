@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <bit>
+#include <cmath>
 
 #include "robotlink/base/Random.h"
 #include "simcore/physics/OdeRandom.h"
@@ -15,6 +16,8 @@ constexpr int kMaxContacts = 4;
 constexpr double kContactErrorReduction = 0.3;
 constexpr double kContactSoftness = 1e-5;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
+constexpr int kBlockedSteps = 25;
+constexpr double kFloor = 0.7;  // upward share of the normal of what is a floor or a ramp, not an obstacle
 
 OdeGeom& infoOf(dGeomID geom) {
   return *static_cast<OdeGeom*>(dGeomGetData(geom));
@@ -28,23 +31,35 @@ bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
   return true;
 }
 
-void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b) {
+/// `steepness` is the upward share of the contact's normal.
+void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double steepness) {
   a.touched = b.touched = true;
   const auto [low, high] = std::minmax(a.model, b.model);
-  const bool bothMove = ode.models[static_cast<std::size_t>(low)].space != nullptr &&
-                        ode.models[static_cast<std::size_t>(high)].space != nullptr;
+  OdeModel& first = ode.models[static_cast<std::size_t>(low)];
+  OdeModel& second = ode.models[static_cast<std::size_t>(high)];
+  const bool bothMove = first.space != nullptr && second.space != nullptr;
   if (bothMove) ode.touches.emplace_back(low, high);
+  if (bothMove || std::abs(steepness) < kFloor) first.touchesObstacle = second.touchesObstacle = true;
+}
+
+/// A wheel's part of addContacts().
+void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
+  dContactGeom contact;
+  if (dCollide(wheel.id, other.id, 1, &contact, sizeof contact) == 0) return;
+  if (addWheelContact(ode, wheel, other, contact)) noteTouch(ode, wheel, other, contact.normal[2]);
 }
 
 void addContacts(void* data, dGeomID a, dGeomID b) {
   auto& ode = *static_cast<OdeWorld*>(data);
   if (descend(&ode, a, b, &addContacts)) return;
+  OdeGeom& first = infoOf(a);
+  OdeGeom& second = infoOf(b);
+  if (first.wheel >= 0) return addRolling(ode, first, second);
+  if (second.wheel >= 0) return addRolling(ode, second, first);
   dContact contacts[kMaxContacts];
   const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
   if (count == 0) return;
-  OdeGeom& first = infoOf(a);
-  OdeGeom& second = infoOf(b);
-  noteTouch(ode, first, second);
+  noteTouch(ode, first, second, contacts[0].geom.normal[2]);
   for (int i = 0; i < count; ++i) {
     dSurfaceParameters& surface = contacts[i].surface;
     surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
@@ -101,9 +116,12 @@ void Physics::step(std::uint64_t seed) {
   prepareOdeForThread();
   seedOdeRandom(seed);
   for (OdeGeom& geom : ode_->geoms) geom.touched = false;
+  for (OdeModel& model : ode_->models) model.touchesObstacle = false;
   ode_->touches.clear();
+  ode_->wheelContactCount = 0;
   dSpaceCollide(ode_->top, ode_.get(), &addContacts);
   dWorldQuickStep(ode_->world, kStepSeconds);
+  settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);
 }
 
@@ -112,12 +130,17 @@ std::size_t Physics::bodyCount() const {
 }
 
 Pose3 Physics::linkInWorld(std::size_t body) const {
-  return linkPose(ode_->bodies[body]);
+  return ode_->linkPose(body);
 }
 
 Vector3 Physics::velocityAt(std::size_t body, const Vector3& point) const {
   dVector3 velocity;
   dBodyGetPointVel(ode_->bodies[body].id, point.x(), point.y(), point.z(), velocity);
+  return {velocity[0], velocity[1], velocity[2]};
+}
+
+Vector3 Physics::angularVelocityOf(std::size_t body) const {
+  const dReal* velocity = dBodyGetAngularVel(ode_->bodies[body].id);
   return {velocity[0], velocity[1], velocity[2]};
 }
 
@@ -141,6 +164,19 @@ void Physics::setMotor(std::size_t hinge, double velocity, double maximumTorque)
   dJointSetHingeParam(ode_->hinges[hinge], dParamFMax, maximumTorque);
 }
 
+void Physics::setRimSpeed(std::size_t side, double speed) {
+  ode_->wheelSides[side].target = speed;
+}
+
+void Physics::setSideOn(std::size_t side, bool on) {
+  ode_->wheelSides[side].on = on;
+}
+
+Physics::SideState Physics::sideState(std::size_t side) const {
+  const OdeWheelSide& one = ode_->wheelSides[side];
+  return {one.travel, one.speed, one.blockedSteps >= kBlockedSteps};
+}
+
 bool Physics::touched(std::size_t body, int collision) const {
   return ode_->geoms[ode_->bodies[body].firstGeom + static_cast<std::size_t>(collision)].touched;
 }
@@ -148,6 +184,10 @@ bool Physics::touched(std::size_t body, int collision) const {
 bool Physics::touched(int modelA, int modelB) const {
   const std::pair<int, int> pair = std::minmax(modelA, modelB);
   return std::ranges::find(ode_->touches, pair) != ode_->touches.end();
+}
+
+bool Physics::touchedObstacle(int model) const {
+  return ode_->models[static_cast<std::size_t>(model)].touchesObstacle;
 }
 
 double Physics::castRay(const Vector3& origin, const Vector3& direction, double length, int ownModel) const {
@@ -169,6 +209,7 @@ Pose3 Physics::modelInWorld(int model) const {
 void Physics::moveModel(int model, const Pose3& transform) {
   const OdeModel& entry = ode_->models[static_cast<std::size_t>(model)];
   for (std::size_t i = entry.firstBody; i < entry.firstBody + entry.bodyCount; ++i) {
+    if (ode_->bodies[i].wheel >= 0) continue;
     const dBodyID body = ode_->bodies[i].id;
     const Pose3 pose = transform * poseOf(dBodyGetPosition(body), dBodyGetRotation(body));
     const Eigen::Quaterniond q(pose.linear());
@@ -202,10 +243,15 @@ std::uint64_t Physics::digest() const {
     for (int i = 0; i < count; ++i) hash = robotlink::mixBits(hash ^ std::bit_cast<std::uint64_t>(values[i]));
   };
   for (const OdeBody& body : ode_->bodies) {
+    if (body.wheel >= 0) continue;
     add(dBodyGetPosition(body.id), 3);
     add(dBodyGetQuaternion(body.id), 4);
     add(dBodyGetLinearVel(body.id), 3);
     add(dBodyGetAngularVel(body.id), 3);
+  }
+  for (const OdeWheelSide& side : ode_->wheelSides) {
+    const dReal turned[] = {side.speed, side.travel};
+    add(turned, 2);
   }
   return hash;
 }

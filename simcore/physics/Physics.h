@@ -32,6 +32,7 @@ class Physics {
   Pose3 linkInWorld(std::size_t body) const;
   /// Of a point that is fixed to a body and now at `point` (world).
   Vector3 velocityAt(std::size_t body, const Vector3& point) const;
+  Vector3 angularVelocityOf(std::size_t body) const;
 
   double angle(std::size_t hinge) const;
   double angularVelocity(std::size_t hinge) const;
@@ -40,10 +41,21 @@ class Physics {
   /// Lets a hinge turn at `velocity` as far as `maximumTorque` suffices, until told otherwise.
   void setMotor(std::size_t hinge, double velocity, double maximumTorque);
 
+  /// Wheels are driven by the sides of drives: side 2 i is the left one of the i-th drive, 2 i + 1 its right one. m/s
+  void setRimSpeed(std::size_t side, double speed);
+  void setSideOn(std::size_t side, bool on);
+  struct SideState {
+    double travel = 0, speed = 0;  ///< m and m/s, of the rims
+    bool blocked = false;
+  };
+  SideState sideState(std::size_t side) const;
+
   /// Whether a collision shape of a body touched anything in the last step.
   bool touched(std::size_t body, int collision) const;
   /// Whether two models touched each other in the last step.
   bool touched(int modelA, int modelB) const;
+  /// Whether a model touched anything but a floor in the last step.
+  bool touchedObstacle(int model) const;
   /// How far a ray of unit `direction` goes until it hits anything but `ownModel`; `length` if it hits
   /// nothing.
   double castRay(const Vector3& origin, const Vector3& direction, double length, int ownModel) const;

@@ -14,12 +14,13 @@ class Collector {
     name_ = model.name;
     if (model.type->isStatic) return;
     for (const JointDescription& joint : model.type->joints) {
-      if (joint.fixed) continue;
+      if (joint.fixed || joint.wheel) continue;
       addAngle(joint);
       if (joint.servo) addServo(joint);
       ++hinge_;
     }
     for (const SensorDescription& sensor : model.type->sensors) addSensor(sensor);
+    if (model.type->drive) addDrive(*model.type->drive);
     body_ += model.type->links.size();
   }
 
@@ -49,6 +50,12 @@ class Collector {
     ports_.servoStates.push_back({hinge_, joint.initialAngle, 1});
   }
 
+  void addDrive(const DriveDescription& drive) {
+    ports_.drives.push_back({port(drive.name, "wheel_speeds", {2}, "m/s"), drive.wheelRadius, drive.track,
+                             drive.maximumSpeed});
+    ports_.driveModels.push_back(model_);
+  }
+
   void addSensor(const SensorDescription& sensor) {
     switch (sensor.kind) {
       case SensorDescription::Kind::kCamera:
@@ -58,6 +65,9 @@ class Collector {
       case SensorDescription::Kind::kAccelerometer:
         return addReading(sensor, SensorSource::Kind::kAccelerometer,
                           port(sensor.name, "acceleration", {3}, "m/s^2"), 3);
+      case SensorDescription::Kind::kGyroscope:
+        return addReading(sensor, SensorSource::Kind::kGyroscope,
+                          port(sensor.name, "angular_velocity", {3}, "rad/s"), 3);
       case SensorDescription::Kind::kContact:
         return addReading(sensor, SensorSource::Kind::kContact, port(sensor.name, "contact", {}, ""), 1);
     }

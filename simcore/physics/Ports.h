@@ -10,7 +10,7 @@ namespace simcore {
 
 /// Where a sensor's reading comes from, by the numbers of Physics.
 struct SensorSource {
-  enum class Kind : std::uint8_t { kAngle, kDistance, kAccelerometer, kContact };
+  enum class Kind : std::uint8_t { kAngle, kDistance, kAccelerometer, kGyroscope, kContact };
   Kind kind = Kind::kAngle;
   int model = 0;
   std::size_t hinge = 0;  ///< kAngle
@@ -27,14 +27,17 @@ struct ServoState {
   double torqueShare = 1;
 };
 
-/// All sensors, cameras and servos of a world, in the order of its models: a model's joints come first, then
-/// its sensors. sources[i] belongs to sensors[i], servoStates[i] to servos[i].
+/// All sensors, cameras, servos and drives of a world, in the order of its models: a model's joints come
+/// first, then its sensors. sources[i] belongs to sensors[i], servoStates[i] to servos[i], driveModels[i] to
+/// drives[i]. The wheels of a drive are no joints here: their drive tells how they turn.
 struct Ports {
   std::vector<Sensor> sensors;
   std::vector<SensorSource> sources;
   std::vector<CameraSensor> cameras;
   std::vector<Servo> servos;
   std::vector<ServoState> servoStates;
+  std::vector<WheelDrive> drives;
+  std::vector<int> driveModels;
 
   static Ports of(const WorldDescription& world);
 };

@@ -44,6 +44,12 @@ void Sensing::readExactly(std::size_t index, std::vector<double>& values) const 
       values[0] = physics_.castRay(pose.translation(), pose.linear().col(0), source.maximum, source.model);
       break;
     }
+    case SensorSource::Kind::kGyroscope: {
+      const Pose3 pose = physics_.linkInWorld(source.body) * source.poseInLink;
+      Eigen::Map<Vector3>(values.data()) =
+          pose.linear().transpose() * physics_.angularVelocityOf(source.body);
+      break;
+    }
     case SensorSource::Kind::kAccelerometer: {
       const Pose3 pose = physics_.linkInWorld(source.body) * source.poseInLink;
       Eigen::Map<Vector3>(values.data()) = pose.linear().transpose() * specificForces_[index];

@@ -41,6 +41,11 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
     {"robotcontrol:range", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
+    {"robotcontrol:drive", {"model", ""}, 0},
+    {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},
+    {"robotcontrol:right", {"robotcontrol:drive", ""}, 0},
+    {"robotcontrol:track", {"robotcontrol:drive", ""}, 1},
+    {"robotcontrol:idle_torque", {"robotcontrol:drive", ""}, 1},
 };
 
 // libsdformat converts these.

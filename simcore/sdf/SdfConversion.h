@@ -43,4 +43,7 @@ LinkDescription readLink(const sdf::Link& link, const SdfContext& context);
 /// All sensors of a link that this simulator knows; others are errors.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
 
+/// The model's <robotcontrol:drive>, if it has one; its links and joints must have been read.
+void readDrive(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
+
 }  // namespace simcore

@@ -169,10 +169,14 @@ void readDistance(const sdf::Sensor& sensor, SensorDescription& result, const Sd
   }
 }
 
-void readAccelerometer(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
-  result.kind = SensorDescription::Kind::kAccelerometer;
-  result.noise = context.within(sensor.ImuSensor()->LinearAccelerationXNoise().StdDev(), 0, 1000, "stddev",
-                                sensor.Element());
+/// An accelerometer; a gyroscope if only what there is of <angular_velocity> is described.
+void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Imu& imu = *sensor.ImuSensor();
+  const bool turns = descendant(sensor.Element(), {"imu", "angular_velocity"}) != nullptr &&
+                     descendant(sensor.Element(), {"imu", "linear_acceleration"}) == nullptr;
+  result.kind = turns ? SensorDescription::Kind::kGyroscope : SensorDescription::Kind::kAccelerometer;
+  const sdf::Noise& noise = turns ? imu.AngularVelocityXNoise() : imu.LinearAccelerationXNoise();
+  result.noise = context.within(noise.StdDev(), 0, 1000, "stddev", sensor.Element());
   result.maximum = 1e6;
   if (sensor.Element()->HasElement("robotcontrol:range")) {
     result.maximum = context.within(sensor.Element()->Get<double>("robotcontrol:range"), 0.01, 1e6, "range",
@@ -236,7 +240,7 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     } else if (sensor.LidarSensor() != nullptr) {
       readDistance(sensor, result, context);
     } else if (sensor.ImuSensor() != nullptr) {
-      readAccelerometer(sensor, result, context);
+      readImu(sensor, result, context);
     } else if (sensor.Type() == sdf::SensorType::CONTACT) {
       readContact(sensor, model.links[static_cast<std::size_t>(linkIndex)], result, context);
     } else {

@@ -139,6 +139,7 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
     model.joints.push_back(readJoint(*source.JointByIndex(i), model, context));
   }
   if (!model.links.empty()) orderJoints(model, element, context);
+  readDrive(source, model, context);
   return model;
 }
 

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <algorithm>
+#include <cmath>
+
+#include "simcore/sdf/SdfConversion.h"
+
+namespace simcore {
+namespace {
+
+/// Reads <robotcontrol:drive> of one model.
+class DriveReader {
+ public:
+  DriveReader(const sdf::Model& source, ModelDescription& model, const SdfContext& context)
+      : source_(source),
+        model_(model),
+        context_(context),
+        element_(source.Element()->GetElement("robotcontrol:drive")) {}
+
+  void read() {
+    if (element_->HasAttribute("name")) drive_.name = element_->Get<std::string>("name");
+    drive_.left = wheels("robotcontrol:left");
+    drive_.right = wheels("robotcontrol:right");
+    drive_.track = context_.within(number("robotcontrol:track"), 0.01, 10, "a drive's track", element_);
+    if (drive_.left.empty() || drive_.right.empty()) {
+      return fail("scene.drive",
+                  "a drive needs a wheel on each side: <robotcontrol:left>, <robotcontrol:right>");
+    }
+    if (model_.isStatic) return fail("scene.drive", "a static model has no drive");
+    const double idleTorque =
+        context_.within(number("robotcontrol:idle_torque"), 0, 1000, "idle_torque", element_);
+    if (!readJointLimits()) return;
+    drive_.idleForce = idleTorque / drive_.wheelRadius;
+    model_.drive = drive_;
+  }
+
+ private:
+  void fail(std::string id, std::string text) const {
+    context_.fail(element_, std::move(id), std::move(text));
+  }
+
+  double number(const char* key) const { return element_->HasElement(key) ? element_->Get<double>(key) : 0; }
+
+  std::vector<int> wheels(const char* key) const {
+    std::vector<int> joints;
+    for (sdf::ElementPtr child = element_->GetFirstElement(); child; child = child->GetNextElement()) {
+      if (child->GetName() != key) continue;
+      const auto name = child->Get<std::string>();
+      const auto found = std::ranges::find(model_.joints, name, &JointDescription::name);
+      if (found == model_.joints.end()) {
+        context_.fail(child, "scene.drive", "the model has no joint '" + name + "' for its drive");
+      } else if (const char* reason = unfit(*found); reason != nullptr) {
+        context_.fail(child, "scene.drive", "'" + name + "' cannot be a wheel's joint: " + reason);
+      } else {
+        found->wheel = true;
+        joints.push_back(static_cast<int>(found - model_.joints.begin()));
+      }
+    }
+    return joints;
+  }
+
+  /// Why a joint cannot turn a wheel; null if it can.
+  const char* unfit(const JointDescription& joint) const {
+    if (joint.fixed || joint.servo) return "it must turn freely, without a servo";
+    if (joint.wheel) return "it is named twice";
+    if (joint.parent < 0) return "it must be fixed to a link of the model";
+    const bool isLeaf =
+        std::ranges::none_of(model_.joints, [&](const auto& other) { return other.parent == joint.child; });
+    if (!isLeaf) return "nothing may be joined to a wheel";
+    const LinkDescription& link = model_.links[static_cast<std::size_t>(joint.child)];
+    if (link.collisions.size() != 1 || link.collisions[0].shape.kind != Shape::Kind::kCylinder) {
+      return "a wheel has one <collision>, a cylinder";
+    }
+    const Pose3 solid = link.poseInModel * link.collisions[0].poseInLink;
+    const bool along = std::abs(solid.linear().col(2).dot(joint.axisInModel)) > 0.9999;
+    const Vector3 offset = solid.translation() - joint.anchorInModel;
+    const bool centered = offset.cross(joint.axisInModel).norm() < 1e-4;
+    return along && centered ? nullptr : "a wheel's cylinder must lie about the joint's axis";
+  }
+
+  /// Speed and force are the least that any of the wheels has.
+  bool readJointLimits() {
+    drive_.maximumSpeed = drive_.maximumForce = 1e9;
+    for (const std::vector<int>* side : {&drive_.left, &drive_.right}) {
+      for (const int index : *side) {
+        const JointDescription& joint = model_.joints[static_cast<std::size_t>(index)];
+        const sdf::Joint& source = *source_.JointByName(joint.name);
+        const double radius = model_.links[static_cast<std::size_t>(joint.child)].collisions[0].shape.radius;
+        if (drive_.wheelRadius > 0 && std::abs(radius - drive_.wheelRadius) > 1e-6) {
+          fail("scene.drive", "a drive's wheels must be of one radius");
+          return false;
+        }
+        if (joint.parent != model_.joints[static_cast<std::size_t>(drive_.left[0])].parent) {
+          fail("scene.drive", "a drive's wheels must be joined to the same link");
+          return false;
+        }
+        drive_.wheelRadius = radius;
+        const sdf::JointAxis& axis = *source.Axis(0);
+        const double speed =
+            context_.within(axis.MaxVelocity(), 1e-6, 1000, "a wheel's <velocity>", source.Element());
+        const double torque =
+            context_.within(axis.Effort(), 1e-9, 1000, "a wheel's <effort>", source.Element());
+        drive_.maximumSpeed = std::min(drive_.maximumSpeed, speed * radius);
+        drive_.maximumForce = std::min(drive_.maximumForce, torque / radius);
+      }
+    }
+    return true;
+  }
+
+  const sdf::Model& source_;
+  ModelDescription& model_;
+  const SdfContext& context_;
+  const sdf::ElementPtr element_;
+  DriveDescription drive_;
+};
+
+}  // namespace
+
+void readDrive(const sdf::Model& source, ModelDescription& model, const SdfContext& context) {
+  if (source.Element()->HasElement("robotcontrol:drive")) DriveReader(source, model, context).read();
+}
+
+}  // namespace simcore

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/simcore/DriveScenes.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <sstream>
+
+#include "tests/simcore/SceneFixture.h"
+
+namespace simcore {
+
+std::string pioneerAt(const std::string& name, double x, double y, double heading) {
+  std::ostringstream text;
+  text << "<include><uri>model://p3at</uri><name>" << name << "</name><pose>" << x << ' ' << y << " 0 0 0 "
+       << heading << "</pose></include>";
+  return text.str();
+}
+
+std::string boxAt(const std::string& name, const robotlink::Vector3& center, const robotlink::Vector3& size,
+                  double pitch) {
+  std::ostringstream text;
+  text << "<model name=\"" << name << "\"><static>true</static><pose>" << center.transpose() << " 0 " << pitch
+       << " 0</pose><link name=\"box\"><collision name=\"box\"><geometry><box><size>" << size.transpose()
+       << "</size></box></geometry></collision></link></model>";
+  return text.str();
+}
+
+std::shared_ptr<const Scene> floorWith(const std::string& contents) {
+  const SceneFolder folder;
+  const std::string floor =
+      "<model name=\"floor\"><static>true</static><link name=\"floor\"><collision "
+      "name=\"floor\"><geometry><plane>"
+      "<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>";
+  const auto scene = Scene::load(folder.write("world.sdf", worldAround(floor + contents)));
+  EXPECT_TRUE(scene) << describe(scene.error());
+  return scene ? *scene : nullptr;
+}
+
+DrivenWorld::DrivenWorld(const std::string& contents, SimulationOptions options)
+    : simulation_(std::move(Simulation::create(floorWith(contents), options).value())) {}
+
+void DrivenWorld::drive(double left, double right, double seconds, std::size_t robot) {
+  constexpr double kChange = 0.3 * 0.004;
+  for (int i = 0; i < static_cast<int>(seconds / 0.004); ++i) {
+    left_ += std::clamp(left - left_, -kChange, kChange);
+    right_ += std::clamp(right - right_, -kChange, kChange);
+    simulation_->requestWheelSpeeds(robot, left_, right_);
+    simulation_->step();
+  }
+}
+
+void DrivenWorld::jerk(double left, double right, double seconds, std::size_t robot) {
+  left_ = left;
+  right_ = right;
+  simulation_->requestWheelSpeeds(robot, left, right);
+  for (int i = 0; i < static_cast<int>(seconds / 0.004); ++i) simulation_->step();
+}
+
+robotlink::Pose2 DrivenWorld::pose(const std::string& robot) {
+  return robotlink::groundPose(*simulation_->modelPose(robot));
+}
+
+double DrivenWorld::reading(const std::string& path, std::size_t axis) {
+  const auto sensors = simulation_->sensors();
+  const auto found = std::ranges::find(sensors, path, [](const Sensor& sensor) { return sensor.info.path; });
+  EXPECT_NE(found, sensors.end()) << path;
+  return found == sensors.end() ? 0 : found->values[axis];
+}
+
+}  // namespace simcore
