@@ -15,9 +15,6 @@ namespace robotlink::arcos {
 /// state machine.
 class LaserService {
  public:
-  /// Readings of one packet.
-  static constexpr int kPlainReadings = 64, kExtendedReadings = 32;
-
   explicit LaserService(std::optional<ServerSettings::Laser> laser) : laser_(laser) { restore(); }
 
   /// False if the command is none of the laser's.

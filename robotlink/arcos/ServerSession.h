@@ -2,6 +2,8 @@
 #pragma once
 
 #include <array>
+#include <map>
+#include <optional>
 #include <span>
 #include <string>
 #include <variant>
@@ -11,6 +13,7 @@
 #include "robotlink/arcos/LaserService.h"
 #include "robotlink/arcos/MotionController.h"
 #include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/SensorPackets.h"
 #include "robotlink/arcos/ServerSettings.h"
 #include "robotlink/arcos/SonarFiring.h"
 
@@ -109,7 +112,8 @@ class ServerSession {
   struct Subscription {
     bool once = false, always = false;
     void ask(int argument);
-    bool due();
+    /// Whether it is to be sent with this information packet.
+    bool take();
   };
   enum Subscribable : std::uint8_t {
     kEncoder,
@@ -118,44 +122,56 @@ class ServerSession {
     kGyro,
     kJoystick,
     kBattery,
-    kStatistics,
+    kStatus,
     kSubscribables
+  };
+  /// What a client set and what a new one shall not find.
+  struct ClientState {
+    std::array<Subscription, kSubscribables> subscriptions{};
+    std::map<int, double> newSonars;  ///< m, by number: those measured since the last information packet
+    std::vector<GyroPacket::Reading> gyroReadings;
+    Instant nextGyroReading;
+    bool gyroUsed = true;  ///< where the robot itself uses it
+    int bumpStall = 0;
+    std::uint8_t digitalOut = 0;
+    std::optional<double> testedBattery;  ///< V, to be told instead of the real one
   };
 
   void takeWaiting(const Packet& packet);
   void takeConnected(const Packet& packet);
-  void obey(const Command& command);
-  bool obeyMotion(const Command& command);
-  bool obeySubscription(const Command& command);
-  bool obeySensors(const Command& command);
-  bool obeySimulator(const Command& command);
-  void obeySimulatorControl(const std::string& bytes);
+  void open();
   void close();
+  void obey(const Command& command);
+  bool obeyTranslation(const Command& command);
+  bool obeyRotation(const Command& command);
+  bool obeyLimits(const Command& command);
+  bool obeySubscription(const Command& command);
+  bool obeySonar(const Command& command);
+  bool obeyDevices(const Command& command);
+  bool obeySimulator(const Packet& packet);
+  void obeySimulatorControl(const Packet& packet);
+  void ask(SimulatorRequest request);
   void send(Packet packet);
+  Subscription& subscription(Subscribable which) { return client_.subscriptions[which]; }
+
   void checkWatchdog(Instant now);
-  void sampleGyroscope(const RobotSensing& sensing, Instant now);
+  void checkBumpers(const RobotSensing& sensing);
+  MotionController::Wheels wheelsOf(const RobotSensing& sensing) const;
+  void fireSonars(RangeFinders& ranges, Instant now);
+  void readGyroscope(const RobotSensing& sensing, Instant now);
   void sendCycle(const RobotSensing& sensing, RangeFinders& ranges);
-  void sendBefore(const RobotSensing& sensing);
-  void sendAfter(const RobotSensing& sensing);
+  void sendRequested(const RobotSensing& sensing);
 
   const ServerSettings settings_;
   State state_ = State::kWaiting;
-  int syncs_ = 0;  ///< of the handshake that have come, while waiting
+  int syncs_ = 0;  ///< of a handshake that have come
   MotionController motion_;
   SonarFiring sonars_;
   LaserService laser_;
-  std::array<Subscription, kSubscribables> subscriptions_{};
-  Instant now_, lastHeard_, nextCycle_, nextGyroSample_;
-  bool stepped_ = false;  ///< there was a step, so that there is an instant to count from
+  ClientState client_;
+  std::optional<Instant> lastStep_;
+  Instant lastHeard_, nextCycle_;
   bool starved_ = false;
-  int bumpStall_ = 0;
-  std::uint8_t digitalOut_ = 0;
-  double testedBattery_ = 0;  ///< V, instead of the real one; 0: not tested
-  struct GyroSample {
-    std::uint16_t rate = 0;
-    std::uint8_t temperature = 0;
-  };
-  std::vector<GyroSample> gyroSamples_;
   std::vector<Packet> outgoing_;
   std::uint64_t dropped_ = 0;
   std::vector<SimulatorRequest> requests_;

@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <vector>
+
+#include "IdealWheels.h"
+#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/ServerSession.h"
+
+/// A microcontroller on ideal wheels in an empty world, with a client's hand on it: no socket, no waiting.
+class IdealRobot : public robotlink::arcos::RangeFinders {
+ public:
+  explicit IdealRobot(robotlink::arcos::ServerSettings settings = {}) : session(std::move(settings)) {}
+
+  robotlink::arcos::ServerSession session;
+  robotlink::arcos::RobotSensing sensing;
+  std::vector<robotlink::arcos::Packet> received;  ///< by the client
+  std::vector<robotlink::Instant> receivedAt;
+  std::map<int, int> shots;  ///< how often each sonar fired
+  int scans = 0;
+  std::vector<double> scan = std::vector<double>(181, 7.0);
+  robotlink::Instant now;
+
+  void send(const robotlink::arcos::Packet& packet) {
+    session.take(packet, now);
+    collect();
+  }
+  void send(robotlink::arcos::CommandId id) { send(toPacket(robotlink::arcos::command(id))); }
+  void send(robotlink::arcos::CommandId id, int argument) {
+    send(toPacket(robotlink::arcos::command(id, argument)));
+  }
+  void send(robotlink::arcos::CommandId id, std::string argument) {
+    send(toPacket(robotlink::arcos::command(id, std::move(argument))));
+  }
+
+  void connect() {
+    using robotlink::arcos::CommandId;
+    for (const auto id : {CommandId::kSync0, CommandId::kSync1, CommandId::kSync2}) send(id);
+    send(CommandId::kOpen, 1);
+  }
+
+  void step() {
+    now += IdealWheels::kStep;
+    wheels.obey(session.step(sensing, *this, now));
+    sensing.leftTravel = wheels.wheels.leftTravel;
+    sensing.rightTravel = wheels.wheels.rightTravel;
+    sensing.leftSpeed = wheels.command.left;
+    sensing.rightSpeed = wheels.command.right;
+    collect();
+  }
+  /// A client that says nothing.
+  void run(double time) {
+    for (const auto end = now + robotlink::fromSeconds(time); now < end;) step();
+  }
+  /// A client that sends a pulse each half second.
+  void drive(double time) {
+    for (const auto end = now + robotlink::fromSeconds(time); now < end;) {
+      send(robotlink::arcos::CommandId::kPulse);
+      run(std::min(0.5, robotlink::seconds(end - now)));
+    }
+  }
+
+  std::vector<robotlink::arcos::Packet> of(std::uint8_t id) const {
+    std::vector<robotlink::arcos::Packet> found;
+    for (const auto& packet : received) {
+      if (packet.id == id) found.push_back(packet);
+    }
+    return found;
+  }
+  std::vector<robotlink::arcos::StandardInformation> information() const {
+    std::vector<robotlink::arcos::StandardInformation> found;
+    for (const auto& packet : received) {
+      if ((packet.id & 0xF0) == 0x30) found.push_back(*decodeStandardInformation(packet));
+    }
+    return found;
+  }
+  void forget() {
+    received.clear();
+    receivedAt.clear();
+  }
+
+  double sonar(int number) override {
+    ++shots[number];
+    return 1 + 0.1 * number;
+  }
+  std::span<const double> laser() override {
+    ++scans;
+    return scan;
+  }
+
+  IdealWheels wheels;
+
+ private:
+  void collect() {
+    for (auto& packet : session.takeOutgoing()) {
+      received.push_back(std::move(packet));
+      receivedAt.push_back(now);
+    }
+  }
+};

@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <chrono>
+
+#include "robotlink/arcos/MotionController.h"
+
+/// Wheels that do at once what they are told, and do not slip.
+struct IdealWheels {
+  static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
+
+  robotlink::arcos::MotionController::Wheels wheels;
+  robotlink::arcos::WheelCommand command;
+
+  void obey(const robotlink::arcos::WheelCommand& told) {
+    command = told;
+    if (!told.motorsOn) return;
+    wheels.leftTravel += told.left * robotlink::seconds(kStep);
+    wheels.rightTravel += told.right * robotlink::seconds(kStep);
+  }
+};
