@@ -6,8 +6,8 @@
 
 namespace widgets {
 
-RobotChoice::RobotChoice(const char* name, QWidget* parent) : QComboBox(parent) {
-  describe(*this, {name, tr("Robot"), tr("Whose drawings are shown")});
+RobotChoice::RobotChoice(const char* name, QWidget* parent, Offer offer) : QComboBox(parent), offer_(offer) {
+  describe(*this, {name, tr("Robot"), offer == Offer::kAll ? tr("Whose drawings are shown") : tr("Which robot is shown")});
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(9);
   list({});
@@ -25,7 +25,7 @@ void RobotChoice::list(const std::vector<std::string>& robots) {
   listed_ = robots;
   clear();
   addItem(tr("Selected robot"), QString());
-  addItem(tr("All robots"), QStringLiteral("*"));
+  if (offer_ == Offer::kAll) addItem(tr("All robots"), QStringLiteral("*"));
   for (const std::string& robot : robots)
     addItem(QString::fromStdString(robot), QString::fromStdString(robot));
   if (findData(choice_) < 0) addItem(tr("%1 (not here)").arg(choice_), choice_);

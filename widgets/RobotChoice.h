@@ -16,7 +16,9 @@ namespace widgets {
 class RobotChoice final : public QComboBox {
   Q_OBJECT
  public:
-  explicit RobotChoice(const char* name, QWidget* parent = nullptr);
+  enum class Offer : std::uint8_t { kAll, kOne };
+  /// `offer`: whether all of them at once can be chosen.
+  explicit RobotChoice(const char* name, QWidget* parent = nullptr, Offer offer = Offer::kAll);
 
   /// Lists the session's robots; cheap while they are the same.
   void refresh(const robotlink::Session& session);
@@ -34,6 +36,7 @@ class RobotChoice final : public QComboBox {
  private:
   void list(const std::vector<std::string>& robots);
 
+  Offer offer_;
   QString choice_;
   std::vector<std::string> listed_;
 };

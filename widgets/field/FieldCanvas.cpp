@@ -6,11 +6,14 @@
 #include <QPainter>
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Sentence.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
+#include "widgets/field/MapPainter.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -20,6 +23,7 @@ using robotlink::Vector2;
 
 constexpr double kGrabTolerance = 6;  // pixels around a figure
 constexpr double kPanStep = 30;       // pixels for an arrow key
+constexpr double kPlaceTolerance = 9;
 constexpr double kTurnStep = robotlink::radians(15);
 
 }  // namespace
@@ -34,8 +38,37 @@ FieldCanvas::FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> fiel
   setMinimumSize(120, 80);
   setToolTip(
       tr("Wheel: zoom; drag: move the picture; drag a robot or the ball (Shift: always): place it, wheel: "
-         "turn it; arrows: move; F: fit; R: turn"));
+         "turn it; Control and click: send the robot there; arrows: move; F: fit; R: turn"));
   setToolTipDuration(4000);
+}
+
+FieldCanvas::~FieldCanvas() = default;
+
+void FieldCanvas::setMap(std::shared_ptr<const robotcontrol::GroundMap> map) {
+  if (map.get() == this->map()) return;
+  // Of another building a chosen part means nothing.
+  if (map_ && map) viewport_ = {};
+  map_ = map ? std::make_unique<MapGround>(std::move(map)) : nullptr;
+  place_ = -1;
+  update();
+  Q_EMIT viewportChanged();
+}
+
+const robotcontrol::GroundMap* FieldCanvas::map() const { return map_ ? &map_->map() : nullptr; }
+
+void FieldCanvas::setGoals(GoalFigures goals) {
+  goals_ = std::move(goals);
+  update();
+}
+
+void FieldCanvas::setAiming(bool possible, bool always) {
+  aimPossible_ = possible;
+  aimAlways_ = always;
+  if (mode_ == Mode::kIdle && !aimPossible_ && cursor().shape() == Qt::CrossCursor) unsetCursor();
+}
+
+void FieldCanvas::abandonAim() {
+  if (mode_ == Mode::kAiming) mode_ = Mode::kIdle;
 }
 
 void FieldCanvas::setField(std::shared_ptr<const robotlink::FieldDescription> field) {
@@ -84,38 +117,43 @@ QTransform FieldCanvas::transform() const {
   return fieldToWidget(viewport_, extent(), size());
 }
 
-QSizeF FieldCanvas::extent() const {
-  return field_ ? fieldExtent(*field_) : QSizeF(5, 3.5);
+QRectF FieldCanvas::extent() const {
+  if (map_) return map_->extent();
+  const QSizeF size = field_ ? fieldExtent(*field_) : QSizeF(5, 3.5);
+  return {QPointF(-size.width() / 2, -size.height() / 2), size};
 }
 
 QImage FieldCanvas::rendered() const {
   QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
   image.setDevicePixelRatio(devicePixelRatioF());
   QPainter painter(&image);
-  paintContents(painter);
+  paintContents(painter, devicePixelRatioF());
   return image;
 }
 
-void FieldCanvas::paintContents(QPainter& painter) const {
-  const QTransform toWidget = transform();
+void FieldCanvas::paintGround(QPainter& painter, const QTransform& toWidget, double ratio) const {
+  if (map_) return map_->paint(painter, size(), toWidget, palette(), ratio, place_);
   const QColor window = palette().color(QPalette::Window);
   painter.fillRect(rect(), isDark(palette()) ? window.darker(125) : window.darker(106));
-  if (field_) {
-    paintField(painter, *field_, toWidget);
-  } else {
-    paintGroundGrid(painter, size(), toWidget, palette());
-  }
+  if (field_) return paintField(painter, *field_, toWidget);
+  paintGroundGrid(painter, size(), toWidget, palette());
+}
+
+void FieldCanvas::paintContents(QPainter& painter, double ratio) const {
+  const QTransform toWidget = transform();
+  paintGround(painter, toWidget, ratio);
   // Figures first: what robots drew lies on top of them.
   paintFigures(painter, figures_, toWidget, palette());
   for (const WorldDrawing& drawing : drawings_)
     paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
-  if (wanted_) paintWanted(painter, *wanted_, figures_.ballRadius, toWidget, palette());
+  paintGoals(painter, goals_, toWidget, palette());
+  if (wanted_) paintWanted(painter, *wanted_, figures_, toWidget, palette());
   paintLegend(painter, size(), palette());
 }
 
 void FieldCanvas::paintEvent(QPaintEvent*) {
   QPainter painter(this);
-  paintContents(painter);
+  paintContents(painter, devicePixelRatioF());
   if (!notice_.isEmpty()) paintSentence(painter, *this, notice_, SentencePlace::kTop);
 }
 
@@ -135,15 +173,34 @@ void FieldCanvas::updateHighlight(const QPointF& at, Qt::KeyboardModifiers modif
   update();
 }
 
+bool FieldCanvas::aims(const QMouseEvent& event) const {
+  return event.button() == Qt::LeftButton && aimPossible_ &&
+         (aimAlways_ || event.modifiers().testFlag(Qt::ControlModifier));
+}
+
+void FieldCanvas::updatePlace(const QPointF& at) {
+  const int place = map_ ? placeAt(map_->map(), transform(), at, kPlaceTolerance) : -1;
+  if (place == place_) return;
+  place_ = place;
+  update();
+}
+
 void FieldCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton) return QWidget::mousePressEvent(event);
   last_ = event->localPos();
   const std::string model =
       event->button() == Qt::LeftButton ? modelAt(last_, event->modifiers()) : std::string();
+  const Vector2 ground = groundAt(transform(), last_);
+  updatePlace(last_);
+  if (model.empty() && aims(*event)) {
+    mode_ = Mode::kAiming;
+    setCursor(Qt::CrossCursor);
+    Q_EMIT aimStarted(ground.x(), ground.y(), place_);
+    return;
+  }
   mode_ = model.empty() ? Mode::kPanning : Mode::kDragging;
   setCursor(Qt::ClosedHandCursor);
   if (model.empty()) return;
-  const Vector2 ground = groundAt(transform(), last_);
   Q_EMIT dragStarted(QString::fromStdString(model), ground.x(), ground.y());
 }
 
@@ -153,12 +210,20 @@ void FieldCanvas::mouseMoveEvent(QMouseEvent* event) {
   last_ = at;
   const Vector2 ground = groundAt(transform(), at);
   if (mode_ == Mode::kDragging) Q_EMIT dragMoved(ground.x(), ground.y());
-  if (mode_ == Mode::kIdle) updateHighlight(at, event->modifiers());
+  if (mode_ == Mode::kAiming) Q_EMIT aimMoved(ground.x(), ground.y());
+  if (mode_ == Mode::kIdle) {
+    updateHighlight(at, event->modifiers());
+    updatePlace(at);
+    const bool aims = aimPossible_ && aimAlways_ && figures_.highlighted.empty();
+    if (aims != (cursor().shape() == Qt::CrossCursor) && figures_.highlighted.empty())
+      aims ? setCursor(Qt::CrossCursor) : unsetCursor();
+  }
   Q_EMIT cursorMoved(ground.x(), ground.y(), true);
 }
 
 void FieldCanvas::mouseReleaseEvent(QMouseEvent* event) {
   if (mode_ == Mode::kDragging) Q_EMIT dragEnded();
+  if (mode_ == Mode::kAiming) Q_EMIT aimEnded();
   mode_ = Mode::kIdle;
   figures_.highlighted.clear();
   unsetCursor();
@@ -195,6 +260,7 @@ void FieldCanvas::leaveEvent(QEvent*) {
     figures_.highlighted.clear();
     update();
   }
+  if (std::exchange(place_, -1) >= 0) update();
   Q_EMIT cursorMoved(0, 0, false);
 }
 

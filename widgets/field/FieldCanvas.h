@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <QRectF>
 #include <QWidget>
 #include <memory>
 #include <optional>
@@ -9,24 +10,35 @@
 #include "robotlink/base/Geometry.h"
 #include "widgets/field/FieldFigures.h"
 #include "widgets/field/FieldViewport.h"
+#include "widgets/field/GoalFigures.h"
 #include "widgets/models/WorldDrawings.h"
 
+namespace robotcontrol {
+class GroundMap;
+}
 namespace robotlink {
 struct FieldDescription;
 }
 
 namespace widgets {
 
-/// Paints the field, drawings and figures from above, and turns the mouse into zooming, panning and dragging
-/// of figures. It knows no session: the view sets what is shown and does what is wanted. Object name
-/// "fieldCanvas".
+class MapGround;
+
+/// Paints the field or the map of a building, drawings and figures from above, and turns the mouse into zooming,
+/// panning, dragging of figures and aiming at goals. It knows no session: the view sets what is shown and does
+/// what is wanted. Object name "fieldCanvas".
 class FieldCanvas final : public QWidget {
   Q_OBJECT
  public:
   explicit FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> field, QWidget* parent = nullptr);
+  ~FieldCanvas() override;
 
   /// Null: none is known, and nothing is painted below the figures.
   void setField(std::shared_ptr<const robotlink::FieldDescription> field);
+  /// Is painted instead of the field; null: there is none.
+  void setMap(std::shared_ptr<const robotcontrol::GroundMap> map);
+  const robotcontrol::GroundMap* map() const;
+  void setGoals(GoalFigures goals);
   void setContents(FieldFigures figures, std::vector<WorldDrawing> drawings);
   const FieldFigures& figures() const { return figures_; }
   void setWanted(std::optional<WantedPlace> place);
@@ -34,6 +46,11 @@ class FieldCanvas final : public QWidget {
   void setNotice(const QString& text);
   /// The models that dragging moves; without `always` only with the Shift key.
   void setMovable(std::vector<std::string> models, bool always);
+  /// Whether a press of the left button aims at a goal; `possible` without `always`: only with the Control key.
+  void setAiming(bool possible, bool always);
+  bool aiming() const { return mode_ == Mode::kAiming; }
+  /// The press that aims now will say nothing more.
+  void abandonAim();
 
   const FieldViewport& viewport() const { return viewport_; }
   void setViewport(const FieldViewport& viewport);
@@ -50,6 +67,10 @@ class FieldCanvas final : public QWidget {
   void dragMoved(double x, double y);
   void dragTurned(double angle);
   void dragEnded();
+  /// `place`: the one of the map that was pressed; -1: none.
+  void aimStarted(double x, double y, int place);
+  void aimMoved(double x, double y);
+  void aimEnded();
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -61,15 +82,22 @@ class FieldCanvas final : public QWidget {
   void leaveEvent(QEvent* event) override;
 
  private:
-  enum class Mode : std::uint8_t { kIdle, kPanning, kDragging };
-  QSizeF extent() const;
-  void paintContents(QPainter& painter) const;
+  enum class Mode : std::uint8_t { kIdle, kPanning, kDragging, kAiming };
+  QRectF extent() const;
+  void paintGround(QPainter& painter, const QTransform& toWidget, double ratio) const;
+  bool aims(const QMouseEvent& event) const;
+  void updatePlace(const QPointF& at);
+  void paintContents(QPainter& painter, double ratio) const;
   /// The model that a drag would move from here; empty: none.
   std::string modelAt(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
   void updateHighlight(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void panBy(const QPointF& by);
 
   std::shared_ptr<const robotlink::FieldDescription> field_;
+  std::unique_ptr<MapGround> map_;
+  GoalFigures goals_;
+  int place_ = -1;  // of the map, under the cursor
+  bool aimPossible_ = false, aimAlways_ = false;
   FieldFigures figures_;
   std::vector<WorldDrawing> drawings_;
   std::optional<WantedPlace> wanted_;

@@ -18,8 +18,29 @@ using robotlink::Vector2;
 // About the outline of an ERS-210 from above.
 constexpr double kLength = 0.27, kWidth = 0.15;  // m
 
+constexpr double kSmallest = 14;  // pixels of a robot's length: where buildings are small, robots are signs
+
+/// From above and in the robot's frame: a body with its corners cut and a wedge to the front, between four wheels.
+QPainterPath wheeledOutline(const Vector2& body) {
+  const double x = body.x() / 2, y = body.y() / 2, cut = 0.35 * y, wheel = 0.16 * y;
+  QPainterPath path;
+  path.addPolygon(QPolygonF({{x - cut, y - wheel}, {x, y - wheel - cut}, {x, -y + wheel + cut}, {x - cut, -y + wheel},
+                             {-x + cut, -y + wheel}, {-x, -y + wheel + cut}, {-x, y - wheel - cut}, {-x + cut, y - wheel}}));
+  path.closeSubpath();
+  QPainterPath wheels;
+  for (const double side : {-1.0, 1.0}) {
+    for (const double end : {-1.0, 1.0})
+      wheels.addRoundedRect(QRectF(end * 0.45 * x - 0.34 * x, side * (y - wheel) - wheel, 0.68 * x, 2 * wheel), wheel / 2, wheel / 2);
+  }
+  QPainterPath nose;
+  nose.addPolygon(QPolygonF({{0.85 * x, 0}, {0.2 * x, 0.4 * y}, {0.2 * x, -0.4 * y}}));
+  nose.closeSubpath();
+  return path.united(wheels).subtracted(nose);
+}
+
 /// The outline in the robot's frame, with the head as a nose.
-QPainterPath bodyOutline() {
+QPainterPath bodyOutline(const Vector2& body) {
+  if (body.x() > 0) return wheeledOutline(body);
   QPainterPath path;
   path.addRoundedRect(QRectF(-0.6 * kLength, -kWidth / 2, 0.8 * kLength, kWidth), 0.03, 0.03);
   QPainterPath head;
@@ -27,12 +48,7 @@ QPainterPath bodyOutline() {
   return path.united(head);
 }
 
-QTransform robotToWidget(const Pose2& pose, const QTransform& fieldToWidget) {
-  QTransform transform = fieldToWidget;
-  transform.translate(pose.x, pose.y);
-  transform.rotate(robotlink::degrees(pose.heading));
-  return transform;
-}
+double lengthOf(const Vector2& body) { return body.x() > 0 ? body.x() : kLength; }
 
 QPointF map(const QTransform& transform, const Vector2& point) {
   return transform.map(QPointF(point.x(), point.y()));
@@ -42,8 +58,18 @@ double scaleOf(const QTransform& transform) {
   return std::hypot(transform.m11(), transform.m12());
 }
 
-/// Estimates are drawn on the field's green: a lighter tone of the team's colour.
-QColor estimateColor(const QColor& team) {
+QPainterPath outlineAt(const Pose2& pose, const Vector2& body, const QTransform& fieldToWidget) {
+  QTransform transform = fieldToWidget;
+  transform.translate(pose.x, pose.y);
+  transform.rotate(robotlink::degrees(pose.heading));
+  const double enlarged = std::max(1.0, kSmallest / (lengthOf(body) * scaleOf(fieldToWidget)));
+  transform.scale(enlarged, enlarged);
+  return transform.map(bodyOutline(body));
+}
+
+/// Estimates on the field's green are in a lighter tone of the team's colour, on a map in one that differs from its ground.
+QColor estimateColor(const FieldFigures& figures, const QColor& team, const QPalette& palette) {
+  if (figures.onMap && !isDark(palette)) return mixed(team, Qt::black, 0.25);
   return mixed(team, Qt::white, 0.45);
 }
 
@@ -53,11 +79,15 @@ QPen dashed(const QColor& color) {
   return pen;
 }
 
-void paintTrue(QPainter& painter, const RobotBelief& belief, bool highlighted, const QTransform& toWidget) {
-  const QPainterPath outline = robotToWidget(*belief.truth, toWidget).map(bodyOutline());
+void paintTrue(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief, const QTransform& toWidget,
+               const QPalette& palette) {
+  const bool highlighted = belief.robot == figures.highlighted;
+  const QPainterPath outline = outlineAt(*belief.truth, belief.body, toWidget);
   if (belief.selected || highlighted) {
+    QColor halo = figures.onMap ? palette.color(QPalette::Highlight) : QColor(Qt::white);
+    halo.setAlpha(highlighted ? 255 : 170);
     painter.setBrush(Qt::NoBrush);
-    painter.setPen(QPen(QColor(255, 255, 255, highlighted ? 255 : 170), highlighted ? 6 : 4));
+    painter.setPen(QPen(halo, highlighted ? 6 : 4));
     painter.drawPath(outline);
   }
   painter.setPen(QPen(belief.team.darker(180), 1.2));
@@ -65,8 +95,9 @@ void paintTrue(QPainter& painter, const RobotBelief& belief, bool highlighted, c
   painter.drawPath(outline);
 }
 
-void paintEstimate(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
-  const QColor color = estimateColor(belief.team);
+void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief, const QTransform& toWidget,
+                   const QPalette& palette) {
+  const QColor color = estimateColor(figures, belief.team, palette);
   const double radius = belief.positionDeviation * scaleOf(toWidget);
   const QPointF at = map(toWidget, belief.estimate->translation());
   if (radius > 1) {
@@ -78,10 +109,10 @@ void paintEstimate(QPainter& painter, const RobotBelief& belief, const QTransfor
   }
   painter.setPen(dashed(color));
   painter.setBrush(Qt::NoBrush);
-  const QTransform transform = robotToWidget(*belief.estimate, toWidget);
-  painter.drawPath(transform.map(bodyOutline()));
+  painter.drawPath(outlineAt(*belief.estimate, belief.body, toWidget));
   painter.setPen(QPen(color, 2));
-  painter.drawLine(at, transform.map(QPointF(0.6 * kLength, 0)));
+  const double ahead = std::max(0.6 * lengthOf(belief.body), 0.8 * kSmallest / scaleOf(toWidget));
+  painter.drawLine(at, map(toWidget, *belief.estimate * Vector2(ahead, 0)));
 }
 
 void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& toWidget) {
@@ -92,7 +123,7 @@ void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& t
   font.setBold(belief.selected);
   painter.setFont(font);
   const QString name = QString::fromStdString(belief.robot);
-  const QPointF below = map(toWidget, pose->translation()) + QPointF(0, 0.17 * scaleOf(toWidget) + 12);
+  const QPointF below = map(toWidget, pose->translation()) + QPointF(0, std::max(0.63 * lengthOf(belief.body) * scaleOf(toWidget), 0.6 * kSmallest) + 12);
   QRectF box = QFontMetricsF(font).boundingRect(name).adjusted(-4, -1, 4, 1);
   box.moveCenter(below);
   painter.setPen(Qt::NoPen);
@@ -103,7 +134,7 @@ void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& t
 }
 
 void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
-                       const QTransform& toWidget) {
+                       const QTransform& toWidget, const QPalette& palette) {
   const QPointF at = map(toWidget, *belief.ball);
   const double scale = scaleOf(toWidget), radius = std::max(3.0, figures.ballRadius * scale);
   if (belief.ballDeviation * scale > radius) {
@@ -115,7 +146,7 @@ void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const Rob
   }
   // Which robot believes it: a thin line from its own estimate.
   if (belief.estimate) {
-    QColor line = estimateColor(belief.team);
+    QColor line = estimateColor(figures, belief.team, palette);
     line.setAlphaF(0.6);
     painter.setPen(QPen(line, 1, Qt::DotLine));
     painter.drawLine(map(toWidget, belief.estimate->translation()), at);
@@ -142,8 +173,9 @@ QColor trailColor(const FieldFigures& figures, const std::string& model) {
 }
 
 void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
+  // Lightened where the ground is green; on a map as the robot is.
   for (const auto& [model, places] : figures.trails) {
-    QColor color = mixed(trailColor(figures, model), Qt::white, 0.25);
+    QColor color = mixed(trailColor(figures, model), Qt::white, figures.onMap ? 0 : 0.25);
     // It fades with its age.
     for (std::size_t i = 1; i < places.size(); ++i) {
       color.setAlphaF(0.15 + 0.75 * static_cast<double>(i) / static_cast<double>(places.size()));
@@ -156,37 +188,39 @@ void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransfor
 }  // namespace
 
 void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget,
-                  const QPalette&) {
+                  const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   paintTrails(painter, figures, toWidget);
   for (const RobotBelief& belief : figures.robots) {
-    if (belief.truth) paintTrue(painter, belief, belief.robot == figures.highlighted, toWidget);
+    if (belief.truth) paintTrue(painter, figures, belief, toWidget, palette);
   }
   paintBall(painter, figures, toWidget);
   for (const RobotBelief& belief : figures.robots) {
-    if (belief.estimate) paintEstimate(painter, belief, toWidget);
-    if (belief.ball) paintBallEstimate(painter, figures, belief, toWidget);
+    if (belief.estimate) paintEstimate(painter, figures, belief, toWidget, palette);
+    if (belief.ball) paintBallEstimate(painter, figures, belief, toWidget, palette);
   }
   for (const RobotBelief& belief : figures.robots) paintName(painter, belief, toWidget);
   painter.restore();
 }
 
-void paintWanted(QPainter& painter, const WantedPlace& place, double ballRadius, const QTransform& toWidget,
+void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures& figures, const QTransform& toWidget,
                  const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = place.refused ? colorOf(Meaning::kBad, palette) : QColor(Qt::white);
+  const QColor free = figures.onMap ? palette.color(QPalette::Text) : QColor(Qt::white);
+  const QColor color = place.refused ? colorOf(Meaning::kBad, palette) : free;
   painter.setPen(QPen(color, 2));
   QColor area = color;
   area.setAlphaF(0.25);
   painter.setBrush(area);
   const QPointF at = map(toWidget, place.pose.translation());
   if (place.isBall) {
-    const double radius = std::max(4.0, ballRadius * scaleOf(toWidget));
+    const double radius = std::max(4.0, figures.ballRadius * scaleOf(toWidget));
     painter.drawEllipse(at, radius, radius);
   } else {
-    painter.drawPath(robotToWidget(place.pose, toWidget).map(bodyOutline()));
+    const auto belief = std::find_if(figures.robots.begin(), figures.robots.end(), [&](const RobotBelief& robot) { return robot.robot == place.model; });
+    painter.drawPath(outlineAt(place.pose, belief == figures.robots.end() ? Vector2(0, 0) : belief->body, toWidget));
   }
   painter.drawLine(at - QPointF(9, 0), at + QPointF(9, 0));
   painter.drawLine(at - QPointF(0, 9), at + QPointF(0, 9));
@@ -224,8 +258,10 @@ std::string figureAt(const FieldFigures& figures, const Vector2& place, double t
   for (const RobotBelief& belief : figures.robots) {
     if (!belief.truth) continue;
     const Vector2 inRobot = belief.truth->inverse() * place;
-    const bool inside = std::abs(inRobot.x() + 0.06 * kLength) < 0.56 * kLength + tolerance &&
-                        std::abs(inRobot.y()) < kWidth / 2 + tolerance;
+    const bool wheels = belief.body.x() > 0;
+    const double x = wheels ? belief.body.x() / 2 : 0.56 * kLength, y = wheels ? belief.body.y() / 2 : kWidth / 2;
+    const bool inside = std::abs(inRobot.x() + (wheels ? 0 : 0.06 * kLength)) < x + tolerance &&
+                        std::abs(inRobot.y()) < y + tolerance;
     if (inside) return belief.robot;
   }
   if (figures.ball && (*figures.ball - place).norm() < figures.ballRadius + tolerance) return "ball";

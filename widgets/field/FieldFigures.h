@@ -28,6 +28,7 @@ struct FieldFigures {
   /// Where models were, oldest first, by name. Empty: no trails.
   std::map<std::string, std::deque<robotlink::Vector2>> trails;
   std::string highlighted;  ///< the model under the cursor
+  bool onMap = false;  ///< the ground is a map in the palette's colours, not the field's green
 };
 
 /// A place that a model is wanted at.
@@ -41,7 +42,7 @@ struct WantedPlace {
 // Pure painters.
 void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransform& fieldToWidget,
                   const QPalette& palette);
-void paintWanted(QPainter& painter, const WantedPlace& place, double ballRadius,
+void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures& figures,
                  const QTransform& fieldToWidget, const QPalette& palette);
 /// The key to the two ways of drawing, in the lower left corner of `widget`.
 void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette& palette);

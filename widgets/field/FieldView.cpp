@@ -10,13 +10,19 @@
 #include <algorithm>
 #include <cmath>
 
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldCanvas.h"
+#include "widgets/field/GoalTool.h"
+#include "widgets/models/DriveAims.h"
 #include "widgets/models/DrawingsModel.h"
 #include "widgets/models/WorldDrawings.h"
 
@@ -24,8 +30,9 @@ namespace widgets {
 namespace {
 
 const ViewRegistration kRegistration{
-    {"field", QT_TRANSLATE_NOOP("widgets::FieldView", "Field"),
-     QT_TRANSLATE_NOOP("widgets::FieldView", "The field from above: true and estimated poses, and drawings"),
+    {"field", QT_TRANSLATE_NOOP("widgets::FieldView", "Field and map"),
+     QT_TRANSLATE_NOOP("widgets::FieldView",
+                       "The field or the building from above: true and estimated poses, goals, and drawings"),
      "field", true, create<FieldView>}};
 
 constexpr char kBall[] = "ball";
@@ -36,6 +43,8 @@ FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, pare
   setObjectName(QStringLiteral("fieldView"));
   drawings_ = new DrawingsModel({QStringLiteral("field"), QStringLiteral("robot")}, this);
   createActions();
+  canvas_ = new FieldCanvas(context.field, this);
+  goals_ = new GoalTool(*this, *canvas_, session());
   createViews();
   connectSignals();
   connectDrag();
@@ -46,7 +55,7 @@ FieldView::~FieldView() = default;
 
 void FieldView::createActions() {
   fit_ = makeAction(this, "fit",
-                    {"fieldFit", tr("Fit"), tr("Shows the whole field, as large as it fits"), Qt::Key_F});
+                    {"fieldFit", tr("Fit"), tr("Shows all of the field or map, as large as it fits"), Qt::Key_F});
   zoomIn_ =
       makeAction(this, "zoom-in", {"fieldZoomIn", tr("Zoom in"), tr("Enlarges the field"), Qt::Key_Plus});
   zoomOut_ = makeAction(this, "zoom-out",
@@ -60,7 +69,7 @@ void FieldView::createActions() {
                       Qt::Key_M});
   showTrails_ = makeAction(
       this, "trail",
-      {"fieldTrails", tr("Trails"), tr("Shows where everything was in the last ten seconds"), Qt::Key_T});
+      {"fieldTrails", tr("Trails"), tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
   showDrawings_ = makeAction(this, "layers",
                              {"fieldDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   for (QAction* action : {move_, showTrails_, showDrawings_}) action->setCheckable(true);
@@ -73,7 +82,6 @@ void FieldView::createActions() {
 }
 
 void FieldView::createViews() {
-  canvas_ = new FieldCanvas(context().field, this);
   canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
   canvas_->addActions({copy_, save_});
   auto* panel = new DrawingsPanel(*drawings_, this);
@@ -100,7 +108,7 @@ QWidget* FieldView::createToolRow() {
   robots_ = new RobotChoice("fieldRobot", row->parentWidget());
   row->addWidget(robots_);
   row->addStretch(1);
-  addButtons(row, {move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_});
+  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_});
   return row->parentWidget();
 }
 
@@ -159,20 +167,65 @@ void FieldView::tick() {
   scene_.update(session().store(), shown);
   drawings_->refresh(session().store());
   robots_->refresh(session());
-  const auto beliefs = robotBeliefs(session(), scene_, context().field.get(), shown);
+  updateGround();
+  const std::vector<RobotBelief> shownRobots = beliefs();
   updateTrails();
-  canvas_->setField(context().field);
+  updateGoals(shownRobots);
   canvas_->setMovable(scene_.models(), move_->isChecked());
-  canvas_->setContents(figures(beliefs), worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
-                                                       drawings_->shown(), shown));
+  canvas_->setContents(figures(shownRobots),
+                       worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown));
   drag_.tick(session());
   updateWanted();
   updateStatus();
 }
 
+void FieldView::updateGround() {
+  canvas_->setField(context().field);
+  // A map is told once, at the start of what the history may no longer reach back to.
+  const auto* stream = session().store().find(robotlink::streams::kMap);
+  const auto* message = session().store().latest(robotlink::streams::kMap, session().timeline().shown());
+  if (message == nullptr && stream != nullptr && !stream->messages.empty()) message = &stream->messages.front();
+  auto map = message == nullptr ? nullptr : std::dynamic_pointer_cast<const robotcontrol::GroundMap>(message->value);
+  if (map.get() == canvas_->map()) return;
+  const QString name = map ? QString::fromStdString(map->name()) : QString();
+  canvas_->setMap(std::move(map));
+  trails_.setReach(canvas_->map() != nullptr ? std::chrono::seconds(60) : std::chrono::seconds(10));
+  Q_EMIT titleChanged(canvas_->map() == nullptr ? tr("Field") : name.isEmpty() ? tr("Map") : tr("Map: %1").arg(name));
+}
+
+bool FieldView::drives(const std::string& robot) const {
+  const auto found = context().robots.find(robot);
+  return found != context().robots.end() && found->second && found->second->drive;
+}
+
+std::vector<RobotBelief> FieldView::beliefs() const {
+  auto beliefs = robotBeliefs(session(), scene_, context().field.get(), session().timeline().shown());
+  for (RobotBelief& belief : beliefs) {
+    if (!drives(belief.robot)) continue;
+    const auto& drive = *context().robots.at(belief.robot)->drive;
+    belief.body = {drive.length, drive.width};
+  }
+  return beliefs;
+}
+
+void FieldView::updateGoals(const std::vector<RobotBelief>& beliefs) {
+  std::vector<DriveAim> aims;
+  for (const RobotBelief& belief : beliefs) {
+    if (belief.body.x() <= 0) continue;
+    wish_.want(session(), belief.robot, {robotlink::kRobotPose.name, robotlink::kDrivePath.name});
+    auto aim = driveAim(session().store(), belief.robot, session().timeline().shown());
+    if (!aim) continue;
+    aim->color = belief.team;
+    aims.push_back(std::move(*aim));
+  }
+  const std::string robot = robots_->robot(session());
+  goals_->tick(drives(robot) ? robot : std::string(), std::move(aims));
+}
+
 FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   FieldFigures figures;
   figures.robots = beliefs;
+  figures.onMap = canvas_->map() != nullptr;
   figures.trails = trails_.places();
   if (const auto ball = scene_.modelPose(kBall)) figures.ball = ball->translation().head<2>();
   if (const auto& field = context().field) {
@@ -186,18 +239,26 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
 void FieldView::updateTrails() {
   if (!showTrails_->isChecked()) return trails_.clear();
   Trails::Frames frames;
+  Trails::Estimates estimates;
   std::vector<std::string> models = session().robots();
   models.emplace_back(kBall);
   for (const std::string& model : models) {
     const std::string frame = scene_.modelFrame(model);
-    if (!frame.empty()) frames[frame] = model;
+    if (!frame.empty()) {
+      frames[frame] = model;
+    } else if (drives(model)) {  // only its program knows where a real robot is
+      estimates[model] = model + '/' + robotlink::kRobotPose.name;
+    }
   }
-  trails_.update(session().store(), frames, session().timeline().shown());
+  trails_.update(session().store(), {frames, estimates}, session().timeline().shown());
 }
 
 void FieldView::updateWanted() {
   const QString refusal = drag_.refusal();
-  canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
+  const QString notGoing = goals_->refusal();
+  canvas_->setNotice(!refusal.isEmpty()    ? tr("It cannot be placed here: %1").arg(refusal)
+                     : !notGoing.isEmpty() ? tr("The robot does not go there: %1").arg(notGoing)
+                                           : QString());
   if (!drag_.active()) return canvas_->setWanted({});
   canvas_->setWanted(WantedPlace{drag_.model(), drag_.wanted(), drag_.model() == kBall, !refusal.isEmpty()});
 }
@@ -223,6 +284,7 @@ bool FieldView::savePicture(const QString& file) {
 QJsonObject FieldView::saveState() const {
   const FieldViewport& viewport = canvas_->viewport();
   return {{QStringLiteral("robot"), robots_->choice()},
+          {QStringLiteral("send"), goals_->send()->isChecked()},
           {QStringLiteral("drawings"), drawings_->saveState()},
           {QStringLiteral("panel"), showDrawings_->isChecked()},
           {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
@@ -240,6 +302,7 @@ void FieldView::restoreState(const QJsonObject& state) {
   showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
   move_->setChecked(state[QStringLiteral("move")].toBool(true));
   showTrails_->setChecked(state[QStringLiteral("trails")].toBool());
+  goals_->send()->setChecked(state[QStringLiteral("send")].toBool());
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   FieldViewport viewport;
   viewport.fit = state[QStringLiteral("fit")].toBool(true);

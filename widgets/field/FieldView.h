@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "widgets/PackageWish.h"
 #include "widgets/View.h"
 #include "widgets/models/ModelDrag.h"
 #include "widgets/models/RobotBeliefs.h"
@@ -15,11 +16,13 @@ namespace widgets {
 
 class DrawingsModel;
 class FieldCanvas;
+class GoalTool;
 class RobotChoice;
 struct FieldFigures;
 
-/// The field from above: where robots and ball are, where the robots believe that they are, and what they
-/// draw. Robots and ball of a simulation can be placed with the mouse. Follows the session's time line.
+/// The field, or the map of a building, from above: where robots and ball are, where the robots believe that
+/// they are, what they draw, and where robots on wheels are going. Robots and ball of a simulation can be
+/// placed with the mouse, robots on wheels sent to places. Follows the session's time line.
 class FieldView final : public View {
   Q_OBJECT
  public:
@@ -41,6 +44,10 @@ class FieldView final : public View {
   void connectSignals();
   void connectDrag();
 
+  std::vector<RobotBelief> beliefs() const;
+  bool drives(const std::string& robot) const;
+  void updateGround();
+  void updateGoals(const std::vector<RobotBelief>& beliefs);
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   void updateTrails();
   void updateWanted();
@@ -52,6 +59,8 @@ class FieldView final : public View {
   ModelDrag drag_;
   DrawingsModel* drawings_ = nullptr;
   FieldCanvas* canvas_ = nullptr;
+  GoalTool* goals_ = nullptr;
+  PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;

@@ -8,23 +8,28 @@ namespace {
 
 using robotlink::Vector2;
 
-constexpr double kFarthest = 20;  // m from the field's centre
+constexpr double kFarthest = 20;  // m from what there is to see
 
-FieldViewport unfitted(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+FieldViewport unfitted(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   if (!viewport.fit) return viewport;
-  return {false, shownScale(viewport, extent, widget), Vector2::Zero(), viewport.quarterTurns};
+  return {false, shownScale(viewport, extent, widget), {extent.center().x(), extent.center().y()}, viewport.quarterTurns};
+}
+
+Vector2 nearTo(const QRectF& extent, const Vector2& place) {
+  const QRectF room = extent.adjusted(-kFarthest, -kFarthest, kFarthest, kFarthest);
+  return {std::clamp(place.x(), room.left(), room.right()), std::clamp(place.y(), room.top(), room.bottom())};
 }
 
 }  // namespace
 
-double shownScale(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   if (!viewport.fit || extent.isEmpty()) return viewport.scale;
-  const QSizeF turned = viewport.quarterTurns % 2 == 0 ? extent : extent.transposed();
+  const QSizeF turned = viewport.quarterTurns % 2 == 0 ? extent.size() : extent.size().transposed();
   const double fitting = std::min(widget.width() / turned.width(), widget.height() / turned.height());
   return std::clamp(fitting, FieldViewport::kMinimumScale, FieldViewport::kMaximumScale);
 }
 
-QTransform fieldToWidget(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget) {
+QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   const FieldViewport shown = unfitted(viewport, extent, widget);
   QTransform transform;
   transform.translate(widget.width() / 2, widget.height() / 2);
@@ -39,23 +44,23 @@ Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at) {
   return {ground.x(), ground.y()};
 }
 
-FieldViewport zoomed(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget, double factor,
+FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget, double factor,
                      const QPointF& at) {
   FieldViewport result = unfitted(viewport, extent, widget);
   const Vector2 before = groundAt(fieldToWidget(viewport, extent, widget), at);
   result.scale =
       std::clamp(result.scale * factor, FieldViewport::kMinimumScale, FieldViewport::kMaximumScale);
   const Vector2 after = groundAt(fieldToWidget(result, extent, widget), at);
-  result.center = (result.center + before - after).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  result.center = nearTo(extent, result.center + before - after);
   return result;
 }
 
-FieldViewport panned(const FieldViewport& viewport, const QSizeF& extent, const QSizeF& widget,
+FieldViewport panned(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget,
                      const QPointF& by) {
   FieldViewport result = unfitted(viewport, extent, widget);
   const QTransform transform = fieldToWidget(viewport, extent, widget);
   const Vector2 moved = groundAt(transform, by) - groundAt(transform, {0, 0});
-  result.center = (result.center - moved).cwiseMax(-kFarthest).cwiseMin(kFarthest);
+  result.center = nearTo(extent, result.center - moved);
   return result;
 }
 

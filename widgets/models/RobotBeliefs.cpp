@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/models/RobotBeliefs.h"
 
+#include <charconv>
+
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
@@ -28,10 +30,19 @@ void addEstimates(RobotBelief& belief, const robotlink::StreamStore& store, robo
   }
 }
 
+QColor colorByNumber(const std::string& robot) {
+  static constexpr QRgb kColors[] = {0xffd8432f, 0xff2f78d6, 0xff2e9e4f, 0xffe39a16, 0xff8e4fc6, 0xff17a2a4, 0xffc7448f, 0xff8a6b3d};
+  const std::size_t digits = robot.find_last_not_of("0123456789") + 1;
+  unsigned number = 0;
+  const auto read = std::from_chars(robot.data() + digits, robot.data() + robot.size(), number);
+  if (read.ec != std::errc() || number == 0) return {128, 128, 128};
+  return QColor(kColors[(number - 1) % std::size(kColors)]);
+}
+
 }  // namespace
 
 QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field) {
-  QColor color(128, 128, 128);
+  QColor color = colorByNumber(robot);
   std::size_t longest = 0;
   if (field == nullptr) return color;
   for (const auto& entry : field->palette) {

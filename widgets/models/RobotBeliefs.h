@@ -23,6 +23,8 @@ struct RobotBelief {
   std::string robot;
   QColor team;
   bool selected = false;
+  /// Length and width in metres of a robot on wheels; zero: it is a four-legged one.
+  robotlink::Vector2 body = robotlink::Vector2::Zero();
   std::optional<robotlink::Pose2> truth;  ///< known of simulated robots only
   std::optional<robotlink::Pose2> estimate;
   double positionDeviation = 0;
@@ -38,7 +40,8 @@ struct RobotBelief {
 /// All robots of the session at an instant.
 std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneState& scene,
                                       const robotlink::FieldDescription* field, robotlink::Instant shown);
-/// The colour of a robot's team, which its name begins with ("red1"): that of the field's palette, else grey.
+/// The colour of a robot's team, which its name begins with ("red1"): that of the field's palette. Robots of no team ("p3at2")
+/// differ by their numbers; without one they are grey.
 QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field);
 
 }  // namespace widgets

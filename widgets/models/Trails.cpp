@@ -4,7 +4,9 @@
 #include <algorithm>
 
 #include "foxglove/Geometry.pb.h"
+#include "robotcontrol/Modeling.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
 #include "robotlink/session/StreamStore.h"
 
 namespace widgets {
@@ -13,33 +15,49 @@ namespace {
 using robotlink::Duration;
 using robotlink::Instant;
 
-constexpr Duration kStep = std::chrono::milliseconds(100);
-constexpr std::size_t kPlaces = 100;
+constexpr Duration kShortest = std::chrono::milliseconds(100);  // between two places
+constexpr int kMostPlaces = 300;
+
+Duration stepFor(Duration reach) { return std::max(kShortest, Duration(reach / kMostPlaces)); }
 
 }  // namespace
 
-void Trails::update(const robotlink::StreamStore& store, const Frames& models, Instant shown) {
-  const Duration reach = kStep * static_cast<int>(kPlaces);
-  if (places_.empty() || shown < last_ || shown - last_ > reach) {
+void Trails::setReach(Duration reach) {
+  if (reach == reach_) return;
+  reach_ = reach;
+  clear();
+}
+
+void Trails::update(const robotlink::StreamStore& store, const Sources& sources, Instant shown) {
+  const Duration step = stepFor(reach_);
+  if (places_.empty() || shown < last_ || shown - last_ > reach_) {
     places_.clear();
-    last_ = std::max(shown - reach, Instant());
+    last_ = std::max(shown - reach_, Instant());
   }
-  for (Instant at = last_ + kStep; at <= shown; at += kStep) {
-    add(store, models, at);
+  for (Instant at = last_ + step; at <= shown; at += step) {
+    add(store, sources, at);
     last_ = at;
   }
 }
 
+void Trails::addPlace(const std::string& model, const robotlink::Vector2& place) {
+  auto& places = places_[model];
+  places.push_back(place);
+  if (places.size() > static_cast<std::size_t>(reach_ / stepFor(reach_))) places.pop_front();
+}
+
 /// Models are children of the field itself, so no tree needs to be walked here.
-void Trails::add(const robotlink::StreamStore& store, const Frames& models, Instant at) {
+void Trails::add(const robotlink::StreamStore& store, const Sources& sources, Instant at) {
+  for (const auto& [robot, path] : sources.estimates) {
+    const auto* pose = store.latestAs<robotcontrol::RobotPose>(path, at);
+    if (pose != nullptr) addPlace(robot, robotlink::pose2(pose->robot_in_field()).translation());
+  }
   const auto* transforms = store.latestAs<foxglove::FrameTransforms>(robotlink::streams::kTransforms, at);
   if (transforms == nullptr) return;
   for (const auto& transform : transforms->transforms()) {
-    const auto model = models.find(transform.child_frame_id());
-    if (model == models.end()) continue;
-    auto& places = places_[model->second];
-    places.emplace_back(transform.translation().x(), transform.translation().y());
-    if (places.size() > kPlaces) places.pop_front();
+    const auto model = sources.frames.find(transform.child_frame_id());
+    if (model != sources.frames.end())
+      addPlace(model->second, {transform.translation().x(), transform.translation().y()});
   }
 }
 

@@ -1,0 +1,34 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/PackageWish.h"
+
+#include <algorithm>
+
+#include "robotlink/debugging/Streams.h"
+#include "widgets/Requests.h"
+
+namespace widgets {
+
+void PackageWish::want(robotlink::Session& session, const std::string& robot, std::initializer_list<const char*> packages) {
+  if (const auto generation = session.store().generation(); generation != generation_) {
+    generation_ = generation;
+    settled_.clear();
+    seen_.clear();
+  }
+  const auto* table = session.store().latestAs<robotcontrol::KeyTable>(robot + '/' + robotlink::streams::kKeys,
+                                                                       session.timeline().newest());
+  if (table == nullptr || seen_.contains(table)) return;
+  if (seen_.size() > 64) seen_.clear();
+  seen_.insert(table);
+  for (const char* package : packages) {
+    const std::string name = std::string("package/") + package;
+    const auto key = std::ranges::find(table->keys(), name, [](const auto& entry) { return entry.name(); });
+    if (key == table->keys().end() || !settled_.insert(robot + '/' + package).second) continue;
+    if (key->mode().kind() != robotcontrol::KeyMode::OFF) continue;
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(name);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    ask(session, robot, std::move(request));
+  }
+}
+
+}  // namespace widgets

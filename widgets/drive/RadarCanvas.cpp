@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/RadarCanvas.h"
+
+#include <QMouseEvent>
+#include <QPainter>
+#include <algorithm>
+#include <cmath>
+
+#include "widgets/Sentence.h"
+#include "widgets/field/GroundDrawing.h"
+
+namespace widgets {
+
+RadarCanvas::RadarCanvas(QWidget* parent) : QWidget(parent) {
+  setObjectName(QStringLiteral("radarCanvas"));
+  setAccessibleName(tr("Radar"));
+  setToolTip(tr("What is around the robot. Blue: sonars, the older the paler; orange: laser; red: bumpers that are pressed and wheels "
+                "that are stalled; green: where it drives in the next second. Wheel: zoom"));
+  setToolTipDuration(5000);
+  setFocusPolicy(Qt::StrongFocus);
+  setMouseTracking(true);
+  setAttribute(Qt::WA_OpaquePaintEvent);
+  setMinimumSize(120, 120);
+}
+
+void RadarCanvas::show(RadarReadings readings, std::vector<WorldDrawing> drawings, const QString& hint) {
+  readings_ = std::move(readings);
+  drawings_ = std::move(drawings);
+  hint_ = hint;
+  update();
+}
+
+RadarLook RadarCanvas::look() const {
+  RadarLook look = look_;
+  look.size = size();
+  return look;
+}
+
+void RadarCanvas::setRange(double metres) {
+  const double range = std::clamp(metres, RadarLook::kLeastRange, RadarLook::kGreatestRange);
+  if (range == look_.range) return;
+  look_.range = range;
+  update();
+  Q_EMIT lookChanged();
+}
+
+void RadarCanvas::setNorthUp(bool northUp) {
+  look_.northUp = northUp;
+  update();
+  Q_EMIT lookChanged();
+}
+
+void RadarCanvas::paintContents(QPainter& painter) const {
+  paintRadar(painter, readings_, look(), palette());
+  const QTransform toWidget = robotToWidget(look(), readings_.heading);
+  for (const WorldDrawing& drawing : drawings_) paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
+}
+
+QImage RadarCanvas::rendered() const {
+  QImage image(size() * devicePixelRatioF(), QImage::Format_RGB32);
+  image.setDevicePixelRatio(devicePixelRatioF());
+  QPainter painter(&image);
+  paintContents(painter);
+  return image;
+}
+
+void RadarCanvas::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paintContents(painter);
+  if (!hint_.isEmpty()) paintSentence(painter, *this, hint_, SentencePlace::kMiddle);
+}
+
+void RadarCanvas::mouseMoveEvent(QMouseEvent* event) {
+  const QPointF at = robotToWidget(look(), readings_.heading).inverted().map(event->localPos());
+  Q_EMIT cursorMoved(std::hypot(at.x(), at.y()), std::atan2(at.y(), at.x()), true);
+}
+
+void RadarCanvas::wheelEvent(QWheelEvent* event) {
+  setRange(look_.range * std::pow(1.2, -event->angleDelta().y() / 120.0));
+  event->accept();
+}
+
+void RadarCanvas::leaveEvent(QEvent*) { Q_EMIT cursorMoved(0, 0, false); }
+
+}  // namespace widgets

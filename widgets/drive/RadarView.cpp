@@ -1,0 +1,189 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/RadarView.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLabel>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <cmath>
+
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/packages/Packages.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/DrawingsPanel.h"
+#include "widgets/PictureFile.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/drive/RadarCanvas.h"
+#include "widgets/models/CurrentDrawings.h"
+#include "widgets/models/DrawingsModel.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kRegistration{
+    {"radar", QT_TRANSLATE_NOOP("View", "Radar"),
+     QT_TRANSLATE_NOOP("View", "What sonars, laser and bumpers of a robot on wheels tell of its surroundings."), "radar", true,
+     create<RadarView>}};
+
+const double kZoomStep = std::sqrt(2.0);
+
+}  // namespace
+
+RadarView::RadarView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("radarView"));
+  drawings_ = new DrawingsModel({QStringLiteral("robot")}, this);
+  createActions();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+RadarView::~RadarView() = default;
+
+void RadarView::createActions() {
+  northUp_ = makeAction(this, "north",
+                        {"radarNorthUp", tr("Like the map"),
+                         tr("Up is where the map's y-axis points; otherwise where the robot looks"), Qt::Key_N});
+  northUp_->setCheckable(true);
+  zoomIn_ = makeAction(this, "zoom-in", {"radarZoomIn", tr("Zoom in"), tr("Shows less, larger"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out", {"radarZoomOut", tr("Zoom out"), tr("Shows more, smaller"), Qt::Key_Minus});
+  showDrawings_ = makeAction(this, "layers", {"radarDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  showDrawings_->setCheckable(true);
+  copy_ = makeAction(this, "copy", {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+  save_ = makeAction(this, "save",
+                     {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+}
+
+void RadarView::createViews() {
+  canvas_ = new RadarCanvas(this);
+  canvas_->setContextMenuPolicy(Qt::ActionsContextMenu);
+  canvas_->addActions({copy_, save_});
+  auto* panel = new DrawingsPanel(*drawings_, this);
+  panel->hide();
+  connect(showDrawings_, &QAction::toggled, panel, &QWidget::setVisible);
+  auto* splitter = new QSplitter(this);
+  splitter->addWidget(canvas_);
+  splitter->addWidget(panel);
+  splitter->setStretchFactor(0, 1);
+  splitter->setCollapsible(0, false);
+  splitter->setSizes({420, 180});
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter, 1);
+  layout->addWidget(createFooter());
+}
+
+QWidget* RadarView::createToolRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  robots_ = new RobotChoice("radarRobot", row->parentWidget(), RobotChoice::Offer::kOne);
+  row->addWidget(robots_);
+  row->addStretch(1);
+  addButtons(row, {northUp_, zoomOut_, zoomIn_, showDrawings_});
+  return row->parentWidget();
+}
+
+QWidget* RadarView::createFooter() {
+  QHBoxLayout* footer = makeFooter(this);
+  time_ = addLabel(footer, "radarTime", tr("Time that is shown"));
+  nearest_ = addLabel(footer, "radarNearest", tr("The nearest things, from sonar and laser"));
+  footer->addStretch(1);
+  cursor_ = addLabel(footer, "radarCursor", tr("Place under the cursor, seen from the robot"));
+  range_ = addLabel(footer, "radarRange", tr("How far is shown"));
+  return footer->parentWidget();
+}
+
+void RadarView::connectSignals() {
+  connect(northUp_, &QAction::toggled, canvas_, &RadarCanvas::setNorthUp);
+  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->setRange(canvas_->look().range / kZoomStep); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->setRange(canvas_->look().range * kZoomStep); });
+  connect(canvas_, &RadarCanvas::lookChanged, this, &RadarView::updateStatus);
+  connect(canvas_, &RadarCanvas::cursorMoved, this, [this](double distance, double angle, bool inside) {
+    const int degrees = qRound(robotlink::degrees(angle));
+    cursor_->setText(inside ? tr("%1 m at %2°").arg(distance, 0, 'f', 2).arg(degrees) : QString());
+  });
+  connect(robots_, &RobotChoice::choiceChanged, this, &RadarView::tick);
+  connect(drawings_, &DrawingsModel::shownChanged, this, &RadarView::tick);
+  connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
+  connect(save_, &QAction::triggered, this,
+          [this] { savePictureAs(this, canvas_->rendered(), QStringLiteral("radar.png")); });
+}
+
+void RadarView::tick() {
+  robots_->refresh(session());
+  drawings_->refresh(session().store());
+  const std::string robot = robots_->robot(session());
+  wish_.want(session(), robot,
+             {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name, robotlink::kRobotPose.name});
+  const auto description = context().robots.find(robot);
+  const auto memory = robotlink::fromSeconds(canvas_->look().memory);
+  RadarReadings readings =
+      radarReadings(session().store(), robot, description == context().robots.end() ? nullptr : description->second.get(),
+                    session().timeline().shown(), memory);
+  readings.heading = mapHeading(robot, readings.heading);
+  const bool told = readings.time.has_value();
+  canvas_->show(std::move(readings), drawings(robot), hint(robot, told));
+  updateStatus();
+}
+
+/// Up as on the map, where the robot knows how it stands in it.
+double RadarView::mapHeading(const std::string& robot, double odometry) const {
+  const auto* pose = session().store().latestAs<robotcontrol::RobotPose>(robot + '/' + robotlink::kRobotPose.name,
+                                                                         session().timeline().shown());
+  return pose != nullptr ? pose->robot_in_field().heading() : odometry;
+}
+
+std::vector<WorldDrawing> RadarView::drawings(const std::string& robot) const {
+  std::vector<WorldDrawing> drawings;
+  for (const CurrentDrawing& current : currentDrawings(session(), robot, drawings_->shown(), session().timeline().shown())) {
+    const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(current.message.get());
+    if (update == nullptr) continue;
+    for (const auto& entity : update->entities()) {
+      if (entity.frame_id() == robot) drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message});
+    }
+  }
+  return drawings;
+}
+
+QString RadarView::hint(const std::string& robot, bool told) const {
+  if (robot.empty()) return tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).");
+  if (told) return {};
+  const QString name = QString::fromStdString(robot);
+  const auto description = context().robots.find(robot);
+  if (description != context().robots.end() && description->second && !description->second->drive)
+    return tr("%1 has neither sonars nor a laser. Choose a robot on wheels.").arg(name);
+  return tr("Nothing heard yet of %1’s sonars and laser. Start the simulation, or switch the robot’s sonars on.").arg(name);
+}
+
+void RadarView::updateStatus() {
+  const RadarReadings& readings = canvas_->readings();
+  time_->setText(readings.time ? tr("%1 s").arg(robotlink::seconds(*readings.time), 0, 'f', 3) : QString());
+  QStringList nearest;
+  if (const auto sonar = readings.nearestSonar()) nearest << tr("sonar %1 m").arg(*sonar, 0, 'f', 2);
+  if (const auto laser = readings.nearestLaser()) nearest << tr("laser %1 m").arg(*laser, 0, 'f', 2);
+  nearest_->setText(nearest.isEmpty() ? QString() : tr("nearest: %1").arg(nearest.join(QStringLiteral(", "))));
+  range_->setText(tr("%1 m around").arg(canvas_->look().range, 0, 'f', canvas_->look().range < 10 ? 1 : 0));
+}
+
+QJsonObject RadarView::saveState() const {
+  return {{QStringLiteral("robot"), robots_->choice()},
+          {QStringLiteral("range"), canvas_->look().range},
+          {QStringLiteral("northUp"), northUp_->isChecked()},
+          {QStringLiteral("panel"), showDrawings_->isChecked()},
+          {QStringLiteral("drawings"), drawings_->saveState()}};
+}
+
+void RadarView::restoreState(const QJsonObject& state) {
+  drawings_->restoreState(state[QStringLiteral("drawings")].toObject());
+  showDrawings_->setChecked(state[QStringLiteral("panel")].toBool());
+  northUp_->setChecked(state[QStringLiteral("northUp")].toBool());
+  canvas_->setRange(state[QStringLiteral("range")].toDouble(RadarLook{}.range));
+  robots_->setChoice(state[QStringLiteral("robot")].toString());
+}
+
+}  // namespace widgets

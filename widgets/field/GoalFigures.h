@@ -1,0 +1,25 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QTransform>
+#include <optional>
+#include <vector>
+
+#include "widgets/models/DriveAims.h"
+#include "widgets/models/GoalSender.h"
+
+class QPainter;
+class QPalette;
+
+namespace widgets {
+
+/// Paths and goals of robots on wheels, and the goal that is being chosen or has just been sent. A plain value.
+struct GoalFigures {
+  std::vector<DriveAim> aims;
+  std::optional<GoalSender::Aim> wanted;
+};
+
+/// Pure.
+void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& fieldToWidget, const QPalette& palette);
+
+}  // namespace widgets
