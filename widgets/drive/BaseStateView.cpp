@@ -1,0 +1,300 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/BaseStateView.h"
+
+#include <QAction>
+#include <QLabel>
+#include <QScrollArea>
+#include <QToolButton>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/Requests.h"
+#include "widgets/RobotChoice.h"
+#include "widgets/drive/BatteryGauge.h"
+#include "widgets/drive/LinkWords.h"
+#include "widgets/drive/StateRows.h"
+
+namespace widgets {
+namespace {
+
+using robotcontrol::DriveState;
+using robotcontrol::LinkStatus;
+
+const ViewRegistration kRegistration{
+    {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
+     QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."), "base-state", true,
+     create<BaseStateView>}};
+
+template <typename T>
+const T* newestOf(robotlink::Session& session, const std::string& robot, const char* package) {
+  return session.store().latestAs<T>(robot + '/' + package, session.timeline().shown());
+}
+
+QString speedText(const robotcontrol::Velocity2& velocity) {
+  return BaseStateView::tr("%1 mm/s, %2°/s")
+      .arg(velocity.x() * 1000 + 0.0, 0, 'f', 0)
+      .arg(robotlink::degrees(velocity.rotation()) + 0.0, 0, 'f', 1);
+}
+
+/// "front 2, rear 1 and 5": numbers from left to right.
+QString bumpersText(const DriveState& state) {
+  const auto pressed = [](const auto& bumpers) {
+    QStringList numbers;
+    for (int i = 0; i < bumpers.size(); ++i) {
+      if (bumpers.Get(i)) numbers << QString::number(i + 1);
+    }
+    return numbers.join(QStringLiteral(", "));
+  };
+  QStringList ends;
+  if (const QString front = pressed(state.front_bumpers()); !front.isEmpty()) ends << BaseStateView::tr("front %1").arg(front);
+  if (const QString rear = pressed(state.rear_bumpers()); !rear.isEmpty()) ends << BaseStateView::tr("rear %1").arg(rear);
+  return ends.join(QStringLiteral("; "));
+}
+
+}  // namespace
+
+BaseStateView::BaseStateView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("baseStateView"));
+  createActions();
+  createRows();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+void BaseStateView::createActions() {
+  motors_ = makeAction(this, "motors",
+                       {"baseMotors", tr("Motors"), tr("Switches the motors on and off, at the base"), tr("Ctrl+M")});
+  sonar_ = makeAction(this, "sonar", {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+S")});
+  resetOdometry_ = makeAction(this, "reset",
+                              {"baseResetOdometry", tr("Odometry to 0"), tr("Here is the odometry's origin from now on")});
+  for (QAction* action : {motors_, sonar_}) action->setCheckable(true);
+}
+
+void BaseStateView::createRows() {
+  base_ = new StateRows(tr("Base"), "baseRows", this);
+  battery_ = new BatteryGauge(base_);
+  base_->addRow(tr("Battery"), tr("Below 11.5 V it is low, at 11 V robots switch themselves off"), battery_);
+  base_->addRow("baseMotorsState", tr("Motors"), tr("Whether the motors hold and turn the wheels"));
+  base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
+  base_->addRow("baseStall", tr("Stall"), tr("Wheels that shall turn and do not"));
+  base_->addRow("baseBumpers", tr("Bumpers"), tr("Those that are pressed, from left to right"));
+  base_->addRow("baseEmergency", tr("Emergency stop"), tr("The button at the robot, and STOP of this workbench"));
+  base_->addRow("baseTemperature", tr("Temperature"), tr("Of the base's electronics"));
+  base_->addRow("baseFaults", tr("Faults"), tr("Flags of its microcontroller"));
+  motion_ = new StateRows(tr("Motion"), "motionRows", this);
+  motion_->addRow("baseOdometry", tr("Odometry"), tr("Where the wheels believe that it is: x, y, heading"));
+  motion_->addRow("baseAsked", tr("Asked for"), tr("What its program asked of the motors (drive/request)"));
+  motion_->addRow("baseReal", tr("Real"), tr("As the wheels turn: forwards, and counter-clockwise"));
+  motion_->addRow("baseWheels", tr("Wheels"), tr("Speeds of the left and right wheels' rims"));
+  link_ = new StateRows(tr("Line"), "linkRows", this);
+  link_->addRow("linkState", tr("State"), tr("Whether packets come"));
+  link_->addRow("linkAddress", tr("Address"), tr("Of the robot; of a simulated one, where it listens"));
+  link_->addRow("linkRobot", tr("Robot"), tr("Name, class and subclass that it told in the handshake"));
+  link_->addRow("linkClient", tr("Client"), tr("Of a simulated robot: who drives it through its port"));
+  link_->addRow("linkPackets", tr("Packets"), tr("From the robot, over the last seconds"));
+  link_->addRow("linkErrors", tr("Errors"), tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
+  link_->addRow("linkRoundTrip", tr("Round trip"), tr("Until the last request was answered"));
+  link_->addRow("linkGap", tr("Longest gap"), tr("Between two information packets, over the last seconds; they come each 100 ms"));
+  link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
+  link_->addText("linkText", tr("What the line says"));
+}
+
+QWidget* BaseStateView::createToolRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  robots_ = new RobotChoice("baseRobot", row->parentWidget(), RobotChoice::Offer::kOne);
+  row->addWidget(robots_);
+  row->addStretch(1);
+  for (QAction* action : {motors_, sonar_, resetOdometry_}) {
+    QToolButton* button = makeButton(row->parentWidget(), action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    row->addWidget(button);
+  }
+  return row->parentWidget();
+}
+
+void BaseStateView::createViews() {
+  body_ = new QWidget(this);
+  auto* rows = new QVBoxLayout(body_);
+  rows->setContentsMargins(4, 2, 4, 4);
+  for (StateRows* group : {base_, motion_, link_}) rows->addWidget(group);
+  rows->addStretch(1);
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(body_);
+  hint_ = new EmptyHint(scroll);
+  problem_ = new QLabel(this);
+  describe(*problem_, {"baseProblem", tr("What was refused"), {}});
+  problem_->setWordWrap(true);
+  problem_->setMargin(6);
+  problem_->hide();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(problem_);
+  layout->addWidget(scroll, 1);
+}
+
+void BaseStateView::connectSignals() {
+  connect(robots_, &RobotChoice::choiceChanged, this, &BaseStateView::tick);
+  connect(motors_, &QAction::triggered, this, [this](bool on) {
+    robotcontrol::ControlDrive control;
+    control.set_motors(on);
+    send(control);
+  });
+  connect(sonar_, &QAction::triggered, this, [this](bool on) {
+    robotcontrol::ControlDrive control;
+    control.set_sonar(on);
+    send(control);
+  });
+  connect(resetOdometry_, &QAction::triggered, this, [this] {
+    robotcontrol::ControlDrive control;
+    control.set_reset_odometry(true);
+    send(control);
+  });
+}
+
+void BaseStateView::send(const robotcontrol::ControlDrive& control) {
+  robotcontrol::Request request;
+  *request.mutable_control_drive() = control;
+  ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
+    QPalette colors = palette();
+    colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+    problem_->setPalette(colors);
+    problem_->setText(tr("Refused: %1").arg(reason));
+    problem_->setVisible(!accepted);
+  });
+  tick();  // the buttons show what the base says, not what was clicked
+}
+
+void BaseStateView::tick() {
+  robots_->refresh(session());
+  const std::string robot = robots_->robot(session());
+  if (robot != robot_) problem_->hide();
+  robot_ = robot;
+  wish_.want(session(), robot_, {robotlink::kDriveState.name, robotlink::kDriveRequest.name, robotlink::kLinkStatus.name});
+  const auto* state = newestOf<DriveState>(session(), robot_, robotlink::kDriveState.name);
+  const auto* status = session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
+  const double age = status == nullptr ? 0 : robotlink::seconds(session().timeline().shown() - status->time);
+  showBase(state);
+  showMotion(state);
+  showLink(status == nullptr ? nullptr : dynamic_cast<const LinkStatus*>(status->value.get()), age);
+  const auto description = context().robots.find(robot_);
+  const bool drives = state != nullptr || status != nullptr ||
+                      (description != context().robots.end() && description->second && description->second->drive);
+  for (QAction* action : {motors_, sonar_, resetOdometry_}) action->setEnabled(drives);
+  body_->setVisible(drives);
+  hint_->setHint(drives           ? QString()
+                 : robot_.empty() ? tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).")
+                                  : tr("%1 has no wheels. Choose a robot that drives.").arg(QString::fromStdString(robot_)));
+}
+
+void BaseStateView::showBase(const DriveState* state) {
+  motors_->setChecked(state != nullptr && state->motors_on());
+  sonar_->setChecked(state != nullptr && state->sonar_on());
+  showStop(state);
+  if (state == nullptr) {
+    battery_->show({});
+    for (const char* row : {"baseMotorsState", "baseSonarState", "baseStall", "baseBumpers", "baseTemperature", "baseFaults"})
+      base_->set(row, {});
+    return;
+  }
+  battery_->show(BatteryLevel::of(state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
+                                  state->charging() == DriveState::CHARGING));
+  base_->set("baseMotorsState", state->motors_on() ? tr("on") : tr("off"), state->motors_on() ? Meaning::kGood : Meaning::kMuted);
+  base_->set("baseSonarState", state->sonar_on() ? tr("on") : tr("off"), state->sonar_on() ? Meaning::kGood : Meaning::kMuted);
+  const bool left = state->left_stalled(), right = state->right_stalled();
+  if (left || right) {
+    base_->set("baseStall", left && right ? tr("both sides are stalled") : left ? tr("left is stalled") : tr("right is stalled"), Meaning::kBad);
+  } else {
+    base_->set("baseStall", tr("none"));
+  }
+  const QString pressed = bumpersText(*state);
+  const bool fitted = state->front_bumpers_size() + state->rear_bumpers_size() > 0;
+  if (pressed.isEmpty()) {
+    base_->set("baseBumpers", fitted ? tr("free") : tr("not fitted"));
+  } else {
+    base_->set("baseBumpers", tr("pressed: %1").arg(pressed), Meaning::kBad);
+  }
+  base_->set("baseTemperature", state->has_temperature() ? tr("%1 °C").arg(state->temperature(), 0, 'f', 0) : QString());
+  if (state->fault_flags() == 0) {
+    base_->set("baseFaults", tr("none"));
+  } else {
+    base_->set("baseFaults", QStringLiteral("0x%1").arg(state->fault_flags(), 4, 16, QLatin1Char('0')), Meaning::kWarning);
+  }
+}
+
+void BaseStateView::showStop(const DriveState* state) {
+  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation,
+                                                                                  session().timeline().shown());
+  const bool here = status != nullptr && std::ranges::find(status->stopped_robots(), robot_) != status->stopped_robots().end();
+  if (here) {
+    base_->set("baseEmergency", tr("STOP is engaged in this workbench"), Meaning::kBad);
+  } else if (state != nullptr && state->emergency_stop()) {
+    base_->set("baseEmergency", tr("pressed at the robot"), Meaning::kBad);
+  } else {
+    base_->set("baseEmergency", state == nullptr ? QString() : tr("released"));
+  }
+}
+
+void BaseStateView::showMotion(const DriveState* state) {
+  if (state == nullptr) {
+    for (const char* row : {"baseOdometry", "baseReal", "baseWheels"}) motion_->set(row, {});
+  } else {
+    motion_->set("baseOdometry", tr("%1 m, %2 m, %3°")
+                                     .arg(state->odometry().x() + 0.0, 0, 'f', 3)
+                                     .arg(state->odometry().y() + 0.0, 0, 'f', 3)
+                                     .arg(robotlink::degrees(state->odometry().heading()) + 0.0, 0, 'f', 1));
+    motion_->set("baseReal", speedText(state->velocity()));
+    motion_->set("baseWheels", tr("left %1, right %2 mm/s")
+                                   .arg(state->left_speed() * 1000 + 0.0, 0, 'f', 0)
+                                   .arg(state->right_speed() * 1000 + 0.0, 0, 'f', 0));
+  }
+  const auto* request = newestOf<robotcontrol::DriveRequest>(session(), robot_, robotlink::kDriveRequest.name);
+  motion_->set("baseAsked", request == nullptr ? QString() : speedText(request->velocity()));
+}
+
+void BaseStateView::showLink(const LinkStatus* status, double age) {
+  if (status == nullptr) {
+    for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors", "linkRoundTrip", "linkGap", "linkReconnects"})
+      link_->set(row, {});
+    link_->set("linkState", tr("nothing is told of it"));
+    return link_->set("linkText", {});
+  }
+  const LinkWords words = linkWords(*status, age);
+  link_->set("linkState", words.state, words.meaning);
+  link_->set("linkAddress", QString::fromStdString(status->address()));
+  link_->set("linkRobot", words.robot);
+  link_->set("linkClient", words.client);
+  link_->set("linkPackets", tr("%1 per second (%2 bytes), %3 in all")
+                                .arg(status->packets_per_second(), 0, 'f', 1)
+                                .arg(status->bytes_per_second(), 0, 'f', 0)
+                                .arg(status->packets()));
+  if (status->checksum_errors() == 0 && status->skipped_bytes() == 0) {
+    link_->set("linkErrors", tr("none"));
+  } else {
+    link_->set("linkErrors", tr("%1 checksums, %2 bytes skipped").arg(status->checksum_errors()).arg(status->skipped_bytes()), Meaning::kWarning);
+  }
+  link_->set("linkRoundTrip", status->round_trip() > 0 ? tr("%1 ms").arg(status->round_trip() * 1000, 0, 'f', 1) : QString());
+  if (words.longGap) {
+    link_->set("linkGap", tr("%1 ms: too long").arg(status->longest_gap() * 1000, 0, 'f', 0), Meaning::kWarning);
+  } else {
+    link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0) : QString());
+  }
+  link_->set("linkReconnects", status->reconnects() > 0 ? tr("%n times", nullptr, static_cast<int>(status->reconnects())) : tr("never"));
+  link_->set("linkText", QString::fromStdString(status->text()), words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
+}
+
+QJsonObject BaseStateView::saveState() const { return {{QStringLiteral("robot"), robots_->choice()}}; }
+
+void BaseStateView::restoreState(const QJsonObject& state) { robots_->setChoice(state[QStringLiteral("robot")].toString()); }
+
+}  // namespace widgets

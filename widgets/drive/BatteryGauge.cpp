@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/BatteryGauge.h"
+
+#include <QCoreApplication>
+#include <QPainter>
+#include <algorithm>
+
+#include "widgets/Controls.h"
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+constexpr double kEmptyVolts = 11, kLowVolts = 11.5, kFullVolts = 13;
+constexpr double kEmptyShare = 0.05, kLowShare = 0.2;
+
+QColor colorFor(BatteryLevel::State state, const QPalette& palette) {
+  switch (state) {
+    case BatteryLevel::State::kGood:
+      return colorOf(Meaning::kGood, palette);
+    case BatteryLevel::State::kLow:
+      return colorOf(Meaning::kWarning, palette);
+    case BatteryLevel::State::kEmpty:
+      return colorOf(Meaning::kBad, palette);
+    case BatteryLevel::State::kUnknown:
+      break;
+  }
+  return colorOf(Meaning::kMuted, palette);
+}
+
+}  // namespace
+
+BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge, bool charging) {
+  BatteryLevel level;
+  level.volts = volts;
+  level.charging = charging;
+  if (!(volts > 0)) return level;
+  level.share = std::clamp(stateOfCharge.value_or((volts - kEmptyVolts) / (kFullVolts - kEmptyVolts)), 0.0, 1.0);
+  const bool empty = volts < kEmptyVolts || (stateOfCharge && *stateOfCharge < kEmptyShare);
+  const bool low = volts < kLowVolts || (stateOfCharge && *stateOfCharge < kLowShare);
+  level.state = empty ? State::kEmpty : low ? State::kLow : State::kGood;
+  return level;
+}
+
+QString BatteryLevel::text() const {
+  const auto tr = [](const char* source) { return QCoreApplication::translate("BatteryGauge", source); };
+  if (state == State::kUnknown) return tr("not told");
+  QString text = tr("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
+  if (charging) return tr("%1, charging").arg(text);
+  if (state == State::kEmpty) return tr("%1: empty, charge it now").arg(text);
+  if (state == State::kLow) return tr("%1: low, charge it soon").arg(text);
+  return text;
+}
+
+BatteryGauge::BatteryGauge(QWidget* parent) : QWidget(parent) {
+  describe(*this, {"baseBattery", tr("Battery"), tr("Voltage and level of the robot's battery")});
+  setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
+}
+
+QSize BatteryGauge::sizeHint() const { return {180, fontMetrics().height() + 4}; }
+
+void BatteryGauge::show(const BatteryLevel& level) {
+  level_ = level;
+  setAccessibleDescription(level.text());
+  update();
+}
+
+void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level, const QPalette& palette) {
+  painter.save();
+  painter.setRenderHint(QPainter::Antialiasing);
+  const QColor color = colorFor(level.state, palette);
+  const QRectF body(rect.left() + 1, rect.top() + 2, 34, rect.height() - 4);
+  painter.setPen(QPen(palette.color(QPalette::WindowText), 1.2));
+  painter.setBrush(Qt::NoBrush);
+  painter.drawRoundedRect(body, 2, 2);
+  painter.setBrush(palette.color(QPalette::WindowText));
+  painter.drawRect(QRectF(body.right() + 0.6, body.center().y() - body.height() / 5, 2, body.height() / 2.5));
+  if (level.state != BatteryLevel::State::kUnknown) {
+    QRectF filled = body.adjusted(2.5, 2.5, -2.5, -2.5);
+    filled.setWidth(std::max(1.5, filled.width() * level.share));
+    painter.fillRect(filled, color);
+  }
+  const bool plain = level.state == BatteryLevel::State::kGood || level.state == BatteryLevel::State::kUnknown;
+  QFont font = painter.font();
+  font.setBold(!plain);
+  painter.setFont(font);
+  painter.setPen(plain ? palette.color(QPalette::WindowText) : color);
+  const QRectF beside(body.right() + 9, rect.top(), rect.right() - body.right() - 9, rect.height());
+  painter.drawText(beside, Qt::AlignVCenter | Qt::AlignLeft, level.text());
+  painter.restore();
+}
+
+void BatteryGauge::paintEvent(QPaintEvent*) {
+  QPainter painter(this);
+  paint(painter, rect(), level_, palette());
+}
+
+}  // namespace widgets

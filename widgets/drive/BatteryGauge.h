@@ -1,0 +1,42 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QWidget>
+#include <optional>
+
+namespace widgets {
+
+/// How full a battery is, and what that means.
+struct BatteryLevel {
+  enum class State : std::uint8_t { kUnknown, kGood, kLow, kEmpty };
+  State state = State::kUnknown;
+  double share = 0;  ///< 0 to 1
+  double volts = 0;
+  bool charging = false;
+
+  /// Without a state of charge it is estimated from the volts of a 12 V battery: from 11 V, at which robots switch themselves
+  /// off, to 13 V. Below 11.5 V, or a fifth, it is low.
+  static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging);
+  QString text() const;
+};
+
+/// A battery with its level and a sentence beside it. Object name "baseBattery".
+class BatteryGauge final : public QWidget {
+  Q_OBJECT
+ public:
+  explicit BatteryGauge(QWidget* parent = nullptr);
+  void show(const BatteryLevel& level);
+  const BatteryLevel& level() const { return level_; }
+  /// Pure.
+  static void paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level, const QPalette& palette);
+  QSize sizeHint() const override;
+  QSize minimumSizeHint() const override { return {80, sizeHint().height()}; }
+
+ protected:
+  void paintEvent(QPaintEvent* event) override;
+
+ private:
+  BatteryLevel level_;
+};
+
+}  // namespace widgets

@@ -1,0 +1,65 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/LinkWords.h"
+
+#include <QCoreApplication>
+
+#include "robotcontrol/Driving.pb.h"
+
+namespace widgets {
+namespace {
+
+using robotcontrol::LinkStatus;
+
+constexpr double kSilence = 3;    // s without a status: who should tell it does not
+constexpr double kLongGap = 0.25;  // s, from which on ARIA's clients warn
+
+QString translated(const char* source) { return QCoreApplication::translate("LinkWords", source); }
+
+void nameState(LinkWords& words, const LinkStatus& status) {
+  switch (status.state()) {
+    case LinkStatus::CONNECTING:
+      words.state = translated("connecting…");
+      words.meaning = Meaning::kNote;
+      return;
+    case LinkStatus::CONNECTED:
+      words.state = translated("connected");
+      words.meaning = Meaning::kGood;
+      return;
+    case LinkStatus::LOST:
+      words.state = translated("lost");
+      words.meaning = Meaning::kBad;
+      return;
+    case LinkStatus::LISTENING:
+      words.state = translated("waits for a client");
+      words.meaning = Meaning::kNote;
+      return;
+    default:
+      words.state = translated("closed");
+      words.meaning = Meaning::kMuted;
+  }
+}
+
+}  // namespace
+
+LinkWords linkWords(const LinkStatus& status, double age) {
+  LinkWords words;
+  nameState(words, status);
+  if (age > kSilence) {
+    words.state = translated("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
+    if (words.meaning == Meaning::kGood) words.meaning = Meaning::kWarning;
+  }
+  QStringList names;
+  for (const std::string* name : {&status.robot_name(), &status.robot_class(), &status.robot_subclass()}) {
+    if (!name->empty()) names << QString::fromStdString(*name);
+  }
+  words.robot = names.join(QStringLiteral(", "));
+  if (!status.client().empty()) {
+    words.client = translated("%1, %2 commands per second")
+                       .arg(QString::fromStdString(status.client()))
+                       .arg(status.commands_per_second(), 0, 'f', 1);
+  }
+  words.longGap = status.state() == LinkStatus::CONNECTED && status.longest_gap() > kLongGap;
+  return words;
+}
+
+}  // namespace widgets
