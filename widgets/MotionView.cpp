@@ -10,6 +10,7 @@
 #include <QToolButton>
 #include <algorithm>
 
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
@@ -50,6 +51,7 @@ MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, pa
   createActions();
   createViews();
   connectSignals();
+  useRobot(nullptr);
   showPad(nullptr);
 }
 
@@ -61,6 +63,13 @@ void MotionView::createActions() {
   take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   take_->setAutoRaise(false);
   take_->setFocusPolicy(Qt::TabFocus);
+  motors_ = makeButton(this, makeAction(this, "motors",
+                                        {"motionMotors", tr("Motors"),
+                                         tr("Switches the motors on and off, at the base"), tr("Ctrl+M")}));
+  motors_->defaultAction()->setCheckable(true);
+  motors_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  motors_->setAutoRaise(false);
+  motors_->setFocusPolicy(Qt::TabFocus);
   stop_ = new QPushButton(tr("STOP"), this);
   describe(*stop_, {"motionStop", tr("Emergency stop"),
                     tr("Stops the robot at its platform, whatever its program does; stays until released")});
@@ -78,6 +87,7 @@ QWidget* MotionView::createTop() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(take_);
   layout->addWidget(state_, 1);
+  layout->addWidget(motors_);
   layout->addWidget(stop_);
   return top;
 }
@@ -129,10 +139,14 @@ void MotionView::createViews() {
 
 void MotionView::connectSignals() {
   connect(take_->defaultAction(), &QAction::triggered, this, &MotionView::takeOver);
+  connect(motors_->defaultAction(), &QAction::triggered, this, &MotionView::switchMotors);
   connect(stop_, &QPushButton::clicked, this, &MotionView::stop);
   connect(turn_, &QSlider::sliderReleased, this, [this] { turn_->setValue(0); });
   connect(motions_, &MotionButtons::chosen, this, &MotionView::play);
-  connect(speed_, &SpeedPanel::limitsChanged, this, [this] { commander_.setLimits(speed_->limits()); });
+  connect(speed_, &SpeedPanel::limitsChanged, this, [this] {
+    commander_.setLimits(speed_->limits());
+    keepLimits();
+  });
 }
 
 void MotionView::followRobot() {
@@ -145,7 +159,7 @@ void MotionView::followRobot() {
     askedForStatus_ = false;
     commander_.setActive(false);
     const auto description = context().robots.find(robot);
-    head_->setRobot(description == context().robots.end() ? nullptr : description->second.get());
+    useRobot(description == context().robots.end() ? nullptr : description->second.get());
   }
   const auto tables =
       latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
@@ -160,8 +174,57 @@ void MotionView::followRobot() {
   commander_.setHead(head_->wish());
 }
 
+void MotionView::keepLimits() {
+  if (drive_) {
+    driveLimits_ = speed_->limits();
+  } else {
+    walkLimits_ = speed_->limits();
+  }
+}
+
+void MotionView::useRobot(const robotlink::RobotDescription* description) {
+  constexpr MotionCommander::Limits kGreatestWalk{1, 10};
+  drive_ = description == nullptr ? std::nullopt : description->drive;
+  const bool wheels = drive_.has_value();
+  head_->setRobot(description);
+  head_->setVisible(!wheels);
+  motions_->setVisible(!wheels);
+  turn_->setVisible(!wheels);
+  motors_->setVisible(wheels);
+  walkPad_->setWheels(wheels);
+  gamepadState_->setToolTip(wheels ? tr("Either stick drives and turns, B is STOP")
+                                   : tr("Left stick walks, right stick turns, A kicks, B is STOP"));
+  // Both limits are set anew, so what was chosen is kept before.
+  const MotionCommander::Limits walk = walkLimits_;
+  const std::optional<MotionCommander::Limits> chosen = driveLimits_;
+  if (!wheels) {
+    speed_->setRobot(false, kGreatestWalk);
+    speed_->setLimits(walk);
+    driveLimits_ = chosen;
+    return;
+  }
+  const MotionCommander::Limits greatest{drive_->maximumSpeed, drive_->maximumRotation};
+  speed_->setRobot(true, greatest);
+  speed_->setLimits(chosen.value_or(MotionCommander::Limits{greatest.speed / 2, greatest.rotation / 2}));
+  walkLimits_ = walk;
+}
+
+const robotcontrol::DriveState* MotionView::driveState() const {
+  return session().store().latestAs<robotcontrol::DriveState>(robot_ + '/' + robotlink::kDriveState.name,
+                                                              session().timeline().newest());
+}
+
+void MotionView::switchMotors(bool on) {
+  robotcontrol::Request request;
+  request.mutable_control_drive()->set_motors(on);
+  ask(session(), robot_, std::move(request));
+  const auto* state = driveState();
+  motors_->defaultAction()->setChecked(state != nullptr && state->motors_on());  // what the base says, not what was clicked
+}
+
 void MotionView::tick() {
   followRobot();
+  if (drive_) wish_.want(session(), robot_, {robotlink::kDriveState.name});
   useGamepad(gamepad_());
   std::string path = robot_ + '/';
   path += robotlink::kMotionStatus.name;
@@ -197,14 +260,14 @@ void MotionView::takeOver(bool take) {
   if (!take) stand();
   if (!solution.empty()) {
     robotcontrol::Request request;
-    request.mutable_select_solution()->set_task(TakeOver::kTask);
+    request.mutable_select_solution()->set_task(takeOver_.task());
     request.mutable_select_solution()->set_solution(solution);
     ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
       if (!accepted) takeOver_.refused(reason);
     });
   }
   showPad(nullptr);
-  if (take && !askedForStatus_) {
+  if (take && !askedForStatus_ && !drive_) {
     askedForStatus_ = true;
     robotcontrol::Request request;
     std::string key = "package/";
@@ -222,7 +285,7 @@ void MotionView::stop(bool engage) {
 }
 
 void MotionView::play(const QString& motion) {
-  if (commander_.active()) commander_.play(motion.toStdString());
+  if (commander_.active() && !drive_) commander_.play(motion.toStdString());
 }
 
 void MotionView::useGamepad(const Gamepad::State& pad) {
@@ -235,6 +298,7 @@ void MotionView::useGamepad(const Gamepad::State& pad) {
   }
   if (pad.stop && !pad_.stop) stop(true);
   pad_ = pad;
+  if (drive_) pad_.axes = {pad.axes.forward, 0, std::clamp(pad.axes.turn + pad.axes.left, -1.0, 1.0)};
   gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name)
                                        : tr("No gamepad; plug one in to use it"));
   gamepadState_->setEnabled(pad.connected);
@@ -258,9 +322,11 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
   take.setChecked(taken);
   take.setEnabled(who == TakeOver::State::kFree || taken);
   take.setText(taken ? tr("Give back") : tr("Take over"));
-  const QString text =
-      robot_.empty() ? tr("No robot. Start a simulation or connect to a robot.") : takeOver_.text();
-  state_->setText(text);
+  state_->setText(stateText());
+  const auto* base = drive_ ? driveState() : nullptr;
+  motors_->setEnabled(drive_.has_value());
+  motors_->defaultAction()->setChecked(base != nullptr && base->motors_on());
+  motors_->setText(base == nullptr ? tr("Motors") : base->motors_on() ? tr("Motors on") : tr("Motors off"));
   motions_->setEnabled(taken);
   head_->setEnabled(taken);
   turn_->setEnabled(taken);
@@ -268,18 +334,33 @@ void MotionView::showPad(const robotcontrol::MotionStatus* status) {
                                 status->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES
                             ? QString::fromStdString(status->executed().motion())
                             : QString());
+  showSpeeds(status);
+}
+
+QString MotionView::stateText() const {
+  if (robot_.empty()) return tr("No robot. Start a simulation or connect to a robot.");
+  const auto* base = drive_ ? driveState() : nullptr;
+  if (base == nullptr || takeOver_.state() != TakeOver::State::kTaken) return takeOver_.text();
+  if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
+  return base->motors_on() ? takeOver_.text() : tr("You steer the robot, but its motors are off: switch them on.");
+}
+
+void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
+  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
   const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
   std::optional<Speed> believed;
-  if (status != nullptr) {
+  if (const auto* base = drive_ ? driveState() : nullptr; base != nullptr) {
+    believed = Speed{base->velocity().x(), 0, base->velocity().rotation()};
+  } else if (status != nullptr) {
     believed = Speed{status->velocity().x(), status->velocity().y(), status->velocity().rotation()};
   }
   const auto walk = commander_.command().motion().walk();
   speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
-  WalkPad::Picture picture{commander_.axes(), {}, taken, taken ? QString() : tr("Take over to steer")};
-  if (measured) {
+  WalkPad::Picture picture{commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
+  // Of real robots nobody knows the truth: what they say of themselves is shown.
+  if (const auto real = measured ? measured : drive_ ? believed : std::nullopt) {
     const auto limits = commander_.limits();
-    picture.measured = WalkAxes{measured->x / limits.speed, measured->y / limits.speed,
-                                measured->rotation / limits.rotation};
+    picture.measured = WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
   }
   walkPad_->show(std::move(picture));
 }
@@ -295,16 +376,26 @@ void MotionView::changeEvent(QEvent* event) {
 }
 
 QJsonObject MotionView::saveState() const {
-  const auto limits = speed_->limits();
-  return {{QStringLiteral("speed"), limits.speed},
-          {QStringLiteral("rotation"), limits.rotation},
-          {QStringLiteral("headMode"), static_cast<int>(head_->wish().kind)}};
+  QJsonObject state{{QStringLiteral("speed"), walkLimits_.speed},
+                    {QStringLiteral("rotation"), walkLimits_.rotation},
+                    {QStringLiteral("headMode"), static_cast<int>(head_->wish().kind)}};
+  if (!driveLimits_) return state;
+  state[QStringLiteral("driveSpeed")] = driveLimits_->speed;
+  state[QStringLiteral("driveRotation")] = driveLimits_->rotation;
+  return state;
 }
 
 void MotionView::restoreState(const QJsonObject& state) {
   const MotionCommander::Limits standard;
-  speed_->setLimits({state.value(QStringLiteral("speed")).toDouble(standard.speed),
-                     state.value(QStringLiteral("rotation")).toDouble(standard.rotation)});
+  walkLimits_ = {state.value(QStringLiteral("speed")).toDouble(standard.speed),
+                 state.value(QStringLiteral("rotation")).toDouble(standard.rotation)};
+  driveLimits_.reset();
+  if (state.contains(QStringLiteral("driveSpeed"))) {
+    driveLimits_ = MotionCommander::Limits{state.value(QStringLiteral("driveSpeed")).toDouble(),
+                                           state.value(QStringLiteral("driveRotation")).toDouble()};
+  }
+  const auto description = context().robots.find(robot_);
+  useRobot(description == context().robots.end() ? nullptr : description->second.get());
   HeadWish wish = head_->wish();
   wish.kind = static_cast<HeadWish::Kind>(std::clamp(state.value(QStringLiteral("headMode")).toInt(), 0, 4));
   head_->setWish(wish);

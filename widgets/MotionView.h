@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robotlink/config/RobotDescription.h"
 #include "widgets/Gamepad.h"
+#include "widgets/PackageWish.h"
 #include "widgets/View.h"
 #include "widgets/models/MotionCommander.h"
 #include "widgets/models/TakeOver.h"
@@ -12,6 +14,7 @@ class QSlider;
 class QToolButton;
 
 namespace robotcontrol {
+class DriveState;
 class MotionStatus;
 }
 
@@ -23,7 +26,8 @@ class SpeedPanel;
 class WalkPad;
 
 /// Steers the selected robot: takes its behaviour over, then commands walk, head and key-frame motions by
-/// pad, keys and gamepad, and shows how fast it really goes. STOP acts at the platform, whoever steers.
+/// pad, keys and gamepad, and shows how fast it really goes. Robots on wheels are driven, and their motors
+/// switched. STOP acts at the platform, whoever steers.
 /// Nothing is commanded before the take-over; when pad or view lose the focus or are hidden, the robot is
 /// told to stand.
 class MotionView final : public View {
@@ -50,6 +54,9 @@ class MotionView final : public View {
   void connectSignals();
 
   void followRobot();
+  void useRobot(const robotlink::RobotDescription* description);
+  void keepLimits();
+  void switchMotors(bool on);
   void takeOver(bool take);
   void stop(bool engage);
   void play(const QString& motion);
@@ -57,6 +64,9 @@ class MotionView final : public View {
   void useGamepad(const Gamepad::State& pad);
   void showStop();
   void showPad(const robotcontrol::MotionStatus* status);
+  void showSpeeds(const robotcontrol::MotionStatus* status);
+  const robotcontrol::DriveState* driveState() const;
+  QString stateText() const;
   void send();
 
   MotionCommander commander_;
@@ -69,10 +79,15 @@ class MotionView final : public View {
   MotionButtons* motions_ = nullptr;
   SpeedPanel* speed_ = nullptr;
   QToolButton* take_ = nullptr;
+  QToolButton* motors_ = nullptr;  // of robots on wheels
   QPushButton* stop_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* gamepadState_ = nullptr;
   std::string robot_;
+  std::optional<robotlink::RobotDescription::Drive> drive_;  // of the robot, if it is on wheels
+  MotionCommander::Limits walkLimits_;
+  std::optional<MotionCommander::Limits> driveLimits_;  // as they were chosen
+  PackageWish wish_;
   std::vector<const void*> tables_;
   bool askedForStatus_ = false;
 };

@@ -24,13 +24,14 @@ void SpeedPanel::createTable() {
   const QString rows[] = {tr("asked"), tr("true"), tr("believed")};
   const QString tips[] = {tr("What you ask for"),
                           tr("How the robot moved in the last half second, as the simulator knows"),
-                          tr("What the robot says of itself (motion/status)")};
+                          tr("What the robot says of itself (motion/status, drive/state)")};
   const char* names[] = {"speedAsked", "speedMeasured", "speedBelieved"};
   const char* axes[] = {"X", "Y", "Turn"};
   for (int column = 0; column < 3; ++column) {
     auto* head = new QLabel(columns[column], this);
     head->setAlignment(Qt::AlignRight);
     head->setEnabled(false);
+    if (column == 1) sideways_ = head;
     layout->addWidget(head, 0, column + 1);
     layout->setColumnStretch(column + 1, 1);
   }
@@ -70,6 +71,14 @@ void SpeedPanel::createLimits() {
   for (auto* box : {speed_, rotation_}) {
     connect(box, QOverload<double>::of(&QDoubleSpinBox::valueChanged), this, &SpeedPanel::limitsChanged);
   }
+}
+
+void SpeedPanel::setRobot(bool wheels, const MotionCommander::Limits& greatest) {
+  sideways_->setVisible(!wheels);
+  for (const auto& row : cells_) row[1]->setVisible(!wheels);
+  speed_->setMaximum(greatest.speed * 1000);
+  rotation_->setMaximum(greatest.rotation);
+  speed_->setSingleStep(wheels ? 50 : 10);
 }
 
 void SpeedPanel::showRow(Row row, const std::optional<Speed>& speed) {

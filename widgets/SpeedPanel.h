@@ -23,6 +23,8 @@ class SpeedPanel final : public QGroupBox {
                   const std::optional<Speed>& believed);
   MotionCommander::Limits limits() const;
   void setLimits(const MotionCommander::Limits& limits);
+  /// What the limits may be at most. Robots on wheels do not go sideways: that column is hidden.
+  void setRobot(bool wheels, const MotionCommander::Limits& greatest);
 
  Q_SIGNALS:
   void limitsChanged();
@@ -34,6 +36,7 @@ class SpeedPanel final : public QGroupBox {
   void showRow(Row row, const std::optional<Speed>& speed);
 
   std::array<std::array<QLabel*, 3>, kRows> cells_{};
+  QLabel* sideways_ = nullptr;  // the head of its column
   QDoubleSpinBox* speed_ = nullptr;     // mm/s
   QDoubleSpinBox* rotation_ = nullptr;  // rad/s
 };

@@ -44,16 +44,16 @@ void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette) {
 }
 
 void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, const QColor& color,
-                 bool filled) {
+                 bool filled, bool wheels) {
   const double radius = disc.width() / 2;
-  const QPointF tip = disc.center() + QPointF(-axes.left, -axes.forward) * radius;
+  const QPointF tip = disc.center() + QPointF(wheels ? -axes.turn : -axes.left, -axes.forward) * radius;
   painter.setPen(QPen(color, filled ? 3 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap));
   painter.drawLine(disc.center(), tip);
   painter.setPen(QPen(color, 2));
   painter.setBrush(filled ? QBrush(color) : QBrush(Qt::NoBrush));
   painter.drawEllipse(tip, filled ? 7 : 5, filled ? 7 : 5);
   painter.setBrush(Qt::NoBrush);
-  if (axes.turn == 0) return;
+  if (axes.turn == 0 || wheels) return;
   // The turn as an arc around the disc, from the top, counter-clockwise to the left.
   const double margin = filled ? 5 : 9;
   painter.setPen(QPen(color, filled ? 4 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap));
@@ -64,12 +64,24 @@ void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, co
 }  // namespace
 
 WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
-  describe(
-      *this,
-      {"walkPad", tr("Walk pad"),
-       tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.")});
+  setObjectName(QStringLiteral("walkPad"));
+  describeUse();
   setFocusPolicy(Qt::StrongFocus);
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Expanding);
+}
+
+void WalkPad::describeUse() {
+  const QString walk = tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
+  const QString drive =
+      tr("Drag to drive: up is forwards, left turns left. Keys: W and S or the arrows drive, A and D or the arrows turn, Shift halves.");
+  describe(*this, {"walkPad", wheels_ ? tr("Driving pad") : tr("Walk pad"), wheels_ ? drive : walk});
+}
+
+void WalkPad::setWheels(bool wheels) {
+  if (wheels == wheels_) return;
+  release();
+  wheels_ = wheels;
+  describeUse();
 }
 
 void WalkPad::show(Picture picture) {
@@ -82,9 +94,9 @@ void WalkPad::paint(QPainter& painter, const QRectF& rect, const Picture& pictur
   painter.setRenderHint(QPainter::Antialiasing);
   paintGrid(painter, disc, palette);
   if (picture.measured)
-    paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false);
+    paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false, picture.wheels);
   if (picture.enabled) {
-    paintVector(painter, disc, picture.asked, colorOf(Meaning::kNote, palette), true);
+    paintVector(painter, disc, picture.asked, colorOf(Meaning::kNote, palette), true, picture.wheels);
     return;
   }
   painter.setPen(colorOf(Meaning::kMuted, palette));
@@ -118,7 +130,7 @@ void WalkPad::follow(const QPointF& position) {
   QPointF vector = (position - disc.center()) / (disc.width() / 2);
   const double length = std::hypot(vector.x(), vector.y());
   if (length > 1) vector /= length;
-  setAxes({-vector.y(), -vector.x(), axes_.turn});
+  setAxes(wheels_ ? WalkAxes{-vector.y(), 0, -vector.x()} : WalkAxes{-vector.y(), -vector.x(), axes_.turn});
 }
 
 void WalkPad::mousePressEvent(QMouseEvent* event) {
@@ -135,9 +147,10 @@ void WalkPad::mouseReleaseEvent(QMouseEvent* event) {
 
 void WalkPad::useKeys(bool halved) {
   const double scale = halved ? 0.5 : 1;
-  setAxes({scale * direction(keys_, {Qt::Key_W, Qt::Key_Up}, {Qt::Key_S, Qt::Key_Down}),
-           scale * direction(keys_, {Qt::Key_A, Qt::Key_Left}, {Qt::Key_D, Qt::Key_Right}),
-           scale * direction(keys_, {Qt::Key_Q}, {Qt::Key_E})});
+  const double sideways = scale * direction(keys_, {Qt::Key_A, Qt::Key_Left}, {Qt::Key_D, Qt::Key_Right});
+  const double turn = scale * direction(keys_, {Qt::Key_Q}, {Qt::Key_E});
+  const double forward = scale * direction(keys_, {Qt::Key_W, Qt::Key_Up}, {Qt::Key_S, Qt::Key_Down});
+  setAxes(wheels_ ? WalkAxes{forward, 0, std::clamp(sideways + turn, -scale, scale)} : WalkAxes{forward, sideways, turn});
 }
 
 void WalkPad::keyPressEvent(QKeyEvent* event) {

@@ -11,7 +11,7 @@
 namespace widgets {
 
 /// A pad to walk by: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrows, Q and E
-/// to turn; Shift halves. All is zero as soon as button or keys are released or the focus goes. Shows what is
+/// to turn; Shift halves. Robots on wheels cannot go sideways: for them left and right turn. All is zero as soon as button or keys are released or the focus goes. Shows what is
 /// asked for (filled) and what is measured (outlined).
 class WalkPad final : public QWidget {
   Q_OBJECT
@@ -21,11 +21,14 @@ class WalkPad final : public QWidget {
     WalkAxes asked;                    ///< -1 to 1
     std::optional<WalkAxes> measured;  ///< as shares of the limits
     bool enabled = false;
+    bool wheels = false;
     QString hint;  ///< in the middle, while not enabled
   };
 
   explicit WalkPad(QWidget* parent = nullptr);
   const WalkAxes& axes() const { return axes_; }
+  /// For a robot on wheels.
+  void setWheels(bool wheels);
   /// Lets go of everything.
   void release();
   void show(Picture picture);
@@ -51,9 +54,11 @@ class WalkPad final : public QWidget {
   void follow(const QPointF& position);
   void useKeys(bool halved);
   void setAxes(const WalkAxes& axes);
+  void describeUse();
 
   WalkAxes axes_;
   Picture picture_;
+  bool wheels_ = false;
   QSet<int> keys_;  // held down
 };
 

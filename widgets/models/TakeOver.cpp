@@ -11,10 +11,19 @@ QString translated(const char* source) {
   return QCoreApplication::translate("TakeOver", source);
 }
 
-/// A task may be done by several processes' tables; the first counts.
+bool obeys(const TaskEntry& task) {
+  return std::any_of(task.solutions.begin(), task.solutions.end(),
+                     [](const auto& solution) { return solution.name == TakeOver::kObey; });
+}
+
+/// A task may be done by several processes' tables; the first counts. Without one that obeys, the one that
+/// should.
 const TaskEntry* findTask(const std::vector<TaskEntry>& tasks) {
-  const auto found =
-      std::find_if(tasks.begin(), tasks.end(), [](const auto& t) { return t.name == TakeOver::kTask; });
+  auto found = std::find_if(tasks.begin(), tasks.end(), obeys);
+  if (found == tasks.end()) {
+    found = std::find_if(tasks.begin(), tasks.end(),
+                         [](const auto& task) { return task.name == "behavior" || task.name == "driving"; });
+  }
   return found == tasks.end() ? nullptr : &*found;
 }
 
@@ -26,6 +35,8 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
     *this = {};
     return;
   }
+  if (task->name != task_) *this = {};
+  task_ = task->name;
   active_ = task->active;
   if (active_ != kObey) former_ = active_;
   if (former_.empty()) former_ = task->standard;
@@ -39,7 +50,7 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
   } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
     state_ = State::kUnavailable;
     reason_ =
-        obey == task->solutions.end() ? translated("its behavior has no solution “obey”") : obey->unavailable;
+        obey == task->solutions.end() ? translated("its %1 has no solution “obey”").arg(QString::fromStdString(task_)) : obey->unavailable;
   } else {
     state_ = State::kFree;
   }
