@@ -23,8 +23,11 @@ inline constexpr std::size_t kMaximumSentCount = 200;
 inline constexpr std::size_t kMaximumData = kMaximumCount - kMinimumCount;
 inline constexpr std::size_t kMaximumSentData = kMaximumSentCount - kMinimumCount;
 
-/// A packet without its frame: what a number and some data say depends on the direction (Command.h,
-/// ServerPackets.h).
+/// Who sent a packet: what its number and its data mean depends on it.
+enum class Direction { kFromClient, kFromRobot };
+
+/// A packet without its frame: what it says is in Command.h and in
+/// ServerPackets.h.
 struct Packet {
   std::uint8_t id = 0;
   Bytes data;

@@ -29,18 +29,22 @@ void visitFields(P& p, V& v) {
   v("left speed", p.leftSpeedMmS, "mm/s");
   v("right speed", p.rightSpeedMmS, "mm/s");
   v("battery", p.batteryDecivolts, "0.1 V");
-  v("stall and bumpers", p.stallAndBumpers, "bits");
+  v("stall and bumpers", p.stallAndBumpers,
+    "bits: left stall, rear 1, rear 2, rear 3, rear 4, rear 5, rear 6, rear 7, "
+    "right stall, front 1, front 2, front 3, front 4, front 5, front 6, front 7");
   v("heading setpoint", p.headingSetpoint4096, "1/4096 turn");
-  v("flags", p.flags, "bits");
+  v("flags", p.flags,
+    "bits: motors on, sonar array 1, sonar array 2, sonar array 3, sonar array 4, stop button, "
+    "emergency stall, far infrared, near infrared, joystick button, charger power");
   v("compass", p.compass2Deg, "2 deg");
   v.template size<std::uint8_t>("sonars", p.sonars);
   for (std::size_t i = 0; i < p.sonars.size(); ++i) {
     v.enter("sonar", i);
-    v("number", p.sonars[i].number);
-    v("range", p.sonars[i].rangeMm, "mm");
+    v.key("number", p.sonars[i].number);
+    v("", p.sonars[i].rangeMm, "mm");
     v.leave();
   }
-  v("gripper state", p.gripState, "bits");
+  v("gripper state", p.gripState, "bits: open, closed, moving, , lift up, lift down, lift moving");
   v("analog port", p.analogPort);
   v("analog", p.analog, "5/255 V");
   v("digital in", p.digitalIn, "bits");
@@ -48,7 +52,7 @@ void visitFields(P& p, V& v) {
   v("battery, fine", p.batteryDecivolts16, "0.1 V");
   v("charge state", p.chargeState);
   v("rotation rate", p.rotationRateDeciDegS, "0.1 deg/s");
-  v("fault flags", p.faultFlags, "bits");
+  v("fault flags", p.faultFlags, "bits: , temperature, , low battery, gyroscope");
   v("lateral speed", p.lateralSpeedMmS, "mm/s");
   v("temperature", p.temperatureDegC, "degC");
   v("state of charge", p.stateOfChargePercent, "%");
@@ -158,7 +162,7 @@ void visitFields(P& p, V& v) {
   v.template size<std::uint8_t>("readings", p.readings);
   for (std::size_t i = 0; i < p.readings.size(); ++i) {
     v.enter("reading", i);
-    v("range", p.readings[i].rangeMm, "mm");
+    v("", p.readings[i].rangeMm, "mm");
     if (p.extended) {
       v("reflectance", p.readings[i].reflectance);
       v("reserved", p.readings[i].reserved[0]);
@@ -168,7 +172,7 @@ void visitFields(P& p, V& v) {
   }
   if (p.extended) {
     v("device", p.device);
-    v("flags", p.flags, "bits");
+    v("flags", p.flags, "bits: robot moved");
   }
   v.rest(p.rest);
 }
@@ -177,7 +181,7 @@ template <Is<SimulatorStatus> P, typename V>
 void visitFields(P& p, V& v) {
   v("reserved", p.reserved1);
   v("reserved", p.reserved2);
-  v("flags", p.flags, "bits");
+  v("flags", p.flags, "bits: , global position, odometry error");
   v("simulated interval", p.simulatedIntervalMs, "ms");
   v("real interval", p.realIntervalMs, "ms");
   v("last interval", p.lastIntervalMs, "ms");

@@ -25,9 +25,11 @@ class FieldReader {
 
   template <typename T>
   void operator()(const char* name, T& value, const char* = "") {
-    if (take(value) || !ok_) return;
-    ok_ = false;
-    missing_ = name;
+    if (!take(value)) fail(name);
+  }
+  template <typename T>
+  void key(const char* name, T& value) {
+    (*this)(name, value);
   }
   template <typename T>
   void operator()(const char*, std::optional<T>& value, const char* = "") {
@@ -40,21 +42,17 @@ class FieldReader {
   void size(const char* name, std::vector<T>& list) {
     Count count = 0;
     (*this)(name, count);
-    if (ok_ && count <= data_.size()) {
-      list.resize(count);
-    } else if (ok_) {
-      ok_ = false;
-      missing_ = name;
-    }
+    if (count > data_.size()) fail(name);
+    if (ok_) list.resize(count);
   }
-  void enter(const char*, std::size_t) {}
+  void enter(const char* list, std::size_t) { list_ = list; }
   void leave() {}
   void rest(Bytes& bytes) {
     bytes.assign(data_.begin(), data_.end());
     data_ = {};
   }
   void bytes(Bytes& taken, std::size_t count) {
-    if (count > data_.size()) ok_ = false;
+    if (count > data_.size()) fail("end");
     if (!ok_) return;
     taken.assign(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(count));
     data_ = data_.subspan(count);
@@ -83,8 +81,14 @@ class FieldReader {
   }
 
  private:
+  void fail(const char* name) {
+    if (ok_) missing_ = *name == '\0' ? list_ : name;
+    ok_ = false;
+  }
+
   std::span<const std::uint8_t> data_;
   const char* missing_ = "";
+  const char* list_ = "";
   bool ok_ = true;
   bool ended_ = false;
 };
@@ -108,6 +112,10 @@ class FieldWriter {
   void operator()(const char* name, const std::optional<T>& value, const char* = "") {
     ended_ = ended_ || !value;
     if (!ended_) (*this)(name, *value);
+  }
+  template <typename T>
+  void key(const char* name, const T& value) {
+    (*this)(name, value);
   }
   template <std::unsigned_integral Count, typename T>
   void size(const char* name, const std::vector<T>& list) {

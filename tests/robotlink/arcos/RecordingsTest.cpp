@@ -1,0 +1,129 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "tests/robotlink/arcos/Recordings.h"
+
+#include <gtest/gtest.h>
+
+#include "robotlink/arcos/Command.h"
+#include "robotlink/arcos/PacketDescription.h"
+#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/ServerPackets.h"
+
+namespace robotlink::arcos {
+namespace {
+
+#define SKIP_WITHOUT(files) \
+  if ((files).empty()) GTEST_SKIP() << "there is no ../shared/data/arcos/wire with recorded conversations"
+
+/// The same packet, by way of what it says.
+tl::expected<Packet, Error> rewritten(const Packet& packet, Direction direction) {
+  if (direction == Direction::kFromClient) {
+    return toCommand(packet).map([](const Command& command) { return toPacket(command); });
+  }
+  return decodeServerPacket(packet).map([](const ServerPacket& typed) { return toPacket(typed); });
+}
+
+TEST(RecordingsTest, everyPacketIsReadAndWrittenBackByteForByte) {
+  const auto files = recordings();
+  SKIP_WITHOUT(files);
+  EXPECT_EQ(files.size(), 6U);
+  std::size_t packets = 0;
+  for (const auto& file : files) {
+    const auto conversation = readConversation(uncompressed(file), file.string());
+    ASSERT_TRUE(conversation) << conversation.error().describe();
+    for (const Conversation::Event& event : conversation->events) {
+      if (event.kind != Conversation::Kind::kPacket) continue;
+      PacketParser parser;
+      parser.push(event.bytes);
+      const auto found = parser.next();
+      ASSERT_TRUE(found && std::holds_alternative<Packet>(*found)) << toHex(event.bytes);
+      const auto& packet = std::get<Packet>(*found);
+      const auto back = rewritten(packet, event.direction);
+      ASSERT_TRUE(back) << back.error().describe();
+      EXPECT_EQ(toHex(encode(*back)), toHex(event.bytes));
+      EXPECT_FALSE(parser.isPartial());
+      ++packets;
+    }
+  }
+  EXPECT_EQ(packets, 3326U);
+}
+
+TEST(RecordingsTest, everyPacketHasALayout) {
+  for (const auto& file : recordings()) {
+    const auto conversation = readConversation(uncompressed(file), file.string());
+    ASSERT_TRUE(conversation) << conversation.error().describe();
+    for (const Conversation::Event& event : conversation->events) {
+      if (event.kind != Conversation::Kind::kPacket) continue;
+      const Packet packet{event.bytes[3], Bytes(event.bytes.begin() + 4, event.bytes.end() - 2)};
+      const PacketDescription description = describe(packet, event.direction);
+      EXPECT_EQ(description.problem, "");
+      EXPECT_EQ(description.fields.empty(), packet.data.empty()) << description.line();
+      for (const PacketField& field : description.fields)
+        EXPECT_NE(field.name, "bytes") << description.line();
+    }
+  }
+}
+
+TEST(RecordingsTest, filesAreWrittenBackByteForByte) {
+  const auto files = recordings();
+  SKIP_WITHOUT(files);
+  for (const auto& file : files) {
+    const std::string text = uncompressed(file);
+    const auto conversation = readConversation(text, file.string());
+    ASSERT_TRUE(conversation) << conversation.error().describe();
+    EXPECT_TRUE(writeConversation(*conversation) == text) << file;
+  }
+}
+
+TEST(RecordingsTest, allOfADirectionAsOneStreamGivesTheSamePackets) {
+  const auto files = recordings();
+  SKIP_WITHOUT(files);
+  for (const auto& file : files) {
+    const auto conversation = readConversation(uncompressed(file), file.string());
+    ASSERT_TRUE(conversation);
+    Bytes stream;
+    std::size_t sent = 0;
+    for (const Conversation::Event& event : conversation->events) {
+      if (event.kind != Conversation::Kind::kPacket || event.direction != Direction::kFromRobot) continue;
+      stream.insert(stream.end(), event.bytes.begin(), event.bytes.end());
+      ++sent;
+    }
+    PacketParser parser;
+    for (std::size_t at = 0; at < stream.size(); at += 7) {
+      parser.push(std::span(stream).subspan(at, std::min<std::size_t>(7, stream.size() - at)));
+      while (const auto found = parser.next()) EXPECT_TRUE(std::holds_alternative<Packet>(*found));
+    }
+    EXPECT_EQ(parser.counters(), (PacketParser::Counters{sent, 0, 0}));
+  }
+}
+
+TEST(RecordingsTest, aSimulatorsConfigurationSaysWhatIsKnownOfIt) {
+  const auto files = recordings();
+  SKIP_WITHOUT(files);
+  const auto conversation = readConversation(uncompressed(files.front()), "");
+  ASSERT_TRUE(conversation);
+  for (const Conversation::Event& event : conversation->events) {
+    if (event.bytes.size() < 6 || event.bytes[3] != Configuration::kId) continue;
+    const auto found =
+        decodeConfiguration({Configuration::kId, Bytes(event.bytes.begin() + 4, event.bytes.end() - 2)});
+    ASSERT_TRUE(found);
+    EXPECT_EQ(found->fieldCount, Configuration::kUsualFields);
+    EXPECT_TRUE(found->rest.empty());
+    EXPECT_EQ(found->subtype, "p3at-sh");
+    EXPECT_EQ(found->serialNumber, "SIM");
+    EXPECT_EQ(found->name, "AMRISim");
+    EXPECT_EQ(found->rotVelTopDegS, 9999);
+    EXPECT_EQ(found->pwmMax, 400);
+    EXPECT_EQ(found->sipCycleMs, 100);
+    EXPECT_EQ(found->watchdogMs, 2000);
+    EXPECT_EQ(found->rotVelMaxDegS, 150);
+    EXPECT_EQ(found->transVelMaxMmS, 3000);
+    EXPECT_EQ(found->transDecelMmS2, 300);
+    EXPECT_EQ(found->autoBaud, 2);
+    EXPECT_EQ(found->version, "S.0");
+    return;
+  }
+  FAIL() << "there is no configuration in " << files.front();
+}
+
+}  // namespace
+}  // namespace robotlink::arcos
