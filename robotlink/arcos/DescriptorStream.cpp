@@ -35,15 +35,15 @@ DescriptorStream::Wait DescriptorStream::waitFor(short events, Duration timeout)
   const auto deadline = SteadyTime::now() + std::max(timeout, Duration::zero());
   std::array<pollfd, 2> polled = {{{descriptor_, events, 0}, {wake_, POLLIN, 0}}};
   for (;;) {
-    if (closed_) return Wait::Closed;
+    if (closed_) return Wait::kClosed;
     const auto left =
         std::max(Duration::zero(), std::chrono::duration_cast<Duration>(deadline - SteadyTime::now()));
     const auto whole = std::chrono::duration_cast<std::chrono::seconds>(left);
     const timespec limit{whole.count(), (left - whole).count()};
     const int ready = ::ppoll(polled.data(), polled.size(), &limit, nullptr);
-    if (ready == 0) return Wait::TimedOut;
+    if (ready == 0) return Wait::kTimedOut;
     // A line that hangs up is ready, too: the next read or write says why.
-    if (ready > 0 && polled[0].revents != 0) return Wait::Ready;
+    if (ready > 0 && polled[0].revents != 0) return Wait::kReady;
   }
 }
 
@@ -66,11 +66,11 @@ Result<std::size_t> DescriptorStream::read(std::span<std::uint8_t> bytes, Durati
     if (!isTemporary(errno)) return failed(errno);
     if (waited) return std::size_t{0};
     switch (waitFor(POLLIN, timeout)) {
-      case Wait::Ready:
+      case Wait::kReady:
         break;
-      case Wait::TimedOut:
+      case Wait::kTimedOut:
         return std::size_t{0};
-      case Wait::Closed:
+      case Wait::kClosed:
         return closedHere();
     }
   }
@@ -86,14 +86,14 @@ Result<void> DescriptorStream::write(std::span<const std::uint8_t> bytes) {
     }
     if (!isTemporary(errno)) return failed(errno);
     switch (waitFor(POLLOUT, kWriteLimit)) {
-      case Wait::Ready:
+      case Wait::kReady:
         break;
-      case Wait::TimedOut:
+      case Wait::kTimedOut:
         return failure(
             "stream.busy",
             address_ + " takes no more bytes; is it still switched on? Close the line and connect again", {},
             {address_});
-      case Wait::Closed:
+      case Wait::kClosed:
         return closedHere();
     }
   }

@@ -28,7 +28,7 @@ class DescriptorStream : public ByteStream {
   int descriptor() const { return descriptor_; }
 
  private:
-  enum class Wait { Ready, TimedOut, Closed };
+  enum class Wait { kReady, kTimedOut, kClosed };
   Wait waitFor(short events, Duration timeout) const;
   tl::unexpected<Error> closedHere() const;
   tl::unexpected<Error> failed(int error) const;

@@ -1,0 +1,31 @@
+# SPDX-License-Identifier: GPL-3.0-or-later
+# The client library for Pioneers alone, without Qt and Protocol Buffers, for projects of others:
+#   cmake --install build/release --component arcos --prefix /where/it/shall/be
+include_guard()
+include(GNUInstallDirs)
+include(CMakePackageConfigHelpers)
+
+# One archive of all that a client needs; what is needed to build this project itself (warnings, sanitizers) stays here.
+add_library(robotcontrol_arcos STATIC $<TARGET_OBJECTS:robotlink_arcos> $<TARGET_OBJECTS:robotlink_base>)
+set_target_properties(robotcontrol_arcos PROPERTIES LINKER_LANGUAGE CXX EXPORT_NAME arcos)
+target_compile_features(robotcontrol_arcos INTERFACE cxx_std_20)
+target_link_libraries(robotcontrol_arcos INTERFACE Eigen3::Eigen tl::expected Threads::Threads)
+target_include_directories(robotcontrol_arcos INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol>)
+
+set(arcos_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/RobotControlArcos)
+install(TARGETS robotcontrol_arcos EXPORT RobotControlArcosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT arcos)
+install(EXPORT RobotControlArcosTargets NAMESPACE RobotControl:: DESTINATION ${arcos_package_folder} COMPONENT arcos)
+write_basic_package_version_file(${CMAKE_BINARY_DIR}/RobotControlArcosConfigVersion.cmake COMPATIBILITY SameMinorVersion)
+install(FILES ${CMAKE_CURRENT_LIST_DIR}/RobotControlArcosConfig.cmake ${CMAKE_BINARY_DIR}/RobotControlArcosConfigVersion.cmake
+        DESTINATION ${arcos_package_folder} COMPONENT arcos)
+
+foreach(header
+    arcos/ByteStream.h arcos/ClientSession.h arcos/Command.h arcos/CommandTable.h arcos/Configuration.h arcos/LaserPacket.h
+    arcos/LaserScan.h arcos/MemoryStream.h arcos/Packet.h arcos/PacketParser.h arcos/PioneerRobot.h arcos/RangeScan.h
+    arcos/RobotState.h arcos/RobotType.h arcos/SensorPackets.h arcos/SerialPorts.h arcos/ServerPackets.h arcos/SimulatorCommands.h
+    arcos/SimulatorPackets.h arcos/StandardInformation.h arcos/StateDecoder.h arcos/StreamUrl.h
+    base/Clock.h base/Error.h base/Geometry.h)
+  cmake_path(GET header PARENT_PATH folder)
+  install(FILES ${PROJECT_SOURCE_DIR}/robotlink/${header}
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/robotlink/${folder} COMPONENT arcos)
+endforeach()

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/arcos/PioneerConnection.h"
+
+#include <algorithm>
+#include <array>
+
+namespace robotlink::arcos {
+namespace {
+
+using namespace std::chrono_literals;
+
+// How often the session is asked whether it has something to say, while waiting for bytes.
+constexpr Duration kTurn = 20ms;
+// A packet whose rest does not come for so long never gets it.
+constexpr Duration kPartialTime = 100ms;
+// Bytes taken at once; and how often, before a read() returns although there is more: a line that floods
+// shall not keep it.
+constexpr std::size_t kPiece = 4096;
+constexpr int kMostPieces = 64;
+
+// A robot that was lost is not sought again behind the back of a program that may not expect it to stand
+// elsewhere, with its motors off: begin() is the program's word for it.
+ClientSession::Options sessionOptions() {
+  ClientSession::Options options;
+  options.reconnect = false;
+  return options;
+}
+
+RangeScan toRangeScan(const LaserScan& laser, const StateDecoder& decoder) {
+  RangeScan scan;
+  scan.time = laser.takenAt;
+  scan.robot = decoder.state().pose;
+  scan.laserInRobot = decoder.type().laserInRobot;
+  scan.startAngle = -kPi / 2;
+  const std::size_t count = laser.rangesMm.size();
+  if (count > 1) scan.angleStep = kPi / static_cast<double>(count - 1);
+  for (const std::uint16_t range : laser.rangesMm) scan.ranges.push_back(range / 1000.0);
+  return scan;
+}
+
+}  // namespace
+
+PioneerConnection::PioneerConnection(PioneerRobot::Opener opener, std::shared_ptr<const Clock> clock)
+    : opener_(std::move(opener)),
+      clock_(std::move(clock)),
+      session_(sessionOptions()),
+      decoder_(robotType({})) {}
+
+std::shared_ptr<ByteStream> PioneerConnection::stream() const {
+  const std::lock_guard lock(mutex_);
+  return stream_;
+}
+
+tl::unexpected<Error> PioneerConnection::lose(const Error& why) {
+  const std::lock_guard lock(mutex_);
+  if (stream_) {
+    session_.linkClosed(why, clock_->now());
+    stream_->close();
+    stream_.reset();
+    problem_ = why.text;
+  }
+  return tl::unexpected(why);
+}
+
+tl::unexpected<Error> PioneerConnection::notSent(const Error& why) const {
+  if (stream_) return tl::unexpected(why);
+  return failure("pioneer.not-connected", "the robot is not connected" +
+                                              (problem_.empty() ? std::string() : " (" + problem_ + ")") +
+                                              ": call begin() first");
+}
+
+Result<void> PioneerConnection::begin(Duration timeLimit) {
+  end();
+  const std::lock_guard reader(reading_);
+  auto opened = opener_();
+  if (!opened) {
+    const std::lock_guard lock(mutex_);
+    problem_ = opened.error().text;
+    return tl::unexpected(opened.error());
+  }
+  {
+    const std::lock_guard lock(mutex_);
+    const Instant now = clock_->now();
+    stream_ = std::move(*opened);
+    parser_ = {};
+    session_ = ClientSession(sessionOptions());
+    decoder_ = StateDecoder(robotType({}));
+    scan_.reset();
+    latest_.clear();
+    fresh_ = false;
+    silence_ = {};
+    problem_.clear();
+    session_.open(now);
+    session_.linkOpened(now);
+  }
+  return greet(timeLimit);
+}
+
+Result<void> PioneerConnection::greet(Duration timeLimit) {
+  const Instant limit = clock_->now() + timeLimit;
+  while (!inspect([](const auto& c) { return c.session_.isConnected(); })) {
+    if (clock_->now() >= limit) {
+      return lose({"pioneer.no-robot",
+                   "the line is open, but no robot answered in time: is it switched on, and is its speed the "
+                   "line's (baud)?",
+                   {},
+                   {}});
+    }
+    if (const auto pumped = pump(kTurn); !pumped) return tl::unexpected(pumped.error());
+  }
+  return {};
+}
+
+void PioneerConnection::end() {
+  {
+    const std::lock_guard lock(mutex_);
+    if (!stream_) return;
+    session_.close(clock_->now());
+  }
+  flush();  // if the farewell does not reach the robot, its watchdog stops it
+  const std::lock_guard lock(mutex_);
+  if (stream_) stream_->close();
+  stream_.reset();
+}
+
+Result<bool> PioneerConnection::read(Duration timeout) {
+  const std::lock_guard reader(reading_);
+  const Instant limit = clock_->now() + timeout;
+  const auto takeFresh = [this] {
+    const std::lock_guard lock(mutex_);
+    return std::exchange(fresh_, false);
+  };
+  for (;;) {
+    if (const auto drained = drain(); !drained) return tl::unexpected(drained.error());
+    if (takeFresh()) return true;
+    const Duration left = limit - clock_->now();
+    if (left <= Duration::zero()) return false;
+    if (const auto pumped = pump(std::min(left, kTurn)); !pumped) return tl::unexpected(pumped.error());
+  }
+}
+
+/// All that is there already.
+Result<void> PioneerConnection::drain() {
+  for (int piece = 0; piece < kMostPieces; ++piece) {
+    const auto pumped = pump(Duration::zero());
+    if (!pumped) return tl::unexpected(pumped.error());
+    if (*pumped == Line::kSilent) break;
+  }
+  return {};
+}
+
+/// One turn: what comes within `timeout` goes to the session, what it has to say goes out. The caller holds
+/// reading_.
+Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
+  const auto line = stream();
+  if (!line) {
+    const std::lock_guard lock(mutex_);
+    return notSent({});
+  }
+  std::array<std::uint8_t, kPiece> bytes;
+  const Instant before = clock_->now();
+  const auto count = line->read(bytes, timeout);
+  if (!count) return lose(count.error());
+  takeBytes(std::span(bytes).first(*count), clock_->now() - before);
+  if (const auto flushed = flush(); !flushed) return tl::unexpected(flushed.error());
+  const auto problem = inspect([](const auto& c) -> std::optional<Error> {
+    return c.session_.wantsLink() ? std::nullopt : c.session_.problem();
+  });
+  if (problem) return lose(*problem);
+  return *count > 0 ? Line::kBusy : Line::kSilent;
+}
+
+void PioneerConnection::takeBytes(std::span<const std::uint8_t> bytes, Duration waited) {
+  const std::lock_guard lock(mutex_);
+  const Instant now = clock_->now();
+  // Only time spent waiting counts: bytes may have lain there while the program did something else.
+  silence_ = bytes.empty() ? silence_ + waited : Duration::zero();
+  if (parser_.isPartial() && silence_ >= kPartialTime) parser_.dropPartial();
+  parser_.push(bytes);
+  while (const auto found = parser_.next()) takeFound(*found, now);
+  session_.tick(now);
+}
+
+void PioneerConnection::takeFound(const PacketParser::Found& found, Instant now) {
+  const auto informationBefore = session_.statistics().information;
+  const auto scansBefore = session_.statistics().scans;
+  session_.take(found, now);
+  if (const auto* packet = std::get_if<Packet>(&found)) latest_[packet->id] = *packet;
+  if (session_.statistics().information != informationBefore) {
+    const Identity* identity = session_.identity();
+    if (identity && identity->subclass != decoder_.type().subclass)
+      decoder_ = StateDecoder(robotType(identity->subclass));
+    decoder_.take(*session_.information(), now);
+    fresh_ = true;
+  }
+  if (session_.statistics().scans != scansBefore) scan_ = toRangeScan(*session_.laserScan(), decoder_);
+}
+
+Result<void> PioneerConnection::flush() {
+  const std::lock_guard writer(writing_);
+  Bytes bytes;
+  std::shared_ptr<ByteStream> line;
+  {
+    const std::lock_guard lock(mutex_);
+    bytes = session_.takeOutgoing();
+    line = stream_;
+  }
+  if (!line || bytes.empty()) return {};
+  if (const auto written = line->write(bytes); !written) return lose(written.error());
+  return {};
+}
+
+void PioneerConnection::forgetScan() {
+  const std::lock_guard lock(mutex_);
+  scan_.reset();
+}
+
+Result<void> PioneerConnection::resetOdometry() {
+  {
+    const std::lock_guard lock(mutex_);
+    decoder_.expectReset(clock_->now());
+  }
+  return send(command(CommandId::kSetO));
+}
+
+}  // namespace robotlink::arcos

@@ -1,0 +1,229 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/arcos/PioneerRobot.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "robotlink/arcos/PioneerConnection.h"
+#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/SimulatorCommands.h"
+
+namespace robotlink::arcos {
+namespace {
+
+int inMillimetres(double metres) {
+  return static_cast<int>(std::lround(metres * 1000));
+}
+int inDegrees(double angle) {
+  return static_cast<int>(std::lround(degrees(angle)));
+}
+
+/// Both or the first error.
+Result<void> both(Result<void> first, Result<void> second) {
+  return first ? second : first;
+}
+
+}  // namespace
+
+PioneerRobot::PioneerRobot(std::string url)
+    : PioneerRobot([url] { return open(url); }, std::make_shared<SteadyClock>()) {}
+
+PioneerRobot::PioneerRobot(Opener opener, std::shared_ptr<const Clock> clock)
+    : connection_(std::make_unique<PioneerConnection>(std::move(opener), std::move(clock))) {}
+
+PioneerRobot::~PioneerRobot() = default;
+
+Result<void> PioneerRobot::begin(Duration timeLimit) {
+  return connection_->begin(timeLimit);
+}
+void PioneerRobot::end() {
+  connection_->end();
+}
+Result<bool> PioneerRobot::read(Duration timeout) {
+  return connection_->read(timeout);
+}
+Result<void> PioneerRobot::write(const Command& command) {
+  return connection_->send(command);
+}
+Result<void> PioneerRobot::write(const Packet& packet) {
+  return connection_->send(packet);
+}
+
+bool PioneerRobot::isConnected() const {
+  return connection_->inspect([](const auto& c) { return c.session().isConnected(); });
+}
+
+std::string PioneerRobot::problem() const {
+  return connection_->inspect([](const auto& c) { return c.problem(); });
+}
+
+RobotState PioneerRobot::state() const {
+  return connection_->inspect([](const auto& c) { return c.decoder().state(); });
+}
+
+RobotType PioneerRobot::type() const {
+  return connection_->inspect([](const auto& c) { return c.decoder().type(); });
+}
+
+double PioneerRobot::sonar(std::size_t number) const {
+  return connection_->inspect([number](const auto& c) {
+    const auto& sonars = c.decoder().state().sonars;
+    return number < sonars.size() ? sonars[number].range : c.decoder().type().sonarMaximum;
+  });
+}
+
+std::optional<RangeScan> PioneerRobot::laser() const {
+  return connection_->inspect([](const auto& c) { return c.scan(); });
+}
+
+std::vector<Vector2> PioneerRobot::echoes() const {
+  return connection_->inspect([](const auto& c) {
+    std::vector<Vector2> points;
+    const RobotState& state = c.decoder().state();
+    const Pose2 fromOdometry = state.pose.inverse();
+    for (const SonarReading& sonar : state.sonars) {
+      if (sonar.echo && state.time - sonar.time <= kEchoTime) {
+        points.push_back(fromOdometry * sonar.robot * sonar.pointInRobot());
+      }
+    }
+    const auto& scan = c.scan();
+    if (!scan || state.time - scan->time > kEchoTime) return points;
+    const Pose2 then = fromOdometry * scan->robot;
+    for (std::size_t i = 0; i < scan->ranges.size(); ++i) {
+      if (scan->echo(i)) points.push_back(then * scan->pointInRobot(i));
+    }
+    return points;
+  });
+}
+
+double PioneerRobot::nearestEcho(double fromAngle, double toAngle) const {
+  double nearest = std::numeric_limits<double>::infinity();
+  for (const Vector2& point : echoes()) {
+    const double direction = std::atan2(point.y(), point.x());
+    if (direction >= fromAngle && direction <= toAngle) nearest = std::min(nearest, point.norm());
+  }
+  return nearest;
+}
+
+std::string PioneerRobot::name() const {
+  return connection_->inspect([](const auto& c) {
+    const Identity* identity = c.session().identity();
+    return identity ? identity->name : std::string();
+  });
+}
+
+bool PioneerRobot::isSimulated() const {
+  return connection_->inspect([](const auto& c) {
+    const Configuration* configuration = c.session().configuration();
+    const Identity* identity = c.session().identity();
+    return (configuration && configuration->serialNumber == "SIM") ||
+           (identity && identity->name == "MobileSim");
+  });
+}
+
+Result<void> PioneerRobot::requireSimulator(const std::string& why) const {
+  if (!isConnected() || isSimulated()) return {};
+  return failure("pioneer.not-simulated", "this robot is not a simulated one: " + why);
+}
+
+std::optional<Packet> PioneerRobot::latest(std::uint8_t packetId) const {
+  return connection_->inspect([packetId](const auto& c) -> std::optional<Packet> {
+    const auto found = c.latest().find(packetId);
+    return found == c.latest().end() ? std::nullopt : std::optional(found->second);
+  });
+}
+
+PioneerRobot::LinkCounts PioneerRobot::linkCounts() const {
+  return connection_->inspect([](const auto& c) {
+    const PacketParser::Counters& counters = c.parser().counters();
+    return LinkCounts{c.session().statistics().information, counters.packets, counters.checksumErrors,
+                      counters.skippedBytes};
+  });
+}
+
+Result<void> PioneerRobot::setMotors(bool on) {
+  return write(command(CommandId::kEnable, on ? 1 : 0));
+}
+Result<void> PioneerRobot::setSonar(bool on) {
+  return write(command(CommandId::kSonar, on ? 1 : 0));
+}
+
+Result<void> PioneerRobot::setLaser(bool on) {
+  if (const auto simulated = requireSimulator("its laser has a line of its own"); !simulated)
+    return simulated;
+  if (!on) {
+    connection_->forgetScan();
+    return write(command(CommandId::kSimLaserEnable, 0));
+  }
+  // 181 readings of a degree each; 2 asks for the packets that tell where a scan begins.
+  for (const auto& [id, argument] : {std::pair(CommandId::kSimLaserStart, -90),
+                                     {CommandId::kSimLaserEnd, 90},
+                                     {CommandId::kSimLaserResolution, 100},
+                                     {CommandId::kSimLaserEnable, 2}}) {
+    if (const auto sent = write(command(id, argument)); !sent) return sent;
+  }
+  return {};
+}
+
+Result<void> PioneerRobot::setSpeed(double speed) {
+  return write(command(CommandId::kVel, inMillimetres(speed)));
+}
+Result<void> PioneerRobot::setRotation(double rotation) {
+  return write(command(CommandId::kRvel, inDegrees(rotation)));
+}
+Result<void> PioneerRobot::drive(double speed, double rotation) {
+  return both(setSpeed(speed), setRotation(rotation));
+}
+
+Result<void> PioneerRobot::setWheels(double left, double right) {
+  const double step = type().wheelSpeedStep;
+  const auto steps = [step](double speed) {
+    return static_cast<std::int8_t>(std::clamp(std::lround(speed / step), -128L, 127L));
+  };
+  return write(command(CommandId::kVel2, joined({steps(left), steps(right)})));
+}
+
+Result<void> PioneerRobot::move(double distance) {
+  return write(command(CommandId::kMove, inMillimetres(distance)));
+}
+Result<void> PioneerRobot::turn(double angle) {
+  return write(command(CommandId::kDhead, inDegrees(angle)));
+}
+Result<void> PioneerRobot::turnTo(double heading) {
+  return write(command(CommandId::kHead, inDegrees(heading)));
+}
+
+Result<void> PioneerRobot::setLimits(double speed, double rotation) {
+  return both(write(command(CommandId::kSetV, inMillimetres(speed))),
+              write(command(CommandId::kSetRv, inDegrees(rotation))));
+}
+
+Result<void> PioneerRobot::stop() {
+  return write(command(CommandId::kStop));
+}
+Result<void> PioneerRobot::emergencyStop() {
+  return write(command(CommandId::kEStop));
+}
+Result<void> PioneerRobot::resetOdometry() {
+  return connection_->resetOdometry();
+}
+
+Result<void> PioneerRobot::putAt(const Pose2& pose) {
+  if (const auto simulated = requireSimulator("carry it to its place"); !simulated) return simulated;
+  return write(arcos::setTruePose({inMillimetres(pose.x), inMillimetres(pose.y), inDegrees(pose.heading)}));
+}
+
+Result<void> PioneerRobot::setTruePose(bool on) {
+  if (const auto simulated = requireSimulator("nobody knows its true pose"); !simulated) return simulated;
+  return write(command(CommandId::kSimStat, on ? 2 : 0));
+}
+
+std::optional<Pose2> PioneerRobot::truePose() const {
+  const auto packet = latest(SimulatorStatus::kId);
+  const auto status = packet ? decodeSimulatorStatus(*packet) : Result<SimulatorStatus>(failure("", ""));
+  if (!status) return std::nullopt;
+  return Pose2{status->xMm / 1000.0, status->yMm / 1000.0, normalizedAngle(radians(status->headingDeg))};
+}
+
+}  // namespace robotlink::arcos
