@@ -4,6 +4,7 @@
 #include <cstring>
 
 #include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
 
 namespace app {
 namespace {
@@ -43,30 +44,59 @@ void blacken(robotlink::Image& image) {
 
 robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
     std::shared_ptr<const simcore::Scene> scene, Options options) {
-  auto simulation = simcore::Simulation::create(std::move(scene), {options.seed, options.noise});
+  auto simulation =
+      simcore::Simulation::create(std::move(scene), {options.seed, options.noise, options.kinematic});
   if (!simulation) return tl::unexpected(simulation.error());
-  return std::unique_ptr<SimulatedWorld>(new SimulatedWorld(std::move(*simulation), options));
+  std::unique_ptr<SimulatedWorld> world(new SimulatedWorld(std::move(*simulation), options));
+  if (auto made = world->makePioneers(); !made) return tl::unexpected(made.error());
+  return world;
 }
 
 SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
     : options_(options),
       simulation_(std::move(simulation)),
-      renderer_(std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
-                                                          simcore::CameraRenderer::Options{options.shadows})),
       trueClasses_(*simulation_->renderScene()) {
+  if (simulation_->cameras().empty()) return;
+  renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
+                                                        simcore::CameraRenderer::Options{options.shadows});
   renderer_->setLighting(options.lighting);
+}
+
+robotlink::Result<void> SimulatedWorld::makePioneers() {
+  SimulatedPioneer::Options options = options_.pioneers;
+  options.seed = options_.seed;
+  if (!options_.noise) options.tyreError = 0;
+  for (const auto& drive : simulation_->drives()) {
+    auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, options);
+    if (!pioneer) return tl::unexpected(pioneer.error());
+    pioneers_.push_back(std::move(*pioneer));
+  }
+  return {};
+}
+
+SimulatedPioneer* SimulatedWorld::pioneer(const std::string& robot) const {
+  for (const auto& pioneer : pioneers_) {
+    if (pioneer->robot() == robot) return pioneer.get();
+  }
+  return nullptr;
 }
 
 void SimulatedWorld::mixIntoDigest(std::uint64_t value) { digest_ = robotlink::mixBits(digest_ ^ value); }
 
 void SimulatedWorld::advance() {
-  const CostMeter meter(costs_.physics);
   for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
-    simulation_->step();
-    ++costs_.steps;
+    {
+      const CostMeter meter(costs_.physics);
+      simulation_->step();
+      ++costs_.steps;
+    }
+    clock_.set(robotlink::Instant(simulation_->time()));
+    if (pioneers_.empty()) continue;
+    const CostMeter meter(costs_.pioneers);
+    for (const auto& pioneer : pioneers_) pioneer->step(clock_.now());
   }
+  const CostMeter meter(costs_.physics);
   mixIntoDigest(simulation_->digest());
-  clock_.set(robotlink::Instant(simulation_->time()));
 }
 
 void SimulatedWorld::reset(std::uint64_t seed) {
@@ -76,6 +106,7 @@ void SimulatedWorld::reset(std::uint64_t seed) {
   digest_ = 0;
   costs_ = {};
   clock_.set(robotlink::Instant{});
+  for (const auto& pioneer : pioneers_) pioneer->reset(seed);
 }
 
 bool SimulatedWorld::imageDue(std::size_t camera) const {
@@ -121,7 +152,7 @@ robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lig
     return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
   }
   options_.lighting = lighting;
-  renderer_->setLighting(lighting);
+  if (renderer_) renderer_->setLighting(lighting);
   return {};
 }
 

@@ -4,8 +4,11 @@
 #include <cstdint>
 #include <memory>
 #include <optional>
+#include <span>
+#include <string>
 #include <vector>
 
+#include "app/core/SimulatedPioneer.h"
 #include "app/core/TrueClasses.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
@@ -15,7 +18,8 @@
 
 namespace app {
 
-/// A simulation with a clock and with cameras that render: what the platforms of all simulated robots share.
+/// A simulation with a clock, with cameras that render, and with the microcontrollers of its robots on wheels: what the platforms of all
+/// simulated robots share.
 ///
 /// Moves in steps of kStep, two of the physics. One thread at a time; the clock may be read by any.
 class SimulatedWorld {
@@ -30,6 +34,8 @@ class SimulatedWorld {
     simcore::Lighting lighting = {};
     std::optional<simcore::Vignetting> vignetting = {};  ///< of all cameras, instead of their own
     std::optional<double> imageNoise = {};  ///< standard deviation, grey values; likewise, unless `noise` is off
+    bool kinematic = false;                 ///< robots on wheels are moved by their odometry instead of by forces
+    SimulatedPioneer::Options pioneers = {};  ///< of all of them; seed and odometry's errors are the world's
   };
   /// What it did and what that cost, in real time.
   struct Costs {
@@ -37,6 +43,7 @@ class SimulatedWorld {
     std::uint64_t images = 0;
     robotlink::Duration physics{};
     robotlink::Duration rendering{};
+    robotlink::Duration pioneers{};  ///< microcontrollers and what they measure
   };
 
   static robotlink::Result<std::unique_ptr<SimulatedWorld>> create(std::shared_ptr<const simcore::Scene> scene,
@@ -51,6 +58,11 @@ class SimulatedWorld {
   const simcore::Simulation& simulation() const { return *simulation_; }
   const Options& options() const { return options_; }
   const Costs& costs() const { return costs_; }
+
+  /// Those of all robots with a drive, in the order of the scene.
+  std::span<const std::unique_ptr<SimulatedPioneer>> pioneers() const { return pioneers_; }
+  /// Null if that robot has no drive.
+  SimulatedPioneer* pioneer(const std::string& robot) const;
 
   /// Whether a camera takes an image at this step.
   bool imageDue(std::size_t camera) const;
@@ -67,12 +79,14 @@ class SimulatedWorld {
 
  private:
   SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options);
+  robotlink::Result<void> makePioneers();
   void mixIntoDigest(std::uint64_t value);
 
   Options options_;
   robotlink::ManualClock clock_;
   std::unique_ptr<simcore::Simulation> simulation_;
-  std::unique_ptr<simcore::CameraRenderer> renderer_;
+  std::vector<std::unique_ptr<SimulatedPioneer>> pioneers_;
+  std::unique_ptr<simcore::CameraRenderer> renderer_;  ///< null: there are no cameras
   TrueClasses trueClasses_;
   robotlink::Image image_, classes_;
   std::uint64_t posesRendered_ = ~std::uint64_t{0};  ///< the physics step whose poses the renderer has

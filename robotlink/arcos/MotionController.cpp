@@ -154,6 +154,15 @@ void MotionController::enable(bool motors) {
   leftStalled_ = rightStalled_ = false;
 }
 
+void MotionController::reset() {
+  emergencyStop();
+  odometry_ = {};
+  travelled_ = 0;
+  last_.reset();
+  stallLeft_ = {};
+  leftStalled_ = rightStalled_ = false;
+}
+
 void MotionController::setOdometry(const Pose2& pose) {
   const double turned = finite(pose.heading) - odometry_.heading;
   odometry_ = {finite(pose.x), finite(pose.y), normalizedAngle(finite(pose.heading))};

@@ -103,6 +103,13 @@ void ServerSession::clientGone(Instant now) {
   outgoing_.clear();
 }
 
+void ServerSession::robotReset() { motion_.reset(); }
+
+bool ServerSession::tellsTruth() const {
+  const Subscription& status = client_.subscriptions[kStatus];
+  return status.once || status.always;
+}
+
 void ServerSession::send(Packet packet) {
   if (packet.id >= kFirstReserved || packet.count() > kMaximumSentCount ||
       outgoing_.size() >= kMaximumOutgoing) {

@@ -89,6 +89,8 @@ class ServerSession {
   /// The line is closed: the robot stops, its parameters become those it began with, and it waits for the
   /// next client.
   void clientGone(Instant now);
+  /// The robot was put elsewhere, and its encoders begin anew: it stands, and its odometry is 0.
+  void robotReset();
   /// To be called every few milliseconds. The wheels' command holds until the next call.
   WheelCommand step(const RobotSensing& sensing, RangeFinders& ranges, Instant now);
 
@@ -102,6 +104,8 @@ class ServerSession {
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
   bool sonarOn() const { return sonars_.anyOn(); }
+  /// Whether the true pose will be told with the next information packet; else it need not be known.
+  bool tellsTruth() const;
   /// The watchdog has stopped the robot, which waits for the next packet.
   bool starved() const { return starved_; }
   std::uint64_t droppedPackets() const { return dropped_; }
