@@ -14,6 +14,8 @@ using State = ClientSession::State;
 constexpr std::size_t kMaximumOutgoing = 64U << 10U;
 constexpr Duration kGapWindow = std::chrono::seconds(5);
 constexpr std::size_t kMaximumGaps = 256;
+/// A robot that answers some SYNCs but never all of them is given up after so many times as many tries.
+constexpr int kRounds = 4;
 
 /// A controller that restarts says so with these.
 bool isControllerReset(std::uint8_t id) {
@@ -97,7 +99,7 @@ bool ClientSession::wantsLink() const {
 void ClientSession::linkOpened(Instant now) {
   if (state_ != State::kWaitingForLink) return;
   outgoing_.clear();
-  tries_ = 0;
+  tries_ = unanswered_ = 0;
   damages_ = 0;
   heard_ = false;
   sendSync(0, now);
@@ -136,18 +138,20 @@ void ClientSession::resynchronize(Instant now) {
 }
 
 void ClientSession::retry(Error why, Instant now) {
-  if (++tries_ >= options_.syncTries) {
+  ++tries_;
+  if (tries_ >= options_.syncTries || ++unanswered_ >= kRounds * options_.syncTries) {
     giveUpLine(std::move(why), now);
     return;
   }
   problem_ = std::move(why);
   // A robot that is silent may be in the connection of somebody who is gone. It is told to close that one
   // only now and then, because one that awaits SYNC2 takes CLOSE for it: they have the same number.
-  const bool mayBeConnected = state_ == State::kOpening || sync_ == 2 || tries_ % 2 == 0;
-  if (mayBeConnected) {
-    resynchronize(now);
-  } else {
+  if (state_ == State::kSynchronizing && tries_ == 1) {
+    sendSync(sync_, now);
+  } else if (state_ == State::kSynchronizing && sync_ < 2 && tries_ % 2 == 1) {
     sendSync(0, now);
+  } else {
+    resynchronize(now);
   }
 }
 
@@ -189,6 +193,7 @@ void ClientSession::take(const Packet& packet, Instant now) {
 
 void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
   if (packet.id == sync_ && sync_ < 2) {
+    tries_ = 0;
     sendSync(sync_ + 1, now);
   } else if (packet.id == sync_) {
     auto identity = decodeIdentity(packet);
@@ -197,6 +202,7 @@ void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
       return;
     }
     identity_ = std::move(*identity);
+    tries_ = 0;
     opened_ = informed_ = configured_ = false;
     askedAt_.reset();
     enter(State::kOpening, now);
@@ -205,7 +211,7 @@ void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
   } else if (packet.id > 2) {
     // The answer to an earlier SYNC comes late; anything else is from a connection that was never closed.
     const Error why = error("arcos.busy", "the robot is in another connection, and does not close it");
-    if (++tries_ >= options_.syncTries) {
+    if (++tries_ >= options_.syncTries || ++unanswered_ >= kRounds * options_.syncTries) {
       giveUpLine(why, now);
     } else {
       problem_ = why;
@@ -225,7 +231,7 @@ void ClientSession::takeInConnection(const Packet& packet, Instant now) {
     // The line is good, so the handshake begins again on it.
     if (state_ == State::kConnected) {
       ++statistics_.losses;
-      tries_ = 0;
+      tries_ = unanswered_ = 0;
     }
     retry(error("arcos.controller-reset", "the robot's controller restarts"), now);
   }
@@ -283,7 +289,7 @@ void ClientSession::askConfiguration(Instant now) {
 void ClientSession::becomeConnected(Instant now) {
   gaps_.clear();
   problem_.reset();
-  failures_ = tries_ = 0;
+  failures_ = tries_ = unanswered_ = 0;
   ++statistics_.connections;
   enter(State::kConnected, now);
 }

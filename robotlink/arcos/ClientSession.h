@@ -136,10 +136,11 @@ class ClientSession {
 
   Options options_;
   State state_ = State::kClosed;
-  Instant since_{};   ///< when state_ was entered, or its SYNC sent
-  int sync_ = 0;      ///< the number that was sent last
-  int tries_ = 0;     ///< that failed since the line was opened
-  int failures_ = 0;  ///< lines that failed since the last connection
+  Instant since_{};     ///< when state_ was entered, or its SYNC sent
+  int sync_ = 0;        ///< the number that was sent last
+  int tries_ = 0;       ///< that failed, one after the other
+  int unanswered_ = 0;  ///< that failed since the line was opened, or since the last connection
+  int failures_ = 0;    ///< lines that failed since the last connection
   Duration pause_{};
   bool opened_ = false;  ///< OPEN was sent
   Instant openedAt_{};
