@@ -69,7 +69,7 @@ void ServerSession::takeWaiting(const Packet& packet) {
 void ServerSession::takeConnected(const Packet& packet) {
   // Before OPEN a client may still be in doubt of the handshake: it repeats SYNC2, or begins anew.
   if (state_ == State::kIdentified && packet.id == kSync0) {
-    state_ = State::kWaiting;
+    close();
     takeWaiting(packet);
   } else if (state_ == State::kIdentified && packet.id == kSync2 && packet.data.empty()) {
     send(toPacket(identityOf(settings_)));

@@ -4,7 +4,7 @@
 #include <map>
 #include <vector>
 
-#include "IdealWheels.h"
+#include "tests/robotlink/arcos/IdealWheels.h"
 #include "robotlink/arcos/ServerPackets.h"
 #include "robotlink/arcos/ServerSession.h"
 

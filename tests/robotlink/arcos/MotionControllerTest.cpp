@@ -5,7 +5,7 @@
 
 #include <limits>
 
-#include "IdealWheels.h"
+#include "tests/robotlink/arcos/IdealWheels.h"
 #include "robotlink/base/Random.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <cstdlib>
 #include <set>
 
-#include "IdealRobot.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
 
 namespace {
 

@@ -5,7 +5,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "IdealRobot.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
 
 namespace {
 
