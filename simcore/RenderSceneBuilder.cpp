@@ -8,10 +8,10 @@ namespace simcore {
 namespace {
 
 /// What a mesh depends on, to share it.
-using MeshKey = std::tuple<Shape::Kind, double, double, double, double, double>;
+using MeshKey = std::tuple<Shape::Kind, double, double, double, double, double, const Mesh*>;
 
 MeshKey keyOf(const Shape& shape) {
-  return {shape.kind, shape.size.x(), shape.size.y(), shape.size.z(), shape.radius, shape.length};
+  return {shape.kind, shape.size.x(), shape.size.y(), shape.size.z(), shape.radius, shape.length, shape.mesh.get()};
 }
 
 Mesh planeMesh(const Vector3& size) {
@@ -36,6 +36,8 @@ Mesh makeMesh(const Shape& shape) {
       return capsuleMesh(radius, length);
     case Shape::Kind::kPlane:
       return planeMesh(shape.size);
+    case Shape::Kind::kMesh:
+      return *shape.mesh;
   }
   return {};
 }

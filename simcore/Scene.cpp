@@ -2,9 +2,13 @@
 #include "simcore/Scene.h"
 
 #include <algorithm>
+#include <cctype>
+#include <optional>
 
 #include "simcore/RenderSceneBuilder.h"
 #include "simcore/SceneImplementation.h"
+#include "simcore/maps/MapWorld.h"
+#include "simcore/placement/RobotPlacement.h"
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
@@ -12,6 +16,7 @@
 namespace simcore {
 namespace fs = std::filesystem;
 using robotlink::Errors;
+using robotlink::GroundMap;
 
 namespace {
 
@@ -52,18 +57,67 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
   world.models.push_back(std::move(instance));
 }
 
-WorldDescription readWorld(const fs::path& file, Errors& errors) {
-  const SdfSpec spec;
-  const SceneFiles files = SceneFiles::read(file, spec, errors);
-  if (!errors.empty()) return {};
+/// A world in the making, of either kind of file.
+struct Draft {
+  WorldDescription world;
+  std::shared_ptr<const GroundMap> map;
+  SceneFiles files;  ///< empty so far, if the world comes from a map
+};
+
+Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  Draft draft;
+  draft.files = SceneFiles::read(file, spec, errors);
+  if (!errors.empty()) return draft;
   ModelTypes types;
-  for (const auto& [path, text] : files.models)
-    types[path] = readSdfModel(text, path.string(), files.palette, spec, errors);
-  WorldDescription world = readSdfWorld(files.worldText, file.string(), files.palette, spec, errors);
-  for (const SceneInclude& include : files.includes) {
-    addInclude(include, files, types, file.string(), world, errors);
+  for (const auto& [path, text] : draft.files.models)
+    types[path] = readSdfModel(text, path.string(), draft.files.palette, spec, errors);
+  draft.world = readSdfWorld(draft.files.worldText, file.string(), draft.files.palette, spec, errors);
+  for (const SceneInclude& include : draft.files.includes) {
+    addInclude(include, draft.files, types, file.string(), draft.world, errors);
   }
-  return world;
+  return draft;
+}
+
+Draft readMapScene(const fs::path& file, Errors& errors) {
+  Draft draft;
+  auto map = GroundMap::load(file);
+  if (!map) {
+    errors = std::move(map.error());
+    return draft;
+  }
+  auto world = mapWorld(*map, file.string());
+  if (!world) {
+    errors.push_back(std::move(world.error()));
+    return draft;
+  }
+  draft.world = std::move(*world);
+  draft.map = std::make_shared<const GroundMap>(std::move(*map));
+  return draft;
+}
+
+void putRobots(Draft& draft, const RobotsToAdd& robots, const fs::path& file, const SdfSpec& spec,
+               Errors& errors) {
+  const auto model = draft.files.addModel(robots.model, file, spec, errors);
+  if (!model || !errors.empty()) return;
+  const auto type =
+      readSdfModel(draft.files.models.at(*model), model->string(), draft.files.palette, spec, errors);
+  if (!errors.empty()) return;
+  if (type->robot.empty() || type->isStatic) {
+    errors.push_back({"scene.no-robot",
+                      "'" + robots.model + "' is no robot that could be added",
+                      {robots.model},
+                      {file.string(), 0, 0}});
+    return;
+  }
+  const auto added = addRobots(draft.world, draft.map.get(), type, robots, file.string());
+  if (!added) errors.push_back(added.error());
+}
+
+bool isMap(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::ranges::transform(extension, extension.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return extension == ".map";
 }
 
 }  // namespace
@@ -71,14 +125,20 @@ WorldDescription readWorld(const fs::path& file, Errors& errors) {
 Scene::Scene() : implementation_(std::make_unique<Implementation>()) {}
 Scene::~Scene() = default;
 
-tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file) {
+tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
+                                                               const RobotsToAdd& robots) {
   Errors errors;
-  WorldDescription world = readWorld(file, errors);
+  // It takes longer to make than a small map takes to read.
+  std::optional<SdfSpec> spec;
+  if (!isMap(file) || robots.count > 0) spec.emplace();
+  Draft draft = isMap(file) ? readMapScene(file, errors) : readSdfScene(file, *spec, errors);
+  if (errors.empty() && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
   Implementation& implementation = *scene->implementation_;
   implementation.file = file;
-  implementation.world = std::move(world);
+  implementation.world = std::move(draft.world);
+  implementation.groundMap = std::move(draft.map);
   for (const ModelInstance& model : implementation.world.models) {
     if (!model.type->robot.empty()) implementation.robots.push_back({model.name, model.type->robot});
   }
@@ -91,6 +151,9 @@ const fs::path& Scene::file() const {
 }
 const std::vector<Scene::Robot>& Scene::robots() const {
   return implementation_->robots;
+}
+std::shared_ptr<const robotlink::GroundMap> Scene::groundMap() const {
+  return implementation_->groundMap;
 }
 
 }  // namespace simcore

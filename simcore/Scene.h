@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <cstdint>
 #include <filesystem>
 #include <memory>
 #include <string>
@@ -8,9 +9,22 @@
 
 #include "robotlink/base/Error.h"
 
+namespace robotlink {
+struct GroundMap;
+}
+
 namespace simcore {
 
-/// A world as its SDFormat 1.9 file describes it, checked and ready for any number of simulations. Immutable.
+/// Robots that are put into a world besides those of its file.
+struct RobotsToAdd {
+  std::string model = "p3at";  ///< a folder of resources/scenes/models, or beside the scene's file
+  int count = 0;
+  std::string namePrefix = {};  ///< "p3at" calls them p3at1, p3at2, ...; empty: the model's name
+  std::uint64_t seed = 1;       ///< decides about the free places
+};
+
+/// A world as its file describes it, checked and ready for any number of simulations: an SDFormat 1.9 file, or a map of a
+/// building's floor (robotlink::GroundMap), whose lines and points become walls. Immutable.
 class Scene {
  public:
   struct Robot {
@@ -19,13 +33,19 @@ class Scene {
   };
 
   /// Reads a world file. `model://NAME` is looked for below the folder of the file and below
-  /// resources/scenes/models. Every error carries file and line.
-  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
-      const std::filesystem::path& file);
+  /// resources/scenes/models. Every error carries file and line. A file called *.map is a map.
+  ///
+  /// Robots to add stand at the homes of a map first, then at free places that can be reached from there, apart from each
+  /// other and with room to turn; never in walls, in forbidden areas or outside. It is an error if there is no room for
+  /// all of them, or where the free places of a scene cannot be known.
+  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(const std::filesystem::path& file,
+                                                                            const RobotsToAdd& robots = {});
 
   ~Scene();
   const std::filesystem::path& file() const;
-  const std::vector<Robot>& robots() const;
+  const std::vector<Robot>& robots() const;  ///< in the order of the world's models; added ones last
+  /// The map that the world was made from; null if there is none.
+  std::shared_ptr<const robotlink::GroundMap> groundMap() const;
 
   struct Implementation;
   const Implementation& implementation() const { return *implementation_; }

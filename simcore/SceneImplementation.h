@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robotlink/base/GroundMap.h"
 #include "simcore/RenderScene.h"
 #include "simcore/Scene.h"
 #include "simcore/WorldDescription.h"
@@ -13,6 +14,7 @@ struct Scene::Implementation {
   std::vector<Robot> robots;
   WorldDescription world;
   std::shared_ptr<const RenderScene> renderScene;
+  std::shared_ptr<const robotlink::GroundMap> groundMap;  ///< null: the world comes from no map
 };
 
 }  // namespace simcore

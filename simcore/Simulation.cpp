@@ -9,6 +9,7 @@
 #include "simcore/physics/Physics.h"
 #include "simcore/physics/Ports.h"
 #include "simcore/physics/Sensing.h"
+#include "simcore/ranging/RangeSensing.h"
 
 namespace simcore {
 namespace {
@@ -46,6 +47,7 @@ struct Simulation::Implementation {
   Ports ports;
   std::unique_ptr<Physics> physics;
   std::optional<Sensing> sensing;
+  std::unique_ptr<RangeSensing> ranging;  // if there is anything to measure
   std::uint64_t steps = 0;
   std::vector<Pose3> poses;                 // by body of the render scene
   std::vector<int> balls, robots;           // models
@@ -53,7 +55,7 @@ struct Simulation::Implementation {
   std::vector<bool> touchedBall;            // in the last step, by robot
   std::vector<TouchCount> obstacles;        // by robot
   std::vector<WheelState> wheelStates;      // by drive
-  bool readingsValid = false, posesValid = false;
+  bool readingsValid = false, posesValid = false, rangingValid = false;
 
   Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
       : scene(std::move(ofScene)),
@@ -63,6 +65,9 @@ struct Simulation::Implementation {
     for (std::size_t i = 0; i < world.models.size(); ++i) {
       if (world.models[i].type->isBall) balls.push_back(static_cast<int>(i));
       if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
+    }
+    if (!ports.ranges.empty()) {
+      ranging = std::make_unique<RangeSensing>(scene->implementation().renderScene, ports.ranges, ports.rangeOwners);
     }
     start();
   }
@@ -81,7 +86,7 @@ struct Simulation::Implementation {
     invalidate();
   }
 
-  void invalidate() { readingsValid = posesValid = false; }
+  void invalidate() { readingsValid = posesValid = rangingValid = false; }
 
   void driveServos() {
     for (std::size_t i = 0; i < ports.servos.size(); ++i) {
@@ -125,6 +130,13 @@ struct Simulation::Implementation {
       if (world.models[static_cast<std::size_t>(robots[r])].name == robot) return &obstacles[r];
     }
     return nullptr;
+  }
+
+  void measure(std::size_t sensor, std::span<double> ranges) {
+    if (!posesValid) updatePoses();
+    if (!rangingValid) ranging->setPoses(poses);
+    rangingValid = true;
+    ranging->measure(sensor, {options.noise, options.seed, steps}, ranges);
   }
 
   int modelIndex(const std::string& name) const {
@@ -203,6 +215,14 @@ std::span<const Sensor> Simulation::sensors() const {
 
 std::span<const CameraSensor> Simulation::cameras() const {
   return implementation_->ports.cameras;
+}
+
+std::span<const RangeSensor> Simulation::rangeSensors() const {
+  return implementation_->ports.ranges;
+}
+
+void Simulation::measure(std::size_t rangeSensor, std::span<double> ranges) const {
+  implementation_->measure(rangeSensor, ranges);
 }
 
 std::span<const Servo> Simulation::servos() const {

@@ -10,20 +10,13 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "simcore/CameraRenderer.h"
+#include "simcore/PortInfo.h"
+#include "simcore/RangeSensor.h"
 #include "simcore/RenderScene.h"
 
 namespace simcore {
 
 class Scene;
-
-/// What a port carries, so that one generic view can show any of them.
-struct PortInfo {
-  std::string path;        ///< "red1/legFL1/position"
-  std::string robot;       ///< "red1"
-  std::string type;        ///< "angle", "distance", "acceleration", "contact", "image", ...
-  std::vector<int> shape;  ///< {} a scalar, {3} a vector, {height, width, channels} an image
-  std::string unit;        ///< "rad", "m", "m/s^2", "" ...
-};
 
 /// A sensor that yields numbers. Its reading is that of the last step, noise included.
 struct Sensor {
@@ -101,6 +94,10 @@ class Simulation {
 
   std::span<const Sensor> sensors() const;
   std::span<const CameraSensor> cameras() const;
+  std::span<const RangeSensor> rangeSensors() const;
+  /// Writes what a range sensor measures now, m, into a span of as many as its readings. It costs something only when it
+  /// is called. The same within a step however often, and whether others are asked for or not.
+  void measure(std::size_t rangeSensor, std::span<double> ranges) const;
   std::span<const Servo> servos() const;
   /// An angle for a servo; limited to its range.
   void requestAngle(std::size_t servo, double angle);

@@ -17,13 +17,14 @@ namespace simcore {
 using robotlink::Vector3;
 
 /// A solid, centred on its frame's origin; cylinders and capsules along z. A plane's normal is its frame's
-/// z-axis, and it is solid below.
+/// z-axis, and it is solid below. A mesh is where its vertices are, and nothing collides with it.
 struct Shape {
-  enum class Kind : std::uint8_t { kBox, kSphere, kCylinder, kCapsule, kPlane };
+  enum class Kind : std::uint8_t { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
   Kind kind = Kind::kBox;
   Vector3 size = Vector3::Zero();  ///< box: edges; plane: x and y are those of its picture
   double radius = 0;
   double length = 0;  ///< of a cylinder, and of a capsule's cylindrical part
+  std::shared_ptr<const Mesh> mesh = {};  ///< kMesh, which is for visuals only
 };
 
 struct CollisionDescription {
@@ -83,8 +84,15 @@ struct DriveDescription {
   double idleForce = 0;     ///< N by which the rim of each wheel resists without power
 };
 
+/// Where a sonar or a laser measures; see RangeSensor.
+struct RangeGeometry {
+  int readings = 1;
+  double startAngle = 0, endAngle = 0;
+  double openingAngle = 0, mostIncidence = 0;
+};
+
 struct SensorDescription {
-  enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kGyroscope, kContact };
+  enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kGyroscope, kContact, kSonar, kLaser };
   Kind kind = Kind::kCamera;
   std::string name;
   int link = 0;
@@ -95,6 +103,7 @@ struct SensorDescription {
   int width = 0, height = 0;        ///< camera
   double horizontalAngle = 0, verticalAngle = 0, rate = 0;  ///< camera; rad, Hz
   Vignetting vignetting;                                    ///< camera
+  RangeGeometry range;                                      ///< sonar, laser
 };
 
 /// What a model file describes. Parsed once and shared by all models that include it.

@@ -6,6 +6,7 @@
 
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/Physics.h"
+#include "simcore/physics/StaticSpace.h"
 
 namespace simcore {
 namespace {
@@ -40,12 +41,17 @@ class Builder {
     for (const LinkDescription& link : model.type->links) {
       for (const CollisionDescription& collision : link.collisions) {
         const Pose3 pose = model.poseInWorld * link.poseInModel * collision.poseInLink;
-        const dGeomID geom = addGeom(ode_.statics, collision, index, pose);
-        if (collision.shape.kind == Shape::Kind::kPlane) continue;
-        setPose(pose, [&](const dReal* p, const dMatrix3 r) {
-          dGeomSetPosition(geom, p[0], p[1], p[2]);
-          dGeomSetRotation(geom, r);
-        });
+        const dGeomID geom = addGeom(nullptr, collision, index, pose);
+        if (collision.shape.kind != Shape::Kind::kPlane) {
+          setPose(pose, [&](const dReal* p, const dMatrix3 r) {
+            dGeomSetPosition(geom, p[0], p[1], p[2]);
+            dGeomSetRotation(geom, r);
+          });
+        }
+        // Where it is must be known before: a quadtree takes long to move many of them to their places.
+        dReal bounds[6];
+        dGeomGetAABB(geom, bounds);
+        dSpaceAdd(ode_.statics, geom);
       }
     }
   }
@@ -195,6 +201,7 @@ class Builder {
       case Shape::Kind::kCapsule:
         return dCreateCapsule(space, shape.radius, shape.length);
       case Shape::Kind::kPlane:
+      case Shape::Kind::kMesh:  // never a solid
         break;
     }
     const Vector3 normal = pose.linear().col(2);
@@ -286,7 +293,7 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(world
   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
   top = dSimpleSpaceCreate(nullptr);
   dSpaceSetCleanup(top, 0);
-  statics = dSimpleSpaceCreate(top);
+  statics = newStaticSpace(description, top);
   dSpaceSetCleanup(statics, 0);
   contacts = dJointGroupCreate(0);
   ray = dCreateRay(nullptr, 1);

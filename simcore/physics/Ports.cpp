@@ -19,6 +19,7 @@ class Collector {
       if (joint.servo) addServo(joint);
       ++hinge_;
     }
+    bodies_ = {static_cast<int>(body_) + 1, static_cast<int>(body_ + model.type->links.size()) + 1};
     for (const SensorDescription& sensor : model.type->sensors) addSensor(sensor);
     if (model.type->drive) addDrive(*model.type->drive);
     body_ += model.type->links.size();
@@ -70,6 +71,10 @@ class Collector {
                           port(sensor.name, "angular_velocity", {3}, "rad/s"), 3);
       case SensorDescription::Kind::kContact:
         return addReading(sensor, SensorSource::Kind::kContact, port(sensor.name, "contact", {}, ""), 1);
+      case SensorDescription::Kind::kSonar:
+        return addRange(sensor, RangeSensor::Kind::kSonar);
+      case SensorDescription::Kind::kLaser:
+        return addRange(sensor, RangeSensor::Kind::kLaser);
     }
   }
 
@@ -97,7 +102,28 @@ class Collector {
     ports_.cameras.push_back(std::move(camera));
   }
 
+  void addRange(const SensorDescription& sensor, RangeSensor::Kind kind) {
+    const bool isLaser = kind == RangeSensor::Kind::kLaser;
+    RangeSensor range;
+    range.info = port(sensor.name, "range", isLaser ? std::vector{sensor.range.readings} : std::vector<int>{}, "m");
+    range.kind = kind;
+    range.minimum = sensor.minimum;
+    range.maximum = sensor.maximum;
+    range.noise = sensor.noise;
+    range.readings = isLaser ? sensor.range.readings : 1;
+    range.startAngle = sensor.range.startAngle;
+    range.endAngle = sensor.range.endAngle;
+    range.openingAngle = sensor.range.openingAngle;
+    range.mostIncidence = sensor.range.mostIncidence;
+    if (sensor.rate > 0) range.period = robotlink::fromSeconds(1 / sensor.rate);
+    range.body = bodies_.first + sensor.link;
+    range.sensorInBody = sensor.poseInLink;
+    ports_.ranges.push_back(std::move(range));
+    ports_.rangeOwners.push_back(bodies_);
+  }
+
   Ports& ports_;
+  RayCaster::BodyRange bodies_;  // of the model; body 0 of a RenderScene is the world
   std::string name_;
   int model_ = 0;
   std::size_t body_ = 0, hinge_ = 0;

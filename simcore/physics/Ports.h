@@ -3,6 +3,7 @@
 
 #include <vector>
 
+#include "simcore/RayCaster.h"
 #include "simcore/Simulation.h"
 #include "simcore/WorldDescription.h"
 
@@ -27,13 +28,15 @@ struct ServoState {
   double torqueShare = 1;
 };
 
-/// All sensors, cameras, servos and drives of a world, in the order of its models: a model's joints come
-/// first, then its sensors. sources[i] belongs to sensors[i], servoStates[i] to servos[i], driveModels[i] to
-/// drives[i]. The wheels of a drive are no joints here: their drive tells how they turn.
+/// All sensors, cameras, range sensors, servos and drives of a world, in the order of its models: a model's
+/// joints come first, then its sensors. sources[i] belongs to sensors[i], servoStates[i] to servos[i],
+/// driveModels[i] to drives[i]. The wheels of a drive are no joints here: their drive tells how they turn.
 struct Ports {
   std::vector<Sensor> sensors;
   std::vector<SensorSource> sources;
   std::vector<CameraSensor> cameras;
+  std::vector<RangeSensor> ranges;
+  std::vector<RayCaster::BodyRange> rangeOwners;  ///< the bodies of the models that ranges are on
   std::vector<Servo> servos;
   std::vector<ServoState> servoStates;
   std::vector<WheelDrive> drives;

@@ -144,22 +144,20 @@ void blankIncludes(std::string& text) {
   }
 }
 
-/// Reads and checks each included file once; collects its colours.
-void readModels(SceneFiles& files, const fs::path& world, const SdfSpec& spec, Errors& errors) {
-  for (const SceneInclude& include : files.includes) {
-    if (files.models.contains(include.file)) continue;
-    std::string& text = files.models[include.file];
-    tinyxml2::XMLDocument document;
-    if (!readXml(include.file, text, document, errors)) continue;
-    checkSdfTree(document, include.file.string(), spec, errors);
-    const XMLElement* root = document.RootElement();
-    const XMLElement* model = root != nullptr ? root->FirstChildElement("model") : nullptr;
-    if (model == nullptr) {
-      fail(errors, world, include.line, "scene.unknown-model",
-           "'" + include.file.string() + "' describes no model");
-    } else {
-      readPalette(*model, include.file, files.palette, errors);
-    }
+/// Reads and checks a model's file once; collects its colours. `where` is what asks for it.
+void readModel(SceneFiles& files, const fs::path& model, const robotlink::FilePosition& where,
+               const SdfSpec& spec, Errors& errors) {
+  if (files.models.contains(model)) return;
+  std::string& text = files.models[model];
+  tinyxml2::XMLDocument document;
+  if (!readXml(model, text, document, errors)) return;
+  checkSdfTree(document, model.string(), spec, errors);
+  const XMLElement* root = document.RootElement();
+  const XMLElement* element = root != nullptr ? root->FirstChildElement("model") : nullptr;
+  if (element == nullptr) {
+    errors.push_back({"scene.unknown-model", "'" + model.string() + "' describes no model", {}, where});
+  } else {
+    readPalette(*element, model, files.palette, errors);
   }
 }
 
@@ -187,9 +185,25 @@ SceneFiles SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& e
        model = model->NextSiblingElement("model")) {
     readPalette(*model, file, files.palette, errors);
   }
-  readModels(files, file, spec, errors);
+  for (const SceneInclude& include : files.includes) {
+    readModel(files, include.file, {file.string(), include.line, 0}, spec, errors);
+  }
   blankIncludes(files.worldText);
   return files;
+}
+
+std::optional<fs::path> SceneFiles::addModel(const std::string& name, const fs::path& scene,
+                                             const SdfSpec& spec, Errors& errors) {
+  // A name, not a path to somewhere else.
+  const bool isName = !name.empty() && name.find('/') == std::string::npos && name != "." && name != "..";
+  const auto model = isName ? resolve("model://" + name, scene) : std::nullopt;
+  if (!model) {
+    fail(errors, scene, 0, "scene.unknown-model",
+         "there is no model '" + name + "' of which robots could be added");
+    return std::nullopt;
+  }
+  readModel(*this, *model, {scene.string(), 0, 0}, spec, errors);
+  return model;
 }
 
 }  // namespace simcore

@@ -40,6 +40,8 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:vignetting", {"camera", ""}, 1},
     {"robotcontrol:vignetting_tint", {"camera", ""}, 1},
     {"robotcontrol:range", {"sensor", ""}, 1},
+    {"robotcontrol:noise", {"sensor", ""}, 1},
+    {"robotcontrol:most_incidence", {"sensor", ""}, 1},
     {"robotcontrol:team", {"include", ""}, 0},
     {"robotcontrol:drive", {"model", ""}, 0},
     {"robotcontrol:left", {"robotcontrol:drive", ""}, 0},

@@ -42,6 +42,9 @@ Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
 LinkDescription readLink(const sdf::Link& link, const SdfContext& context);
 /// All sensors of a link that this simulator knows; others are errors.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
+/// A lidar: a laser, or, of one ray, a sensor of a distance.
+void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
+void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
 
 /// The model's <robotcontrol:drive>, if it has one; its links and joints must have been read.
 void readDrive(const sdf::Model& source, ModelDescription& model, const SdfContext& context);

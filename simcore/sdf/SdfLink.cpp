@@ -158,17 +158,6 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   result.vignetting = {share("vignetting"), share("vignetting_tint")};
 }
 
-void readDistance(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
-  const sdf::Lidar& lidar = *sensor.LidarSensor();
-  result.kind = SensorDescription::Kind::kDistance;
-  result.minimum = context.within(lidar.RangeMin(), 0, kLargest, "a range", sensor.Element());
-  result.maximum = context.within(lidar.RangeMax(), result.minimum, kLargest, "a range", sensor.Element());
-  result.noise = context.within(lidar.LidarNoise().StdDev(), 0, 100, "stddev", sensor.Element());
-  if (lidar.HorizontalScanSamples() * lidar.VerticalScanSamples() != 1) {
-    context.fail(sensor.Element(), "scene.lidar", "of lidars, only those of one ray (samples 1) are known");
-  }
-}
-
 /// An accelerometer; a gyroscope if only what there is of <angular_velocity> is described.
 void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
   const sdf::Imu& imu = *sensor.ImuSensor();
@@ -238,7 +227,9 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     if (sensor.CameraSensor() != nullptr) {
       readCamera(sensor, result, context);
     } else if (sensor.LidarSensor() != nullptr) {
-      readDistance(sensor, result, context);
+      readLidar(sensor, result, context);
+    } else if (sensor.Type() == sdf::SensorType::SONAR) {
+      readSonar(sensor, result, context);
     } else if (sensor.ImuSensor() != nullptr) {
       readImu(sensor, result, context);
     } else if (sensor.Type() == sdf::SensorType::CONTACT) {
@@ -246,7 +237,7 @@ void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, 
     } else {
       context.fail(
           sensor.Element(), "scene.sensor",
-          "of sensors, only camera, lidar, imu and contact are known, not '" + sensor.TypeStr() + "'");
+          "of sensors, only camera, lidar, sonar, imu and contact are known, not '" + sensor.TypeStr() + "'");
     }
     model.sensors.push_back(result);
   }

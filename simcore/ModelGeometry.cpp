@@ -1,0 +1,62 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/ModelGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+namespace simcore {
+
+std::vector<Pose3> linksAtStart(const ModelDescription& model) {
+  std::vector<Pose3> moved(model.links.size(), Pose3::Identity());  // by the joints above, in the model
+  // Parents' joints stand before their children's.
+  for (const JointDescription& joint : model.joints) {
+    const Pose3 above = joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
+    const Eigen::Translation3d anchor(joint.anchorInModel);
+    moved[static_cast<std::size_t>(joint.child)] =
+        above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+  }
+  for (std::size_t i = 0; i < moved.size(); ++i) moved[i] = moved[i] * model.links[i].poseInModel;
+  return moved;
+}
+
+double reach(const Shape& shape, const Eigen::Matrix3d& shapeInFrame, const Vector3& direction) {
+  const Vector3 local = shapeInFrame.transpose() * direction;
+  switch (shape.kind) {
+    case Shape::Kind::kBox:
+      return local.cwiseAbs().dot(shape.size) / 2;
+    case Shape::Kind::kSphere:
+      return shape.radius;
+    case Shape::Kind::kCylinder:
+      return std::abs(local.z()) * shape.length / 2 + local.head<2>().norm() * shape.radius;
+    case Shape::Kind::kCapsule:
+      return std::abs(local.z()) * shape.length / 2 + shape.radius;
+    case Shape::Kind::kPlane:
+    case Shape::Kind::kMesh:
+      break;
+  }
+  return 0;
+}
+
+ModelExtent extentOf(const ModelDescription& model) {
+  constexpr int kDirections = 64;
+  const std::vector<Pose3> links = linksAtStart(model);
+  ModelExtent extent{0, std::numeric_limits<double>::max(), std::numeric_limits<double>::lowest()};
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    for (const CollisionDescription& collision : model.links[i].collisions) {
+      const Pose3 pose = links[i] * collision.poseInLink;
+      const auto farthest = [&](const Vector3& direction) {
+        return direction.dot(pose.translation()) + reach(collision.shape, pose.linear(), direction);
+      };
+      extent.high = std::max(extent.high, farthest(Vector3::UnitZ()));
+      extent.low = std::min(extent.low, -farthest(-Vector3::UnitZ()));
+      for (int k = 0; k < kDirections; ++k) {
+        const double angle = 2 * robotlink::kPi * k / kDirections;
+        extent.radius = std::max(extent.radius, farthest({std::cos(angle), std::sin(angle), 0}));
+      }
+    }
+  }
+  return extent.low <= extent.high ? extent : ModelExtent{};
+}
+
+}  // namespace simcore

@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <cstdint>
+#include <unordered_map>
+
+namespace simcore {
+
+/// A set of cells of a plane that is mostly empty: bits in tiles of 8 x 8. Not thread-safe, not even for
+/// reading.
+class CellSet {
+ public:
+  bool contains(int x, int y) const {
+    const std::uint64_t* const tile = find(x, y);
+    return tile != nullptr && (*tile & bitOf(x, y)) != 0;
+  }
+  void insert(int x, int y) {
+    if (std::uint64_t* const tile = find(x, y))
+      *tile |= bitOf(x, y);
+    else
+      tiles_[keyOf(x, y)] = bitOf(x, y);
+  }
+  void erase(int x, int y) {
+    if (std::uint64_t* const tile = find(x, y)) *tile &= ~bitOf(x, y);
+  }
+
+ private:
+  static std::uint64_t bitOf(int x, int y) { return std::uint64_t{1} << ((y & 7) * 8 + (x & 7)); }
+  static std::uint64_t keyOf(int x, int y) {
+    return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x >> 3)) << 32U |
+           static_cast<std::uint32_t>(y >> 3);
+  }
+  /// The tile of a cell, or null. Nodes of the map stay where they are when others are inserted.
+  std::uint64_t* find(int x, int y) const {
+    const std::uint64_t key = keyOf(x, y);
+    if (last_ != nullptr && key == lastKey_) return last_;
+    const auto found = tiles_.find(key);
+    if (found == tiles_.end()) return nullptr;
+    lastKey_ = key;
+    last_ = &found->second;
+    return last_;
+  }
+
+  mutable std::unordered_map<std::uint64_t, std::uint64_t> tiles_;
+  mutable std::uint64_t lastKey_ = 0;
+  mutable std::uint64_t* last_ = nullptr;  // neighbours are asked for one after the other
+};
+
+}  // namespace simcore

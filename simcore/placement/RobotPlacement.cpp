@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/placement/RobotPlacement.h"
+
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "simcore/ModelGeometry.h"
+#include "simcore/placement/FreeSpace.h"
+
+namespace simcore {
+namespace {
+
+using robotlink::GroundMap;
+using robotlink::Pose2;
+using robotlink::Vector2;
+using Place = GroundMap::Place;
+
+constexpr double kCellSize = 0.05;
+constexpr double kRoom = 0.1;     // m that a robot wants to have around it
+constexpr double kOpenFloor = 5;  // m around the origin, where nothing bounds the floor
+constexpr double kFlat = 0.02;    // m; robots drive over what is lower
+constexpr double kForbiddenWidth = 0.05;
+constexpr std::uint64_t kPlaceStream = 0x706C616365;
+
+/// A solid of the world as it stands on the floor: seen from above, in a rectangle or a circle.
+struct Footprint {
+  Pose2 pose;
+  Vector2 size = Vector2::Zero();
+  double radius = 0;  ///< above 0: a circle
+  double low = 0, high = 0;
+};
+
+Footprint footprintOf(const Shape& shape, const Pose3& pose) {
+  Footprint result;
+  const Eigen::Matrix3d& axes = pose.linear();
+  const double up = reach(shape, axes, Vector3::UnitZ()), middle = pose.translation().z();
+  result.low = middle - up;
+  result.high = middle + up;
+  // A rectangle is tight that lies along the axis that reaches farthest over the floor.
+  int longest = 0;
+  const auto reachOver = [&](int axis) {
+    const Vector3 flat(axes(0, axis), axes(1, axis), 0);
+    return flat.norm() < 1e-6 ? 0 : reach(shape, axes, flat.normalized()) * flat.norm();
+  };
+  for (int axis = 1; axis < 3; ++axis) {
+    if (reachOver(axis) > reachOver(longest)) longest = axis;
+  }
+  const double heading = std::atan2(axes(1, longest), axes(0, longest));
+  result.pose = {pose.translation().x(), pose.translation().y(), heading};
+  const Vector3 along(std::cos(heading), std::sin(heading), 0), across(-along.y(), along.x(), 0);
+  result.size = 2 * Vector2(reach(shape, axes, along), reach(shape, axes, across));
+  const bool upright = std::abs(axes(2, 2)) > 1 - 1e-9;
+  const bool isRound =
+      shape.kind == Shape::Kind::kSphere ||
+      (upright && (shape.kind == Shape::Kind::kCylinder || shape.kind == Shape::Kind::kCapsule));
+  if (isRound) result.radius = shape.radius;
+  return result;
+}
+
+/// What robots could stand on, and what stands there already.
+struct Surroundings {
+  std::optional<double> floor;  ///< height
+  std::vector<Footprint> solids;
+
+  explicit Surroundings(const WorldDescription& world) {
+    for (const ModelInstance& model : world.models) {
+      const std::vector<Pose3> links = linksAtStart(*model.type);
+      for (std::size_t i = 0; i < links.size(); ++i) {
+        for (const CollisionDescription& collision : model.type->links[i].collisions)
+          add(collision.shape, model.poseInWorld * links[i] * collision.poseInLink);
+      }
+    }
+  }
+
+ private:
+  void add(const Shape& shape, const Pose3& pose) {
+    if (shape.kind != Shape::Kind::kPlane) {
+      solids.push_back(footprintOf(shape, pose));
+    } else if (pose.linear()(2, 2) > 1 - 1e-9) {
+      floor = std::max(floor.value_or(pose.translation().z()), pose.translation().z());
+    }
+  }
+};
+
+/// The grid of a floor with what robots of an extent cannot pass, above `floor`.
+ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const GroundMap* map) {
+  const double low = *around.floor + kFlat, high = *around.floor + robot.high - robot.low;
+  const auto isInTheWay = [&](const Footprint& solid) { return solid.high > low && solid.low < high; };
+  Eigen::AlignedBox2d bounds;
+  for (const Footprint& solid : around.solids) {
+    if (!isInTheWay(solid)) continue;
+    const double half = solid.radius > 0 ? solid.radius : solid.size.norm() / 2;
+    const Vector2 middle = solid.pose.translation();
+    // Of long walls the corners, not the circle around them.
+    if (solid.radius > 0) {
+      bounds.extend(middle - Vector2(half, half)).extend(middle + Vector2(half, half));
+      continue;
+    }
+    for (const double x : {-0.5, 0.5}) {
+      for (const double y : {-0.5, 0.5})
+        bounds.extend(solid.pose * Vector2(x * solid.size.x(), y * solid.size.y()));
+    }
+  }
+  // What stands on a floor need not surround anything.
+  if (map == nullptr || bounds.isEmpty())
+    bounds.extend(Vector2(-kOpenFloor, -kOpenFloor)).extend(Vector2(kOpenFloor, kOpenFloor));
+  ClearanceGrid grid(bounds.min(), bounds.max(), kCellSize);
+  for (const Footprint& solid : around.solids) {
+    if (!isInTheWay(solid)) continue;
+    if (solid.radius > 0)
+      grid.markCircle(solid.pose.translation(), solid.radius);
+    else
+      grid.markRectangle(solid.pose, solid.size);
+  }
+  return grid;
+}
+
+void markForbidden(const Place& place, ClearanceGrid& grid) {
+  const Vector2 from = place.extent.from, to = place.extent.to;
+  const Vector2 middle = (from + to) / 2, size = (to - from).cwiseAbs();
+  if (place.kind == Place::Kind::kForbiddenLine) {
+    const Vector2 along = to - from;
+    grid.markRectangle({middle.x(), middle.y(), std::atan2(along.y(), along.x())},
+                       {along.norm(), kForbiddenWidth});
+  } else if (place.kind == Place::Kind::kForbiddenArea) {
+    grid.markRectangle(Pose2{0, 0, place.pose.heading} * Pose2{middle.x(), middle.y(), 0}, size);
+  }
+}
+
+/// Where robots stand one after the other.
+class Placer {
+ public:
+  Placer(const ClearanceGrid& grid, const ModelExtent& extent, const GroundMap* map, std::uint64_t seed)
+      : grid_(grid),
+        radius_(extent.radius + kRoom),
+        homes_(homesOf(map)),
+        space_(grid, radius_, startOf(homes_)),
+        random_(seed, kPlaceStream) {}
+
+  bool hasRoom() const { return !space_.empty(); }
+
+  std::optional<Pose2> next() {
+    while (nextHome_ < homes_.size()) {
+      const Pose2 home = homes_[nextHome_++];
+      if (const auto place = placeAt(home.translation())) return take({place->x(), place->y(), home.heading});
+    }
+    const auto place = space_.pick(taken_, 2 * radius_, random_);
+    if (!place) return std::nullopt;
+    return take({place->x(), place->y(), space_.headingAt(*place, random_)});
+  }
+
+ private:
+  static std::vector<Pose2> homesOf(const GroundMap* map) {
+    std::vector<Pose2> homes;
+    if (map == nullptr) return homes;
+    for (const Place& place : map->places) {
+      if (place.kind == Place::Kind::kHome) homes.push_back(place.pose);
+    }
+    return homes;
+  }
+  static std::optional<Vector2> startOf(const std::vector<Pose2>& homes) {
+    return homes.empty() ? std::nullopt : std::optional(homes.front().translation());
+  }
+
+  /// The place itself where a robot fits there, else the free one next to it; none if another stands there.
+  std::optional<Vector2> placeAt(const Vector2& point) const {
+    const auto cell = grid_.cellAt(point);
+    // A cell's centre, from which clearances count, is up to 0.71 cells away from the point.
+    const bool fits = grid_.contains(cell) && grid_.clearance(cell) >= radius_ - kRoom + grid_.cellSize();
+    const auto place = fits ? point : space_.nearest(point);
+    if (!place) return std::nullopt;
+    const bool isTaken = std::ranges::any_of(
+        taken_, [&](const Vector2& other) { return (other - *place).norm() < 2 * radius_; });
+    return isTaken ? std::nullopt : place;
+  }
+
+  Pose2 take(const Pose2& pose) {
+    taken_.push_back(pose.translation());
+    return pose;
+  }
+
+  const ClearanceGrid& grid_;
+  double radius_;
+  std::vector<Pose2> homes_;
+  FreeSpace space_;
+  robotlink::Random random_;
+  std::vector<Vector2> taken_;
+  std::size_t nextHome_ = 0;
+};
+
+std::string freeName(const WorldDescription& world, const std::string& prefix, int& number) {
+  std::string name;
+  do {
+    name = prefix + std::to_string(++number);
+  } while (std::ranges::find(world.models, name, &ModelInstance::name) != world.models.end());
+  return name;
+}
+
+}  // namespace
+
+robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
+                                  const std::shared_ptr<const ModelDescription>& type,
+                                  const RobotsToAdd& robots, const std::string& file) {
+  const Surroundings around(world);
+  if (!around.floor) {
+    return robotlink::failure("scene.no-floor",
+                              "robots cannot be added here: the scene has no level plane as its floor, so "
+                              "that it is not known where they could stand",
+                              {file, 0, 0});
+  }
+  const ModelExtent extent = extentOf(*type);
+  ClearanceGrid grid = gridOf(around, extent, map);
+  if (map != nullptr) {
+    for (const Place& place : map->places) markForbidden(place, grid);
+  }
+  grid.findClearances();
+  Placer placer(grid, extent, map, robots.seed);
+  const std::string prefix = robots.namePrefix.empty() ? robots.model : robots.namePrefix;
+  for (int i = 0, number = 0; i < robots.count; ++i) {
+    const auto place = placer.next();
+    if (!place) {
+      return robotlink::failure("scene.no-room",
+                                "there is room for " + std::to_string(i) + " of the " +
+                                    std::to_string(robots.count) + " robots: add fewer of them",
+                                {file, 0, 0}, {std::to_string(i), std::to_string(robots.count)});
+    }
+    ModelInstance model;
+    model.name = freeName(world, prefix, number);
+    model.type = type;
+    model.poseInWorld = Eigen::Translation3d(place->x, place->y, *around.floor - extent.low) *
+                        Eigen::AngleAxisd(place->heading, Vector3::UnitZ());
+    model.where = {file, 0, 0};
+    world.models.push_back(std::move(model));
+  }
+  return {};
+}
+
+}  // namespace simcore

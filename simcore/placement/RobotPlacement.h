@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "robotlink/base/Error.h"
+#include "robotlink/base/GroundMap.h"
+#include "simcore/Scene.h"
+#include "simcore/WorldDescription.h"
+
+namespace simcore {
+
+/// Puts robots of a type into a world, as Scene::load says; `map` is the one that the world was made from, or
+/// null. `file` is the scene's, which errors carry.
+robotlink::Result<void> addRobots(WorldDescription& world, const robotlink::GroundMap* map,
+                                  const std::shared_ptr<const ModelDescription>& type,
+                                  const RobotsToAdd& robots, const std::string& file);
+
+}  // namespace simcore

@@ -1,0 +1,78 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/ranging/RangeSensing.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robotlink/base/Random.h"
+
+namespace simcore {
+namespace {
+
+// Rays of a sonar's cone of 30 degrees lie 1.5 degrees apart: a table's leg is not missed within the range in
+// which a robot avoids it.
+constexpr double kEchoRaysApart = robotlink::radians(1.5);
+constexpr int kFewestEchoRays = 3, kMostEchoRays = 121;
+
+constexpr std::uint64_t kRangeStream =
+    0x72616E6765;  // keeps these random numbers apart from those of other sensors
+
+RayFan fanOf(const RangeSensor& sensor) {
+  if (sensor.kind == RangeSensor::Kind::kLaser) return {sensor.startAngle, sensor.endAngle, sensor.readings};
+  const double half = sensor.openingAngle / 2;
+  const int wanted = static_cast<int>(std::lround(sensor.openingAngle / kEchoRaysApart)) + 1;
+  // An odd number, so that one ray is the axis.
+  return {-half, half, std::clamp(wanted, kFewestEchoRays, kMostEchoRays) | 1};
+}
+
+bool isSame(const RayFan& a, const RayFan& b) {
+  return a.size() == b.size() && a.start() == b.start() && a.step() == b.step();
+}
+
+}  // namespace
+
+RangeSensing::RangeSensing(const std::shared_ptr<const RenderScene>& scene,
+                           const std::vector<RangeSensor>& sensors, std::vector<RayCaster::BodyRange> own)
+    : sensors_(sensors), own_(std::move(own)), caster_(scene) {
+  for (const RangeSensor& sensor : sensors_) {
+    RayFan fan = fanOf(sensor);
+    const auto found = std::ranges::find_if(fans_, [&](const RayFan& other) { return isSame(fan, other); });
+    fanOf_.push_back(static_cast<std::size_t>(found - fans_.begin()));
+    if (found == fans_.end()) fans_.push_back(std::move(fan));
+  }
+}
+
+void RangeSensing::setPoses(std::span<const Pose3> bodyInWorld) {
+  poses_ = bodyInWorld;
+  caster_.setPoses(bodyInWorld);
+}
+
+double RangeSensing::nearestEcho(const RangeSensor& sensor) const {
+  double nearest = sensor.maximum;
+  const double leastCosine = std::cos(sensor.mostIncidence) - 1e-9;
+  for (const RayCaster::FanHit& hit : hits_) {
+    if (hit.distance < nearest && hit.cosIncidence >= leastCosine) nearest = hit.distance;
+  }
+  return nearest;
+}
+
+void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<double> ranges) {
+  const RangeSensor& sensor = sensors_[index];
+  const RayFan& fan = fans_[fanOf_[index]];
+  hits_.resize(fan.size());
+  const Pose3 pose = poses_[static_cast<std::size_t>(sensor.body)] * sensor.sensorInBody;
+  caster_.castFan(fan, pose, sensor.maximum, own_[index], hits_);
+  if (sensor.kind == RangeSensor::Kind::kSonar) {
+    ranges[0] = nearestEcho(sensor);
+  } else {
+    std::ranges::transform(hits_, ranges.begin(), &RayCaster::FanHit::distance);
+  }
+  robotlink::Random random(noise.seed, robotlink::hashBits(kRangeStream, index, noise.step));
+  for (double& range : ranges) {
+    // The number is drawn in any case, so that a reading's noise does not depend on the others.
+    const double error = noise.on && sensor.noise > 0 ? sensor.noise * random.normal() : 0;
+    if (range < sensor.maximum) range = std::clamp(range + error, sensor.minimum, sensor.maximum);
+  }
+}
+
+}  // namespace simcore

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <cmath>
+
+#include "simcore/sdf/SdfConversion.h"
+
+namespace simcore {
+namespace {
+
+constexpr double kFarthest = 1000;  // metres
+constexpr int kMostReadings = 10'000;
+
+// What echoes however a wall is turned: of a corner's two faces one is met at less.
+constexpr double kDefaultIncidence = robotlink::radians(55);
+
+/// A number of an element of ours in a sensor, or `otherwise`.
+double ownNumber(const sdf::ElementPtr& sensor, const char* name, double otherwise, double minimum,
+                 double maximum, const SdfContext& context) {
+  const std::string key = std::string("robotcontrol:") + name;
+  if (!sensor->HasElement(key)) return otherwise;
+  return context.within(sensor->Get<double>(key), minimum, maximum, name, sensor);
+}
+
+/// How often it measures, Hz; 0 is whenever somebody asks.
+double rateOf(const sdf::Sensor& sensor, const SdfContext& context) {
+  return context.within(sensor.UpdateRate(), 0, 250, "an update_rate", sensor.Element());
+}
+
+}  // namespace
+
+void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::Lidar& lidar = *sensor.LidarSensor();
+  const sdf::ElementPtr element = sensor.Element();
+  result.kind = SensorDescription::Kind::kDistance;
+  result.minimum = context.within(lidar.RangeMin(), 0, kFarthest, "a range", element);
+  result.maximum = context.within(lidar.RangeMax(), result.minimum, kFarthest, "a range", element);
+  result.noise = context.within(lidar.LidarNoise().StdDev(), 0, 100, "stddev", element);
+  if (lidar.VerticalScanSamples() != 1) {
+    context.fail(element, "scene.lidar",
+                 "of lidars, only those that measure in one plane are known: vertical samples must be 1");
+  }
+  const unsigned samples = lidar.HorizontalScanSamples();
+  if (samples == 1) return;
+  result.kind = SensorDescription::Kind::kLaser;
+  result.rate = rateOf(sensor, context);
+  result.range.readings =
+      static_cast<int>(context.within(samples, 2, kMostReadings, "a lidar's samples", element));
+  const double start = lidar.HorizontalScanMinAngle().Radian();
+  result.range.startAngle =
+      context.within(start, -2 * robotlink::kPi, 2 * robotlink::kPi, "min_angle", element);
+  result.range.endAngle = context.within(lidar.HorizontalScanMaxAngle().Radian(), start + 1e-3,
+                                         start + 2 * robotlink::kPi, "max_angle", element);
+}
+
+void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
+  const sdf::ElementPtr element = sensor.Element();
+  result.kind = SensorDescription::Kind::kSonar;
+  if (!element->HasElement("sonar"))
+    return context.fail(element, "scene.sonar", "a sonar must say in <sonar> where it measures");
+  const sdf::ElementPtr sonar = element->GetElement("sonar");
+  result.minimum = context.within(sonar->Get<double>("min"), 0, kFarthest, "a sonar's <min>", sonar);
+  result.maximum =
+      context.within(sonar->Get<double>("max"), result.minimum + 1e-3, kFarthest, "a sonar's <max>", sonar);
+  if (sonar->HasElement("geometry") && sonar->Get<std::string>("geometry") != "cone") {
+    context.fail(sonar, "scene.sonar", "a sonar's <geometry> must be cone");
+  }
+  const double radius =
+      context.within(sonar->Get<double>("radius"), 1e-3, kFarthest, "a sonar's <radius>", sonar);
+  result.range.openingAngle = 2 * std::atan(radius / std::max(result.maximum, 1e-3));
+  result.noise = ownNumber(element, "noise", 0, 0, 100, context);
+  result.range.mostIncidence =
+      ownNumber(element, "most_incidence", kDefaultIncidence, 0, robotlink::kPi / 2, context);
+  result.rate = rateOf(sensor, context);
+}
+
+}  // namespace simcore

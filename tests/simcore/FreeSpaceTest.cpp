@@ -1,0 +1,112 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/placement/FreeSpace.h"
+
+#include <gtest/gtest.h>
+
+using namespace simcore;
+using robotlink::Vector2;
+using Cell = ClearanceGrid::Cell;
+
+namespace {
+
+/// A grid of 10 cm around a text's picture: '#' is an obstacle, the first line the top.
+ClearanceGrid gridOf(const std::vector<std::string>& picture) {
+  const auto height = static_cast<int>(picture.size()), width = static_cast<int>(picture[0].size());
+  ClearanceGrid grid({0, 0}, {0.1 * width, 0.1 * height}, 0.1);
+  for (int y = 0; y < height; ++y) {
+    for (int x = 0; x < width; ++x) {
+      if (picture[static_cast<std::size_t>(height - 1 - y)][static_cast<std::size_t>(x)] == '#')
+        grid.mark({x, y});
+    }
+  }
+  grid.findClearances();
+  return grid;
+}
+
+const std::vector<std::string> kTwoRooms = {
+    "############", "#    #     #", "#    #     #", "#    #     #", "#    #     #", "############",
+};
+
+}  // namespace
+
+TEST(ClearanceGrid, clearancesAreThoseOfBruteForce) {
+  robotlink::Random random(5);
+  ClearanceGrid grid({-1, 2}, {3, 5}, 0.1);
+  std::vector<Cell> marked;
+  for (int i = 0; i < 40; ++i) {
+    const Cell cell{static_cast<int>(random.bits() % 40), static_cast<int>(random.bits() % 30)};
+    grid.mark(cell);
+    marked.push_back(cell);
+  }
+  grid.findClearances();
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x) {
+      double nearest = 1e9;
+      for (const Cell& other : marked)
+        nearest = std::min(nearest, 0.1 * std::hypot(other.x - x, other.y - y));
+      ASSERT_NEAR(grid.clearance({x, y}), nearest, 1e-5) << x << " " << y;
+    }
+  }
+}
+
+TEST(ClearanceGrid, withoutObstaclesEverythingIsFarFromThem) {
+  ClearanceGrid grid({0, 0}, {1, 1}, 0.1);
+  grid.findClearances();
+  EXPECT_GT(grid.clearance({5, 5}), 1000);
+}
+
+TEST(ClearanceGrid, shapesCoverTheirCells) {
+  ClearanceGrid grid({0, 0}, {4, 4}, 0.1);
+  grid.markRectangle({2, 2, robotlink::kPi / 4}, {2, 0.01});
+  for (const double at : {-0.7, -0.31, 0.0, 0.42, 0.69})
+    EXPECT_TRUE(grid.isMarked(grid.cellAt({2 + at, 2 + at})));
+  EXPECT_FALSE(grid.isMarked(grid.cellAt({2.3, 1.7})));
+  grid.markCircle({1, 3}, 0.3);
+  EXPECT_TRUE(grid.isMarked(grid.cellAt({1.2, 3.2})));
+  EXPECT_FALSE(grid.isMarked(grid.cellAt({1.3, 3.3})));
+}
+
+TEST(ClearanceGrid, aHugeFloorHasLargerCells) {
+  const ClearanceGrid grid({-5000, -5000}, {5000, 5000}, 0.05);
+  EXPECT_LE(static_cast<double>(grid.width()) * grid.height(), 4.1e6);
+  EXPECT_GE(grid.cellSize() * grid.width(), 10'000);
+  const ClearanceGrid road({0, 0}, {20'000, 0.01}, 0.05);
+  EXPECT_LE(static_cast<double>(road.width()) * road.height(), 4.1e6);
+}
+
+TEST(FreeSpace, onlyWhatCanBeReachedCounts) {
+  const ClearanceGrid grid = gridOf(kTwoRooms);
+  const FreeSpace left(grid, 0.1, Vector2(0.25, 0.25));
+  EXPECT_EQ(left.cells().size(), 16U);
+  const FreeSpace largest(grid, 0.1, std::nullopt);
+  EXPECT_EQ(largest.cells().size(), 20U);
+  EXPECT_NEAR(largest.area(), 0.2, 1e-9);
+}
+
+TEST(FreeSpace, aLargerRobotHasLessRoom) {
+  const ClearanceGrid grid = gridOf(kTwoRooms);
+  EXPECT_EQ(FreeSpace(grid, 0.2, std::nullopt).cells().size(), 6U);
+  EXPECT_TRUE(FreeSpace(grid, 0.5, std::nullopt).empty());
+}
+
+TEST(FreeSpace, picksAreApartUntilThereIsNoRoom) {
+  const ClearanceGrid grid = gridOf(kTwoRooms);
+  const FreeSpace space(grid, 0.1, std::nullopt);
+  robotlink::Random random(1);
+  std::vector<Vector2> taken;
+  while (const auto place = space.pick(taken, 0.25, random)) {
+    for (const Vector2& other : taken) EXPECT_GE((*place - other).norm(), 0.25);
+    taken.push_back(*place);
+    ASSERT_LE(taken.size(), 20U);
+  }
+  EXPECT_GE(taken.size(), 3U);
+}
+
+TEST(FreeSpace, headingsFaceTheLongestWay) {
+  const ClearanceGrid grid = gridOf({"####################", "#                  #", "#                  #",
+                                     "#                  #", "####################"});
+  const FreeSpace corridor(grid, 0.15, std::nullopt);
+  robotlink::Random random(1);
+  for (int i = 0; i < 10; ++i)
+    EXPECT_NEAR(std::abs(std::cos(corridor.headingAt({0.25, 0.25}, random))), 1, 0.1);
+}

@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gmock/gmock.h>
+#include <gtest/gtest.h>
+
+#include <chrono>
+
+#include "SceneFixture.h"
+#include "robotlink/base/GroundMap.h"
+#include "simcore/SceneImplementation.h"
+#include "simcore/Simulation.h"
+
+namespace simcore {
+namespace {
+
+using robotlink::Pose2;
+using robotlink::Vector2;
+using testing::HasSubstr;
+
+const std::filesystem::path kMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
+
+/// A house of 8 x 6 m with a wall that leaves a door of 2 m, a pillar of points, and a home.
+const char* const kHouse =
+    "2D-Map\nResolution: 20\n"
+    "Cairn: RobotHome 1500 1500 90 \"\" ICON \"Home\"\n"
+    "Cairn: ForbiddenArea 0 0 0 \"\" ICON \"\" 5000 0 8000 3000\n"
+    "LINES\n0 0 8000 0\n8000 0 8000 6000\n8000 6000 0 6000\n0 6000 0 0\n4000 0 4000 4000\n"
+    "DATA\n2000 4000\n2020 4000\n2000 4020\n2020 4020\n";
+
+std::vector<Pose2> placesOf(const std::shared_ptr<const Scene>& scene) {
+  const auto simulation = Simulation::create(scene, {});
+  EXPECT_TRUE(simulation) << simulation.error().describe();
+  std::vector<Pose2> places;
+  for (const Scene::Robot& robot : scene->robots())
+    places.push_back(robotlink::groundPose(*(*simulation)->modelPose(robot.name)));
+  return places;
+}
+
+/// The least distance between two places.
+double leastDistance(const std::vector<Pose2>& places) {
+  double least = 1e9;
+  for (std::size_t i = 0; i < places.size(); ++i) {
+    for (std::size_t k = 0; k < i; ++k)
+      least = std::min(least, (places[i].translation() - places[k].translation()).norm());
+  }
+  return least;
+}
+
+class MapScene : public testing::Test {
+ protected:
+  std::shared_ptr<const Scene> load(const std::string& text, const RobotsToAdd& robots = {}) {
+    const auto scene = Scene::load(folder_.write("house.map", text), robots);
+    EXPECT_TRUE(scene) << describe(scene.error());
+    return scene ? *scene : nullptr;
+  }
+  std::string errorOf(const std::string& name, const std::string& text, const RobotsToAdd& robots) {
+    const auto scene = Scene::load(folder_.write(name, text), robots);
+    return scene ? "" : describe(scene.error());
+  }
+  SceneFolder folder_;
+};
+
+TEST_F(MapScene, aMapHasAFloorAndOneModelOfWalls) {
+  const auto scene = load(kHouse);
+  const WorldDescription& world = scene->implementation().world;
+  ASSERT_EQ(world.models.size(), 2U);
+  EXPECT_EQ(world.models[0].name, "floor");
+  EXPECT_EQ(world.models[1].name, "walls");
+  EXPECT_TRUE(world.models[1].type->isStatic);
+  EXPECT_EQ(world.models[1].type->links[0].collisions.size(), 6U) << "five lines and a pillar";
+  EXPECT_TRUE(scene->robots().empty());
+  ASSERT_NE(scene->groundMap(), nullptr);
+  EXPECT_EQ(scene->groundMap()->name, "house");
+  EXPECT_EQ(scene->groundMap()->places.size(), 2U);
+}
+
+TEST_F(MapScene, robotsStandOnTheirWheelsAndStayThere) {
+  const auto scene = load(kHouse, {.count = 3});
+  const auto simulation = std::move(Simulation::create(scene, {}).value());
+  const Pose3 before = *simulation->modelPose("p3at2");
+  for (int i = 0; i < 125; ++i) simulation->step();
+  const Pose3 after = *simulation->modelPose("p3at2");
+  EXPECT_LT((after.translation() - before.translation()).norm(), 0.005);
+}
+
+TEST_F(MapScene, whatIsNoRobotIsRefused) {
+  EXPECT_THAT(errorOf("house.map", kHouse, {.model = "field2002", .count = 1}),
+              HasSubstr("'field2002' is no robot"));
+  EXPECT_THAT(errorOf("house.map", kHouse, {.model = "p9", .count = 1}), HasSubstr("there is no model 'p9'"));
+  EXPECT_THAT(errorOf("house.map", kHouse, {.model = "../p3at", .count = 1}),
+              HasSubstr("there is no model '../p3at'"));
+}
+
+TEST_F(MapScene, errorsOfAMapKeepTheirLines) {
+  EXPECT_THAT(errorOf("bad.map", "2D-Map\nLINES\n0 0 1\n", {}), HasSubstr("bad.map:3:1: a line of LINES"));
+  EXPECT_THAT(errorOf("BAD.MAP", "<sdf/>", {}), HasSubstr("BAD.MAP:1:1: this is no map"));
+}
+
+TEST_F(MapScene, robotsAreAddedToTheFieldToo) {
+  const auto scene = Scene::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf", {.count = 2});
+  ASSERT_TRUE(scene) << describe(scene.error());
+  EXPECT_EQ((*scene)->groundMap(), nullptr);
+  const auto& robots = (*scene)->robots();
+  ASSERT_GE(robots.size(), 3U);
+  EXPECT_EQ(robots[robots.size() - 2].name, "p3at1");
+  EXPECT_EQ(robots.back().name, "p3at2");
+  for (const Pose2& place : placesOf(*scene)) EXPECT_LT(place.translation().norm(), 3);
+}
+
+TEST_F(MapScene, anOpenFloorIsFloorEnough) {
+  const std::string floor =
+      "<model name='floor'><static>true</static><link name='floor'><collision "
+      "name='floor'><geometry><plane><normal>0 0 1</normal>"
+      "<size>9 9</size></plane></geometry></collision></link></model>";
+  const auto scene = Scene::load(folder_.write("world.sdf", worldAround(floor)), {.count = 4});
+  ASSERT_TRUE(scene) << describe(scene.error());
+  EXPECT_GT(leastDistance(placesOf(*scene)), 0.9);
+}
+
+TEST_F(MapScene, withoutAFloorNoRobotIsAdded) {
+  EXPECT_THAT(errorOf("world.sdf", worldAround(""), {.count = 1}),
+              HasSubstr("world.sdf: robots cannot be added here: the scene has no level plane"));
+}
+
+TEST_F(MapScene, theMapOfABuildingOpensInUnderASecond) {
+  if (!std::filesystem::exists(kMaps / "columbia.map")) GTEST_SKIP() << "../shared/data/arcos is not here";
+  const auto start = std::chrono::steady_clock::now();
+  const auto scene = Scene::load(kMaps / "columbia.map", {.count = 10});
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const auto simulation = Simulation::create(*scene, {});
+  ASSERT_TRUE(simulation) << simulation.error().describe();
+  const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
+  // Some 0.2 s by itself; the limit leaves room for sanitizers and for what else the machine does.
+  EXPECT_LT(took.count(), 10);
+  const auto& walls = (*scene)->implementation().world.models[1].type->links[0].collisions;
+  EXPECT_GT(walls.size(), 5000U);
+  EXPECT_LT(walls.size(), 10'000U);
+}
+
+TEST_F(MapScene, aHundredRobotsStandInsideOfTheBuilding) {
+  if (!std::filesystem::exists(kMaps / "columbia.map")) GTEST_SKIP() << "../shared/data/arcos is not here";
+  const auto scene = Scene::load(kMaps / "columbia.map", {.count = 100});
+  ASSERT_TRUE(scene) << describe(scene.error());
+  const std::vector<Pose2> places = placesOf(*scene);
+  ASSERT_EQ(places.size(), 100U);
+  EXPECT_NEAR(places[0].x, -0.182, 1e-6);
+  EXPECT_GT(leastDistance(places), 0.9);
+  const auto map = (*scene)->groundMap();
+  for (const Pose2& place : places) {
+    for (const Vector2& point : map->points)
+      ASSERT_GT((point - place.translation()).norm(), 0.35) << place.x << " " << place.y;
+    // Beyond this line there are only points that a laser saw through windows.
+    EXPECT_LT(place.y, 19.5);
+  }
+}
+
+}  // namespace
+}  // namespace simcore
