@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "app/core/PacedThread.h"
+#include "app/core/PioneerRun.h"
 #include "app/core/ReplayRun.h"
 #include "app/core/SimulatedRun.h"
 #include "robotlink/base/Error.h"
@@ -25,9 +26,10 @@ struct LoadedPlatform {
   std::shared_ptr<const robotlink::FieldDescription> field;
   std::filesystem::path layout;  ///< empty: the one in the log, or none
   std::optional<RunOptions> simulation;
+  std::optional<PioneerOptions> pioneer;  ///< a real robot
   std::vector<ReplayLog> logs;  ///< not empty: they are replayed
 
-  /// For the window's title: "field2002", "game.mcap"; empty if nothing is loaded.
+  /// For the window's title: "field2002", "game.mcap", "tcp://localhost:8101"; empty if nothing is loaded.
   std::string name() const;
 };
 

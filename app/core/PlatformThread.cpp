@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
+#include "app/core/PioneerFeed.h"
 #include "app/core/ReplayFeed.h"
 #include "app/core/ReplayMoves.h"
 #include "app/core/SimulationFeed.h"
@@ -52,6 +53,20 @@ void PlatformThread::load(RunOptions options, LoadHandler handler) {
   });
 }
 
+void PlatformThread::connect(PioneerOptions options, LoadHandler handler) {
+  postOther([this, options = std::move(options), handler = std::move(handler)] {
+    // Its line may be the one that runs now, and a robot has one client.
+    if (dynamic_cast<const PioneerFeed*>(feed_.get()) != nullptr) start(nullptr);
+    auto feed = PioneerFeed::create(options, session_, recorder_);
+    if (!feed) {
+      handler(tl::unexpected(feed.error()));
+      return;
+    }
+    start(std::move(*feed));
+    handler(describe());
+  });
+}
+
 void PlatformThread::open(ReplayOptions options, LoadHandler handler) {
   postOther([this, options = std::move(options), handler = std::move(handler)] {
     auto feed = ReplayFeed::create(options, session_, recorder_);
@@ -87,7 +102,7 @@ void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress
 
 void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) {
   postOther([this, file = std::move(file), handler = std::move(handler)] {
-    robotlink::Errors errors{{"platform.none", "nothing runs that could use a layout; open a scene or a log first", {}, {}}};
+    robotlink::Errors errors{{"platform.none", "nothing runs that could use a layout; open a scene or a log, or connect a robot first", {}, {}}};
     if (feed_) errors = feed_->setLayout(file);
     if (errors.empty()) {
       handler(describe());
@@ -127,7 +142,7 @@ void PlatformThread::request(const robotcontrol::Request& request) {
 
 void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids) {
   robotlink::Result<PlatformFeed::Answer> done =
-      robotlink::failure("platform.none", "nothing runs that could do this; open a scene or a log first");
+      robotlink::failure("platform.none", "nothing runs that could do this; open a scene or a log, or connect a robot first");
   if (feed_) done = feed_->fulfil(request);
   if (done && *done == PlatformFeed::Answer::kByProgram) return;
   for (const std::uint64_t id : ids) {

@@ -31,6 +31,8 @@ class PlatformThread {
   PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder);
 
   void load(RunOptions options, LoadHandler handler);
+  /// A real robot, or one of another simulator; whether it answers is told on the stream link/status.
+  void connect(PioneerOptions options, LoadHandler handler);
   /// Paused, at the first image.
   void open(ReplayOptions options, LoadHandler handler);
   /// One more to the logs that are open; what was chosen for those stays.

@@ -92,6 +92,19 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
 
 }  // namespace
 
+tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(const std::filesystem::path& file,
+                                                                  const std::map<std::string, std::string>& solutions) {
+  auto layout = robotlink::readLayout(file);
+  if (!layout) return layout;
+  for (auto& process : layout->processes) {
+    for (auto& task : process.tasks) {
+      const auto chosen = solutions.find(task.task);
+      if (chosen != solutions.end()) task.solution = chosen->second;
+    }
+  }
+  return layout;
+}
+
 ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlink::Platform& platform,
                           const ProgramFiles& files) {
   ProgramSetup setup;

@@ -2,10 +2,12 @@
 #pragma once
 
 #include <filesystem>
+#include <map>
 #include <string>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
+#include "robotlink/process/Layout.h"
 
 namespace robotlink {
 class Platform;
@@ -21,6 +23,10 @@ struct ProgramFiles {
   std::filesystem::path field;
   std::string executor;  ///< "lockstep" or "threads"
 };
+
+/// A layout with other solutions than its own for some tasks, by their names.
+tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(const std::filesystem::path& file,
+                                                                  const std::map<std::string, std::string>& solutions);
 
 /// The set-up of a program that has not run yet. A file that cannot be read any more has no text.
 robotcontrol::ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlink::Platform& platform,

@@ -107,7 +107,12 @@ void RecordingTap::attach(const std::string& name, robotlink::Platform& platform
   robot->sensors->robot = robot->wishes->robot = name;
   robot->sensors->process = kPlatform;
   robot->wishes->process = program.debugProcess().name();
-  tapSenders(platform, robot->sensors, recorder_);
+  if (const Robot* before = find(name); before != nullptr && before->platform == &platform) {
+    robot->sensors = before->sensors;
+    std::erase_if(robots_, [&](const auto& other) { return other->name == name; });
+  } else {
+    tapSenders(platform, robot->sensors, recorder_);
+  }
   tapSenders(program.debugProcess(), robot->wishes, recorder_);
   robot->asked = robot->wanted(recorder_);
   program.recordPackages(robot->asked);

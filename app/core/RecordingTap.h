@@ -37,7 +37,7 @@ class RecordingTap {
   void clear() { robots_.clear(); }
   /// The platforms' clocks start anew.
   void restart() { recorder_.restart(); }
-  /// A program that has not run yet, on a platform that was not tapped before. Tells its set-up and has the program tell what is
+  /// A program that has not run yet, on a platform that was not tapped before, or in the place of the one that ran there. Tells its set-up and has the program tell what is
   /// to be recorded from its first frame on.
   void attach(const std::string& robot, robotlink::Platform& platform, robotlink::RobotProgram& program,
               robotcontrol::ProgramSetup setup);

@@ -7,7 +7,9 @@
 #include "app/core/ReplayRobotProgram.h"
 #include "app/core/SimulatedPlatform.h"
 #include "foxglove/Image.pb.h"
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/MapConversions.h"
 
 namespace app {
 
@@ -70,6 +72,15 @@ std::optional<ProgramSetup> ReplayRobot::loggedSetupAt(Instant time) const {
   return setup != nullptr ? std::optional(*setup) : std::nullopt;
 }
 
+std::shared_ptr<const robotlink::GroundMap> ReplayRobot::loggedMapAt(Instant time) const {
+  auto message = log_->latest(streams::kMap, time);
+  if (!message) {
+    if (const auto first = log_->timeAfter(streams::kMap, time)) message = log_->latest(streams::kMap, *first);
+  }
+  const auto* map = message ? dynamic_cast<const robotcontrol::GroundMap*>(message->value.get()) : nullptr;
+  return map != nullptr ? std::make_shared<const robotlink::GroundMap>(robotlink::groundMap(*map)) : nullptr;
+}
+
 Errors ReplayRobot::readSetupAt(Instant time) {
   auto logged = loggedSetupAt(time);
   auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
@@ -82,6 +93,7 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   }
   for (const auto& [solution, values] : choices_.parameters) setup->parameters.recorded.push_back(values);
   if (setup->team.empty()) setup->team = teamOf(logName_);
+  setup->map = loggedMapAt(time);
   setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
   loggedSetup_ = std::move(logged);
   return {};
@@ -174,7 +186,7 @@ tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::program
     listeners_.trouble(process, "was stopped because it threw: " + process.failure());
   };
   auto made = std::make_unique<Program>(clock_, platformPackages(plan), std::move(options));
-  const robotlink::RobotSetup robot{name_, setup_->team, *setup_->description, setup_->field};
+  const robotlink::RobotSetup robot{name_, setup_->team, *setup_->description, setup_->field, setup_->map};
   auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
   if (!program) return tl::unexpected(program.error());
   made->program = std::move(*program);

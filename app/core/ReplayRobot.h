@@ -82,6 +82,7 @@ class ReplayRobot {
 
  private:
   struct Program;  // everything that is made anew
+  std::shared_ptr<const robotlink::GroundMap> loggedMapAt(robotlink::Instant time) const;
   std::optional<robotcontrol::ProgramSetup> loggedSetupAt(robotlink::Instant time) const;
   robotlink::Errors readSetupAt(robotlink::Instant time);
   robotlink::Errors makeProgram();

@@ -12,6 +12,10 @@
 #include "robotlink/debugging/SolutionParameters.h"
 #include "robotlink/process/Layout.h"
 
+namespace robotlink {
+struct GroundMap;
+}
+
 namespace app {
 
 /// What a logged robot is and what program runs on it: as the log says, or as shipped where it does not.
@@ -22,6 +26,7 @@ struct ReplaySetup {
   std::string team;
   std::shared_ptr<const robotlink::RobotDescription> description;
   std::shared_ptr<const robotlink::FieldDescription> field;
+  std::shared_ptr<const robotlink::GroundMap> map = {};  ///< that it drove by; null: none is in the log
   robotlink::ParameterSource parameters;
   std::vector<std::string> notes;  ///< what of the log could not be used, and what is taken instead
 };

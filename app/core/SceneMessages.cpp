@@ -3,7 +3,9 @@
 
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Scene.pb.h"
+#include "robotcontrol/Driving.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/MapConversions.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
 
@@ -63,6 +65,13 @@ std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
   for (const auto& robot : simulation.scene().robots()) models.push_back(robot.name);
   if (simulation.modelPose("ball")) models.emplace_back("ball");
   return models;
+}
+
+std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map, robotlink::Instant now) {
+  auto message = std::make_shared<robotcontrol::GroundMap>();
+  robotlink::assign(*message, map);
+  robotlink::assign(*message->mutable_timestamp(), now);
+  return message;
 }
 
 std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation) {

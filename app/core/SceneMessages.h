@@ -5,10 +5,18 @@
 #include <string>
 #include <vector>
 
+#include "robotlink/base/Clock.h"
+
 namespace foxglove {
 class FrameTransforms;
 class SceneUpdate;
 }  // namespace foxglove
+namespace robotcontrol {
+class GroundMap;
+}
+namespace robotlink {
+struct GroundMap;
+}
 namespace simcore {
 class Simulation;
 }
@@ -21,6 +29,9 @@ std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulat
 
 /// The stream "transforms": where all bodies are in the field, and for each robot the frame of its name on the ground below it.
 std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore::Simulation& simulation);
+
+/// The stream "map".
+std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map, robotlink::Instant now);
 
 /// Models that a person may move: the robots, and the ball.
 std::vector<std::string> movableModels(const simcore::Simulation& simulation);

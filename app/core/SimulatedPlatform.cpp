@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulatedPlatform.h"
 
+#include "app/core/SimulatedDrivePlatform.h"
 #include "app/core/SimulatedJointPlatform.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -19,6 +20,7 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
 
 robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedPlatform::create(
     SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
+  if (description.drive) return SimulatedDrivePlatform::create(world, std::move(robot), description);
   return SimulatedJointPlatform::create(world, std::move(robot), description);
 }
 

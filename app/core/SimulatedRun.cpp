@@ -49,11 +49,18 @@ Errors SimulatedRun::load() {
   auto field = robotlink::FieldDescription::load(robotlink::resource(kFieldFile));
   if (!field) return field.error();
   field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
-  auto scene = simcore::Scene::load(options_.scene);
+  simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
+  if (!options_.robots && options_.scene.extension() == ".map") added.count = 1;
+  auto scene = simcore::Scene::load(options_.scene, added);
   if (!scene) return scene.error();
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};
   world_ = std::move(*world);
+  if (options_.ports) {
+    auto ports = ArcosPorts::open(*world_, *options_.ports, listeners_.ports);
+    if (!ports) return {ports.error()};
+    ports_ = std::move(*ports);
+  }
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
   if (!options_.layout.empty()) {
     for (const Robot& robot : robots_) options_.layouts[robot.description->name] = options_.layout;
@@ -75,7 +82,7 @@ Errors SimulatedRun::describeRobots() {
       if (!read) return read.error();
       description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
     }
-    robots_.push_back({robot.name, description, nullptr, nullptr, {}, {}});
+    robots_.push_back({robot.name, description, nullptr, nullptr});
   }
   return {};
 }
@@ -90,25 +97,13 @@ std::filesystem::path SimulatedRun::layout() const {
   return robots_.empty() ? std::filesystem::path() : layoutOf(robots_.front(), options_.layouts);
 }
 
-tl::expected<robotlink::Layout, Errors> SimulatedRun::readChosenLayout(const std::filesystem::path& file) const {
-  auto layout = robotlink::readLayout(file);
-  if (!layout) return layout;
-  for (auto& process : layout->processes) {
-    for (auto& task : process.tasks) {
-      const auto chosen = options_.solutions.find(task.task);
-      if (chosen != options_.solutions.end()) task.solution = chosen->second;
-    }
-  }
-  return layout;
-}
-
 tl::expected<std::vector<SimulatedRun::Robot>, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
   std::map<std::filesystem::path, robotlink::Layout> read;
   std::vector<Robot> robots;
   for (const Robot& robot : robots_) {
     const std::filesystem::path file = layoutOf(robot, layouts);
     if (!read.contains(file)) {
-      auto layout = readChosenLayout(file);
+      auto layout = readLayoutWith(file, options_.solutions);
       if (!layout) return tl::unexpected(layout.error());
       read[file] = std::move(*layout);
     }
@@ -131,7 +126,7 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});
   }
-  const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_};
+  const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_, map()};
   auto program = robotlink::RobotProgram::create(
       setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});
   if (!program) return tl::unexpected(program.error());
@@ -139,7 +134,7 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
     if (tap_) tap_->add(name, queue);
     if (listeners_.queue) listeners_.queue(name, std::move(queue));
   });
-  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.keys, robot.solutions};
+  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.wishes};
 }
 
 void SimulatedRun::startPrograms(std::vector<Robot> robots) {
@@ -190,6 +185,7 @@ void SimulatedRun::record(Robot& robot) {
 }
 
 void SimulatedRun::recordWorld() {
+  if (const auto known = map()) tap_->world({robotlink::streams::kMap, world_->clock().now(), mapMessage(*known, world_->clock().now())});
   tap_->world({robotlink::streams::kScene, world_->clock().now(), sceneMessage(world_->simulation())});
   stepsToTransforms_ = 0;
 }
@@ -212,11 +208,13 @@ void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::str
 
 void SimulatedRun::step() {
   if (tap_) tap_->askForPackages();
+  if (ports_) ports_->serve({});
   if (lockstep_) {
     lockstep_->step();
   } else if (threads_) {
     stepThreads();
   }
+  if (ports_) ports_->deliver();
   if (tap_) recordStep();
 }
 
@@ -245,7 +243,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
 
 /// Why robots of this kind cannot be run in a layout; nothing if they can.
 Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
-  auto read = readChosenLayout(layout);
+  auto read = readLayoutWith(layout, options_.solutions);
   if (!read) return read.error();
   for (const Robot& robot : robots_) {
     if (robot.description->name != kind) continue;
@@ -275,7 +273,7 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   if (!programs) return programs.error();
   options_.layouts = std::move(layouts);
   for (Robot& robot : *programs) {
-    if (changed.contains(robot.description->name)) robot.solutions.clear();
+    if (changed.contains(robot.description->name)) robot.wishes.forgetSolutions();
   }
   startPrograms(std::move(*programs));
   return {};
@@ -294,6 +292,12 @@ std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(con
   return nullptr;
 }
 
+std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const { return world_->simulation().scene().groundMap(); }
+
+bool SimulatedRun::isOfPlatform(const robotcontrol::Request& request) {
+  return request.has_stop() || request.has_control_drive();
+}
+
 robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& request) {
   for (Robot& robot : robots_) {
     if (robot.name != request.robot()) continue;
@@ -301,7 +305,8 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
       robot.platform->engageStop(request.stop().engaged());
       return {};
     }
-    remember(robot, request);
+    if (request.has_control_drive()) return robot.platform->control(request.control_drive());
+    robot.wishes.note(request);
     if (robot.program && handIn(robot, request)) return {};
     return robotlink::failure("request.queue-full",
                               "robot " + robot.name + " does not take requests now: too many wait already", {},
@@ -317,34 +322,8 @@ bool SimulatedRun::handIn(Robot& robot, const robotcontrol::Request& request) {
   return true;
 }
 
-void SimulatedRun::remember(Robot& robot, const robotcontrol::Request& request) {
-  if (request.has_set_key()) {
-    const auto& key = request.set_key();
-    // What was to happen n times has happened.
-    if (key.mode().kind() == robotcontrol::KeyMode::OFF || key.mode().kind() == robotcontrol::KeyMode::N_TIMES) {
-      robot.keys.erase(key.name());
-    } else {
-      robot.keys[key.name()] = key.mode();
-    }
-  }
-  if (request.has_select_solution()) robot.solutions[request.select_solution().task()] = request.select_solution().solution();
-}
-
 void SimulatedRun::askAgain(Robot& robot) {
-  robotcontrol::Request request;
-  request.set_robot(robot.name);
-  for (const auto& [name, mode] : robot.keys) {
-    request.mutable_set_key()->set_name(name);
-    *request.mutable_set_key()->mutable_mode() = mode;
-    handIn(robot, request);
-  }
-  for (const auto& [task, solution] : robot.solutions) {
-    request.mutable_select_solution()->set_task(task);
-    request.mutable_select_solution()->set_solution(solution);
-    handIn(robot, request);
-  }
-  request.mutable_send_tables();
-  handIn(robot, request);
+  for (const auto& request : robot.wishes.requests(robot.name)) handIn(robot, request);
 }
 
 std::vector<std::string> SimulatedRun::stoppedRobots() const {

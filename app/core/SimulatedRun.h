@@ -5,15 +5,18 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "app/core/ArcosPorts.h"
+#include "app/core/ProgramWishes.h"
 #include "app/core/SimulatedPlatform.h"
 #include "app/core/SimulatedWorld.h"
-#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/LockstepExecutor.h"
 #include "robotlink/process/ThreadExecutor.h"
+#include "simcore/Scene.h"
 
 namespace logplayer {
 class Recorder;
@@ -24,6 +27,7 @@ class Request;
 namespace robotlink {
 class RobotProgram;
 struct FieldDescription;
+struct GroundMap;
 struct Layout;
 }  // namespace robotlink
 
@@ -40,6 +44,9 @@ struct RunOptions {
   /// By what kind of robot it is ("ers210"); kinds without one have the layout of their description.
   std::map<std::string, std::filesystem::path> layouts = {};
   SimulatedWorld::Options world;
+  std::optional<simcore::RobotsToAdd> robots = {};  ///< beside those of the scene; not given: a map has one
+  /// TCP ports at which programs outside find the robots on wheels.
+  std::optional<ArcosPorts::Options> ports = {};
   ExecutorKind executor = ExecutorKind::kLockstep;
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
   bool classImages = false;  ///< the true classes are sent with all images, whether or not somebody asks for them
@@ -58,6 +65,8 @@ class SimulatedRun {
     /// An image with its true classes (oracle/classes); while it is set these are found for all images.
     std::function<void(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes)>
         labelled = {};
+    /// What programs outside did at the robots' ports, a line each.
+    std::function<void(const std::string& text)> ports = {};
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
@@ -83,7 +92,12 @@ class SimulatedRun {
   /// The file of the layout in which the first robot's program runs.
   std::filesystem::path layout() const;
 
-  /// Hands a request to a robot's program, or STOP to its platform. Fails if there is no such robot or its queue is full.
+  /// Null: programs outside cannot drive the robots.
+  const ArcosPorts* ports() const { return ports_.get(); }
+  std::shared_ptr<const robotlink::GroundMap> map() const;  ///< that the world was made from; null: from none
+  /// Whether the platform fulfils such a request itself.
+  static bool isOfPlatform(const robotcontrol::Request& request);
+  /// Hands a request to a robot's program, or STOP and what concerns its base to its platform. Fails if there is no such robot or its queue is full.
   robotlink::Result<void> request(const robotcontrol::Request& request);
   std::vector<std::string> stoppedRobots() const;
 
@@ -93,9 +107,7 @@ class SimulatedRun {
     std::shared_ptr<const robotlink::RobotDescription> description;
     std::unique_ptr<SimulatedPlatform> platform;
     std::unique_ptr<robotlink::RobotProgram> program;
-    /// What a person chose and what a program that starts anew shall have again: key modes by name, solutions by task.
-    std::map<std::string, robotcontrol::KeyMode> keys;
-    std::map<std::string, std::string> solutions;
+    ProgramWishes wishes = {};
   };
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
@@ -103,7 +115,6 @@ class SimulatedRun {
   using Layouts = std::map<std::string, std::filesystem::path>;
   std::filesystem::path layoutOf(const Robot& robot, const Layouts& chosen) const;
   tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const Layouts& layouts);
-  tl::expected<robotlink::Layout, robotlink::Errors> readChosenLayout(const std::filesystem::path& file) const;
   robotlink::Errors whyNot(const std::string& kind, const std::filesystem::path& layout);
   tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
   void startPrograms(std::vector<Robot> robots);
@@ -111,7 +122,6 @@ class SimulatedRun {
   bool handIn(Robot& robot, const robotcontrol::Request& request);
   void recordWorld();
   void recordStep();
-  static void remember(Robot& robot, const robotcontrol::Request& request);
   void askAgain(Robot& robot);
   void stopPrograms();
   void tellTrouble(const robotlink::Process& process, const std::string& text);
@@ -121,6 +131,7 @@ class SimulatedRun {
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
+  std::unique_ptr<ArcosPorts> ports_;  // null: there are none
   std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
   std::vector<Robot> robots_;
   int stepsToTransforms_ = 0;

@@ -91,7 +91,7 @@ robotlink::Result<PlatformFeed::Answer> SimulationFeed::fulfil(const robotcontro
     done = run_->request(request);
   }
   if (!done) return tl::unexpected(done.error());
-  return request.robot().empty() || request.has_stop() ? Answer::kHere : Answer::kByProgram;
+  return request.robot().empty() || SimulatedRun::isOfPlatform(request) ? Answer::kHere : Answer::kByProgram;
 }
 
 robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimulation& control) {
@@ -130,6 +130,7 @@ robotlink::Result<void> SimulationFeed::reset() {
 void SimulationFeed::publishScene() {
   lastStatusTime_ = now();
   lastStatus_ = Clock::now();
+  if (const auto map = run_->map()) outlet_.tell({robotlink::streams::kMap, now(), mapMessage(*map, now())});
   outlet_.tell({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
   publishTransforms();
   publishStatus();

@@ -50,6 +50,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addSimulationCommands();
   addLayoutCommand();
   addRobotCommands();
+  addConnectCommand();
   addLogCommands(*this);
   addRecordingCommands(*this);
 }
@@ -69,6 +70,8 @@ std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotD
   });
   return fitting;
 }
+
+std::filesystem::path Workbench::sceneNamed(const std::string& name) { return shippedOr(scenes(), name); }
 
 std::filesystem::path Workbench::layoutNamed(const std::string& name) { return shippedOr(layouts(), name); }
 
@@ -114,6 +117,9 @@ void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::pat
 }
 
 void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), newOpening(), outcomeOf(Change::kPlatform)); }
+void Workbench::connectRobot(PioneerOptions options) {
+  platform_.connect(std::move(options), outcomeOf(Change::kPlatform));
+}
 void Workbench::close() { platform_.close(outcomeOf(Change::kPlatform)); }
 void Workbench::setLayout(const std::filesystem::path& file) { platform_.setLayout(file, outcomeOf(Change::kLayout)); }
 
@@ -227,10 +233,45 @@ void Workbench::addSimulationCommands() {
                  {{"scene", CommandTable::Type::kText, "an SDFormat file"}},
                  [this](const Values& values) -> robotlink::Result<void> {
                    RunOptions options = lastSimulation_;
-                   options.scene = shippedOr(scenes(), std::get<std::string>(values[0]));
+                   options.scene = sceneNamed(std::get<std::string>(values[0]));
+                   options.robots.reset();
+                   options.ports.reset();
                    load(std::move(options));
                    return {};
                  }});
+  commands_.add({"simulation.setup",
+                 "Opens a scene or a map with robots put into it",
+                 {{"scene", CommandTable::Type::kText, "an SDFormat file, a map (.map), or the name of a shipped scene"},
+                  {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at"},
+                  {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
+                  {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
+                  {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
+                  {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"}},
+                 [this](const Values& values) { return setUp(values); }});
+}
+
+robotlink::Result<void> Workbench::setUp(const Values& values) {
+  const double robots = std::get<double>(values[2]), port = std::get<double>(values[4]);
+  if (!(robots >= 0 && robots <= 100)) {
+    return robotlink::failure("simulation.setup", "the number of robots must be between 0 and 100");
+  }
+  if (!(port >= 0 && port + robots <= 65536)) {
+    return robotlink::failure("simulation.setup", "the ports must be between 1 and 65535; 0 opens none");
+  }
+  RunOptions options = lastSimulation_;
+  options.scene = sceneNamed(std::get<std::string>(values[0]));
+  options.robots = simcore::RobotsToAdd{.model = std::get<std::string>(values[1]),
+                                        .count = static_cast<int>(robots),
+                                        .seed = options.world.seed};
+  options.world.kinematic = std::get<bool>(values[3]);
+  options.ports.reset();
+  if (port > 0) {
+    options.ports.emplace();
+    options.ports->firstPort = static_cast<std::uint16_t>(port);
+    if (std::get<bool>(values[5])) options.ports->address = "0.0.0.0";
+  }
+  load(std::move(options));
+  return {};
 }
 
 void Workbench::addLayoutCommand() {
@@ -239,6 +280,24 @@ void Workbench::addLayoutCommand() {
                  {{"layout", CommandTable::Type::kText, "a layout file"}},
                  [this](const Values& values) -> robotlink::Result<void> {
                    setLayout(layoutNamed(std::get<std::string>(values[0])));
+                   return {};
+                 }});
+}
+
+void Workbench::addConnectCommand() {
+  commands_.add({"robot.connect",
+                 "Connects a Pioneer over TCP or a serial line and runs its program here; it stays connected until something "
+                 "else is opened",
+                 {{"address", CommandTable::Type::kText, "tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]"},
+                  {"layout", CommandTable::Type::kText, "a layout file or the name of a shipped one; empty: the Pioneer's"},
+                  {"map", CommandTable::Type::kText, "a map (.map) of where it drives; empty: none"}},
+                 [this](const Values& values) -> robotlink::Result<void> {
+                   PioneerOptions options{.url = std::get<std::string>(values[0])};
+                   if (const auto& layout = std::get<std::string>(values[1]); !layout.empty()) {
+                     options.layout = layoutNamed(layout);
+                   }
+                   options.map = std::get<std::string>(values[2]);
+                   connectRobot(std::move(options));
                    return {};
                  }});
 }

@@ -38,6 +38,9 @@ class Workbench {
   void openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout = {});
   /// One more to those that are open.
   void addLog(ReplayLog log);
+  /// A real robot, or one of another simulator. The outcome says only whether its program can be run; how the connection does
+  /// is told on its stream link/status.
+  void connectRobot(PioneerOptions options);
   /// Ends what runs.
   void close();
   void setLayout(const std::filesystem::path& file);
@@ -69,6 +72,8 @@ class Workbench {
   static std::vector<std::filesystem::path> layouts();
   /// Those of them in which robots of a kind can be run.
   static std::vector<std::filesystem::path> layoutsFor(const robotlink::RobotDescription& robot);
+  /// A shipped scene by its name ("field2002"), or any by its path.
+  static std::filesystem::path sceneNamed(const std::string& name);
   /// A shipped layout by its name ("compact"), or any by its path.
   static std::filesystem::path layoutNamed(const std::string& name);
   static RunOptions defaultOptions();
@@ -87,6 +92,8 @@ class Workbench {
   void addSimulationCommands();
   void addRobotCommands();
   void addLayoutCommand();
+  void addConnectCommand();
+  robotlink::Result<void> setUp(const std::vector<robotlink::CommandTable::Value>& values);
   logplayer::LogFile::Progress newOpening();
   PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);

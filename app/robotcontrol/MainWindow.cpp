@@ -17,6 +17,7 @@
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/RecordingToolBar.h"
+#include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/StatusLine.h"
 #include "app/robotcontrol/ViewDocks.h"
@@ -181,6 +182,7 @@ void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
   resize(1600, 1000);
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
+  lastSetup_ = SimulationSetupDialog::fromJson(window.value(QStringLiteral("simulation_setup")).toArray());
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
   perspectives_.show(perspectives_.current(), *docks_);
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
@@ -193,6 +195,7 @@ void MainWindow::keepWindow() {
   perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
                            {QStringLiteral("toolbars"), toText(saveState())},
                            {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
+                           {QStringLiteral("simulation_setup"), SimulationSetupDialog::toJson(lastSetup_)},
                            {QStringLiteral("appearance"), nameOf(appearance_)}});
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }

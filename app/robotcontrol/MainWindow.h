@@ -10,6 +10,7 @@
 #include "app/robotcontrol/Appearance.h"
 #include "app/robotcontrol/Perspectives.h"
 #include "robotlink/base/Error.h"
+#include "robotlink/session/CommandTable.h"
 #include "widgets/View.h"
 
 class QLabel;
@@ -78,6 +79,7 @@ class MainWindow : public QMainWindow {
   void restoreWindow();
   void keepWindow();
   void openScene();
+  void setUpSimulation();
   void openLayout();
   void loadColorTable();
   void savePicture();
@@ -91,6 +93,7 @@ class MainWindow : public QMainWindow {
   widgets::ViewContext context_;
   Perspectives perspectives_;
   Appearance appearance_ = Appearance::kSystem;
+  std::vector<robotlink::CommandTable::Value> lastSetup_;  // of SimulationSetupDialog
   CommandActions* actions_ = nullptr;
   ads::CDockManager* dockManager_ = nullptr;
   ViewDocks* docks_ = nullptr;

@@ -13,6 +13,7 @@
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
+#include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "widgets/Icon.h"
@@ -58,6 +59,8 @@ void MainWindow::createFileMenu() {
   menu->setObjectName(QStringLiteral("fileMenu"));
   menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open)
       ->setObjectName(QStringLiteral("file.openScene"));
+  menu->addAction(widgets::icon("simulation"), tr("S&imulate robots…"), this, &MainWindow::setUpSimulation, QKeySequence(QStringLiteral("Ctrl+Shift+O")))
+      ->setObjectName(QStringLiteral("file.simulate"));
   menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
       ->setObjectName(QStringLiteral("file.openLayout"));
   menu->addSeparator();
@@ -156,8 +159,15 @@ void MainWindow::fillPerspectiveMenu() {
 }
 
 void MainWindow::openScene() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open scene"), {}, tr("SDFormat worlds (*.sdf *.world);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open scene"), {}, tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("simulation.open"), {file.toStdString()});
+}
+
+void MainWindow::setUpSimulation() {
+  SimulationSetupDialog dialog(lastSetup_, this);
+  if (dialog.exec() != QDialog::Accepted) return;
+  lastSetup_ = dialog.arguments();
+  actions_->run(QStringLiteral("simulation.setup"), lastSetup_);
 }
 
 void MainWindow::openLayout() {

@@ -16,6 +16,10 @@ enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2 };
 struct Arguments {
   std::vector<std::string> files;
   std::string layout;
+  std::string map;
+  int robots = -1;  ///< put into the world; negative: one into a map, none elsewhere
+  bool kinematic = false;
+  int port = 0;  ///< of the first robot; 0: none
   std::uint64_t seed = 1;
   bool paused = false;
   std::string perspective;
@@ -27,8 +31,14 @@ struct Arguments {
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.files,
-                 "An SDFormat world (.sdf, .world) to simulate, or log files to open on one time line; the field of 2002 if none is given");
+                 "A world (.sdf, .world) or the map of a building (.map) to simulate; or log files to open on one time line; or a "
+                 "Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the field of 2002 if none is given");
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
+  app.add_option("--robots", arguments.robots, "Simulated Pioneers that are put into the world (a map: 1)")->check(CLI::Range(0, 100));
+  app.add_flag("--kinematic", arguments.kinematic, "Simulated Pioneers are moved by their odometry, without forces");
+  app.add_option("--arcos", arguments.port, "Programs find the first simulated Pioneer at this TCP port, the next at the next one")
+      ->check(CLI::Range(1, 65435));
+  app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
   app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Motion, Processes, or one of your own");
@@ -51,21 +61,40 @@ bool hasDisplay() {
 
 bool isScene(const std::string& file) {
   const auto extension = std::filesystem::path(file).extension();
-  return extension == ".sdf" || extension == ".world" || extension == ".xml";
+  return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
 }
 
-bool opensLogs(const Arguments& arguments) { return !arguments.files.empty() && !isScene(arguments.files.front()); }
+bool isRobot(const std::string& file) { return file.starts_with("tcp://") || file.starts_with("serial://"); }
+
+bool connectsRobot(const Arguments& arguments) { return !arguments.files.empty() && isRobot(arguments.files.front()); }
+
+bool opensLogs(const Arguments& arguments) {
+  return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
+}
 
 app::RunOptions simulationOf(const Arguments& arguments) {
   app::RunOptions options = app::Workbench::defaultOptions();
   if (!arguments.files.empty()) options.scene = arguments.files.front();
   if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
   options.world.seed = arguments.seed;
+  options.world.kinematic = arguments.kinematic;
+  if (arguments.robots >= 0) options.robots = simcore::RobotsToAdd{.count = arguments.robots, .seed = arguments.seed};
+  if (arguments.port > 0) {
+    options.ports.emplace();
+    options.ports->firstPort = static_cast<std::uint16_t>(arguments.port);
+  }
   return options;
 }
 
 /// Starts what the command line asks for. False: it makes no sense.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
+  if (connectsRobot(arguments)) {
+    app::PioneerOptions options{.url = arguments.files.front()};
+    if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
+    options.map = arguments.map;
+    workbench.connectRobot(std::move(options));
+    return arguments.files.size() == 1;
+  }
   if (!opensLogs(arguments)) {
     if (arguments.files.size() > 1) {
       std::cerr << "robotcontrol: one world can be simulated at a time; several files must all be logs\n";
@@ -95,7 +124,7 @@ class Script : public QObject {
       : QObject(parent),
         workbench_(workbench),
         lines_(arguments.commands),
-        start_(!arguments.paused && !opensLogs(arguments)) {
+        start_(!arguments.paused && !opensLogs(arguments) && !connectsRobot(arguments)) {
     startTimer(20);
   }
 

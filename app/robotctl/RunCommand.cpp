@@ -9,6 +9,7 @@
 #include "app/core/ReplayRun.h"
 #include "app/core/Workbench.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/RunRobotCommand.h"
 #include "logplayer/LogWriter.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/session/QueueMessages.h"
@@ -32,6 +33,7 @@ struct RunArguments {
   std::vector<std::string> packages;
   std::vector<double> offsets;
   bool asJson = false;
+  RunRobotArguments robot;
 };
 
 /// What is written while the logs are replayed, and what went wrong.
@@ -100,7 +102,8 @@ bool split(const std::string& text, std::pair<std::string, std::string>& halves)
 /// Empty if all is well, else what is wrong.
 std::string takeLogs(const RunArguments& arguments, ReplayOptions& options) {
   if (!arguments.platform.starts_with(kLogPlatform)) {
-    return "--platform is log:FILE or log:FILE,log:FILE...; 'robotctl sim' runs simulated robots";
+    return "--platform is log:FILE or log:FILE,log:FILE..., or a robot's address: tcp://HOST:PORT or "
+           "serial://DEVICE?baud=RATE; 'robotctl sim' runs simulated robots";
   }
   std::string_view rest = arguments.platform;
   while (rest.starts_with(kLogPlatform)) {
@@ -235,7 +238,24 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
   return damaged ? kDoneWithLosses : kDone;
 }
 
+int runOnRobot(const RunArguments& arguments) {
+  RunRobotArguments robot = arguments.robot;
+  if (!arguments.offsets.empty() || !arguments.packages.empty() || !arguments.colorTable.empty()) {
+    return usage("--offset, --package and --color-table are for logs");
+  }
+  ReplayOptions choices;
+  if (const std::string wrong = takeChoices(arguments, choices); !wrong.empty()) return usage(wrong);
+  robot.url = arguments.platform;
+  robot.layout = arguments.layout;
+  robot.solutions = choices.solutions;
+  robot.asJson = arguments.asJson;
+  robot.record.file = arguments.record;
+  robot.record.compression = arguments.compression;
+  return runRobot(robot);
+}
+
 int run(const RunArguments& arguments) {
+  if (isRobotAddress(arguments.platform)) return runOnRobot(arguments);
   ReplayOptions options;
   if (const std::string wrong = takeLogs(arguments, options); !wrong.empty()) return usage(wrong);
   if (const std::string wrong = takeChoices(arguments, options); !wrong.empty()) return usage(wrong);
@@ -254,24 +274,32 @@ int run(const RunArguments& arguments) {
 
 void addRunCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Runs robot programs on logs, as fast as possible");
-  command->add_option("--platform", arguments->platform, "log:FILE, or several logs: log:FILE,log:FILE...")
+  CLI::App* command = app.add_subcommand("run", "Runs robot programs on logs, as fast as possible, or on a real robot");
+  command->add_option("--platform", arguments->platform,
+                      "log:FILE, or several logs: log:FILE,log:FILE...; or a Pioneer: tcp://HOST[:PORT], "
+                      "serial://DEVICE[?baud=RATE]")
       ->required();
   command->add_option("--offset", arguments->offsets,
                       "Seconds added to the times of a log; one for each, in their order");
   command->add_option("--layout", arguments->layout,
-                      "A process layout: a file, or the name of a shipped one; else that of the log");
+                      "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
   command->add_option("--package", arguments->packages,
                       "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
                       "red1/percepts/ball=recomputed for one); else whatever is logged is as logged");
   command->add_option("--color-table", arguments->colorTable, "A colour table (.c64) instead of the log's");
   command->add_option("--record", arguments->record,
-                      "A new log (MCAP) of what was logged and what was recomputed");
+                      "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");
   command->add_option("--compression", arguments->compression, "Of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
+  RunRobotArguments& robot = arguments->robot;
+  command->add_option("--map", robot.map, "Robots: a map (.map) of where it drives");
+  command->add_option("--robot", robot.robot, "Robots: what it is called")->capture_default_str();
+  command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")->check(CLI::Range(0.0, 1e6));
+  command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");
+  command->add_flag("--texts", robot.texts, "Robots: prints the program's text messages on stderr");
   command->callback([arguments, &status] { status = run(*arguments); });
 }
 

@@ -15,6 +15,7 @@
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/RecordOptions.h"
+#include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace app {
@@ -70,16 +71,6 @@ std::filesystem::path layoutFile(const std::string& name) {
     if (shipped.stem() == name) return shipped;
   }
   return name;
-}
-
-void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue) {
-  for (const auto& message : queue.messages()) {
-    if (!message.has_text()) continue;
-    const auto& stamp = message.timestamp();
-    std::cerr << std::fixed << std::setprecision(3)
-              << static_cast<double>(stamp.seconds()) + 1e-9 * stamp.nanos() << "  " << robot << "/"
-              << message.text().name() << ": " << message.text().message() << "\n";
-  }
 }
 
 SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImages* images) {

@@ -15,7 +15,7 @@ bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
   constexpr std::array<std::string_view, 6> kTypes{"robotcontrol.ColorTable",      "robotcontrol.KeyTable",
                                                    "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",
                                                    "robotcontrol.ProgramSetup",    "robotcontrol.SolutionTable"};
-  return path == streams::kScene || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+  return path == streams::kScene || path == streams::kMap || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 bool holdsUntilToldAnew(const StreamMessage& message) {

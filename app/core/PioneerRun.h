@@ -1,0 +1,99 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <functional>
+#include <map>
+#include <memory>
+#include <string>
+
+#include "app/core/PioneerPlatform.h"
+#include "app/core/ProgramWishes.h"
+#include "robotlink/process/ThreadExecutor.h"
+
+namespace logplayer {
+class Recorder;
+}
+namespace robotcontrol {
+class DebugQueue;
+class Request;
+}  // namespace robotcontrol
+namespace robotlink {
+class RobotProgram;
+struct FieldDescription;
+struct GroundMap;
+}  // namespace robotlink
+
+namespace app {
+
+class RecordingTap;
+
+/// A robot at the far end of a line, and what runs on it. Paths are files.
+struct PioneerOptions {
+  std::string url;                         ///< "tcp://localhost:8101", "serial:///dev/ttyUSB0?baud=9600"
+  std::string robot = "p3at1";             ///< what it is called here
+  std::string kind = "p3at";               ///< which resources/robots/<kind>.yaml it is
+  std::filesystem::path layout = {};       ///< empty: that of its kind
+  std::filesystem::path map = {};          ///< of where it drives; empty: it knows none
+  std::map<std::string, std::string> solutions = {};  ///< task -> solution at the start, instead of the layout's
+  bool motorsOn = false;                   ///< as soon as it is connected
+};
+
+/// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its processes, in real time.
+///
+/// Stepped by its caller some hundred times a second. Built as a whole or refused with all reasons; that the robot does not
+/// answer is no reason: the line is opened again and again, and link/status says how that goes. One thread at a time; listeners
+/// are called in the processes' threads.
+class PioneerRun {
+ public:
+  struct Listeners {
+    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
+    /// A process was stopped, or could not get its priority.
+    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
+  };
+
+  /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
+  static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(PioneerOptions options, Listeners listeners,
+                                                                             logplayer::Recorder* recorder = nullptr);
+  ~PioneerRun();
+
+  void step();
+  /// Starts the program anew in another layout while the robot stays connected. If that is not possible, all goes on as before.
+  robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// Hands a request to the program, or STOP and what concerns the base to the platform.
+  robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// Whether the platform fulfils such a request itself.
+  static bool isOfPlatform(const robotcontrol::Request& request);
+
+  const PioneerOptions& options() const { return options_; }
+  /// The file of the layout in which the program runs.
+  std::filesystem::path layout() const;
+  const robotlink::Clock& clock() const { return clock_; }
+  const PioneerPlatform& platform() const { return *platform_; }
+  std::shared_ptr<const robotlink::RobotDescription> description() const { return description_; }
+  std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
+  std::shared_ptr<const robotlink::GroundMap> map() const { return map_; }
+
+ private:
+  PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder);
+  robotlink::Errors load();
+  tl::expected<std::unique_ptr<robotlink::RobotProgram>, robotlink::Errors> makeProgram(const std::filesystem::path& file);
+  void start(std::unique_ptr<robotlink::RobotProgram> program);
+  void stop();
+  void tellTrouble(const robotlink::Process& process, const std::string& text) const;
+  bool handIn(const robotcontrol::Request& request);
+
+  PioneerOptions options_;
+  Listeners listeners_;
+  robotlink::SteadyClock clock_;
+  std::shared_ptr<const robotlink::RobotDescription> description_;
+  std::shared_ptr<const robotlink::FieldDescription> field_;
+  std::shared_ptr<const robotlink::GroundMap> map_;
+  std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
+  ProgramWishes wishes_;
+  std::unique_ptr<PioneerPlatform> platform_;
+  std::unique_ptr<robotlink::RobotProgram> program_;
+  std::unique_ptr<robotlink::ThreadExecutor> threads_;
+};
+
+}  // namespace app

@@ -1,0 +1,38 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "app/core/PioneerDriver.h"
+#include "app/core/SimulatedPlatform.h"
+
+namespace app {
+
+class SimulatedPioneer;
+
+/// The platform of a simulated robot on wheels: the same driver that a real one has speaks ARCOS with the simulated
+/// microcontroller, packet by packet, without a line between them. While a client from outside drives the robot through its
+/// port, the driver listens. The world must outlive it.
+class SimulatedDrivePlatform final : public SimulatedPlatform {
+ public:
+  /// Fails if the simulated robot has no drive.
+  static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
+      SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
+  ~SimulatedDrivePlatform() override;
+
+  void actuate() override;
+  std::vector<robotlink::AnySender*> onRequest() override { return {&driver_.packetsSender()}; }
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
+
+ protected:
+  void execute() override;
+
+ private:
+  SimulatedDrivePlatform(SimulatedWorld& world, SimulatedPioneer& pioneer, std::string robot,
+                         const robotlink::RobotDescription& description);
+  void begin();
+
+  SimulatedPioneer& pioneer_;
+  PioneerDriver driver_;
+  bool begun_ = false;
+};
+
+}  // namespace app

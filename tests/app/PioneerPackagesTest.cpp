@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/PioneerPackages.h"
+
+#include <gtest/gtest.h>
+
+#include "robotlink/base/Resources.h"
+#include "robotlink/packages/Conversions.h"
+
+using namespace app;
+using robotlink::Instant;
+using robotlink::arcos::LaserPacket;
+using robotlink::arcos::StandardInformation;
+using std::chrono::milliseconds;
+
+namespace {
+
+const robotlink::RobotDescription& pioneer() {
+  static const auto description = robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));
+  EXPECT_TRUE(description) << robotlink::describe(description.error());
+  return *description;
+}
+
+StandardInformation at(int xMm, int yMm, int heading4096) {
+  StandardInformation information;
+  information.xMm = static_cast<std::int16_t>(xMm);
+  information.yMm = static_cast<std::int16_t>(yMm);
+  information.heading4096 = static_cast<std::int16_t>(heading4096);
+  return information;
+}
+
+class PioneerPackagesTest : public testing::Test {
+ protected:
+  robotcontrol::DriveState state(const StandardInformation& information) {
+    time_ += milliseconds(100);
+    return *packages_.state(information, time_);
+  }
+  Instant time_;
+  PioneerPackages packages_{"p3at1", pioneer()};
+};
+
+}  // namespace
+
+TEST_F(PioneerPackagesTest, theOdometryBeginsAtZeroAndGoesOnPastSixteenBits) {
+  EXPECT_EQ(state(at(32700, 0, 0)).odometry().x(), 0);
+  EXPECT_NEAR(state(at(32750, 0, 0)).odometry().x(), 0.05, 1e-9);
+  EXPECT_NEAR(state(at(32750 + 100 - 65536, 0, 0)).odometry().x(), 0.15, 1e-9);
+}
+
+TEST_F(PioneerPackagesTest, afterAnotherConnectionTheOdometryGoesOnFromWhereItWas) {
+  state(at(0, 0, 0));
+  state(at(500, 0, 1024));  // a quarter to the left
+  packages_.restart();
+  state(at(0, 0, 0));  // the robot was switched on anew
+  const auto last = state(at(200, 0, 0)).odometry();
+  EXPECT_NEAR(last.x(), 0.5, 1e-9);
+  EXPECT_NEAR(last.y(), 0.2, 1e-9);
+  EXPECT_NEAR(last.heading(), robotlink::kPi / 2, 1e-9);
+}
+
+TEST_F(PioneerPackagesTest, aLeapIsNoWayThatItWent) {
+  state(at(0, 0, 0));
+  state(at(800, 0, 0));
+  state(at(5000, 0, 0));  // somebody has set it
+  EXPECT_NEAR(state(at(5100, 0, 0)).odometry().x(), 0.9, 1e-9);
+  packages_.resetOdometry();
+  EXPECT_NEAR(state(at(5200, 0, 0)).odometry().x(), 0.1, 1e-9);
+}
+
+TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetresAndRadians) {
+  StandardInformation information = at(0, 0, 0);
+  information.leftSpeedMmS = 206;
+  information.rightSpeedMmS = 794;
+  information.batteryDecivolts = 124;
+  information.stallAndBumpers = StandardInformation::kRightStalled | (1U << 10U) | (1U << 2U);
+  information.flags = StandardInformation::kMotorsOn | StandardInformation::kSonarArray1On;
+  information.chargeState = 0;
+  information.stateOfChargePercent = 80;
+  packages_.setBumpers(5, 5);
+  const auto told = state(information);
+  EXPECT_NEAR(told.velocity().x(), 0.5, 1e-9);
+  EXPECT_NEAR(told.velocity().rotation(), 1.0, 1e-9);
+  EXPECT_NEAR(told.battery(), 12.4, 1e-9);
+  EXPECT_TRUE(told.motors_on());
+  EXPECT_TRUE(told.sonar_on());
+  EXPECT_FALSE(told.left_stalled());
+  EXPECT_TRUE(told.right_stalled());
+  ASSERT_EQ(told.front_bumpers_size(), 5);
+  EXPECT_TRUE(told.front_bumpers(1));
+  EXPECT_FALSE(told.front_bumpers(0));
+  EXPECT_TRUE(told.rear_bumpers(1));
+  EXPECT_EQ(told.charging(), robotcontrol::DriveState::NOT_CHARGING);
+  EXPECT_NEAR(told.state_of_charge(), 0.8, 1e-9);
+}
+
+TEST_F(PioneerPackagesTest, sonarReadingsSayWhereTheirSensorsAre) {
+  EXPECT_EQ(packages_.sonars(at(0, 0, 0), time_), nullptr);
+  StandardInformation information = at(0, 0, 0);
+  information.sonars = {{3, 1500}, {8, 9999}, {31, 700}};  // there is no 31
+  const auto readings = packages_.sonars(information, time_);
+  ASSERT_EQ(readings->readings_size(), 2);
+  EXPECT_EQ(readings->readings(0).number(), 3U);
+  EXPECT_NEAR(readings->readings(0).range(), 1.5, 1e-9);
+  EXPECT_NEAR(readings->readings(0).sensor_in_robot().x(), 0.245, 1e-9);
+  EXPECT_NEAR(readings->readings(0).sensor_in_robot().heading(), robotlink::radians(10.0), 1e-9);
+  EXPECT_EQ(readings->readings(1).range(), readings->maximum());
+}
+
+TEST_F(PioneerPackagesTest, aScanIsToldWhenItsLastPartHasCome) {
+  LaserPacket part;
+  part.total = 40;
+  part.readings.resize(32, {.rangeMm = 2000});
+  EXPECT_EQ(packages_.laser(part, Instant(milliseconds(5))), nullptr);
+  part.first = 32;
+  part.readings.resize(8);
+  const auto scan = packages_.laser(part, Instant(milliseconds(9)));
+  ASSERT_NE(scan, nullptr);
+  EXPECT_EQ(scan->ranges_size(), 40);
+  EXPECT_NEAR(scan->ranges(39), 2.0, 1e-9);
+  EXPECT_NEAR(scan->start_angle(), -robotlink::kPi / 2, 1e-9);
+  EXPECT_NEAR(scan->pose().position().x(), 0.125, 1e-9);
+  EXPECT_EQ(robotlink::instant(scan->timestamp()), Instant(milliseconds(5)));
+}
