@@ -40,6 +40,7 @@ Packet toPacket(const Configuration& configuration) {
   PrefixWriter prefix{writer, configuration.fieldCount};
   visitConfigurationFields(configuration, prefix);
   writer.rest(configuration.rest);
+  writer.finish();
   return packet;
 }
 

@@ -19,7 +19,6 @@ void append(const Packet& packet, Bytes& bytes) {
   assert(packet.data.size() <= kMaximumData);
   if (packet.data.size() > kMaximumData) return;
   const std::size_t start = bytes.size();
-  bytes.reserve(start + packet.count() + 3);
   bytes.insert(bytes.end(), {kHeader1, kHeader2, static_cast<std::uint8_t>(packet.count()), packet.id});
   bytes.insert(bytes.end(), packet.data.begin(), packet.data.end());
   const std::uint16_t sum = checksum(std::span(bytes).subspan(start + 3));
@@ -29,6 +28,7 @@ void append(const Packet& packet, Bytes& bytes) {
 
 Bytes encode(const Packet& packet) {
   Bytes bytes;
+  bytes.reserve(packet.count() + 3);
   append(packet, bytes);
   return bytes;
 }

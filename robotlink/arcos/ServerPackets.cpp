@@ -12,9 +12,9 @@ namespace {
 template <typename T>
 Packet written(std::uint8_t id, const T& value) {
   Packet packet{id, {}};
-  packet.data.reserve(96);
   FieldWriter writer(packet.data);
   visitFields(value, writer);
+  writer.finish();
   return packet;
 }
 
@@ -170,6 +170,7 @@ Packet toPacket(const BatteryPacket& battery) {
     writer.bytes(one.more, static_cast<std::size_t>(bytes - BatteryPacket::kKnownBytes));
   }
   writer.rest(battery.rest);
+  writer.finish();
   return packet;
 }
 

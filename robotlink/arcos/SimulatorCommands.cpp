@@ -19,6 +19,7 @@ Command setTruePose(const TruePose& pose) {
   writer("x", pose.xMm);
   writer("y", pose.yMm);
   writer("heading", pose.headingDeg);
+  writer.finish();
   return result;
 }
 
@@ -40,6 +41,7 @@ Command simulatorControl(const SimulatorControl& control) {
   if (namesFile(control.operation)) {
     FieldWriter writer(result.extra);
     writer("length", static_cast<std::uint16_t>(std::min<std::size_t>(control.file.size(), 0xFFFF)));
+    writer.finish();
     result.extra.insert(result.extra.end(), control.file.begin(), control.file.end());
   }
   return result;

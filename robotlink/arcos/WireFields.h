@@ -2,7 +2,10 @@
 #pragma once
 
 #include <algorithm>
+#include <array>
+#include <bit>
 #include <concepts>
+#include <cstring>
 #include <limits>
 #include <optional>
 #include <string>
@@ -16,6 +19,28 @@
 // as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector), then its
 // elements between enter() and leave(). Only this folder's sources include this.
 namespace robotlink::arcos {
+
+template <std::integral T>
+T loadLittleEndian(const std::uint8_t* from) {
+  std::make_unsigned_t<T> bits = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&bits, from, sizeof bits);
+  } else {
+    for (std::size_t i = sizeof(T); i-- > 0;)
+      bits = static_cast<decltype(bits)>((std::uint64_t{bits} << 8U) | from[i]);
+  }
+  return static_cast<T>(bits);
+}
+
+template <std::integral T>
+void storeLittleEndian(T value, std::uint8_t* to) {
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(to, &value, sizeof value);
+  } else {
+    const auto bits = static_cast<std::uint64_t>(value);
+    for (std::size_t i = 0; i < sizeof(T); ++i) to[i] = static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFU);
+  }
+}
 
 /// Reads fields from a packet's data. A required field that is not there makes ok() false; an optional one
 /// that is not there ends the packet: it and all optional ones after it stay empty.
@@ -66,9 +91,7 @@ class FieldReader {
   template <std::integral T>
   bool take(T& value) {
     if (data_.size() < sizeof(T)) return false;
-    std::uint64_t bits = 0;
-    for (std::size_t i = 0; i < sizeof(T); ++i) bits |= std::uint64_t{data_[i]} << (8 * i);
-    value = static_cast<T>(bits);
+    value = loadLittleEndian<T>(data_.data());
     data_ = data_.subspan(sizeof(T));
     return true;
   }
@@ -93,20 +116,24 @@ class FieldReader {
   bool ended_ = false;
 };
 
-/// Writes fields; stops at the first optional one that is empty.
+/// Writes fields, behind what `data` has already; stops at the first optional one that is empty. They are in
+/// `data` after finish().
 class FieldWriter {
  public:
   explicit FieldWriter(Bytes& data) : data_(data) {}
+  FieldWriter(const FieldWriter&) = delete;
+  FieldWriter& operator=(const FieldWriter&) = delete;
 
   template <std::integral T>
   void operator()(const char*, const T& value, const char* = "") {
-    const auto bits = static_cast<std::uint64_t>(value);
-    for (std::size_t i = 0; i < sizeof(T); ++i)
-      data_.push_back(static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFU));
+    if (used_ + sizeof(T) > buffer_.size()) finish();
+    storeLittleEndian(value, buffer_.data() + used_);
+    used_ += sizeof(T);
   }
-  void operator()(const char*, const std::string& value, const char* = "") {
+  void operator()(const char* name, const std::string& value, const char* = "") {
+    finish();
     data_.insert(data_.end(), value.begin(), std::find(value.begin(), value.end(), '\0'));
-    data_.push_back(0);
+    (*this)(name, std::uint8_t{0});
   }
   template <typename T>
   void operator()(const char* name, const std::optional<T>& value, const char* = "") {
@@ -123,15 +150,25 @@ class FieldWriter {
   }
   void enter(const char*, std::size_t) {}
   void leave() {}
-  void rest(const Bytes& bytes) { data_.insert(data_.end(), bytes.begin(), bytes.end()); }
+  void rest(const Bytes& bytes) {
+    finish();
+    data_.insert(data_.end(), bytes.begin(), bytes.end());
+  }
   void bytes(const Bytes& given, std::size_t count) {
+    finish();
     const std::size_t there = std::min(count, given.size());
     data_.insert(data_.end(), given.begin(), given.begin() + static_cast<std::ptrdiff_t>(there));
     data_.insert(data_.end(), count - there, 0);
   }
+  void finish() {
+    data_.insert(data_.end(), buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(used_));
+    used_ = 0;
+  }
 
  private:
   Bytes& data_;
+  std::array<std::uint8_t, 256> buffer_;  ///< so that data_ grows once for many fields
+  std::size_t used_ = 0;
   bool ended_ = false;
 };
 
