@@ -248,6 +248,10 @@ robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive&
 
 // ---- To the program
 
+std::vector<robotlink::AnySender*> PioneerDriver::senders() {
+  return {&stateSender_, &sonarSender_, &laserSender_, &statusSender_, &packetsSender_};
+}
+
 void PioneerDriver::sendPackages(Instant now) {
   meter_.setKeeping(packetsSender_.connected());
   if (state_) stateSender_.send(std::exchange(state_, nullptr));

@@ -65,7 +65,8 @@ class PioneerDriver {
   void end(robotlink::Instant now) { session_.close(now); }
 
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish, robotlink::Instant now);
-  robotlink::AnySender& packetsSender() { return packetsSender_; }
+  /// A layout may need some of them or none: Platform::onRequest().
+  std::vector<robotlink::AnySender*> senders();
   const robotlink::arcos::ClientSession& session() const { return session_; }
 
  private:

@@ -24,7 +24,7 @@ class PioneerPlatform final : public robotlink::Platform {
   void actuate() override;
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
   bool stopEngaged() const { return stopEngaged_.load(); }
-  std::vector<robotlink::AnySender*> onRequest() override { return {&driver_.packetsSender()}; }
+  std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   /// What a person asks of the base, not of its program.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) { return driver_.control(wish, clock().now()); }
   const PioneerDriver& driver() const { return driver_; }

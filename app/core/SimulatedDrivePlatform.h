@@ -19,7 +19,7 @@ class SimulatedDrivePlatform final : public SimulatedPlatform {
   ~SimulatedDrivePlatform() override;
 
   void actuate() override;
-  std::vector<robotlink::AnySender*> onRequest() override { return {&driver_.packetsSender()}; }
+  std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
 
  protected:

@@ -75,7 +75,12 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
   made.connectDebugging();
   for (const Process* process : made.processes) made.debugProcess->watch(*process);
   made.debugProcess->watch(platform);
-  for (AnySender* sender : platform.onRequest()) made.debugProcess->showOnRequest(*sender);
+  // What a task receives has its key in that task's process.
+  const auto links = layoutLinks(made.layout, made.catalog, packages);
+  for (AnySender* sender : platform.onRequest()) {
+    const auto isOfTask = [&](const LayoutLink& link) { return link.from.empty() && link.package == sender->package(); };
+    if (std::none_of(links.begin(), links.end(), isOfTask)) made.debugProcess->showOnRequest(*sender);
+  }
   return program;
 }
 

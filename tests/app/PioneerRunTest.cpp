@@ -1,0 +1,148 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/PioneerRun.h"
+
+#include <gtest/gtest.h>
+
+#include <filesystem>
+#include <fstream>
+#include <mutex>
+
+#include "ServedWorld.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/session/QueueMessages.h"
+
+using namespace app;
+using namespace std::chrono_literals;
+
+namespace {
+
+/// What the robot and its program told; from all threads.
+class Ears {
+ public:
+  PioneerRun::Listeners listeners() {
+    return {[this](const std::string& robot, auto queue) {
+              const std::lock_guard lock(mutex_);
+              for (auto& message : robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages) {
+                newest_[message.path] = message.value;
+              }
+            },
+            [this](const std::string&, const robotlink::Process&, const std::string& text) {
+              const std::lock_guard lock(mutex_);
+              troubles_ += text + "\n";
+            }};
+  }
+  template <typename T>
+  std::shared_ptr<const T> newest(const std::string& path) {
+    const std::lock_guard lock(mutex_);
+    const auto found = newest_.find(path);
+    return found == newest_.end() ? nullptr : std::dynamic_pointer_cast<const T>(found->second);
+  }
+
+ private:
+  std::mutex mutex_;  // protects all
+  std::map<std::string, std::shared_ptr<const google::protobuf::Message>> newest_;
+  std::string troubles_;
+};
+
+class PioneerRunTest : public testing::Test {
+ protected:
+  PioneerRunTest() : layout_(std::filesystem::path(testing::TempDir()) / "bare.yaml") {
+    std::ofstream(layout_) << "version: 1\nname: bare\nhelp: Nothing but debugging.\n"
+                              "processes:\n  - {name: debug, debug: true, period_ms: 16}\n";
+  }
+  void connect() {
+    auto run = PioneerRun::create({.url = world_.url(), .layout = layout_}, ears_.listeners());
+    ASSERT_TRUE(run) << robotlink::describe(run.error());
+    run_ = std::move(*run);
+    for (const char* package : {"drive/state", "range/sonar", "link/status", "link/packets"}) {
+      robotcontrol::Request request;
+      request.set_robot("p3at1");
+      request.mutable_set_key()->set_name(std::string("package/") + package);
+      request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+      EXPECT_TRUE(run_->request(request));
+    }
+  }
+  /// Whether it happens within some seconds.
+  bool playUntil(const std::function<bool()>& happens) {
+    for (int i = 0; i < 1500; ++i) {
+      run_->step();
+      if (happens()) return true;
+      std::this_thread::sleep_for(5ms);
+    }
+    return false;
+  }
+  bool connected() const { return run_->platform().driver().session().isConnected(); }
+  std::shared_ptr<const robotcontrol::DriveState> state() {
+    return ears_.newest<robotcontrol::DriveState>("p3at1/drive/state");
+  }
+  robotlink::Result<void> motors(bool on) {
+    robotcontrol::Request request;
+    request.set_robot("p3at1");
+    request.mutable_control_drive()->set_motors(on);
+    return run_->request(request);
+  }
+
+  ServedWorld world_;
+  Ears ears_;
+  const std::filesystem::path layout_;
+  std::unique_ptr<PioneerRun> run_;
+};
+
+}  // namespace
+
+TEST_F(PioneerRunTest, aRobotAtTheEndOfALineTellsWhatASimulatedOneDoes) {
+  connect();
+  ASSERT_TRUE(playUntil([&] { return state() && ears_.newest<robotcontrol::SonarReadings>("p3at1/range/sonar"); }));
+  EXPECT_FALSE(state()->motors_on());  // a real robot waits for a person
+  ASSERT_TRUE(motors(true));
+  EXPECT_TRUE(playUntil([&] { return state()->motors_on(); }));
+  EXPECT_TRUE(playUntil([&] {
+    const auto packets = ears_.newest<robotcontrol::LinkPackets>("p3at1/link/packets");
+    return packets && packets->packets_size() > 0;
+  }));
+}
+
+TEST_F(PioneerRunTest, stopTakesTheMotorsOff) {
+  connect();
+  ASSERT_TRUE(playUntil([&] { return connected(); }));
+  ASSERT_TRUE(motors(true));
+  ASSERT_TRUE(playUntil([&] { return state() && state()->motors_on(); }));
+  robotcontrol::Request stop;
+  stop.set_robot("p3at1");
+  stop.mutable_stop()->set_engaged(true);
+  ASSERT_TRUE(run_->request(stop));
+  EXPECT_TRUE(playUntil([&] { return !state()->motors_on(); }));
+  EXPECT_FALSE(motors(true));
+}
+
+TEST_F(PioneerRunTest, aLineThatIsLostIsOpenedAgain) {
+  connect();
+  ASSERT_TRUE(playUntil([&] { return connected(); }));
+  world_.unplug(true);
+  ASSERT_TRUE(playUntil([&] { return !connected(); }));
+  EXPECT_TRUE(playUntil([&] {
+    const auto status = ears_.newest<robotcontrol::LinkStatus>("p3at1/link/status");
+    return status && status->state() == robotcontrol::LinkStatus::LOST && !status->text().empty();
+  }));
+  world_.unplug(false);
+  EXPECT_TRUE(playUntil([&] { return connected(); }));
+}
+
+TEST_F(PioneerRunTest, anotherLayoutLeavesTheRobotConnected) {
+  connect();
+  ASSERT_TRUE(playUntil([&] { return connected(); }));
+  EXPECT_TRUE(run_->setLayout(layout_).empty());
+  EXPECT_FALSE(run_->setLayout("no-such-layout.yaml").empty());
+  run_->step();
+  EXPECT_TRUE(connected());
+}
+
+TEST_F(PioneerRunTest, whatIsWrongWithItIsSaidBeforeAnythingRuns) {
+  auto run = PioneerRun::create({.url = "pigeon://home"}, {});
+  ASSERT_FALSE(run);
+  EXPECT_EQ(run.error().front().id, "url.bad");
+  run = PioneerRun::create({.url = world_.url(), .layout = layout_, .map = "no-such.map"}, {});
+  ASSERT_FALSE(run);
+}

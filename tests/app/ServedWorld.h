@@ -1,0 +1,68 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <gtest/gtest.h>
+
+#include <atomic>
+#include <string>
+#include <thread>
+
+#include "app/core/ArcosPorts.h"
+#include "app/core/SimulatedWorld.h"
+#include "robotlink/base/Resources.h"
+#include "simcore/Scene.h"
+
+/// The shipped world with one Pioneer, whose port is served in a thread, in real time.
+class ServedWorld {
+ public:
+  ServedWorld() {
+    auto scene = simcore::Scene::load(robotlink::resource("scenes/pioneer.sdf"));
+    if (!scene) throw std::runtime_error(robotlink::describe(scene.error()));
+    auto world = app::SimulatedWorld::create(*scene, {});
+    if (!world) throw std::runtime_error(world.error().describe());
+    world_ = std::move(*world);
+    openPorts(0);
+    thread_ = std::thread([this] { run(); });
+  }
+  ~ServedWorld() {
+    end_ = true;
+    thread_.join();
+  }
+  ServedWorld(const ServedWorld&) = delete;
+  ServedWorld& operator=(const ServedWorld&) = delete;
+
+  const std::string& url() const { return url_; }
+  /// All clients are thrown out, and nobody listens, until it is called again.
+  void unplug(bool unplugged) { unplugged_ = unplugged; }
+
+ private:
+  void openPorts(std::uint16_t port) {
+    auto ports = app::ArcosPorts::open(*world_, {.address = "127.0.0.1", .firstPort = port});
+    if (!ports) throw std::runtime_error(ports.error().describe());
+    ports_ = std::move(*ports);
+    port_ = ports_->ports().port(0);
+    url_ = ports_->url(0);
+  }
+  void run() {
+    auto due = std::chrono::steady_clock::now();
+    while (!end_) {
+      due += app::SimulatedWorld::kStep;
+      if (unplugged_ && ports_) ports_.reset();
+      if (!unplugged_ && !ports_) openPorts(port_);
+      if (ports_) {
+        ports_->serve(due);
+      } else {
+        std::this_thread::sleep_until(due);
+      }
+      world_->advance();
+      if (ports_) ports_->deliver();
+    }
+  }
+
+  std::unique_ptr<app::SimulatedWorld> world_;
+  std::unique_ptr<app::ArcosPorts> ports_;
+  std::uint16_t port_ = 0;
+  std::string url_;
+  std::atomic<bool> end_{false}, unplugged_{false};
+  std::thread thread_;
+};
