@@ -60,13 +60,21 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
     if (const auto found = find(sensors, robot + "/rearBumper" + number)) ports.rearBumpers.push_back(*found);
   }
   auto& settings = options.settings;
-  ports.sonars.resize(static_cast<std::size_t>(std::max(0, settings.sonars)));
+  const auto ranges = simulation.rangeSensors();
+  for (int i = 0; i < settings.sonars; ++i)
+    ports.sonars.push_back(find(ranges, robot + "/sonar" + std::to_string(i)));
+  ports.laser = find(ranges, robot + "/laser");
   // The microcontroller says that it has what it has.
   settings.motion.track = drive->track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
   settings.rearBumpers = static_cast<int>(ports.rearBumpers.size());
   if (!ports.gyroscope) settings.gyroscope = robotlink::arcos::ServerSettings::Gyroscope::kNone;
-  if (!ports.laser) settings.laser.reset();
+  if (!ports.laser) {
+    settings.laser.reset();
+  } else {
+    const auto& laser = ranges[*ports.laser];
+    settings.laser = {laser.startAngle, laser.endAngle, laser.maximum};
+  }
   return std::unique_ptr<SimulatedPioneer>(
       new SimulatedPioneer(simulation, std::move(robot), std::move(options), std::move(ports)));
 }
@@ -78,6 +86,9 @@ SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string 
       options_(std::move(options)),
       ports_(std::move(ports)),
       session_(options_.settings) {
+  if (ports_.laser) {
+    scan_.resize(static_cast<std::size_t>(simulation_.rangeSensors()[*ports_.laser].readings));
+  }
   start_ = truePose();
   drawTyres();
 }
@@ -149,11 +160,14 @@ void SimulatedPioneer::readBumpers(RobotSensing& sensing) const {
 }
 
 double SimulatedPioneer::sonar(int number) {
-  (void)number;
-  return options_.settings.sonarMaximum;
+  const auto port = ports_.sonars.at(static_cast<std::size_t>(number));
+  double range = options_.settings.sonarMaximum;
+  if (port) simulation_.measure(*port, {&range, 1});
+  return range;
 }
 
 std::span<const double> SimulatedPioneer::laser() {
+  if (ports_.laser) simulation_.measure(*ports_.laser, scan_);
   return scan_;
 }
 

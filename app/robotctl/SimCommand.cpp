@@ -12,6 +12,7 @@
 #include "app/core/BallTrials.h"
 #include "app/core/Pace.h"
 #include "app/core/Workbench.h"
+#include "app/robotctl/ArcosOptions.h"
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/RecordOptions.h"
@@ -39,6 +40,7 @@ struct SimArguments {
   double radius = 1.5;
   double speed = 0;  ///< times real time; 0: as fast as possible
   bool progress = false;
+  ArcosOptions arcos;
   CameraOptions camera;
   RecordOptions record;
 };
@@ -208,7 +210,20 @@ int runTrials(const SimArguments& arguments) {
   return kDone;
 }
 
+/// Robots that are driven from outside, without programs of their own.
+int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() || !arguments.solutions.empty()) {
+    std::cerr << "robotctl sim: with --arcos robots have no programs here; leave --trials, --record, --layout and --solution away\n";
+    return kUsage;
+  }
+  ArcosRun run{arguments.run.scene, arguments.run.world, {}, speedGiven ? arguments.speed : 1, arguments.asJson};
+  run.world.noise = !arguments.noNoise;
+  if (secondsGiven) run.seconds = arguments.seconds;
+  return runArcos(arguments.arcos, run);
+}
+
 int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
   if (!takeSolutions(arguments)) return kUsage;
   const bool threads = arguments.executor == "threads";
   if (arguments.trials > 0 && threads) {
@@ -238,8 +253,8 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
 void addSimCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SimArguments>();
   CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
-  sim->add_option("scene", arguments->run.scene, "An SDFormat world")->required();
-  auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each)")
+  sim->add_option("scene", arguments->run.scene, "An SDFormat world, or a map (*.map)")->required();
+  auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
                       ->check(CLI::Range(0.0, 1e6));
   sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")->capture_default_str();
   sim->add_option("--layout", arguments->layout,
@@ -258,10 +273,11 @@ void addSimCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(0.4, 10.0))
       ->capture_default_str();
   auto* speed = sim->add_option("--speed", arguments->speed,
-                                "How many times real time; 0 is as fast as possible (lockstep 0, threads 1)")
+                                "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
                     ->check(CLI::Range(0.0, 100.0))
                     ->excludes(trials);
   sim->add_flag("--progress", arguments->progress, "Prints the simulated time on stderr, ten times in each simulated second");
+  arguments->arcos.addTo(*sim);
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);
   sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
