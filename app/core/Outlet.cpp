@@ -85,8 +85,13 @@ void Outlet::tellQueue(const std::string& robot, std::shared_ptr<const robotcont
 
 void Outlet::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
                        const std::string& text) {
+  tellText(robot, source, time, foxglove::Log::ERROR, text);
+}
+
+void Outlet::tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                      const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
-  log->set_level(foxglove::Log::ERROR);
+  log->set_level(static_cast<foxglove::Log::Level>(level));
   log->set_name(source);
   log->set_message(text);
   robotlink::assign(*log->mutable_timestamp(), time);

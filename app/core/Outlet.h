@@ -45,6 +45,9 @@ class Outlet {
   void tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
   /// In the robot's log.
   void tellError(const std::string& robot, const std::string& source, robotlink::Instant time, const std::string& text);
+  /// `level`: a foxglove::Log::Level.
+  void tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                const std::string& text);
   /// That something is wrong with a process.
   void tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 

@@ -3,6 +3,7 @@
 
 #include "app/core/SceneMessages.h"
 #include "foxglove/Geometry.pb.h"
+#include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -33,7 +34,13 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
   return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
             outlet_.tellTrouble(robot, process, text);
-          }};
+          },
+          {},
+          [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); }};
+}
+
+void SimulationFeed::tellOfPorts(const std::string& text, int level) {
+  if (run_) outlet_.tellText(run_->robots().front(), "ports", now(), level, text);
 }
 
 void SimulationFeed::goOnLike(const SimulationFeed& before) {
@@ -45,6 +52,11 @@ void SimulationFeed::begin() {
   outlet_.open();
   restartPace();
   publishScene();
+  if (const ArcosPorts* ports = run_->ports()) {
+    const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
+    tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""), foxglove::Log::INFO);
+    if (!ports->warning().empty()) tellOfPorts(ports->warning(), foxglove::Log::WARNING);
+  }
 }
 
 std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {

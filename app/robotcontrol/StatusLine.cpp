@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/StatusLine.h"
 
+#include <algorithm>
+
 #include <QLabel>
 #include <QStatusBar>
 
@@ -56,6 +58,8 @@ void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
   time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
   speed_->setText(tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
+  const auto& models = status.models();
+  if (std::find(models.begin(), models.end(), "ball") == models.end()) return contacts_->clear();
   contacts_->setText(contacts == 1 ? tr("1 ball contact") : tr("%1 ball contacts").arg(contacts));
 }
 

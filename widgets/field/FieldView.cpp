@@ -24,6 +24,7 @@
 #include "widgets/field/GoalTool.h"
 #include "widgets/models/DriveAims.h"
 #include "widgets/models/DrawingsModel.h"
+#include "widgets/models/ShownMap.h"
 #include "widgets/models/WorldDrawings.h"
 
 namespace widgets {
@@ -181,11 +182,7 @@ void FieldView::tick() {
 
 void FieldView::updateGround() {
   canvas_->setField(context().field);
-  // A map is told once, at the start of what the history may no longer reach back to.
-  const auto* stream = session().store().find(robotlink::streams::kMap);
-  const auto* message = session().store().latest(robotlink::streams::kMap, session().timeline().shown());
-  if (message == nullptr && stream != nullptr && !stream->messages.empty()) message = &stream->messages.front();
-  auto map = message == nullptr ? nullptr : std::dynamic_pointer_cast<const robotcontrol::GroundMap>(message->value);
+  auto map = shownMap(session());
   if (map.get() == canvas_->map()) return;
   const QString name = map ? QString::fromStdString(map->name()) : QString();
   canvas_->setMap(std::move(map));

@@ -14,8 +14,8 @@ using robotlink::Vector2;
 using robotlink::Vector3;
 
 constexpr double kHighest = robotlink::radians(89.9), kLowest = robotlink::radians(-5);
-constexpr double kFarthestTarget = 10;  // m
-constexpr double kFarthestPlane = 50;   // m
+constexpr double kFarthestTarget = 200;  // m
+constexpr double kFarthestPlane = 500;  // m
 
 }  // namespace
 
@@ -46,7 +46,7 @@ Eigen::Matrix4d SceneCamera::view() const {
 }
 
 Eigen::Matrix4d SceneCamera::projection(const QSizeF& widget) const {
-  const double near = std::max(0.02, 0.02 * distance), far = 60;
+  const double near = std::max(0.02, 0.02 * distance), far = std::max(60.0, 4 * distance);
   const double f = 1 / std::tan(kVerticalAngle / 2);
   Eigen::Matrix4d matrix = Eigen::Matrix4d::Zero();
   matrix(0, 0) = f * widget.height() / widget.width();
@@ -97,14 +97,14 @@ void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
   target = target.cwiseMax(-kFarthestTarget).cwiseMin(kFarthestTarget);
 }
 
-void SceneCamera::fit(const QSizeF& widget, const Vector3& extent) {
+void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
   constexpr double kMargin = 0.03;  // of the widget
   const QRectF room(kMargin * widget.width(), kMargin * widget.height(), (1 - 2 * kMargin) * widget.width(),
                     (1 - 2 * kMargin) * widget.height());
   const auto allSeen = [&] {
     for (int corner = 0; corner < 8; ++corner) {
-      const Vector3 place((corner & 1 ? 0.5 : -0.5) * extent.x(), (corner & 2 ? 0.5 : -0.5) * extent.y(),
-                          corner & 4 ? extent.z() : 0);
+      const Vector3 place(box.center.x() + (corner & 1 ? 0.5 : -0.5) * box.size.x(),
+                          box.center.y() + (corner & 2 ? 0.5 : -0.5) * box.size.y(), corner & 4 ? box.size.z() : 0);
       const auto at = project(widget, place);
       if (!at || !room.contains(*at)) return false;
     }
@@ -118,21 +118,22 @@ void SceneCamera::fit(const QSizeF& widget, const Vector3& extent) {
   distance = farthest;
 }
 
-SceneCamera SceneCamera::overview(const QSizeF& widget, const Vector3& extent) {
+SceneCamera SceneCamera::overview(const QSizeF& widget, const SceneBox& box) {
   SceneCamera camera;
   // A tall picture is filled better from higher up.
   const double aspect = widget.width() / std::max(1.0, widget.height());
   camera.elevation = std::clamp(radians(70 - 18 * aspect), radians(28), radians(58));
   // A little nearer to the viewer than the centre: what is near looks larger.
-  camera.target = {0, -0.06 * extent.y(), 0};
-  camera.fit(widget, extent);
+  camera.target = {box.center.x(), box.center.y() - 0.06 * box.size.y(), 0};
+  camera.fit(widget, box);
   return camera;
 }
 
-SceneCamera SceneCamera::fromAbove(const QSizeF& widget, const Vector3& extent) {
+SceneCamera SceneCamera::fromAbove(const QSizeF& widget, const SceneBox& box) {
   SceneCamera camera;
   camera.elevation = kHighest;
-  camera.fit(widget, extent);
+  camera.target = {box.center.x(), box.center.y(), 0};
+  camera.fit(widget, box);
   return camera;
 }
 

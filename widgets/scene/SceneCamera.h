@@ -16,14 +16,21 @@ struct Ray {
   robotlink::Vector3 direction = robotlink::Vector3::UnitX();
 
   robotlink::Vector3 at(double distance) const { return origin + distance * direction; }
-  /// Where it meets the plane z = height, in front of its origin; not if that is more than 50 m away.
+  /// Where it meets the plane z = height, in front of its origin; not if that is more than 500 m away.
   std::optional<robotlink::Vector3> onPlane(double height) const;
+};
+
+/// What shall be seen: a box that stands on the ground.
+struct SceneBox {
+  robotlink::Vector2 center = robotlink::Vector2::Zero();
+  robotlink::Vector3 size{4.6, 3.1, 0.4};  ///< length, width and height, m
+  bool operator==(const SceneBox&) const = default;
 };
 
 /// A camera that looks at a point of the field from a distance and can be moved around it. A plain value;
 /// metres, radians, the field's frame; widget coordinates in Qt's logical pixels.
 struct SceneCamera {
-  static constexpr double kMinimumDistance = 0.15, kMaximumDistance = 30;
+  static constexpr double kMinimumDistance = 0.15, kMaximumDistance = 200;
   static constexpr double kVerticalAngle = robotlink::radians(36);  ///< whole opening angle
 
   robotlink::Vector3 target{0, 0, 0};
@@ -47,11 +54,11 @@ struct SceneCamera {
   /// Nearer by `factor` above 1; what lies on the ground under `at` stays there.
   void zoom(const QSizeF& widget, double factor, const QPointF& at);
   /// As near as possible while all of the box is seen.
-  void fit(const QSizeF& widget, const robotlink::Vector3& extent);
+  void fit(const QSizeF& widget, const SceneBox& box);
 
-  /// So that all of a box around the field's centre is seen: `extent` is its length, width and height.
-  static SceneCamera overview(const QSizeF& widget, const robotlink::Vector3& extent);
-  static SceneCamera fromAbove(const QSizeF& widget, const robotlink::Vector3& extent);
+  /// So that all of a box is seen.
+  static SceneCamera overview(const QSizeF& widget, const SceneBox& box);
+  static SceneCamera fromAbove(const QSizeF& widget, const SceneBox& box);
   /// Over the shoulder of what stands at a pose.
   static SceneCamera behind(const robotlink::Pose2& pose);
 };

@@ -80,9 +80,9 @@ void SceneCanvas::setCamera(const SceneCamera& camera) {
   Q_EMIT cameraMoved();
 }
 
-void SceneCanvas::setOverview(const robotlink::Vector3& extent) {
-  setCamera(SceneCamera::overview(size(), extent));
-  overview_ = extent;
+void SceneCanvas::setOverview(const SceneBox& box) {
+  setCamera(SceneCamera::overview(size(), box));
+  overview_ = box;
 }
 
 void SceneCanvas::zoomBy(double factor) {
@@ -167,7 +167,7 @@ void SceneCanvas::paintEvent(QPaintEvent*) {
 }
 
 void SceneCanvas::resizeEvent(QResizeEvent*) {
-  if (overview_) setOverview(robotlink::Vector3(*overview_));
+  if (overview_) setOverview(SceneBox(*overview_));
   request();
 }
 

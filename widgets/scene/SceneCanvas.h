@@ -34,7 +34,7 @@ class SceneCanvas final : public QWidget {
   void setCamera(const SceneCamera& camera);
   /// Shows all of the field, also when this changes its size, until the camera is moved. The extent is that
   /// of a box around the field's centre.
-  void setOverview(const robotlink::Vector3& extent);
+  void setOverview(const SceneBox& box);
   bool overview() const { return overview_.has_value(); }
   void zoomBy(double factor);
   bool wireFrame() const { return wireFrame_; }
@@ -91,7 +91,7 @@ class SceneCanvas final : public QWidget {
   bool moveAlways_ = true, wireFrame_ = false, grid_ = true, labels_ = true;
   QString notice_, hint_;
   SceneCamera camera_;
-  std::optional<robotlink::Vector3> overview_;
+  std::optional<SceneBox> overview_;
   std::string highlighted_;
   Mode mode_ = Mode::kIdle;
   bool moved_ = false;

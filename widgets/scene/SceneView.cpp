@@ -11,7 +11,10 @@
 #include <cmath>
 
 #include "robotlink/config/FieldDescription.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/base/GroundMap.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/DrawingsPanel.h"
@@ -19,6 +22,7 @@
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/models/DrawingsModel.h"
+#include "widgets/models/ShownMap.h"
 #include "widgets/models/WorldDrawings.h"
 #include "widgets/scene/SceneCanvas.h"
 
@@ -42,7 +46,7 @@ SceneView::SceneView(ViewContext& context, QWidget* parent) : View(context, pare
   connectSignals();
   connectCamera();
   connectDrag();
-  canvas_->setOverview(extent());
+  canvas_->setOverview(box());
   tick();
 }
 
@@ -75,7 +79,7 @@ void SceneView::createActions() {
 
 void SceneView::createCameraActions() {
   reset_ = makeAction(
-      this, "fit", {"sceneReset", tr("Reset camera"), tr("Shows the whole field from the side"), Qt::Key_R});
+      this, "fit", {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
   fromAbove_ = makeAction(this, "top-view",
                           {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_1});
   behind_ =
@@ -141,11 +145,11 @@ void SceneView::connectSignals() {
 void SceneView::connectCamera() {
   connect(reset_, &QAction::triggered, this, [this] {
     follow_->setChecked(false);
-    canvas_->setOverview(extent());
+    canvas_->setOverview(box());
   });
   connect(fromAbove_, &QAction::triggered, this, [this] {
     follow_->setChecked(false);
-    canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), extent()));
+    canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), box()));
   });
   connect(behind_, &QAction::triggered, this, &SceneView::lookFromBehind);
   connect(follow_, &QAction::toggled, this, [this] {
@@ -172,6 +176,7 @@ void SceneView::connectDrag() {
 void SceneView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
+  followMap();
   drawings_->refresh(session().store());
   robots_->refresh(session());
   beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
@@ -239,12 +244,26 @@ void SceneView::follow() {
   canvas_->setCamera(camera);
 }
 
-/// Of all that belongs to the field.
-robotlink::Vector3 SceneView::extent() const {
+/// Of all that belongs to the field, or of the building whose map there is.
+SceneBox SceneView::box() const {
+  if (mapBox_) return *mapBox_;
   const auto& field = context().field;
-  if (!field) return {4.6, 3.1, 0.4};
+  if (!field) return {};
   const QSizeF ground = fieldExtent(*field);
-  return {ground.width(), ground.height(), field->beaconBaseHeight + 2 * field->beaconBandHeight};
+  return {.size = {ground.width(), ground.height(), field->beaconBaseHeight + 2 * field->beaconBandHeight}};
+}
+
+void SceneView::followMap() {
+  const auto map = shownMap(session());
+  if (map == map_) return;
+  map_ = map;
+  mapBox_.reset();
+  if (map) {
+    const auto bounds = robotlink::groundMap(*map).bounds();
+    const robotlink::Vector2 size = bounds.high - bounds.low;
+    mapBox_ = SceneBox{(bounds.low + bounds.high) / 2, {size.x(), size.y(), 1}};
+  }
+  if (canvas_->overview()) canvas_->setOverview(box());
 }
 
 void SceneView::lookFromBehind() {
@@ -290,7 +309,7 @@ void SceneView::restoreState(const QJsonObject& state) {
   move_->setChecked(state[QStringLiteral("move")].toBool(true));
   robots_->setChoice(state[QStringLiteral("robot")].toString());
   canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
-  if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(extent());
+  if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(box());
   // The camera stands where it stood to the robot.
   follow_->setChecked(state[QStringLiteral("follow")].toBool());
 }

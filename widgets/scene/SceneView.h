@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <memory>
 #include <optional>
 
 #include "widgets/View.h"
@@ -8,9 +9,14 @@
 #include "widgets/models/RobotBeliefs.h"
 #include "widgets/models/SceneState.h"
 #include "widgets/scene/SceneAssembly.h"
+#include "widgets/scene/SceneCamera.h"
 
 class QAction;
 class QSplitter;
+
+namespace robotcontrol {
+class GroundMap;
+}
 
 namespace widgets {
 
@@ -50,13 +56,16 @@ class SceneView final : public View {
   /// Moves the camera as far as the robot moved since the last tick.
   void follow();
   std::optional<robotlink::Pose2> robotPose() const;
-  robotlink::Vector3 extent() const;
+  SceneBox box() const;
+  void followMap();
   void lookFromBehind();
   void showContextMenu(const QPoint& at);
 
   SceneState scene_;
   SceneAssembly assembly_;
   ModelDrag drag_;
+  std::shared_ptr<const robotcontrol::GroundMap> map_;
+  std::optional<SceneBox> mapBox_;  // of map_
   std::vector<RobotBelief> beliefs_;
   std::optional<robotlink::Vector2> followed_;  ///< where the followed robot was
   DrawingsModel* drawings_ = nullptr;
