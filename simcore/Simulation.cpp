@@ -73,7 +73,8 @@ struct Simulation::Implementation {
   }
 
   void start() {
-    physics = std::make_unique<Physics>(world);
+    physics = std::make_unique<Physics>(
+        world, options.kinematic ? Physics::Drives::kKinematic : Physics::Drives::kDynamic);
     sensing.emplace(*physics, ports.sources, world.gravity);
     const Ports fresh = Ports::of(world);
     ports.servoStates = fresh.servoStates;
@@ -150,9 +151,6 @@ Simulation::~Simulation() = default;
 
 robotlink::Result<std::unique_ptr<Simulation>> Simulation::create(std::shared_ptr<const Scene> scene,
                                                                   SimulationOptions options) {
-  if (options.kinematic) {
-    return robotlink::failure("simulation.kinematic", "kinematic drives are not known yet: leave the option off", {}, {});
-  }
   std::unique_ptr<Simulation> simulation(new Simulation);
   simulation->implementation_ = std::make_unique<Implementation>(std::move(scene), options);
   const Implementation& made = *simulation->implementation_;

@@ -17,7 +17,7 @@ constexpr double kTyreSoftness = 1.5e-3;
 constexpr double kCreep = 0.0005;
 constexpr double kLoadSmoothing = 0.5;
 constexpr double kLeastLoad = 0.1;  // share of the load at rest: what is about to land grips a little
-// A flank touches where the normal is this far along the axle; a wheel is a sphere to ODE.
+// A flank touches where the normal is this far along the axle.
 constexpr double kFlank = 0.6;
 constexpr double kAtLimit = 0.98;     // share of the motors' force
 constexpr double kHardlyTurns = 0.3;  // share of the speed that was asked for
@@ -68,14 +68,19 @@ void settleSide(OdeWheelSide& side, const SideForces& forces) {
 
 }  // namespace
 
-bool addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& otherGeom,
+bool isFlank(const OdeWorld& ode, const OdeGeom& wheel, const dContactGeom& contact) {
+  const Vector3 axle =
+      rotated(dGeomGetBody(wheel.id), ode.wheels[static_cast<std::size_t>(wheel.wheel)].axisInBody);
+  return std::abs(toEigen(contact.normal).dot(axle)) > kFlank;
+}
+
+void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& otherGeom,
                      const dContactGeom& geometry) {
   const auto index = static_cast<std::size_t>(wheelGeom.wheel);
   const OdeWheel& wheel = ode.wheels[index];
   const OdeWheelSide& side = ode.wheelSides[wheel.side];
   const dBodyID body = dGeomGetBody(wheelGeom.id);
   const Vector3 normal = toEigen(geometry.normal), axle = rotated(body, wheel.axisInBody);
-  if (std::abs(normal.dot(axle)) > kFlank) return false;
   OdeWheelContact& touch = ode.nextWheelContact();
   touch.wheel = index;
   touch.other = dGeomGetBody(otherGeom.id);
@@ -106,7 +111,6 @@ bool addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
   dJointAttach(joint, body, touch.other);
   dJointSetFeedback(joint, &touch.feedback);
-  return true;
 }
 
 void settleWheels(OdeWorld& ode) {
@@ -133,7 +137,10 @@ void settleWheels(OdeWorld& ode) {
     wheel.load += kLoadSmoothing * (loads[i] - wheel.load);
     wheel.load = std::max(wheel.load, kLeastLoad * wheel.restLoad);
   }
-  for (std::size_t i = 0; i < sides.size(); ++i) settleSide(ode.wheelSides[i], sides[i]);
+  for (std::size_t i = 0; i < sides.size(); ++i) {
+    const bool kinematic = ode.models[static_cast<std::size_t>(ode.drives[i / 2].model)].kinematic;
+    if (!kinematic) settleSide(ode.wheelSides[i], sides[i]);
+  }
 }
 
 Pose3 wheelLinkPose(const OdeWorld& ode, const OdeWheel& wheel) {

@@ -63,9 +63,25 @@ struct OdeWheelContact {
   dJointFeedback feedback{};
 };
 
-/// Adds the contact of a wheel's geom with another one, unless only the wheel's flank touches. True if there
-/// is one.
-bool addWheelContact(OdeWorld& ode, const OdeGeom& wheel, const OdeGeom& other, const dContactGeom& contact);
+/// Wheels on two sides of a model.
+struct OdeDrive {
+  int model = 0;
+  std::size_t body = 0;  ///< that carries the wheels, of OdeWorld::bodies
+  double track = 0;
+  Vector3 centerInBody = Vector3::Zero();  ///< between the wheels
+  Vector3 axisInBody = Vector3::UnitY();   ///< of the axles, to the left
+  double radius = 0;  ///< of a circle about the centre that holds the model, seen from above
+  // Of a model that is moved by its odometry:
+  std::size_t circle = 0;            ///< of OdeWorld::circles
+  bool touches = false;              ///< something, where it is
+  Vector3 freeAt = Vector3::Zero();  ///< where it was last looked how far away obstacles are
+  double freeWay = 0;                ///< and how far it can go from there
+};
+
+/// Whether it is only its flank by which a wheel touches something: a wheel is a sphere to ODE.
+bool isFlank(const OdeWorld& ode, const OdeGeom& wheel, const dContactGeom& contact);
+/// Adds the contact of a wheel's geom with another one, to which its flank is not turned.
+void addWheelContact(OdeWorld& ode, const OdeGeom& wheel, const OdeGeom& other, const dContactGeom& contact);
 /// After ODE's step: loads, speeds and travels of all wheels by what their contacts carried.
 void settleWheels(OdeWorld& ode);
 /// The link of a wheel that has rolled as far as its side has.

@@ -6,7 +6,6 @@
 
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/Physics.h"
-#include "simcore/physics/StaticSpace.h"
 
 namespace simcore {
 namespace {
@@ -18,12 +17,18 @@ constexpr double kErrorReduction = 0.3;
 constexpr double kConstraintForceMixing = 1e-7;
 constexpr double kMaxCorrectingVelocity = 1;  // m/s; keeps bodies that overlap from being catapulted
 
+// From so many static geoms on the grid is faster than ODE's comparing them one by one.
+constexpr std::size_t kGridFrom = 64;
+constexpr double kSteep = 0.7;  // upward share of a plane's normal
+constexpr double kReach = 0.3;  // m; how much farther than at first the limbs of a robot may reach
+
 /// Fills an OdeWorld from its description.
 class Builder {
  public:
-  explicit Builder(OdeWorld& ode) : ode_(ode) {}
+  Builder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
 
   void build() {
+    ode_.models.reserve(ode_.description.models.size());  // spaces point to them
     for (const ModelInstance& model : ode_.description.models) {
       const int index = static_cast<int>(ode_.models.size());
       OdeModel& added = ode_.models.emplace_back();
@@ -34,6 +39,12 @@ class Builder {
         addMoving(model, index, added);
       added.bodyCount = ode_.bodies.size() - added.firstBody;
     }
+    ode_.grid.build();
+    ode_.usesGrid = ode_.grid.size() >= kGridFrom;
+    for (const dGeomID geom : statics_) {
+      const bool isPlane = dGeomGetClass(geom) == dPlaneClass;
+      if (isPlane || !ode_.usesGrid) dSpaceAdd(ode_.statics, geom);
+    }
   }
 
  private:
@@ -42,16 +53,16 @@ class Builder {
       for (const CollisionDescription& collision : link.collisions) {
         const Pose3 pose = model.poseInWorld * link.poseInModel * collision.poseInLink;
         const dGeomID geom = addGeom(nullptr, collision, index, pose);
-        if (collision.shape.kind != Shape::Kind::kPlane) {
+        if (collision.shape.kind == Shape::Kind::kPlane) {
+          ode_.hasSteepPlanes |= std::abs(pose.linear()(2, 2)) < kSteep;
+        } else {
           setPose(pose, [&](const dReal* p, const dMatrix3 r) {
             dGeomSetPosition(geom, p[0], p[1], p[2]);
             dGeomSetRotation(geom, r);
           });
         }
-        // Where it is must be known before: a quadtree takes long to move many of them to their places.
-        dReal bounds[6];
-        dGeomGetAABB(geom, bounds);
-        dSpaceAdd(ode_.statics, geom);
+        statics_.push_back(geom);
+        ode_.grid.add(geom);
       }
     }
   }
@@ -61,7 +72,10 @@ class Builder {
     dSpaceSetCleanup(added.space, 0);
     // A higher level than the static space's: the model as a whole is compared with static geoms first.
     dSpaceSetSublevel(added.space, 1);
+    dGeomSetData(reinterpret_cast<dGeomID>(added.space), &added);
+    added.kinematic = kinematicDrives_ && model.type->drive.has_value();
     const ModelDescription& type = *model.type;
+    const std::size_t firstHinge = ode_.hinges.size();
     ode_.bodies.resize(added.firstBody + type.links.size());
     for (std::size_t i = 0; i < type.links.size(); ++i) {
       const int link = static_cast<int>(i);
@@ -71,6 +85,34 @@ class Builder {
     if (type.drive) addDrive(model, *type.drive, index, added);
     for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
     pose(model, added.firstBody);
+    OdeCircle circle{index};
+    circle.radius = radiusAbout(added.firstBody, Vector3::Zero(), added);
+    if (ode_.hinges.size() > firstHinge) circle.radius += kReach;
+    ode_.circles.push_back(circle);
+    (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
+    if (type.drive) {
+      OdeDrive& drive = ode_.drives.back();
+      drive.circle = ode_.circles.size() - 1;
+      drive.radius = radiusAbout(drive.body, drive.centerInBody, added);
+      if (added.kinematic) {
+        for (std::size_t i = 0; i < type.links.size(); ++i) dBodyDisable(ode_.bodies[added.firstBody + i].id);
+      }
+    }
+  }
+
+  /// Of a circle about a point of a body that holds all solids of a model, seen from above.
+  double radiusAbout(std::size_t body, const Vector3& pointInBody, const OdeModel& model) const {
+    dVector3 center;
+    dBodyGetRelPointPos(ode_.bodies[body].id, pointInBody.x(), pointInBody.y(), pointInBody.z(), center);
+    double radius = 0;
+    for (int i = 0; i < dSpaceGetNumGeoms(model.space); ++i) {
+      StaticGrid::Bounds b;
+      dGeomGetAABB(dSpaceGetGeom(model.space, i), b.data());
+      const double x = std::max(std::abs(b[0] - center[0]), std::abs(b[1] - center[0]));
+      const double y = std::max(std::abs(b[2] - center[1]), std::abs(b[3] - center[1]));
+      radius = std::max(radius, std::hypot(x, y));
+    }
+    return radius;
   }
 
   void addDrive(const ModelInstance& model, const DriveDescription& drive, int index, const OdeModel& added) {
@@ -87,10 +129,11 @@ class Builder {
         addWheel(*model.type, model.type->joints[static_cast<std::size_t>(joint)], index, added);
       }
     }
-    settleGeometry(drive, first);
+    settleGeometry(drive, first, index);
   }
 
-  void addWheel(const ModelDescription& type, const JointDescription& joint, int index, const OdeModel& added) {
+  void addWheel(const ModelDescription& type, const JointDescription& joint, int index,
+                const OdeModel& added) {
     const LinkDescription& link = type.links[static_cast<std::size_t>(joint.child)];
     OdeBody& body = ode_.bodies[added.firstBody + static_cast<std::size_t>(joint.child)];
     OdeWheel wheel;
@@ -114,8 +157,9 @@ class Builder {
     ode_.wheels.push_back(wheel);
   }
 
-  /// What depends on all wheels of a drive, from `first` on: which way is forwards, and how they share load and slip.
-  void settleGeometry(const DriveDescription& drive, std::size_t first) {
+  /// What depends on all wheels of a drive, from `first` on: which way is forwards, and how they share load
+  /// and slip.
+  void settleGeometry(const DriveDescription& drive, std::size_t first, int model) {
     const std::span<OdeWheel> wheels = std::span(ode_.wheels).subspan(first);
     const auto meanPlace = [](std::span<const OdeWheel> some) {
       Vector3 sum = Vector3::Zero();
@@ -123,7 +167,8 @@ class Builder {
       return Vector3(sum / static_cast<double>(some.size()));
     };
     const Vector3 middle = meanPlace(wheels);
-    const Vector3 toLeft = meanPlace(wheels.first(drive.left.size())) - meanPlace(wheels.subspan(drive.left.size()));
+    const Vector3 toLeft =
+        meanPlace(wheels.first(drive.left.size())) - meanPlace(wheels.subspan(drive.left.size()));
     double along = 0, across = 0;  // the mean distances of wheels from the middle: root of squares, and plain
     for (const OdeWheel& wheel : wheels) {
       const Vector3 place = wheel.linkInBody.translation() - middle;
@@ -142,6 +187,7 @@ class Builder {
       wheel.restLoad = mass.mass * ode_.description.gravity.norm() / static_cast<double>(wheels.size());
       wheel.load = wheel.restLoad;
     }
+    ode_.drives.push_back({model, wheels[0].body, drive.track, middle, wheels[0].axisInBody});
   }
 
   OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
@@ -268,6 +314,8 @@ class Builder {
   }
 
   OdeWorld& ode_;
+  const bool kinematicDrives_;
+  std::vector<dGeomID> statics_;
 };
 
 }  // namespace
@@ -278,7 +326,8 @@ void prepareOdeForThread() {
   (void)kAllocated;
 }
 
-OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(worldDescription) {
+OdeWorld::OdeWorld(const WorldDescription& worldDescription, bool kinematicDrives)
+    : description(worldDescription) {
   prepareOdeForThread();
   world = dWorldCreate();
   const Vector3& gravity = description.gravity;
@@ -293,11 +342,11 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(world
   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
   top = dSimpleSpaceCreate(nullptr);
   dSpaceSetCleanup(top, 0);
-  statics = newStaticSpace(description, top);
+  statics = dSimpleSpaceCreate(top);
   dSpaceSetCleanup(statics, 0);
   contacts = dJointGroupCreate(0);
   ray = dCreateRay(nullptr, 1);
-  Builder(*this).build();
+  Builder(*this, kinematicDrives).build();
 }
 
 OdeWorld::~OdeWorld() {
@@ -331,8 +380,7 @@ OdeWheelContact& OdeWorld::nextWheelContact() {
 Pose3 OdeWorld::linkPose(std::size_t body) const {
   const OdeBody& one = bodies[body];
   if (one.wheel >= 0) return wheelLinkPose(*this, wheels[static_cast<std::size_t>(one.wheel)]);
-  return poseOf(dBodyGetPosition(one.id), dBodyGetRotation(one.id)) *
-         Eigen::Translation3d(-one.centerInLink);
+  return poseOf(dBodyGetPosition(one.id), dBodyGetRotation(one.id)) * Eigen::Translation3d(-one.centerInLink);
 }
 
 }  // namespace simcore

@@ -9,6 +9,7 @@
 
 #include "simcore/WorldDescription.h"
 #include "simcore/physics/OdeWheels.h"
+#include "simcore/physics/StaticGrid.h"
 
 namespace simcore {
 
@@ -29,15 +30,23 @@ struct OdeBody {
   std::size_t firstGeom = 0;  ///< of its geoms, which follow each other
 };
 
+/// What a space's data points to, but for that of statics.
 struct OdeModel {
   dSpaceID space = nullptr;  ///< null: static
   std::size_t firstBody = 0, bodyCount = 0;
+  bool kinematic = false;        ///< moved by its odometry, not by forces
   bool touchesObstacle = false;  ///< anything but a floor, in the last step
+};
+
+/// About a moving model's first body; holds the model, seen from above.
+struct OdeCircle {
+  int model = 0;
+  double x = 0, y = 0, radius = 0;
 };
 
 /// Owns everything that ODE made for one world.
 struct OdeWorld {
-  explicit OdeWorld(const WorldDescription& description);
+  explicit OdeWorld(const WorldDescription& description, bool kinematicDrives = false);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
@@ -45,7 +54,10 @@ struct OdeWorld {
   const WorldDescription& description;
   dWorldID world = nullptr;
   dSpaceID top = nullptr;
-  dSpaceID statics = nullptr;
+  dSpaceID statics = nullptr;  ///< of a world with a grid, only what has no end
+  StaticGrid grid;             ///< of all static geoms
+  bool usesGrid = false;       ///< there are so many of them that contacts are found by the grid
+  bool hasSteepPlanes = false;
   dJointGroupID contacts = nullptr;
   dGeomID ray = nullptr;  ///< in no space
   dThreadingImplementationID threading = nullptr;
@@ -53,12 +65,22 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   std::vector<dJointID> hinges;
   std::vector<OdeModel> models;
+  std::vector<OdeCircle> circles;  ///< of all moving models; where they are is looked up where it is needed
+  bool hasKinematic = false, hasDynamic = false;  ///< models
+  std::vector<OdeDrive> drives;                   ///< the i-th has the wheelSides 2 i (left) and 2 i + 1
   std::vector<OdeWheel> wheels;
   std::vector<OdeWheelSide> wheelSides;
   std::deque<OdeWheelContact> wheelContacts;  ///< those of this step come first; a deque: ODE keeps pointers
   std::size_t wheelContactCount = 0;
   std::vector<std::pair<int, int>> touches;  ///< pairs of moving models, lower index first, of the last step
 
+  std::vector<OdeGeom*> touchedGeoms;  ///< in the last step
+  std::vector<dGeomID> nearby;         ///< reused by whoever asks the grid
+
+  void touch(OdeGeom& geom) {
+    if (!geom.touched) touchedGeoms.push_back(&geom);
+    geom.touched = true;
+  }
   OdeWheelContact& nextWheelContact();
   Pose3 linkPose(std::size_t body) const;
 };

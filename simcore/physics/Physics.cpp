@@ -6,18 +6,15 @@
 #include <cmath>
 
 #include "robotlink/base/Random.h"
+#include "simcore/physics/Contacts.h"
+#include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeRandom.h"
 #include "simcore/physics/OdeWorld.h"
 
 namespace simcore {
 namespace {
 
-constexpr int kMaxContacts = 4;
-constexpr double kContactErrorReduction = 0.3;
-constexpr double kContactSoftness = 1e-5;
-constexpr double kMinBounceVelocity = 0.05;  // m/s
 constexpr int kBlockedSteps = 25;
-constexpr double kFloor = 0.7;  // upward share of the normal of what is a floor or a ramp, not an obstacle
 
 OdeGeom& infoOf(dGeomID geom) {
   return *static_cast<OdeGeom*>(dGeomGetData(geom));
@@ -29,49 +26,6 @@ bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
   if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
   dSpaceCollide2(a, b, data, callback);
   return true;
-}
-
-/// `steepness` is the upward share of the contact's normal.
-void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double steepness) {
-  a.touched = b.touched = true;
-  const auto [low, high] = std::minmax(a.model, b.model);
-  OdeModel& first = ode.models[static_cast<std::size_t>(low)];
-  OdeModel& second = ode.models[static_cast<std::size_t>(high)];
-  const bool bothMove = first.space != nullptr && second.space != nullptr;
-  if (bothMove) ode.touches.emplace_back(low, high);
-  if (bothMove || std::abs(steepness) < kFloor) first.touchesObstacle = second.touchesObstacle = true;
-}
-
-/// A wheel's part of addContacts().
-void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
-  dContactGeom contact;
-  if (dCollide(wheel.id, other.id, 1, &contact, sizeof contact) == 0) return;
-  if (addWheelContact(ode, wheel, other, contact)) noteTouch(ode, wheel, other, contact.normal[2]);
-}
-
-void addContacts(void* data, dGeomID a, dGeomID b) {
-  auto& ode = *static_cast<OdeWorld*>(data);
-  if (descend(&ode, a, b, &addContacts)) return;
-  OdeGeom& first = infoOf(a);
-  OdeGeom& second = infoOf(b);
-  if (first.wheel >= 0) return addRolling(ode, first, second);
-  if (second.wheel >= 0) return addRolling(ode, second, first);
-  dContact contacts[kMaxContacts];
-  const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
-  if (count == 0) return;
-  noteTouch(ode, first, second, contacts[0].geom.normal[2]);
-  for (int i = 0; i < count; ++i) {
-    dSurfaceParameters& surface = contacts[i].surface;
-    surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
-    surface.mu = std::min(first.friction, second.friction);
-    surface.soft_erp = kContactErrorReduction;
-    surface.soft_cfm = kContactSoftness;
-    surface.bounce = std::max(first.restitution, second.restitution);
-    surface.bounce_vel = kMinBounceVelocity;
-    if (surface.bounce > 0) surface.mode |= dContactBounce;
-    const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contacts[i]);
-    dJointAttach(joint, dGeomGetBody(a), dGeomGetBody(b));
-  }
 }
 
 struct RayQuery {
@@ -89,37 +43,22 @@ void hitByRay(void* data, dGeomID a, dGeomID b) {
     query.distance = std::min(query.distance, contact.depth);
 }
 
-struct OverlapQuery {
-  int model = 0;
-  double tolerance = 0;
-  int overlapped = -1;
-};
-
-void deepContact(void* data, dGeomID a, dGeomID b) {
-  auto& query = *static_cast<OverlapQuery*>(data);
-  if (descend(&query, a, b, &deepContact)) return;
-  dContactGeom contacts[kMaxContacts];
-  const int count = dCollide(a, b, kMaxContacts, contacts, sizeof(dContactGeom));
-  for (int i = 0; i < count; ++i) {
-    if (contacts[i].depth <= query.tolerance) continue;
-    const int first = infoOf(a).model;
-    query.overlapped = first == query.model ? infoOf(b).model : first;
-  }
-}
-
 }  // namespace
 
-Physics::Physics(const WorldDescription& world) : ode_(std::make_unique<OdeWorld>(world)) {}
+Physics::Physics(const WorldDescription& world, Drives drives)
+    : ode_(std::make_unique<OdeWorld>(world, drives == Drives::kKinematic)) {}
 Physics::~Physics() = default;
 
 void Physics::step(std::uint64_t seed) {
   prepareOdeForThread();
   seedOdeRandom(seed);
-  for (OdeGeom& geom : ode_->geoms) geom.touched = false;
+  for (OdeGeom* geom : ode_->touchedGeoms) geom->touched = false;
+  ode_->touchedGeoms.clear();
   for (OdeModel& model : ode_->models) model.touchesObstacle = false;
   ode_->touches.clear();
   ode_->wheelContactCount = 0;
-  dSpaceCollide(ode_->top, ode_.get(), &addContacts);
+  moveKinematicModels(*ode_);
+  findContacts(*ode_);
   dWorldQuickStep(ode_->world, kStepSeconds);
   settleWheels(*ode_);
   dJointGroupEmpty(ode_->contacts);
@@ -196,6 +135,12 @@ double Physics::castRay(const Vector3& origin, const Vector3& direction, double 
   dGeomRaySet(ode_->ray, origin.x(), origin.y(), origin.z(), direction.x(), direction.y(), direction.z());
   RayQuery query{ownModel, length};
   dSpaceCollide2(ode_->ray, reinterpret_cast<dGeomID>(ode_->top), &query, &hitByRay);
+  if (ode_->usesGrid) {
+    StaticGrid::Bounds bounds;
+    dGeomGetAABB(ode_->ray, bounds.data());
+    ode_->grid.near(bounds, ode_->nearby);
+    for (const dGeomID geom : ode_->nearby) hitByRay(&query, ode_->ray, geom);
+  }
   return query.distance;
 }
 
@@ -223,18 +168,8 @@ void Physics::moveModel(int model, const Pose3& transform) {
 
 int Physics::overlappedModel(int model, double tolerance) const {
   prepareOdeForThread();
-  const dSpaceID own = ode_->models[static_cast<std::size_t>(model)].space;
-  OverlapQuery query{model, tolerance, -1};
-  for (std::size_t i = 0; own != nullptr && i < ode_->models.size(); ++i) {
-    const dSpaceID other = ode_->models[i].space;
-    if (other == nullptr || other == own) continue;
-    dSpaceCollide2(reinterpret_cast<dGeomID>(own), reinterpret_cast<dGeomID>(other), &query, &deepContact);
-  }
-  if (own != nullptr) {
-    dSpaceCollide2(reinterpret_cast<dGeomID>(own), reinterpret_cast<dGeomID>(ode_->statics), &query,
-                   &deepContact);
-  }
-  return query.overlapped;
+  const Overlap overlap = deepestOverlap(*ode_, model);
+  return overlap.depth > tolerance ? overlap.model : -1;
 }
 
 std::uint64_t Physics::digest() const {

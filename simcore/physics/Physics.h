@@ -22,7 +22,10 @@ class Physics {
  public:
   static constexpr double kStepSeconds = 0.004;
 
-  explicit Physics(const WorldDescription& world);
+  /// Whether models with a drive are moved by forces, or by their odometry.
+  enum class Drives : std::uint8_t { kDynamic, kKinematic };
+
+  explicit Physics(const WorldDescription& world, Drives drives = Drives::kDynamic);
   ~Physics();
 
   /// Moves the world on. `seed` decides in which order the solver takes the constraints.

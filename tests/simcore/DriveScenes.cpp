@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <map>
 #include <sstream>
 
 #include "tests/simcore/SceneFixture.h"
@@ -26,7 +27,23 @@ std::string boxAt(const std::string& name, const robotlink::Vector3& center, con
   return text.str();
 }
 
+std::string piecesAt(double x, double y0, double y1, int count) {
+  std::ostringstream text;
+  const double width = (y1 - y0) / count;
+  text << "<model name=\"pieces\"><static>true</static><link name=\"pieces\">";
+  for (int i = 0; i < count; ++i) {
+    text << "<collision name=\"piece" << i << "\"><pose>" << x << ' ' << y0 + (i + 0.5) * width
+         << " 0.5 0 0 0</pose><geometry><box><size>0.1 " << width << " 1</size></box></geometry></collision>";
+  }
+  text << "</link></model>";
+  return text.str();
+}
+
 std::shared_ptr<const Scene> floorWith(const std::string& contents) {
+  // Reading one takes longer than most of what is done in it.
+  static std::map<std::string, std::shared_ptr<const Scene>> scenes;
+  std::shared_ptr<const Scene>& known = scenes[contents];
+  if (known) return known;
   const SceneFolder folder;
   const std::string floor =
       "<model name=\"floor\"><static>true</static><link name=\"floor\"><collision "
@@ -34,7 +51,8 @@ std::shared_ptr<const Scene> floorWith(const std::string& contents) {
       "<normal>0 0 1</normal><size>9 9</size></plane></geometry></collision></link></model>";
   const auto scene = Scene::load(folder.write("world.sdf", worldAround(floor + contents)));
   EXPECT_TRUE(scene) << describe(scene.error());
-  return scene ? *scene : nullptr;
+  if (scene) known = *scene;
+  return known;
 }
 
 DrivenWorld::DrivenWorld(const std::string& contents, SimulationOptions options)

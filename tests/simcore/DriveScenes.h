@@ -11,9 +11,11 @@ namespace simcore {
 
 /// A Pioneer that stands somewhere, for a world's text.
 std::string pioneerAt(const std::string& name, double x, double y, double heading = 0);
-/// A static box for a world's text.
+/// A static box for a world's text, or a wall of many boxes.
 std::string boxAt(const std::string& name, const robotlink::Vector3& center, const robotlink::Vector3& size,
                   double pitch = 0);
+
+std::string piecesAt(double x, double y0, double y1, int count);
 
 /// A world of a floor, what `contents` says, and the shipped models.
 std::shared_ptr<const Scene> floorWith(const std::string& contents);

@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/Contacts.h"
+
+#include <algorithm>
+#include <cmath>
+
+namespace simcore {
+namespace {
+
+constexpr int kMaxContacts = 4;
+constexpr double kContactErrorReduction = 0.3;
+constexpr double kContactSoftness = 1e-5;
+constexpr double kMinBounceVelocity = 0.05;  // m/s
+constexpr double kFloor = 0.7;  // upward share of the normal of what is a floor or a ramp, not an obstacle
+
+OdeGeom& infoOf(dGeomID geom) {
+  return *static_cast<OdeGeom*>(dGeomGetData(geom));
+}
+
+dGeomID asGeom(dSpaceID space) {
+  return reinterpret_cast<dGeomID>(space);
+}
+
+OdeModel& modelOf(OdeWorld& ode, const OdeGeom& geom) {
+  return ode.models[static_cast<std::size_t>(geom.model)];
+}
+
+/// The body that a contact moves; null if none.
+dBodyID movedBody(OdeWorld& ode, const OdeGeom& geom) {
+  return modelOf(ode, geom).kinematic ? nullptr : dGeomGetBody(geom.id);
+}
+
+/// Whether no force can move what is in a space: its data is its OdeModel; statics have none.
+bool isUnmoved(dGeomID space) {
+  const auto* model = static_cast<const OdeModel*>(dGeomGetData(space));
+  return model == nullptr || model->kinematic;
+}
+
+/// Goes down into spaces, but never inside one: calls `callback` for each pair of geoms of different models.
+template <typename Data>
+bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
+  if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
+  dSpaceCollide2(a, b, data, callback);
+  return true;
+}
+
+/// `upward` is that share of the contact's normal.
+void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
+  ode.touch(a);
+  ode.touch(b);
+  OdeModel &first = modelOf(ode, a), &second = modelOf(ode, b);
+  const bool bothMove = first.space != nullptr && second.space != nullptr;
+  if (bothMove) ode.touches.emplace_back(std::minmax(a.model, b.model));
+  if (bothMove || std::abs(upward) < kFloor) first.touchesObstacle = second.touchesObstacle = true;
+}
+
+/// A wheel's part of addContacts().
+void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
+  dContactGeom contact;
+  if (dCollide(wheel.id, other.id, 1, &contact, sizeof contact) == 0 || isFlank(ode, wheel, contact)) return;
+  addWheelContact(ode, wheel, other, contact);
+  noteTouch(ode, wheel, other, contact.normal[2]);
+}
+
+void addContacts(void* data, dGeomID a, dGeomID b) {
+  auto& ode = *static_cast<OdeWorld*>(data);
+  if (dGeomIsSpace(a) != 0 && dGeomIsSpace(b) != 0 && isUnmoved(a) && isUnmoved(b)) return;
+  if (descend(&ode, a, b, &addContacts)) return;
+  OdeGeom& first = infoOf(a);
+  OdeGeom& second = infoOf(b);
+  if (first.wheel >= 0 && movedBody(ode, first) != nullptr) return addRolling(ode, first, second);
+  if (second.wheel >= 0 && movedBody(ode, second) != nullptr) return addRolling(ode, second, first);
+  dContact contacts[kMaxContacts];
+  const int count = dCollide(a, b, kMaxContacts, &contacts[0].geom, sizeof(dContact));
+  if (count == 0) return;
+  noteTouch(ode, first, second, contacts[0].geom.normal[2]);
+  for (int i = 0; i < count; ++i) {
+    dSurfaceParameters& surface = contacts[i].surface;
+    surface.mode = dContactApprox1 | dContactSoftERP | dContactSoftCFM;
+    surface.mu = std::min(first.friction, second.friction);
+    surface.soft_erp = kContactErrorReduction;
+    surface.soft_cfm = kContactSoftness;
+    surface.bounce = std::max(first.restitution, second.restitution);
+    surface.bounce_vel = kMinBounceVelocity;
+    if (surface.bounce > 0) surface.mode |= dContactBounce;
+    const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contacts[i]);
+    dJointAttach(joint, movedBody(ode, first), movedBody(ode, second));
+  }
+}
+
+/// Whether a geom is a wheel that stands on the ground there, or has its flank there.
+bool isOnlyRolling(const OdeWorld& ode, const OdeGeom& geom, const dContactGeom& contact) {
+  return geom.wheel >= 0 && (std::abs(contact.normal[2]) > kFloor || isFlank(ode, geom, contact));
+}
+
+/// Whether a geom is a wheel that need not be looked at: a model that no force moves does not stand on it,
+/// and its other solids are as wide.
+bool isHiddenWheel(OdeWorld& ode, const OdeGeom& geom) {
+  return geom.wheel >= 0 && modelOf(ode, geom).kinematic;
+}
+
+struct OverlapQuery {
+  OdeWorld& ode;
+  int model;
+  NoteTouches note;
+  Overlap found{};
+};
+
+void compareDepth(void* data, dGeomID a, dGeomID b) {
+  auto& query = *static_cast<OverlapQuery*>(data);
+  if (descend(&query, a, b, &compareDepth)) return;
+  OdeGeom &first = infoOf(a), &second = infoOf(b);
+  if (isHiddenWheel(query.ode, first) || isHiddenWheel(query.ode, second)) return;
+  dContactGeom contacts[kMaxContacts];
+  const int count = dCollide(a, b, kMaxContacts, contacts, sizeof(dContactGeom));
+  bool noted = query.note == NoteTouches::kNo;
+  for (int i = 0; i < count; ++i) {
+    const dContactGeom& contact = contacts[i];
+    if (isOnlyRolling(query.ode, first, contact) || isOnlyRolling(query.ode, second, contact)) continue;
+    if (!noted) noteTouch(query.ode, first, second, contact.normal[2]);
+    noted = true;
+    if (contact.depth > query.found.depth) {
+      query.found = {contact.depth, first.model == query.model ? second.model : first.model};
+    }
+  }
+}
+
+}  // namespace
+
+void findContacts(OdeWorld& ode) {
+  if (!ode.hasDynamic) return;
+  dSpaceCollide(ode.top, &ode, &addContacts);
+  if (!ode.usesGrid) return;
+  StaticGrid::Bounds bounds;
+  for (const OdeModel& model : ode.models) {
+    if (model.space == nullptr || model.kinematic) continue;
+    dGeomGetAABB(asGeom(model.space), bounds.data());
+    ode.grid.near(bounds, ode.nearby);
+    for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(model.space), geom, &ode, &addContacts);
+  }
+}
+
+Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
+  const dSpaceID own = ode.models[static_cast<std::size_t>(model)].space;
+  OverlapQuery query{ode, model, note};
+  if (own == nullptr) return query.found;
+  StaticGrid::Bounds bounds, others;
+  dGeomGetAABB(asGeom(own), bounds.data());
+  for (const OdeModel& other : ode.models) {
+    if (other.space == nullptr || other.space == own) continue;
+    dGeomGetAABB(asGeom(other.space), others.data());
+    if (!StaticGrid::meet(bounds, others)) continue;
+    dSpaceCollide2(asGeom(own), asGeom(other.space), &query, &compareDepth);
+  }
+  ode.grid.near(bounds, ode.nearby);
+  for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);
+  for (const dGeomID geom : ode.grid.unbounded()) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);
+  return query.found;
+}
+
+}  // namespace simcore
