@@ -137,13 +137,20 @@ void ClientSession::resynchronize(Instant now) {
   enter(State::kResynchronizing, now);
 }
 
-void ClientSession::retry(Error why, Instant now) {
+/// Counts a try that failed. False if it was the last one: then the line is given up.
+bool ClientSession::mayTryAgain(Error why, Instant now) {
   ++tries_;
-  if (tries_ >= options_.syncTries || ++unanswered_ >= kRounds * options_.syncTries) {
+  ++unanswered_;
+  if (tries_ >= options_.syncTries || unanswered_ >= kRounds * options_.syncTries) {
     giveUpLine(std::move(why), now);
-    return;
+    return false;
   }
   problem_ = std::move(why);
+  return true;
+}
+
+void ClientSession::retry(Error why, Instant now) {
+  if (!mayTryAgain(std::move(why), now)) return;
   // A robot that is silent may be in the connection of somebody who is gone. It is told to close that one
   // only now and then, because one that awaits SYNC2 takes CLOSE for it: they have the same number.
   if (state_ == State::kSynchronizing && tries_ == 1) {
@@ -152,6 +159,13 @@ void ClientSession::retry(Error why, Instant now) {
     sendSync(0, now);
   } else {
     resynchronize(now);
+  }
+}
+
+/// The robot's controller restarts: what it says meanwhile means nothing.
+void ClientSession::restart(Instant now) {
+  if (mayTryAgain(error("arcos.controller-reset", "the robot's controller restarts"), now)) {
+    enter(State::kResynchronizing, now);
   }
 }
 
@@ -207,16 +221,11 @@ void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
     askedAt_.reset();
     enter(State::kOpening, now);
   } else if (isControllerReset(packet.id)) {
-    retry(error("arcos.controller-reset", "the robot's controller restarts"), now);
+    restart(now);
   } else if (packet.id > 2) {
     // The answer to an earlier SYNC comes late; anything else is from a connection that was never closed.
     const Error why = error("arcos.busy", "the robot is in another connection, and does not close it");
-    if (++tries_ >= options_.syncTries || ++unanswered_ >= kRounds * options_.syncTries) {
-      giveUpLine(why, now);
-    } else {
-      problem_ = why;
-      resynchronize(now);
-    }
+    if (mayTryAgain(why, now)) resynchronize(now);
   }
 }
 
@@ -233,7 +242,7 @@ void ClientSession::takeInConnection(const Packet& packet, Instant now) {
       ++statistics_.losses;
       tries_ = unanswered_ = 0;
     }
-    retry(error("arcos.controller-reset", "the robot's controller restarts"), now);
+    restart(now);
   }
 }
 
@@ -404,7 +413,7 @@ std::string ClientSession::describe() const {
       return "sent SYNC" + std::to_string(sync_) + ", try " + std::to_string(tries_ + 1) + " of " +
              std::to_string(options_.syncTries) + after;
     case State::kResynchronizing:
-      return "told the robot to close another connection" + after;
+      return "waits until the robot is silent" + after;
     case State::kOpening:
       return "waits for the robot's configuration and standard information";
     case State::kConnected:

@@ -32,7 +32,7 @@ class ClientSession {
     kPausing,          ///< waits before it tries again
     kWaitingForLink,   ///< its owner shall open the line
     kSynchronizing,    ///< SYNC0 to SYNC2
-    kResynchronizing,  ///< the robot was in another connection: told to close it
+    kResynchronizing,  ///< lets the robot leave another connection, or restart, before SYNC0
     kOpening,          ///< waits for the configuration and the first standard information
     kConnected,
     kFailed,  ///< has given up: see problem()
@@ -118,7 +118,9 @@ class ClientSession {
 
   void sendSync(int number, Instant now);
   void resynchronize(Instant now);
+  bool mayTryAgain(Error why, Instant now);
   void retry(Error why, Instant now);
+  void restart(Instant now);
   void giveUpLine(Error why, Instant now);
   void lose(Error why, Instant now);
   Error silence() const;
