@@ -4,28 +4,11 @@
 #include <memory>
 #include <optional>
 #include <span>
-#include <vector>
 
+#include "simcore/RayFan.h"
 #include "simcore/RenderScene.h"
 
 namespace simcore {
-
-/// Rays from one point in a plane, equally far apart in angle.
-class RayFan {
- public:
-  /// `count` rays from angle `start` to angle `end`, rad, counter-clockwise; at least one, and at most a full
-  /// turn.
-  RayFan(double start, double end, int count);
-
-  std::size_t size() const { return directions_.size(); }
-  double start() const { return start_; }
-  double step() const { return step_; }  ///< between two neighbours; 0 if there is one ray alone
-  const std::vector<Eigen::Vector2d>& directions() const { return directions_; }
-
- private:
-  double start_ = 0, step_ = 0;
-  std::vector<Eigen::Vector2d> directions_;
-};
 
 /// Measures distances in a scene, as a PSD, a sonar, or a laser does: how far it is along a ray to the first
 /// surface, seen from either side, of the drawn triangles (shadow or not). Units are metres, everything is in
@@ -55,11 +38,6 @@ class RayCaster {
   std::optional<Hit> firstHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double maximum,
                               std::span<const int> excluded = {}) const;
 
-  /// What a ray of a fan meets.
-  struct FanHit {
-    double distance = 0;      ///< the maximum if it meets nothing
-    double cosIncidence = 1;  ///< of the angle between the ray and the surface's normal
-  };
   /// The first hits of all rays of a fan in the plane of `frame`'s x and y, from its origin; hits.size() must
   /// be fan.size(). `excluded` bodies, from the first to before the last, let rays pass. Some 0.1
   /// microseconds a ray.

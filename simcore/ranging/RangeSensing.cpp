@@ -49,8 +49,8 @@ void RangeSensing::setPoses(std::span<const Pose3> bodyInWorld) {
 
 double RangeSensing::nearestEcho(const RangeSensor& sensor) const {
   double nearest = sensor.maximum;
-  const double leastCosine = std::cos(sensor.mostIncidence) - 1e-9;
-  for (const RayCaster::FanHit& hit : hits_) {
+  const double leastCosine = std::max(0.0, std::cos(sensor.mostIncidence) - 1e-9);
+  for (const FanHit& hit : hits_) {
     if (hit.distance < nearest && hit.cosIncidence >= leastCosine) nearest = hit.distance;
   }
   return nearest;
@@ -65,7 +65,7 @@ void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<doub
   if (sensor.kind == RangeSensor::Kind::kSonar) {
     ranges[0] = nearestEcho(sensor);
   } else {
-    std::ranges::transform(hits_, ranges.begin(), &RayCaster::FanHit::distance);
+    std::ranges::transform(hits_, ranges.begin(), &FanHit::distance);
   }
   robotlink::Random random(noise.seed, robotlink::hashBits(kRangeStream, index, noise.step));
   for (double& range : ranges) {

@@ -37,7 +37,7 @@ class RangeSensing {
   std::vector<std::size_t> fanOf_;  // sensors alike share a fan
   RayCaster caster_;
   std::span<const Pose3> poses_;
-  std::vector<RayCaster::FanHit> hits_;
+  std::vector<FanHit> hits_;
 };
 
 }  // namespace simcore

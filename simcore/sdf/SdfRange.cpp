@@ -67,8 +67,8 @@ void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
       context.within(sonar->Get<double>("radius"), 1e-3, kFarthest, "a sonar's <radius>", sonar);
   result.range.openingAngle = 2 * std::atan(radius / std::max(result.maximum, 1e-3));
   result.noise = ownNumber(element, "noise", 0, 0, 100, context);
-  result.range.mostIncidence =
-      ownNumber(element, "most_incidence", kDefaultIncidence, 0, robotlink::kPi / 2, context);
+  // A little more than a right angle, as such angles are rounded in files.
+  result.range.mostIncidence = ownNumber(element, "most_incidence", kDefaultIncidence, 0, 1.6, context);
   result.rate = rateOf(sensor, context);
 }
 
