@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Pioneers in the workbench: set up as a person does, connected over TCP, stopped, and driven by a program outside.
+#include <QCheckBox>
+#include <QComboBox>
+#include <QSpinBox>
+
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/arcos/PioneerRobot.h"
+#include "tests/app/Desk.h"
+#include "tests/app/ServedWorld.h"
+#include "tests/widgets/DialogAnswer.h"
+
+namespace {
+
+/// A port that nobody listens at; the next one is most likely free as well.
+int freePort() {
+  const auto ports = robotlink::arcos::RobotPorts::open({.firstPort = 0, .robots = 1});
+  if (!ports) qFatal("no port is free");
+  return (*ports)->port(0);
+}
+
+void showPackage(Desk& desk, const char* package) {
+  robotcontrol::Request request;
+  request.set_robot("p3at1");
+  request.mutable_set_key()->set_name(std::string("package/") + package);
+  request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+  desk.workbench.session().request(std::move(request));
+}
+
+template <typename T>
+const T* newest(Desk& desk, const std::string& stream) {
+  auto& session = desk.workbench.session();
+  return session.store().latestAs<T>(stream, session.timeline().newest());
+}
+
+}  // namespace
+
+class PioneersGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  }
+  void init() { std::filesystem::remove_all(home_); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void aWorldIsSetUpWithRobotsThatProgramsOutsideCanDrive() {
+    const int port = freePort();
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    DialogAnswer setUp([port](QDialog& dialog) {
+      dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->setEditText(QStringLiteral("pioneer"));
+      dialog.findChild<QSpinBox*>(QStringLiteral("setupRobots"))->setValue(1);
+      QTest::mouseClick(dialog.findChild<QCheckBox*>(QStringLiteral("setupKinematic")), Qt::LeftButton);
+      QTest::mouseClick(dialog.findChild<QCheckBox*>(QStringLiteral("setupPorts")), Qt::LeftButton);
+      dialog.findChild<QSpinBox*>(QStringLiteral("setupPort"))->setValue(port);
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    });
+    desk.choose("file.simulate");
+    QVERIFY(setUp.asked());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 2, kWaitMs);
+    showPackage(desk, "link/status");
+    desk.click("simulation.start");
+    robotlink::arcos::PioneerRobot robot("tcp://127.0.0.1:" + std::to_string(port));
+    std::thread client([&] {
+      if (!robot.begin()) qFatal("the robot cannot be reached");
+    });
+    QTRY_VERIFY_WITH_TIMEOUT(newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status") != nullptr &&
+                                 !newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status")->client().empty(),
+                             kWaitMs);
+    client.join();
+    // What was chosen is there again.
+    DialogAnswer again([port](QDialog& dialog) {
+      QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->currentText(), QStringLiteral("pioneer"));
+      QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("setupPort"))->value(), port);
+      DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
+    });
+    desk.choose("file.simulate");
+    QVERIFY(again.asked());
+  }
+
+  void aRobotAtTheEndOfALineIsARobotLikeTheOthers() {
+    ServedWorld world;
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(desk.workbench.commands().run("robot.connect", {world.url(), std::string(), std::string()}));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").currentText(), QStringLiteral("p3at1"), kWaitMs);
+    QVERIFY(desk.window.windowTitle().contains(QString::fromStdString(world.url())));
+    showPackage(desk, "drive/state");
+    const auto state = [&] { return newest<robotcontrol::DriveState>(desk, "p3at1/drive/state"); };
+    QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
+    QVERIFY(!state()->motors_on());  // a real robot waits for a person
+    robotcontrol::Request motors;
+    motors.set_robot("p3at1");
+    motors.mutable_control_drive()->set_motors(true);
+    desk.workbench.session().request(motors);
+    QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
+    QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(!state()->motors_on(), kWaitMs);
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(PioneersGuiTest)
+#include "PioneersGuiTest.moc"
