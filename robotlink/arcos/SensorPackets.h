@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <array>
+
 #include "robotlink/arcos/Packet.h"
-#include "robotlink/base/Error.h"
 
 // What a robot sends on request beside its standard information. `rest` is always what stands behind all that
 // is known.
@@ -63,6 +64,23 @@ struct AuxSerialPacket {
   int port = 1;  ///< 1 to 3
   Bytes bytes;
   bool operator==(const AuxSerialPacket&) const = default;
+};
+
+/// TCM2pac: a compass that the robot has.
+struct CompassPacket {
+  static constexpr std::uint8_t kId = 0xC0;
+  std::int16_t headingDecidegrees = 0;
+  std::int16_t pitchDecidegrees = 0;
+  std::int16_t rollDecidegrees = 0;
+  std::array<std::int16_t, 3> magneticHundredthsUt = {};  ///< x, y, z
+  std::int16_t temperatureDecidegC = 0;
+  std::uint16_t error = 0;  ///< the compass's own bits
+  // How well it was calibrated, as the compass counts it.
+  std::uint8_t horizontalScore = 0;
+  std::uint8_t verticalScore = 0;
+  std::int16_t magneticScoreHundredths = 0;
+  Bytes rest;
+  bool operator==(const CompassPacket&) const = default;
 };
 
 /// GRIPPERpac.

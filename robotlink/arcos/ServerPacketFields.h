@@ -123,6 +123,22 @@ void visitFields(P& p, V& v) {
   v.rest(p.bytes);
 }
 
+template <Is<CompassPacket> P, typename V>
+void visitFields(P& p, V& v) {
+  v("heading", p.headingDecidegrees, "0.1 deg");
+  v("pitch", p.pitchDecidegrees, "0.1 deg");
+  v("roll", p.rollDecidegrees, "0.1 deg");
+  v("magnetic x", p.magneticHundredthsUt[0], "0.01 uT");
+  v("magnetic y", p.magneticHundredthsUt[1], "0.01 uT");
+  v("magnetic z", p.magneticHundredthsUt[2], "0.01 uT");
+  v("temperature", p.temperatureDecidegC, "0.1 degC");
+  v("error", p.error, "bits");
+  v("horizontal score", p.horizontalScore);
+  v("vertical score", p.verticalScore);
+  v("magnetic score", p.magneticScoreHundredths, "0.01 ");
+  v.rest(p.rest);
+}
+
 template <Is<GripperPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("has gripper", p.hasGripper);

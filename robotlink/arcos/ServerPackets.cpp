@@ -74,6 +74,9 @@ Packet toPacket(const AuxSerialPacket& serial) {
   const int port = std::clamp(serial.port, 1, 3);
   return written(AuxSerialPacket::kIds[port - 1], serial);
 }
+Packet toPacket(const CompassPacket& compass) {
+  return written(CompassPacket::kId, compass);
+}
 Packet toPacket(const GripperPacket& gripper) {
   return written(GripperPacket::kId, gripper);
 }
@@ -132,6 +135,9 @@ Result<AuxSerialPacket> decodeAuxSerial(const Packet& packet) {
   const auto* found =
       std::find(std::begin(AuxSerialPacket::kIds), std::end(AuxSerialPacket::kIds), packet.id);
   return AuxSerialPacket{static_cast<int>(found - std::begin(AuxSerialPacket::kIds)) + 1, packet.data};
+}
+Result<CompassPacket> decodeCompass(const Packet& packet) {
+  return readOnly<CompassPacket>(packet);
 }
 Result<GripperPacket> decodeGripper(const Packet& packet) {
   return readOnly<GripperPacket>(packet);
@@ -211,6 +217,8 @@ Result<ServerPacket> decodeServerPacket(const Packet& packet) {
       return widened(decodeGyro(packet));
     case ImuPacket::kId:
       return widened(decodeImu(packet));
+    case CompassPacket::kId:
+      return widened(decodeCompass(packet));
     case GripperPacket::kId:
       return widened(decodeGripper(packet));
     case JoystickPacket::kId:

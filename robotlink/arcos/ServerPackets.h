@@ -35,8 +35,8 @@ struct RawPacket {
 
 using ServerPacket =
     std::variant<RawPacket, Identity, StandardInformation, Configuration, EncoderPacket, IoPacket, GyroPacket,
-                 ImuPacket, AuxSerialPacket, GripperPacket, JoystickPacket, BatteryPacket, LaserPacket,
-                 SimulatorStatus, SimulatorInfo, MapChanged>;
+                 ImuPacket, AuxSerialPacket, CompassPacket, GripperPacket, JoystickPacket, BatteryPacket,
+                 LaserPacket, SimulatorStatus, SimulatorInfo, MapChanged>;
 
 Packet toPacket(const Identity& identity);
 Packet toPacket(const EncoderPacket& encoder);
@@ -44,6 +44,7 @@ Packet toPacket(const IoPacket& io);
 Packet toPacket(const GyroPacket& gyro);
 Packet toPacket(const ImuPacket& imu);
 Packet toPacket(const AuxSerialPacket& serial);
+Packet toPacket(const CompassPacket& compass);
 Packet toPacket(const GripperPacket& gripper);
 Packet toPacket(const JoystickPacket& joystick);
 Packet toPacket(const BatteryPacket& battery);
@@ -59,6 +60,7 @@ Result<IoPacket> decodeIo(const Packet& packet);
 Result<GyroPacket> decodeGyro(const Packet& packet);
 Result<ImuPacket> decodeImu(const Packet& packet);
 Result<AuxSerialPacket> decodeAuxSerial(const Packet& packet);
+Result<CompassPacket> decodeCompass(const Packet& packet);
 Result<GripperPacket> decodeGripper(const Packet& packet);
 Result<JoystickPacket> decodeJoystick(const Packet& packet);
 Result<BatteryPacket> decodeBattery(const Packet& packet);

@@ -73,6 +73,10 @@ TEST(PacketDescriptionTest, everyPacketOfARobotIsNamedWithItsFields) {
   EXPECT_EQ(fromRobot(BatteryPacket{5, {{1, 0, 0, 90, 80, {}}}, {}}),
             "battery: batteries 1, battery 0 flags 1 0x01, battery 0 flags 2 0x00, battery 0 flags 3 0x00, "
             "battery 0 relative charge 90 %, battery 0 absolute charge 80 %");
+  EXPECT_EQ(fromRobot(CompassPacket{3599, -10, 20, {1, -2, 3}, 215, 0, 5, 6, 700, {}}),
+            "compass: heading 359.9 deg, pitch -1 deg, roll 2 deg, magnetic x 0.01 uT, magnetic y -0.02 uT, "
+            "magnetic z 0.03 uT, temperature 21.5 degC, error 0x0000, horizontal score 5, vertical score 6, "
+            "magnetic score 7");
   EXPECT_EQ(fromRobot(RawPacket{{0, {}}}), "SYNC0 echo");
   EXPECT_EQ(fromRobot(RawPacket{{0x7A, {1, 255}}}), "packet 0x7a: bytes 01ff");
   EXPECT_EQ(describe({0x90, {1}}, Direction::kFromRobot).line(),

@@ -121,6 +121,7 @@ TEST(ServerPacketsTest, everyPacketIsReadAsItWasWritten) {
   expectSameBack(GyroPacket{{{512, 25}, {1023, 0}}, {}});
   expectSameBack(ImuPacket{7, {{2, {-100}, {}, {30}}, {3, {1, 2, 3}, {-4, 5, 6}, {7, 8, 9}}}, {}});
   for (int port = 1; port <= 3; ++port) expectSameBack(AuxSerialPacket{port, {1, 2, 3}});
+  expectSameBack(CompassPacket{3599, -10, 20, {1, -2, 3}, 215, 4, 5, 6, 700, {}});
   expectSameBack(GripperPacket{1, 2, 3, {}});
   expectSameBack(JoystickPacket{1, 0, -5, 6, 700, {}});
   expectSameBack(BatteryPacket{5, {{1, 2, 3, 90, 91, {}}, {4, 5, 6, 80, 81, {}}}, {}});
@@ -129,7 +130,7 @@ TEST(ServerPacketsTest, everyPacketIsReadAsItWasWritten) {
   expectSameBack(
       SimulatorInfo{"MobileSim", "0.9.8", 1, {{"laser", "LMS200", 0, 3}, {"sonar", "", 1, 0}}, {}});
   expectSameBack(MapChanged{1, 1, "office.map", {}});
-  expectSameBack(RawPacket{{0xC0, {1, 2, 3}}});
+  expectSameBack(RawPacket{{0xD0, {1, 2, 3}}});
 }
 
 TEST(ServerPacketsTest, lasersComePlainAndExtended) {

@@ -34,6 +34,7 @@ inline std::vector<robotlink::arcos::Packet> arcosSeedPackets() {
           toPacket(GyroPacket{{{512, 25}}, {}}),
           toPacket(ImuPacket{7, {{2, {1, 2, 3}, {4, 5, 6}, {7}}}, {}}),
           toPacket(AuxSerialPacket{2, {1, 2, 3}}),
+          toPacket(CompassPacket{}),
           toPacket(GripperPacket{1, 2, 3, {}}),
           toPacket(JoystickPacket{1, 0, -5, 6, 7, {}}),
           toPacket(BatteryPacket{6, {{1, 2, 3, 90, 91, {8}}}, {}}),
