@@ -99,6 +99,15 @@ bool isHiddenWheel(OdeWorld& ode, const OdeGeom& geom) {
   return geom.wheel >= 0 && modelOf(ode, geom).kinematic;
 }
 
+bool mayMeet(const OdeWorld& ode, const OdePlace& a, const OdePlace& b) {
+  const auto position = [&](const OdePlace& place) {
+    return dBodyGetPosition(ode.bodies[ode.models[static_cast<std::size_t>(place.model)].firstBody].id);
+  };
+  const dReal *p = position(a), *q = position(b);
+  const double dx = p[0] - q[0], dy = p[1] - q[1], reach = a.radius + b.radius;
+  return dx * dx + dy * dy <= reach * reach;
+}
+
 struct OverlapQuery {
   OdeWorld& ode;
   int model;
@@ -144,14 +153,15 @@ Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
   const dSpaceID own = ode.models[static_cast<std::size_t>(model)].space;
   OverlapQuery query{ode, model, note};
   if (own == nullptr) return query.found;
-  StaticGrid::Bounds bounds, others;
-  dGeomGetAABB(asGeom(own), bounds.data());
-  for (const OdeModel& other : ode.models) {
-    if (other.space == nullptr || other.space == own) continue;
-    dGeomGetAABB(asGeom(other.space), others.data());
-    if (!StaticGrid::meet(bounds, others)) continue;
-    dSpaceCollide2(asGeom(own), asGeom(other.space), &query, &compareDepth);
+  const OdePlace& place = *std::ranges::find(ode.places, model, &OdePlace::model);
+  for (const OdePlace& other : ode.places) {
+    // Not by ODE's bounds: to ask for them would have it look at all solids of everything that moves.
+    if (other.model == model || !mayMeet(ode, place, other)) continue;
+    const OdeModel& otherModel = ode.models[static_cast<std::size_t>(other.model)];
+    dSpaceCollide2(asGeom(own), asGeom(otherModel.space), &query, &compareDepth);
   }
+  StaticGrid::Bounds bounds;
+  dGeomGetAABB(asGeom(own), bounds.data());
   ode.grid.near(bounds, ode.nearby);
   for (const dGeomID geom : ode.nearby) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);
   for (const dGeomID geom : ode.grid.unbounded()) dSpaceCollide2(asGeom(own), geom, &query, &compareDepth);

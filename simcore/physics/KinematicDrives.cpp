@@ -8,6 +8,9 @@
 #include "simcore/physics/Physics.h"
 
 namespace simcore {
+
+using robotlink::Vector2;
+
 namespace {
 
 constexpr double kTolerance = 0.0005;  // m; sinking in less than that is only touching
@@ -31,11 +34,36 @@ void setPose(dBodyID body, const BodyPose& pose) {
   dBodySetQuaternion(body, rotation);
 }
 
-void placeCircle(const OdeWorld& ode, OdeCircle& circle) {
-  const OdeModel& model = ode.models[static_cast<std::size_t>(circle.model)];
+/// Where a drive is and where it looks to, both in the plane.
+struct PlanePose {
+  Vector2 center, forward;
+};
+
+PlanePose planePose(const OdeDrive& drive, const BodyPose& body) {
+  const Vector3 axle = body.rotation * drive.axisInBody;
+  const Vector3 center = body.position + body.rotation * drive.centerInBody;
+  return {center.head<2>(), Vector2(axle.y(), -axle.x()).normalized()};
+}
+
+Footprint footprintAt(const OdeDrive& drive, const PlanePose& pose) {
+  Footprint result = drive.footprint;
+  const Vector2 left(-pose.forward.y(), pose.forward.x());
+  result.center = pose.center + drive.footprint.center.x() * pose.forward + drive.footprint.center.y() * left;
+  result.along = pose.forward;
+  return result;
+}
+
+void updatePlace(const OdeWorld& ode, OdePlace& place) {
+  const OdeModel& model = ode.models[static_cast<std::size_t>(place.model)];
   const dReal* position = dBodyGetPosition(ode.bodies[model.firstBody].id);
-  circle.x = position[0];
-  circle.y = position[1];
+  place.x = position[0];
+  place.y = position[1];
+}
+
+void updateFootprint(OdeWorld& ode, const OdeDrive& drive) {
+  OdePlace& place = ode.places[drive.place];
+  place.footprint = footprintAt(drive, planePose(drive, poseOfBody(ode.bodies[drive.body].id)));
+  place.hasFootprint = true;
 }
 
 /// One drive in one step.
@@ -48,7 +76,8 @@ class Mover {
         right_(ode.wheelSides[2 * index + 1]),
         body_(ode.bodies[drive_.body].id) {}
 
-  void move() {
+  /// False if it was told to stand.
+  bool move() {
     const double left = left_.on ? left_.target : 0, right = right_.on ? right_.target : 0;
     const bool moves = left != 0 || right != 0;
     const bool possible = !moves || tryMove((left + right) / 2, (right - left) / drive_.track);
@@ -57,6 +86,7 @@ class Mover {
     settle(right_, possible ? right : 0, !possible && right != 0);
     // What it leans on stays touched while it stands.
     if (!moves && drive_.touches) depthNow(NoteTouches::kYes);
+    return moves;
   }
 
  private:
@@ -69,15 +99,14 @@ class Mover {
   bool tryMove(double speed, double rate) {
     const BodyPose before = poseOfBody(body_);
     const double turn = rate * Physics::kStepSeconds;
-    const Vector3 axle = before.rotation * drive_.axisInBody;
-    const Vector3 center = before.position + before.rotation * drive_.centerInBody;
-    const Eigen::AngleAxisd half(turn / 2, Vector3::UnitZ()), whole(turn, Vector3::UnitZ());
-    const Vector3 forward = half * axle.cross(Vector3::UnitZ()).normalized();
-    const Vector3 newCenter = center + speed * Physics::kStepSeconds * forward;
-    const BodyPose after{newCenter + whole * (before.position - center),
+    const PlanePose pose = planePose(drive_, before);
+    const Vector2 way = speed * Physics::kStepSeconds * (Eigen::Rotation2Dd(turn / 2) * pose.forward);
+    const Eigen::AngleAxisd whole(turn, Vector3::UnitZ());
+    const Vector3 center(pose.center.x(), pose.center.y(), before.position.z());
+    const BodyPose after{center + whole * (before.position - center) + Vector3(way.x(), way.y(), 0),
                          Eigen::Quaterniond(whole) * before.rotation};
     setPose(body_, after);
-    if (isAlone(newCenter)) {
+    if (isAlone(planePose(drive_, after))) {
       drive_.touches = false;
     } else if (!fits(before, after)) {
       return false;
@@ -129,19 +158,22 @@ class Mover {
     return deepestOverlap(ode_, drive_.model, note).depth;
   }
 
-  /// Whether nothing can be within reach; looked up anew only when it has come as far as was free.
-  bool isAlone(const Vector3& center) {
+  /// Whether nothing touches it, as far as can be told from above. Statics are looked for only when it has
+  /// come as far as was free of them.
+  bool isAlone(const PlanePose& pose) {
     if (ode_.hasSteepPlanes) return false;
-    const double moved = (center - drive_.freeAt).head<2>().norm();
-    if (moved >= drive_.freeWay) {
-      drive_.freeAt = center;
+    const Footprint own = footprintAt(drive_, pose);
+    if ((pose.center - drive_.freeAt).norm() >= drive_.freeWay) {
+      drive_.freeAt = pose.center;
       drive_.freeWay =
-          ode_.grid.clearance(center.x(), center.y(), drive_.radius + kClearance) - drive_.radius;
-      if (drive_.freeWay <= 0) return false;
+          ode_.grid.clearance(pose.center.x(), pose.center.y(), drive_.radius + kClearance) - drive_.radius;
+      if (drive_.freeWay <= 0 && ode_.grid.meetsAny(own)) return false;
     }
-    return std::ranges::none_of(ode_.circles, [&](const OdeCircle& other) {
-      const double reach = drive_.radius + other.radius, dx = other.x - center.x(), dy = other.y - center.y();
-      return dx * dx + dy * dy < reach * reach && other.model != drive_.model;
+    return std::ranges::none_of(ode_.places, [&](const OdePlace& other) {
+      const double reach = drive_.radius + other.radius;
+      const double dx = other.x - pose.center.x(), dy = other.y - pose.center.y();
+      if (dx * dx + dy * dy >= reach * reach || other.model == drive_.model) return false;
+      return !other.hasFootprint || meet(own, other.footprint);
     });
   }
 
@@ -155,11 +187,13 @@ class Mover {
 
 void moveKinematicModels(OdeWorld& ode) {
   if (!ode.hasKinematic) return;
-  for (OdeCircle& circle : ode.circles) placeCircle(ode, circle);
+  for (OdePlace& place : ode.places) updatePlace(ode, place);
+  for (const OdeDrive& drive : ode.drives) updateFootprint(ode, drive);
   for (std::size_t i = 0; i < ode.drives.size(); ++i) {
-    if (!ode.models[static_cast<std::size_t>(ode.drives[i].model)].kinematic) continue;
-    Mover(ode, i).move();
-    placeCircle(ode, ode.circles[ode.drives[i].circle]);
+    const OdeDrive& drive = ode.drives[i];
+    if (!ode.models[static_cast<std::size_t>(drive.model)].kinematic || !Mover(ode, i).move()) continue;
+    updatePlace(ode, ode.places[drive.place]);
+    updateFootprint(ode, drive);
   }
 }
 

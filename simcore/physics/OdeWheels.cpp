@@ -150,9 +150,4 @@ Pose3 wheelLinkPose(const OdeWorld& ode, const OdeWheel& wheel) {
          Eigen::AngleAxisd(angle, wheel.axisInLink);
 }
 
-double slipRatioFor(double track, double a, double b) {
-  if (a * a < 1e-6) return 1;
-  return (track / 2 - b) * b / (a * a);
-}
-
 }  // namespace simcore

@@ -24,6 +24,7 @@
 #include <vector>
 
 #include "simcore/WorldDescription.h"
+#include "simcore/physics/Footprint.h"
 
 namespace simcore {
 
@@ -72,10 +73,11 @@ struct OdeDrive {
   Vector3 axisInBody = Vector3::UnitY();   ///< of the axles, to the left
   double radius = 0;  ///< of a circle about the centre that holds the model, seen from above
   // Of a model that is moved by its odometry:
-  std::size_t circle = 0;            ///< of OdeWorld::circles
-  bool touches = false;              ///< something, where it is
-  Vector3 freeAt = Vector3::Zero();  ///< where it was last looked how far away obstacles are
-  double freeWay = 0;                ///< and how far it can go from there
+  std::size_t place = 0;               ///< of OdeWorld::places
+  Footprint footprint;                 ///< seen from its centre, x to the front
+  bool touches = false;                ///< something, where it is
+  robotlink::Vector2 freeAt = {0, 0};  ///< where it was last looked how far away obstacles are
+  double freeWay = 0;                  ///< and how far it can go from there
 };
 
 /// Whether it is only its flank by which a wheel touches something: a wheel is a sphere to ODE.
@@ -86,7 +88,5 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheel, const OdeGeom& other, 
 void settleWheels(OdeWorld& ode);
 /// The link of a wheel that has rolled as far as its side has.
 Pose3 wheelLinkPose(const OdeWorld& ode, const OdeWheel& wheel);
-/// The ratio of slips that makes wheels at (+-a, +-b) turn about a track; 1 if they stand on one axle.
-double slipRatioFor(double track, double a, double b);
 
 }  // namespace simcore

@@ -4,6 +4,8 @@
 #include <cmath>
 #include <span>
 
+#include "simcore/ModelGeometry.h"
+#include "simcore/physics/DriveGeometry.h"
 #include "simcore/physics/LumpedLink.h"
 #include "simcore/physics/Physics.h"
 
@@ -85,34 +87,15 @@ class Builder {
     if (type.drive) addDrive(model, *type.drive, index, added);
     for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
     pose(model, added.firstBody);
-    OdeCircle circle{index};
-    circle.radius = radiusAbout(added.firstBody, Vector3::Zero(), added);
-    if (ode_.hinges.size() > firstHinge) circle.radius += kReach;
-    ode_.circles.push_back(circle);
+    const OdeBody& first = ode_.bodies[added.firstBody];
+    OdePlace place{index};
+    place.radius = extentOf(type).radius + (type.links[0].poseInModel * first.centerInLink).head<2>().norm();
+    if (ode_.hinges.size() > firstHinge) place.radius += kReach;
+    ode_.places.push_back(place);
     (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
-    if (type.drive) {
-      OdeDrive& drive = ode_.drives.back();
-      drive.circle = ode_.circles.size() - 1;
-      drive.radius = radiusAbout(drive.body, drive.centerInBody, added);
-      if (added.kinematic) {
-        for (std::size_t i = 0; i < type.links.size(); ++i) dBodyDisable(ode_.bodies[added.firstBody + i].id);
-      }
+    for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
+      dBodyDisable(ode_.bodies[added.firstBody + i].id);
     }
-  }
-
-  /// Of a circle about a point of a body that holds all solids of a model, seen from above.
-  double radiusAbout(std::size_t body, const Vector3& pointInBody, const OdeModel& model) const {
-    dVector3 center;
-    dBodyGetRelPointPos(ode_.bodies[body].id, pointInBody.x(), pointInBody.y(), pointInBody.z(), center);
-    double radius = 0;
-    for (int i = 0; i < dSpaceGetNumGeoms(model.space); ++i) {
-      StaticGrid::Bounds b;
-      dGeomGetAABB(dSpaceGetGeom(model.space, i), b.data());
-      const double x = std::max(std::abs(b[0] - center[0]), std::abs(b[1] - center[0]));
-      const double y = std::max(std::abs(b[2] - center[1]), std::abs(b[3] - center[1]));
-      radius = std::max(radius, std::hypot(x, y));
-    }
-    return radius;
   }
 
   void addDrive(const ModelInstance& model, const DriveDescription& drive, int index, const OdeModel& added) {
@@ -129,7 +112,32 @@ class Builder {
         addWheel(*model.type, model.type->joints[static_cast<std::size_t>(joint)], index, added);
       }
     }
-    settleGeometry(drive, first, index);
+    const DriveGeometry geometry = driveGeometry(*model.type);
+    const std::span<OdeWheel> wheels = std::span(ode_.wheels).subspan(first);
+    const OdeBody& carrier = ode_.bodies[wheels[0].body];
+    const auto link = static_cast<std::size_t>(wheels[0].body - added.firstBody);
+    const Pose3 bodyInModel =
+        model.type->links[link].poseInModel * Eigen::Translation3d(carrier.centerInLink);
+    dMass mass;
+    dBodyGetMass(carrier.id, &mass);
+    for (OdeWheel& wheel : wheels) {
+      wheel.slipRatio = geometry.slipRatio;
+      wheel.restLoad = mass.mass * ode_.description.gravity.norm() / static_cast<double>(wheels.size());
+      wheel.load = wheel.restLoad;
+      // Forwards is the same way for all, whichever way their joints' axes look.
+      if ((bodyInModel.linear() * wheel.axisInBody).dot(geometry.toLeft) > 0) continue;
+      wheel.axisInBody = -wheel.axisInBody;
+      wheel.axisInLink = -wheel.axisInLink;
+    }
+    OdeDrive& made = ode_.drives.emplace_back();
+    made.model = index;
+    made.body = wheels[0].body;
+    made.track = drive.track;
+    made.centerInBody = bodyInModel.inverse() * geometry.center;
+    made.axisInBody = bodyInModel.linear().transpose() * geometry.toLeft;
+    made.radius = geometry.radius;
+    made.footprint = geometry.footprint;
+    made.place = ode_.places.size();
   }
 
   void addWheel(const ModelDescription& type, const JointDescription& joint, int index,
@@ -155,39 +163,6 @@ class Builder {
     addBodyGeom(carrier, tread, index, added.space);
     ode_.geoms.back().wheel = body.wheel;
     ode_.wheels.push_back(wheel);
-  }
-
-  /// What depends on all wheels of a drive, from `first` on: which way is forwards, and how they share load
-  /// and slip.
-  void settleGeometry(const DriveDescription& drive, std::size_t first, int model) {
-    const std::span<OdeWheel> wheels = std::span(ode_.wheels).subspan(first);
-    const auto meanPlace = [](std::span<const OdeWheel> some) {
-      Vector3 sum = Vector3::Zero();
-      for (const OdeWheel& wheel : some) sum += wheel.linkInBody.translation();
-      return Vector3(sum / static_cast<double>(some.size()));
-    };
-    const Vector3 middle = meanPlace(wheels);
-    const Vector3 toLeft =
-        meanPlace(wheels.first(drive.left.size())) - meanPlace(wheels.subspan(drive.left.size()));
-    double along = 0, across = 0;  // the mean distances of wheels from the middle: root of squares, and plain
-    for (const OdeWheel& wheel : wheels) {
-      const Vector3 place = wheel.linkInBody.translation() - middle;
-      const double sideways = std::abs(place.dot(toLeft.normalized()));
-      across += sideways / static_cast<double>(wheels.size());
-      along += (place.squaredNorm() - sideways * sideways) / static_cast<double>(wheels.size());
-    }
-    dMass mass;
-    dBodyGetMass(ode_.bodies[wheels[0].body].id, &mass);
-    for (OdeWheel& wheel : wheels) {
-      if (wheel.axisInBody.dot(toLeft) < 0) {
-        wheel.axisInBody = -wheel.axisInBody;
-        wheel.axisInLink = -wheel.axisInLink;
-      }
-      wheel.slipRatio = slipRatioFor(drive.track, std::sqrt(along), across);
-      wheel.restLoad = mass.mass * ode_.description.gravity.norm() / static_cast<double>(wheels.size());
-      wheel.load = wheel.restLoad;
-    }
-    ode_.drives.push_back({model, wheels[0].body, drive.track, middle, wheels[0].axisInBody});
   }
 
   OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {

@@ -38,10 +38,13 @@ struct OdeModel {
   bool touchesObstacle = false;  ///< anything but a floor, in the last step
 };
 
-/// About a moving model's first body; holds the model, seen from above.
-struct OdeCircle {
+/// Where a moving model is at most, seen from above: in a circle about its first body; one with a drive also
+/// in a rectangle.
+struct OdePlace {
   int model = 0;
   double x = 0, y = 0, radius = 0;
+  bool hasFootprint = false;
+  Footprint footprint = {};
 };
 
 /// Owns everything that ODE made for one world.
@@ -65,7 +68,7 @@ struct OdeWorld {
   std::vector<OdeBody> bodies;
   std::vector<dJointID> hinges;
   std::vector<OdeModel> models;
-  std::vector<OdeCircle> circles;  ///< of all moving models; where they are is looked up where it is needed
+  std::vector<OdePlace> places;  ///< of all moving models; where they are is looked up where it is needed
   bool hasKinematic = false, hasDynamic = false;  ///< models
   std::vector<OdeDrive> drives;                   ///< the i-th has the wheelSides 2 i (left) and 2 i + 1
   std::vector<OdeWheel> wheels;

@@ -10,24 +10,6 @@ namespace {
 constexpr double kCell = 0.5;  // m
 constexpr double kMostCells = 1 << 20;
 
-/// Whether an upright box may reach into a square cell, by the box's own axes; a long wall that stands askew
-/// has wide bounds, yet is in few cells.
-bool reaches(dGeomID geom, double x, double y, double cell) {
-  if (dGeomGetClass(geom) != dBoxClass) return true;
-  const dReal* rotation = dGeomGetRotation(geom);
-  if (rotation[10] < 0.999) return true;
-  const dReal* position = dGeomGetPosition(geom);
-  dVector3 sides;
-  dGeomBoxGetLengths(geom, sides);
-  const double dx = x + cell / 2 - position[0], dy = y + cell / 2 - position[1];
-  for (int axis = 0; axis < 2; ++axis) {
-    const double ax = rotation[axis], ay = rotation[4 + axis];
-    const double reach = sides[axis] / 2 + cell / 2 * (std::abs(ax) + std::abs(ay));
-    if (std::abs(dx * ax + dy * ay) > reach) return false;
-  }
-  return true;
-}
-
 }  // namespace
 
 void StaticGrid::add(dGeomID geom) {
@@ -39,6 +21,7 @@ void StaticGrid::add(dGeomID geom) {
   }
   geoms_.push_back(geom);
   bounds_.push_back(bounds);
+  footprints_.push_back(footprintOf(geom));
 }
 
 void StaticGrid::build() {
@@ -64,7 +47,10 @@ void StaticGrid::build() {
       const Cells cells = cellsOf(b[0], b[1], b[2], b[3]);
       for (int y = cells.y0; y <= cells.y1; ++y) {
         for (int x = cells.x0; x <= cells.x1; ++x) {
-          if (reaches(geoms_[i], left_ + x * cell_, bottom_ + y * cell_, cell_)) {
+          // A long wall that stands askew has wide bounds, yet is in few cells.
+          const double half = cell_ / 2;
+          const Footprint square{{left_ + x * cell_ + half, bottom_ + y * cell_ + half}, {1, 0}, half, half};
+          if (meet(footprints_[i], square)) {
             visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
                       static_cast<std::size_t>(x),
                   i);
@@ -93,6 +79,7 @@ StaticGrid::Cells StaticGrid::cellsOf(double x0, double x1, double y0, double y1
 
 template <typename Visit>
 void StaticGrid::forEachIn(const Cells& cells, Visit visit) const {
+  if (cells.x0 > cells.x1) return;
   for (int y = cells.y0; y <= cells.y1; ++y) {
     const std::size_t row = static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_);
     const std::uint32_t begin = firstInCell_[row + static_cast<std::size_t>(cells.x0)];
@@ -104,7 +91,6 @@ void StaticGrid::forEachIn(const Cells& cells, Visit visit) const {
 void StaticGrid::near(const Bounds& bounds, std::vector<dGeomID>& found) const {
   found.clear();
   const Cells cells = cellsOf(bounds[0], bounds[1], bounds[2], bounds[3]);
-  if (cells.x0 > cells.x1 || cells.y0 > cells.y1) return;
   if (++query_ == 0) {
     std::ranges::fill(seenIn_, 0);
     query_ = 1;
@@ -112,14 +98,24 @@ void StaticGrid::near(const Bounds& bounds, std::vector<dGeomID>& found) const {
   forEachIn(cells, [&](std::uint32_t i) {
     if (seenIn_[i] == query_) return;
     seenIn_[i] = query_;
-    if (meet(bounds_[i], bounds)) found.push_back(geoms_[i]);
+    if (overlap(bounds_[i], bounds)) found.push_back(geoms_[i]);
   });
+}
+
+bool StaticGrid::meetsAny(const Footprint& footprint) const {
+  const double c = std::abs(footprint.along.x()), d = std::abs(footprint.along.y());
+  const double x = c * footprint.halfLength + d * footprint.halfWidth;
+  const double y = d * footprint.halfLength + c * footprint.halfWidth;
+  const robotlink::Vector2& center = footprint.center;
+  bool met = false;
+  forEachIn(cellsOf(center.x() - x, center.x() + x, center.y() - y, center.y() + y),
+            [&](std::uint32_t i) { met = met || meet(footprints_[i], footprint); });
+  return met;
 }
 
 double StaticGrid::clearance(double x, double y, double most) const {
   const Cells cells = cellsOf(x - most, x + most, y - most, y + most);
   double least = most * most;
-  if (cells.x0 > cells.x1 || cells.y0 > cells.y1) return most;
   forEachIn(cells, [&](std::uint32_t i) {
     const Bounds& b = bounds_[i];
     const double dx = std::max({0.0, b[0] - x, x - b[1]}), dy = std::max({0.0, b[2] - y, y - b[3]});

@@ -7,6 +7,8 @@
 #include <cstdint>
 #include <vector>
 
+#include "simcore/physics/Footprint.h"
+
 namespace simcore {
 
 /// The static geoms of a world in square cells over the ground, to find those near a place without looking at
@@ -17,7 +19,7 @@ class StaticGrid {
  public:
   using Bounds = std::array<dReal, 6>;  ///< least and greatest x, y, z in turn, as ODE has them
 
-  static bool meet(const Bounds& a, const Bounds& b) {
+  static bool overlap(const Bounds& a, const Bounds& b) {
     return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5];
   }
 
@@ -26,6 +28,8 @@ class StaticGrid {
 
   /// Sets `found` to the geoms whose bounds meet `bounds`, in an order that depends on both only.
   void near(const Bounds& bounds, std::vector<dGeomID>& found) const;
+  /// Whether one of them may be within a rectangle, seen from above.
+  bool meetsAny(const Footprint& footprint) const;
   /// How far it is at least from a point to the nearest geom, seen from above, if that is less than `most`;
   /// else `most`.
   double clearance(double x, double y, double most) const;
@@ -42,6 +46,7 @@ class StaticGrid {
 
   std::vector<dGeomID> geoms_, unbounded_;
   std::vector<Bounds> bounds_;
+  std::vector<Footprint> footprints_;
   double left_ = 0, bottom_ = 0, cell_ = 0.5;
   int columns_ = 0, rows_ = 0;
   std::vector<std::uint32_t> firstInCell_,

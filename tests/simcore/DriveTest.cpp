@@ -135,9 +135,10 @@ TEST(Drive, bumpersAreNumberedFromLeftToRightSeenFromAbove) {
                {0.9, "frontBumper5", 0.3},
                {robotlink::kPi - 0.9, "rearBumper5", -0.3},
                {robotlink::kPi + 0.9, "rearBumper1", -0.3}};
+  DrivenWorld world(pioneerAt(kRobot, 0, 0) + wallAhead());
   for (const auto& one : cases) {
     // The corner towards the wall is the nearest to it.
-    DrivenWorld world(pioneerAt(kRobot, 0.85, 0, one.heading) + wallAhead());
+    ASSERT_TRUE(world->placeModel(kRobot, {0.85, 0, one.heading}));
     bool touched = false;
     for (int i = 0; i < 200 && !touched; ++i) {
       world.jerk(one.speed, one.speed, 0.02);
@@ -193,13 +194,18 @@ TEST(Drive, itDrivesUpARampAndStandsOnIt) {
 }
 
 TEST(Drive, itClimbsASillAndStallsAtOneThatIsTooHigh) {
-  for (const double height : {0.02, 0.05}) {
-    DrivenWorld world(pioneerAt(kRobot, 0, 0) + boxAt("sill", {1, 0, height / 2}, {0.1, 4, height}));
+  const auto sillAt = [](double y, double height) {
+    return boxAt("sill" + std::to_string(static_cast<int>(y)), {1, y, height / 2}, {0.1, 1, height});
+  };
+  DrivenWorld world(pioneerAt(kRobot, 0, 0) + sillAt(0, 0.02) + sillAt(2, 0.05) + sillAt(4, 0.12));
+  for (const double lane : {0.0, 2.0}) {
+    ASSERT_TRUE(world->placeModel(kRobot, {0, lane, 0}));
     world.drive(0.4, 0.4, 6);
-    EXPECT_GT(world.pose().x, 1.9) << height;
-    EXPECT_NEAR(degrees(world.pose().heading), 0, 1) << height;
+    EXPECT_GT(world.pose().x, 1.9) << lane;
+    EXPECT_NEAR(degrees(world.pose().heading), 0, 1) << lane;
+    world.jerk(0, 0, 0.2);
   }
-  DrivenWorld world(pioneerAt(kRobot, 0, 0) + boxAt("sill", {1, 0, 0.06}, {0.1, 4, 0.12}));
+  ASSERT_TRUE(world->placeModel(kRobot, {0, 4, 0}));
   world.drive(0.4, 0.4, 6);
   EXPECT_LT(world.pose().x, 1);
   EXPECT_TRUE(world->wheelState(0).leftBlocked);

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/DriveGeometry.h"
+
+#include <algorithm>
+#include <cmath>
+#include <limits>
+
+#include "simcore/ModelGeometry.h"
+#include "simcore/physics/LumpedLink.h"
+
+namespace simcore {
+namespace {
+
+std::vector<Vector3> wheelPlaces(const ModelDescription& model, const std::vector<int>& joints) {
+  std::vector<Vector3> places;
+  for (const int joint : joints) {
+    const int link = model.joints[static_cast<std::size_t>(joint)].child;
+    places.emplace_back(model.links[static_cast<std::size_t>(link)].poseInModel.translation());
+  }
+  return places;
+}
+
+Vector3 mean(const std::vector<Vector3>& places) {
+  Vector3 sum = Vector3::Zero();
+  for (const Vector3& place : places) sum += place;
+  return sum / static_cast<double>(places.size());
+}
+
+/// How far solids reach in a direction from a point. Wheels count if `withWheels`.
+double reachOf(const ModelDescription& model, const Vector3& from, const Vector3& direction,
+               bool withWheels) {
+  const std::vector<Pose3> links = linksAtStart(model);
+  double farthest = 0;
+  for (std::size_t i = 0; i < links.size(); ++i) {
+    if (!withWheels && isWheel(model, static_cast<int>(i))) continue;
+    for (const CollisionDescription& solid : model.links[i].collisions) {
+      const Pose3 pose = links[i] * solid.poseInLink;
+      farthest = std::max(
+          farthest, direction.dot(pose.translation() - from) + reach(solid.shape, pose.linear(), direction));
+    }
+  }
+  return farthest;
+}
+
+}  // namespace
+
+DriveGeometry driveGeometry(const ModelDescription& model) {
+  std::vector<Vector3> wheels = wheelPlaces(model, model.drive->left);
+  const std::vector<Vector3> right = wheelPlaces(model, model.drive->right);
+  DriveGeometry result;
+  result.toLeft = (mean(wheels) - mean(right)).normalized();
+  wheels.insert(wheels.end(), right.begin(), right.end());
+  result.center = mean(wheels);
+  double along = 0, across = 0;  // of the wheels' distances from the middle: sum of squares, and plain sum
+  for (const Vector3& wheel : wheels) {
+    const Vector3 place = wheel - result.center;
+    const double sideways = std::abs(place.dot(result.toLeft));
+    across += sideways;
+    along += place.squaredNorm() - sideways * sideways;
+  }
+  const auto count = static_cast<double>(wheels.size());
+  result.slipRatio = slipRatioFor(model.drive->track, std::sqrt(along / count), across / count);
+
+  const Vector3 forward = result.toLeft.cross(Vector3::UnitZ()).normalized();
+  const auto reachTo = [&](const Vector3& direction) {
+    return reachOf(model, result.center, direction, false);
+  };
+  const double front = reachTo(forward), back = reachTo(-forward);
+  const double left = reachTo(result.toLeft), other = reachTo(-result.toLeft);
+  result.footprint.center = {(front - back) / 2, (left - other) / 2};
+  result.footprint.halfLength = (front + back) / 2;
+  result.footprint.halfWidth = (left + other) / 2;
+  constexpr int kDirections = 64;
+  for (int i = 0; i < kDirections; ++i) {
+    const double angle = 2 * robotlink::kPi * i / kDirections;
+    const Vector3 direction = std::cos(angle) * forward + std::sin(angle) * result.toLeft;
+    result.radius = std::max(result.radius, reachOf(model, result.center, direction, true));
+  }
+  // What lies between two directions reaches a little farther.
+  result.radius /= std::cos(robotlink::kPi / kDirections);
+  return result;
+}
+
+double slipRatioFor(double track, double a, double b) {
+  if (a * a < 1e-6) return 1;
+  return (track / 2 - b) * b / (a * a);
+}
+
+}  // namespace simcore

@@ -1,0 +1,23 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <ode/ode.h>
+
+#include "robotlink/base/Geometry.h"
+
+namespace simcore {
+
+/// A rectangle on the ground that holds a solid or a model, seen from above.
+struct Footprint {
+  robotlink::Vector2 center = {0, 0};
+  robotlink::Vector2 along = {1, 0};  ///< unit
+  double halfLength = 0, halfWidth = 0;
+
+  /// Whether two have a point in common; exact.
+  friend bool meet(const Footprint& a, const Footprint& b);
+};
+
+/// Of a solid with an end. Exact for an upright box; the others' bounds.
+Footprint footprintOf(dGeomID geom);
+
+}  // namespace simcore
