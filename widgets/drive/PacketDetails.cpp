@@ -1,0 +1,77 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/PacketDetails.h"
+
+#include <QFontDatabase>
+#include <QHeaderView>
+
+#include "widgets/Controls.h"
+#include "widgets/models/PacketEntry.h"
+#include "widgets/models/Theme.h"
+
+namespace widgets {
+namespace {
+
+constexpr std::size_t kBytesInLine = 8;
+constexpr std::size_t kMostBytes = 1024;  // damage may be longer than any packet
+
+}  // namespace
+
+PacketDetails::PacketDetails(QWidget* parent) : QTreeWidget(parent) {
+  describe(*this, {"packetDetails", tr("Packet"), tr("What the selected packet says, field by field, and its bytes")});
+  setColumnCount(3);
+  setHeaderLabels({tr("Field"), tr("Value"), tr("Unit")});
+  styleTree(*this);
+  setRootIsDecorated(true);
+  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
+  header()->setSectionResizeMode(1, QHeaderView::Stretch);
+  header()->setStretchLastSection(false);
+  header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+}
+
+void PacketDetails::show(const PacketEntry* entry) {
+  clear();
+  if (entry == nullptr) return;
+  addFields(*entry);
+  if (!entry->bytes.empty()) addBytes(entry->bytes);
+}
+
+void PacketDetails::addFields(const PacketEntry& entry) {
+  auto* title = new QTreeWidgetItem(this, {entry.name});
+  title->setFirstColumnSpanned(true);
+  QFont bold = font();
+  bold.setBold(true);
+  title->setFont(0, bold);
+  title->setExpanded(true);
+  if (entry.kind != PacketEntry::Kind::kPacket) return;
+  const auto description = describePacket(entry);
+  const auto addText = [&](const std::string& text, bool bad) {
+    if (text.empty()) return;
+    auto* item = new QTreeWidgetItem(title, {QString::fromStdString(text)});
+    item->setFirstColumnSpanned(true);
+    item->setForeground(0, bad ? colorOf(Meaning::kBad, palette()) : colorOf(Meaning::kMuted, palette()));
+    item->setToolTip(0, QString::fromStdString(text));
+  };
+  addText(description.problem, true);
+  addText(description.summary, false);
+  for (const auto& field : description.fields) {
+    auto* item = new QTreeWidgetItem(title, {QString::fromStdString(field.name), QString::fromStdString(field.value),
+                                             QString::fromStdString(field.unit)});
+    item->setToolTip(1, item->text(1));
+  }
+}
+
+void PacketDetails::addBytes(const std::string& bytes) {
+  auto* title = new QTreeWidgetItem(this, {tr("%n bytes", nullptr, static_cast<int>(bytes.size()))});
+  title->setFirstColumnSpanned(true);
+  const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
+  for (std::size_t at = 0; at < std::min(bytes.size(), kMostBytes); at += kBytesInLine) {
+    const std::string part = bytes.substr(at, kBytesInLine);
+    QString characters;
+    for (const char c : part) characters += c >= 32 && c < 127 ? QLatin1Char(c) : QLatin1Char('.');
+    auto* line = new QTreeWidgetItem(title, {QStringLiteral("%1").arg(at, 4, 16, QLatin1Char('0')), hexText(part), characters});
+    for (int column = 0; column < 3; ++column) line->setFont(column, fixed);
+  }
+  title->setExpanded(true);
+}
+
+}  // namespace widgets
