@@ -299,14 +299,14 @@ bool PacketInspector::saveConversation(const QString& file) {
   const auto written = robotlink::writeFileAtomically(file.toStdString(),
                                                       robotlink::arcos::writeConversation(conversationOf(shownModel())));
   if (written) return true;
-  QMessageBox::warning(this, tr("Save conversation"), QString::fromStdString(robotlink::describe(written.error())));
+  QMessageBox::warning(this, tr("Save conversation"), QString::fromStdString(robotlink::describe({written.error()})));
   return false;
 }
 
 bool PacketInspector::openConversation(const QString& file) {
   const auto conversation = robotlink::arcos::readConversationFile(file.toStdString());
   if (!conversation) {
-    QMessageBox::warning(this, tr("Open conversation"), QString::fromStdString(robotlink::describe(conversation.error())));
+    QMessageBox::warning(this, tr("Open conversation"), QString::fromStdString(robotlink::describe({conversation.error()})));
     return false;
   }
   file_ = file;

@@ -2,6 +2,7 @@
 #include "widgets/models/PacketEntry.h"
 
 #include <QByteArray>
+#include <QObject>
 
 #include "robotlink/arcos/PacketParser.h"
 
