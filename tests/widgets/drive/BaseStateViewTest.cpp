@@ -1,0 +1,162 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drive/BaseStateView.h"
+
+#include <QLabel>
+#include <QToolButton>
+
+#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/drive/DriveWorld.h"
+#include "widgets/drive/BatteryGauge.h"
+
+using widgets::BatteryLevel;
+
+namespace {
+
+robotcontrol::LinkStatus connected() {
+  robotcontrol::LinkStatus status;
+  status.set_state(robotcontrol::LinkStatus::CONNECTED);
+  status.set_address("tcp://localhost:8101");
+  status.set_robot_name("MobileSim");
+  status.set_robot_class("Pioneer");
+  status.set_robot_subclass("p3at-sh");
+  status.set_packets_per_second(70.2);
+  status.set_bytes_per_second(10'720);
+  status.set_packets(4210);
+  status.set_round_trip(0.0042);
+  status.set_longest_gap(0.104);
+  return status;
+}
+
+QString text(QWidget& view, const char* name) { return child<QLabel>(view, name).text(); }
+
+}  // namespace
+
+class BaseStateViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void aBatteryIsLowBelowElevenAndAHalfVolts() {
+    QVERIFY(BatteryLevel::of(12.6, {}, false).state == BatteryLevel::State::kGood);
+    QVERIFY(BatteryLevel::of(11.4, {}, false).state == BatteryLevel::State::kLow);
+    QVERIFY(BatteryLevel::of(10.9, {}, false).state == BatteryLevel::State::kEmpty);
+    QVERIFY(BatteryLevel::of(12.6, 0.1, false).state == BatteryLevel::State::kLow);
+    QVERIFY(BatteryLevel::of(0, {}, false).state == BatteryLevel::State::kUnknown);
+    QCOMPARE(BatteryLevel::of(12, {}, false).share, 0.5);
+    QVERIFY(BatteryLevel::of(11.4, {}, false).text().contains(QStringLiteral("low")));
+  }
+
+  void theStateIsTold() {
+    DriveWorld world;
+    auto state = DriveWorld::state();
+    robotlink::assign(*state.mutable_odometry(), {1.25, -0.5, robotlink::kPi / 2});
+    state.mutable_velocity()->set_x(0.3);
+    state.set_left_speed(0.29);
+    state.set_right_speed(0.31);
+    state.set_temperature(31);
+    state.set_rear_bumpers(1, true);
+    state.set_left_stalled(true);
+    world.push("p3at1/drive/state", state, 1);
+    robotcontrol::DriveRequest request;
+    request.mutable_velocity()->set_x(0.5);
+    world.push("p3at1/drive/request", request, 1);
+    auto view = world.open<widgets::BaseStateView>();
+    QCOMPARE(text(*view, "baseMotorsState"), QStringLiteral("on"));
+    QCOMPARE(text(*view, "baseStall"), QStringLiteral("left is stalled"));
+    QCOMPARE(text(*view, "baseBumpers"), QStringLiteral("pressed: rear 2"));
+    QCOMPARE(text(*view, "baseOdometry"), QStringLiteral("1.250 m, -0.500 m, 90.0°"));
+    QCOMPARE(text(*view, "baseReal"), QStringLiteral("300 mm/s, 0.0°/s"));
+    QCOMPARE(text(*view, "baseAsked"), QStringLiteral("500 mm/s, 0.0°/s"));
+    QCOMPARE(text(*view, "baseWheels"), QStringLiteral("left 290, right 310 mm/s"));
+    QCOMPARE(text(*view, "baseTemperature"), QStringLiteral("31 °C"));
+    QCOMPARE(text(*view, "baseEmergency"), QStringLiteral("released"));
+    QVERIFY(child<widgets::BatteryGauge>(*view, "baseBattery").level().state == BatteryLevel::State::kGood);
+    robotcontrol::SimulationStatus simulation;
+    simulation.add_stopped_robots("p3at1");
+    world.push("simulation", simulation, 2);
+    world.tick(*view);
+    QVERIFY(text(*view, "baseEmergency").startsWith(QStringLiteral("STOP")));
+  }
+
+  void motorsAndSonarsAreSwitchedAtTheBase() {
+    DriveWorld world;
+    world.push("p3at1/drive/state", DriveWorld::state(), 1);
+    auto view = world.open<widgets::BaseStateView>();
+    auto& motors = child<QToolButton>(*view, "baseMotors");
+    QVERIFY(motors.isChecked());
+    click(motors);
+    const auto asked = world.requests.back();
+    QCOMPARE(asked.robot(), std::string("p3at1"));
+    QVERIFY(asked.control_drive().has_motors() && !asked.control_drive().motors());
+    QVERIFY(motors.isChecked());  // until the base says otherwise
+    world.answer(asked, false, "the line is lost");
+    world.tick(*view);
+    QCOMPARE(text(*view, "baseProblem"), QStringLiteral("Refused: the line is lost"));
+    auto state = DriveWorld::state();
+    state.set_motors_on(false);
+    world.push("p3at1/drive/state", state, 2);
+    world.tick(*view);
+    QVERIFY(!motors.isChecked());
+    click(child<QToolButton>(*view, "baseSonar"));
+    QVERIFY(world.requests.back().control_drive().has_sonar() && !world.requests.back().control_drive().sonar());
+    click(child<QToolButton>(*view, "baseResetOdometry"));
+    QVERIFY(world.requests.back().control_drive().reset_odometry());
+  }
+
+  void theLineIsToldInWords() {
+    DriveWorld world;
+    auto status = connected();
+    world.push("p3at1/link/status", status, 1);
+    auto view = world.open<widgets::BaseStateView>();
+    QCOMPARE(text(*view, "linkState"), QStringLiteral("connected"));
+    QCOMPARE(text(*view, "linkRobot"), QStringLiteral("MobileSim, Pioneer, p3at-sh"));
+    QCOMPARE(text(*view, "linkPackets"), QStringLiteral("70.2 per second (10720 bytes), 4210 in all"));
+    QCOMPARE(text(*view, "linkErrors"), QStringLiteral("none"));
+    QCOMPARE(text(*view, "linkRoundTrip"), QStringLiteral("4.2 ms"));
+    QCOMPARE(text(*view, "linkGap"), QStringLiteral("104 ms"));
+    status.set_state(robotcontrol::LinkStatus::LOST);
+    status.set_checksum_errors(3);
+    status.set_longest_gap(0.4);
+    status.set_text("nothing was heard for 8 s; it is tried again in 2 s");
+    world.push("p3at1/link/status", status, 2);
+    world.tick(*view);
+    QCOMPARE(text(*view, "linkState"), QStringLiteral("lost"));
+    QCOMPARE(text(*view, "linkErrors"), QStringLiteral("3 checksums, 0 bytes skipped"));
+    QVERIFY(text(*view, "linkText").contains(QStringLiteral("tried again")));
+    world.push("p3at1/drive/state", DriveWorld::state(), 9);
+    world.tick(*view);
+    QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new since 7 s"));
+  }
+
+  void aRobotWithoutWheelsSaysSo() {
+    DriveWorld world;
+    world.context.robots.erase("p3at1");
+    auto view = world.open<widgets::BaseStateView>();
+    QVERIFY(child<QLabel>(*view, "emptyHint").text().contains(QStringLiteral("p3at1 has no wheels")));
+    QVERIFY(!child<QToolButton>(*view, "baseMotors").isEnabled());
+  }
+
+  void showsAWholePicture() {
+    DriveWorld world;
+    auto state = DriveWorld::state();
+    state.set_battery(11.3);
+    state.set_temperature(29);
+    state.set_front_bumpers(2, true);
+    robotlink::assign(*state.mutable_odometry(), {12.418, -3.077, 0.7});
+    state.mutable_velocity()->set_x(0.312);
+    world.push("p3at1/drive/state", state, 1);
+    auto status = connected();
+    status.set_checksum_errors(2);
+    status.set_skipped_bytes(41);
+    status.set_client("127.0.0.1:40712");
+    status.set_commands_per_second(10.1);
+    world.push("p3at1/link/status", status, 1);
+    auto view = world.open<widgets::BaseStateView>({400, 560});
+    widgets::test::keepPicture(*view, "base-state-view");
+    QVERIFY(view->saveState().contains(QStringLiteral("robot")));
+  }
+};
+
+int runBaseStateTests(int argc, char** argv) {
+  BaseStateViewTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "BaseStateViewTest.moc"

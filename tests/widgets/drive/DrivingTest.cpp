@@ -1,0 +1,175 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The motion tester with robots on wheels.
+#include <QAbstractSpinBox>
+#include <QLabel>
+#include <QPushButton>
+#include <QSlider>
+#include <QToolButton>
+
+#include "tests/widgets/SyntheticWorld.h"
+#include "tests/widgets/drive/DriveWorld.h"
+#include "widgets/HeadPanel.h"
+#include "widgets/MotionButtons.h"
+#include "widgets/MotionView.h"
+#include "widgets/WalkPad.h"
+
+using robotcontrol::MotionRequest;
+
+namespace {
+
+robotcontrol::SolutionTable driving(const std::string& active) {
+  robotcontrol::SolutionTable table;
+  for (const char* name : {"avoidance", "driving"}) {
+    auto& task = *table.add_tasks();
+    task.set_name(name);
+    task.set_process("cognition");
+    task.set_active(name == std::string("driving") ? active : "vector-field");
+    task.add_solutions()->set_name("wander");
+    if (name == std::string("driving")) task.add_solutions()->set_name("obey");
+  }
+  return table;
+}
+
+struct Steering : DriveWorld {
+  Steering() {
+    push("p3at1/tables/solutions", driving("wander"), 1);
+    push("p3at1/drive/state", state(), 1);
+    view = open<widgets::MotionView>({640, 420});
+    view->setGamepad([this] { return pad; });
+    walkPad = &child<widgets::WalkPad>(*view, "walkPad");
+  }
+  void takeOver() {
+    click(child<QToolButton>(*view, "motionTakeOver"));
+    push("p3at1/tables/solutions", driving("obey"), 2);
+    tick(*view);
+  }
+  robotcontrol::Velocity2 wish() {
+    tick(*view);
+    for (auto request = requests.rbegin(); request != requests.rend(); ++request) {
+      if (request->has_motion()) return request->motion().motion().walk();
+    }
+    qFatal("no motion was commanded");
+  }
+  widgets::Gamepad::State pad;
+  std::unique_ptr<widgets::MotionView> view;
+  widgets::WalkPad* walkPad = nullptr;
+};
+
+}  // namespace
+
+class DrivingTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void theTaskThatObeysIsTakenOver() {
+    Steering s;
+    s.takeOver();
+    const auto& asked = s.requests.front().select_solution();
+    QCOMPARE(asked.task(), std::string("driving"));
+    QCOMPARE(asked.solution(), std::string("obey"));
+    QCOMPARE(child<QLabel>(*s.view, "motionState").text(), QStringLiteral("You steer the robot."));
+    click(child<QToolButton>(*s.view, "motionTakeOver"));
+    QCOMPARE(s.requests.back().select_solution().solution(), std::string("wander"));
+  }
+
+  void thereIsNeitherHeadNorKeyFrames() {
+    Steering s;
+    QVERIFY(!s.view->findChild<widgets::HeadPanel*>()->isVisible());
+    QVERIFY(!s.view->findChild<widgets::MotionButtons*>()->isVisible());
+    QVERIFY(!child<QSlider>(*s.view, "walkTurn").isVisible());
+    QVERIFY(child<QToolButton>(*s.view, "motionMotors").isVisible());
+    // The next robot has legs: it has all of them again.
+    s.context.robots.erase("p3at2");
+    s.session.selectRobot("p3at2");
+    s.tick(*s.view);
+    QVERIFY(s.view->findChild<widgets::HeadPanel*>()->isVisible());
+    QVERIFY(!child<QToolButton>(*s.view, "motionMotors").isVisible());
+  }
+
+  void leftAndRightTurn() {
+    Steering s;
+    s.takeOver();
+    QTest::mousePress(s.walkPad, Qt::LeftButton, {}, {2, s.walkPad->height() / 2});
+    auto wish = s.wish();
+    QVERIFY(std::abs(wish.x()) < 0.01 && wish.y() == 0);
+    QVERIFY(std::abs(wish.rotation() - robotlink::radians(50)) < 0.02);  // half of what it can
+    QTest::mouseRelease(s.walkPad, Qt::LeftButton);
+    QTest::keyPress(s.walkPad, Qt::Key_W);
+    QTest::keyPress(s.walkPad, Qt::Key_D);
+    wish = s.wish();
+    QCOMPARE(wish.x(), 0.375);
+    QCOMPARE(wish.y(), 0.0);
+    QVERIFY(wish.rotation() < -0.8);
+    QTest::keyRelease(s.walkPad, Qt::Key_W);
+    QTest::keyRelease(s.walkPad, Qt::Key_D);
+    QVERIFY(s.wish().x() == 0);
+  }
+
+  void eitherStickOfTheGamepadTurns() {
+    Steering s;
+    s.takeOver();
+    s.pad = {true, QStringLiteral("Pad"), {1, 0.5, 0.2}, true, false};
+    const auto wish = s.wish();
+    QCOMPARE(wish.x(), 0.375);
+    QCOMPARE(wish.y(), 0.0);
+    QVERIFY(std::abs(wish.rotation() - 0.7 * robotlink::radians(50)) < 1e-3);  // and A kicks nothing
+  }
+
+  void theLimitsAreTheRobots() {
+    Steering s;
+    auto& limit = child<QAbstractSpinBox>(*s.view, "limitSpeed");
+    limit.setFocus();
+    limit.selectAll();
+    QTest::keyClicks(&limit, QStringLiteral("9999"));
+    QTest::keyClick(&limit, Qt::Key_Return);
+    limit.selectAll();
+    QTest::keyClicks(&limit, QStringLiteral("750"));
+    QTest::keyClick(&limit, Qt::Key_Return);
+    s.takeOver();
+    QTest::keyPress(s.walkPad, Qt::Key_Up);
+    QCOMPARE(s.wish().x(), 0.75);
+    const QJsonObject state = s.view->saveState();
+    QCOMPARE(state[QStringLiteral("driveSpeed")].toDouble(), 0.75);
+    QCOMPARE(state[QStringLiteral("speed")].toDouble(), 0.15);  // that of robots with legs
+    Steering other;
+    other.view->restoreState(state);
+    QCOMPARE(other.view->saveState(), state);
+  }
+
+  void motorsAreSwitchedAndStopActsAtThePlatform() {
+    Steering s;
+    auto& motors = child<QToolButton>(*s.view, "motionMotors");
+    QCOMPARE(motors.text(), QStringLiteral("Motors on"));
+    click(motors);
+    QVERIFY(s.requests.back().control_drive().has_motors() && !s.requests.back().control_drive().motors());
+    auto off = DriveWorld::state();
+    off.set_motors_on(false);
+    s.push("p3at1/drive/state", off, 2);
+    s.takeOver();
+    QCOMPARE(motors.text(), QStringLiteral("Motors off"));
+    QVERIFY(child<QLabel>(*s.view, "motionState").text().contains(QStringLiteral("motors are off")));
+    click(child<QPushButton>(*s.view, "motionStop"));
+    QVERIFY(s.requests.back().stop().engaged());
+  }
+
+  void whatTheRobotSaysOfItsSpeedIsShown() {
+    Steering s;
+    auto state = DriveWorld::state();
+    state.mutable_velocity()->set_x(0.2);
+    state.mutable_velocity()->set_rotation(0.4);
+    s.push("p3at1/drive/state", state, 3);
+    s.takeOver();
+    QCOMPARE(child<QLabel>(*s.view, "speedBelievedX").text(), QStringLiteral("200"));
+    QCOMPARE(child<QLabel>(*s.view, "speedBelievedTurn").text(), QStringLiteral("0.40"));
+    QVERIFY(!child<QLabel>(*s.view, "speedBelievedY").isVisible());
+    QTest::keyPress(s.walkPad, Qt::Key_W);
+    QTest::keyPress(s.walkPad, Qt::Key_A);
+    s.wish();
+    widgets::test::keepPicture(*s.view, "motion-wheels");
+  }
+};
+
+int runDrivingTests(int argc, char** argv) {
+  DrivingTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+#include "DrivingTest.moc"
