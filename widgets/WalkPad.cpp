@@ -32,13 +32,16 @@ bool drives(int key) {
   return std::find(std::begin(kKeys), std::end(kKeys), key) != std::end(kKeys);
 }
 
-void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette) {
+/// Forwards and turning do not bound each other, so the pad of wheels is a square.
+void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette, bool wheels) {
   const QColor line = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.25);
   painter.setPen(QPen(line, 1));
   painter.setBrush(palette.color(QPalette::Base));
-  painter.drawEllipse(disc);
+  const double quarter = disc.width() / 4;
+  const QRectF half = disc.adjusted(quarter, quarter, -quarter, -quarter);
+  wheels ? painter.drawRoundedRect(disc, 8, 8) : painter.drawEllipse(disc);
   painter.setBrush(Qt::NoBrush);
-  painter.drawEllipse(disc.center(), disc.width() / 4, disc.width() / 4);
+  wheels ? painter.drawRoundedRect(half, 4, 4) : painter.drawEllipse(half);
   painter.drawLine(QPointF(disc.center().x(), disc.top()), QPointF(disc.center().x(), disc.bottom()));
   painter.drawLine(QPointF(disc.left(), disc.center().y()), QPointF(disc.right(), disc.center().y()));
 }
@@ -92,7 +95,7 @@ void WalkPad::show(Picture picture) {
 void WalkPad::paint(QPainter& painter, const QRectF& rect, const Picture& picture, const QPalette& palette) {
   const QRectF disc = discIn(rect);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintGrid(painter, disc, palette);
+  paintGrid(painter, disc, palette, picture.wheels);
   if (picture.measured)
     paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false, picture.wheels);
   if (picture.enabled) {
@@ -129,7 +132,11 @@ void WalkPad::follow(const QPointF& position) {
   const QRectF disc = discIn(rect());
   QPointF vector = (position - disc.center()) / (disc.width() / 2);
   const double length = std::hypot(vector.x(), vector.y());
-  if (length > 1) vector /= length;
+  if (wheels_) {
+    vector = {std::clamp(vector.x(), -1.0, 1.0), std::clamp(vector.y(), -1.0, 1.0)};
+  } else if (length > 1) {
+    vector /= length;
+  }
   setAxes(wheels_ ? WalkAxes{-vector.y(), 0, -vector.x()} : WalkAxes{-vector.y(), -vector.x(), axes_.turn});
 }
 

@@ -274,14 +274,14 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
   link_->set("linkAddress", QString::fromStdString(status->address()));
   link_->set("linkRobot", words.robot);
   link_->set("linkClient", words.client);
-  link_->set("linkPackets", tr("%1 per second (%2 bytes), %3 in all")
+  link_->set("linkPackets", tr("%1/s, %2 kB/s; %3 in all")
                                 .arg(status->packets_per_second(), 0, 'f', 1)
-                                .arg(status->bytes_per_second(), 0, 'f', 0)
+                                .arg(status->bytes_per_second() / 1000, 0, 'f', 1)
                                 .arg(status->packets()));
   if (status->checksum_errors() == 0 && status->skipped_bytes() == 0) {
     link_->set("linkErrors", tr("none"));
   } else {
-    link_->set("linkErrors", tr("%1 checksums, %2 bytes skipped").arg(status->checksum_errors()).arg(status->skipped_bytes()), Meaning::kWarning);
+    link_->set("linkErrors", tr("%1 checksums, %2 bytes lost").arg(status->checksum_errors()).arg(status->skipped_bytes()), Meaning::kWarning);
   }
   link_->set("linkRoundTrip", status->round_trip() > 0 ? tr("%1 ms").arg(status->round_trip() * 1000, 0, 'f', 1) : QString());
   if (words.longGap) {

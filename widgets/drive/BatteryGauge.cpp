@@ -47,8 +47,8 @@ QString BatteryLevel::text() const {
   if (state == State::kUnknown) return tr("not told");
   QString text = tr("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
   if (charging) return tr("%1, charging").arg(text);
-  if (state == State::kEmpty) return tr("%1: empty, charge it now").arg(text);
-  if (state == State::kLow) return tr("%1: low, charge it soon").arg(text);
+  if (state == State::kEmpty) return tr("%1: empty, charge now").arg(text);
+  if (state == State::kLow) return tr("%1: low, charge soon").arg(text);
   return text;
 }
 

@@ -89,6 +89,7 @@ void ConnectDialog::createViews() {
   progress_->setObjectName(QStringLiteral("connectProgress"));
   progress_->setRange(0, 0);
   progress_->setTextVisible(false);
+  progress_->setMaximumHeight(8);
   QSizePolicy keepsPlace = progress_->sizePolicy();
   keepsPlace.setRetainSizeWhenHidden(true);
   progress_->setSizePolicy(keepsPlace);
@@ -98,6 +99,7 @@ void ConnectDialog::createViews() {
   connect_->setIcon(icon("connect"));
   connect_->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
+  setMinimumWidth(fontMetrics().averageCharWidth() * 64);
   auto* layout = new QVBoxLayout(this);
   layout->addLayout(form);
   layout->addWidget(state_);

@@ -54,7 +54,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   }
   words.robot = names.join(QStringLiteral(", "));
   if (!status.client().empty()) {
-    words.client = translated("%1, %2 commands per second")
+    words.client = translated("%1, %2 commands/s")
                        .arg(QString::fromStdString(status.client()))
                        .arg(status.commands_per_second(), 0, 'f', 1);
   }

@@ -68,8 +68,11 @@ void PacketDetails::addBytes(const std::string& bytes) {
     const std::string part = bytes.substr(at, kBytesInLine);
     QString characters;
     for (const char c : part) characters += c >= 32 && c < 127 ? QLatin1Char(c) : QLatin1Char('.');
-    auto* line = new QTreeWidgetItem(title, {QStringLiteral("%1").arg(at, 4, 16, QLatin1Char('0')), hexText(part), characters});
-    for (int column = 0; column < 3; ++column) line->setFont(column, fixed);
+    const int digits = 3 * static_cast<int>(kBytesInLine) - 1;
+    auto* line = new QTreeWidgetItem(
+        title, {QStringLiteral("%1  %2  %3").arg(at, 4, 16, QLatin1Char('0')).arg(hexText(part), -digits).arg(characters)});
+    line->setFont(0, fixed);
+    line->setFirstColumnSpanned(true);
   }
   title->setExpanded(true);
 }

@@ -21,9 +21,10 @@ StateRows::StateRows(const QString& title, const char* name, QWidget* parent)
 
 QLabel* StateRows::addTitle(const QString& title, const QString& toolTip) {
   auto* label = new QLabel(title, this);
-  label->setEnabled(false);
   label->setToolTip(toolTip);
   label->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  titles_.push_back(label);
+  mute(*label);
   grid_->addWidget(label, grid_->rowCount(), 0);
   return label;
 }
@@ -66,6 +67,12 @@ void StateRows::set(const char* name, const QString& text, Meaning meaning, bool
   color(value);
 }
 
+void StateRows::mute(QLabel& title) const {
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, colorOf(Meaning::kMuted, palette()));
+  title.setPalette(colors);
+}
+
 void StateRows::color(const Value& value) const {
   QPalette colors = palette();
   if (value.colored) colors.setColor(QPalette::WindowText, colorOf(value.meaning, palette()));
@@ -78,6 +85,7 @@ void StateRows::color(const Value& value) const {
 void StateRows::changeEvent(QEvent* event) {
   if (event->type() == QEvent::PaletteChange) {
     for (const auto& [name, value] : values_) color(value);
+    for (QLabel* title : titles_) mute(*title);
   }
   QGroupBox::changeEvent(event);
 }

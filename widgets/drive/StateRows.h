@@ -5,6 +5,7 @@
 #include <QString>
 #include <map>
 #include <string>
+#include <vector>
 
 #include "widgets/models/Theme.h"
 
@@ -41,9 +42,11 @@ class StateRows final : public QGroupBox {
   QLabel* addTitle(const QString& title, const QString& toolTip);
   void set(const char* name, const QString& text, Meaning meaning, bool colored);
   void color(const Value& value) const;
+  void mute(QLabel& title) const;
 
   QGridLayout* grid_;
   std::map<std::string, Value> values_;
+  std::vector<QLabel*> titles_;
 };
 
 }  // namespace widgets

@@ -61,19 +61,19 @@ void paintPoints(QImage& image, const GroundMap& map, const QTransform& toPixels
 }
 
 void paintForbidden(QPainter& painter, const Place& place, const QTransform& toWidget, const QPalette& palette) {
-  const QColor bad = colorOf(Meaning::kBad, palette);
+  const QColor warning = colorOf(Meaning::kWarning, palette);
   const auto& extent = place.extent();
   if (!isFinite(extent.x1() + extent.x2(), extent.y1() + extent.y2())) return;
-  painter.setPen(QPen(bad, 2, Qt::DashLine, Qt::FlatCap));
+  painter.setPen(QPen(warning, 2, Qt::DashLine, Qt::FlatCap));
   if (place.kind() == Place::FORBIDDEN_LINE) {
     painter.drawLine(toWidget.map(QLineF(extent.x1(), extent.y1(), extent.x2(), extent.y2())));
     return;
   }
   QTransform turned = toWidget;
   turned.rotateRadians(place.pose().heading());
-  QColor area = bad;
-  area.setAlphaF(0.14);
-  painter.setBrush(area);
+  QColor area = warning;
+  area.setAlphaF(0.4);
+  painter.setBrush(QBrush(area, Qt::BDiagPattern));
   const QRectF corners = QRectF(QPointF(extent.x1(), extent.y1()), QPointF(extent.x2(), extent.y2())).normalized();
   painter.drawPolygon(turned.map(QPolygonF(corners)));
   painter.setBrush(Qt::NoBrush);

@@ -31,6 +31,14 @@ arcos::PacketParser::Found parse(const std::string& bytes) {
   return whole;
 }
 
+/// What a packet says behind its name, which has a column of its own; where that is nothing, what it is for.
+QString saying(const arcos::PacketDescription& description) {
+  std::string line = description.line(240);
+  if (line.starts_with(description.name)) line.erase(0, description.name.size());
+  const std::size_t begin = line.find_first_not_of(": ");
+  return QString::fromStdString(begin == std::string::npos ? description.summary : line.substr(begin));
+}
+
 arcos::Direction directionOf(bool fromRobot) {
   return fromRobot ? arcos::Direction::kFromRobot : arcos::Direction::kFromClient;
 }
@@ -46,7 +54,7 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
   if (const auto* packet = std::get_if<arcos::Packet>(&found)) {
     const arcos::PacketDescription description = arcos::describe(*packet, directionOf(fromRobot));
     entry.name = QString::fromStdString(description.name);
-    entry.summary = QString::fromStdString(description.line());
+    entry.summary = saying(description);
     entry.damaged = damaged || !description.problem.empty();
   } else {
     entry.damaged = true;

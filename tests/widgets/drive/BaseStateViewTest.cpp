@@ -108,7 +108,7 @@ class BaseStateViewTest : public QObject {
     auto view = world.open<widgets::BaseStateView>();
     QCOMPARE(text(*view, "linkState"), QStringLiteral("connected"));
     QCOMPARE(text(*view, "linkRobot"), QStringLiteral("MobileSim, Pioneer, p3at-sh"));
-    QCOMPARE(text(*view, "linkPackets"), QStringLiteral("70.2 per second (10720 bytes), 4210 in all"));
+    QCOMPARE(text(*view, "linkPackets"), QStringLiteral("70.2/s, 10.7 kB/s; 4210 in all"));
     QCOMPARE(text(*view, "linkErrors"), QStringLiteral("none"));
     QCOMPARE(text(*view, "linkRoundTrip"), QStringLiteral("4.2 ms"));
     QCOMPARE(text(*view, "linkGap"), QStringLiteral("104 ms"));
@@ -119,7 +119,7 @@ class BaseStateViewTest : public QObject {
     world.push("p3at1/link/status", status, 2);
     world.tick(*view);
     QCOMPARE(text(*view, "linkState"), QStringLiteral("lost"));
-    QCOMPARE(text(*view, "linkErrors"), QStringLiteral("3 checksums, 0 bytes skipped"));
+    QCOMPARE(text(*view, "linkErrors"), QStringLiteral("3 checksums, 0 bytes lost"));
     QVERIFY(text(*view, "linkText").contains(QStringLiteral("tried again")));
     world.push("p3at1/drive/state", DriveWorld::state(), 9);
     world.tick(*view);

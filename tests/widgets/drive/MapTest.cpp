@@ -53,7 +53,9 @@ class MapTest : public QObject {
     QVERIFY(!s.isGround(2, 0) && !s.isGround(8, 3));  // lines
     QVERIFY(!s.isGround(4, 1.5) && !s.isGround(4, 2.9) && s.isGround(4, 3.4));  // points
     QVERIFY(s.isGround(2, 3));
-    QVERIFY(!s.isGround(6, 1));  // forbidden
+    int forbidden = 0;
+    for (int i = 0; i < 40; ++i) forbidden += s.isGround(5.5 + 0.02 * i, 1) ? 0 : 1;
+    QVERIFY(forbidden > 4 && !s.isGround(5, 1));  // hatched, with an edge
     // Zoomed in by sixteen, the wall is still where it was, and as thick as its points are apart.
     for (int i = 0; i < 8; ++i) widgets::test::click(*s.view, "fieldZoomIn");
     s.canvas->setViewport({false, s.canvas->viewport().scale, {4, 1.5}, 0});

@@ -32,7 +32,7 @@ Bytes command(int id, int argument) { return encode(toPacket(Command{static_cast
 Bytes bare(int id) { return encode(robotlink::arcos::Packet{static_cast<std::uint8_t>(id), {}}); }
 /// A short information packet: it ends behind the number of its sonar readings.
 Bytes information() {
-  return encode({0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
+  return robotlink::arcos::encode({0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
 }
 
 struct Shown : DriveWorld {
@@ -194,7 +194,7 @@ class PacketInspectorTest : public QObject {
       speed |= field->text(1) == QStringLiteral("250") && field->text(2) == QStringLiteral("mm/s");
     }
     QVERIFY(speed);
-    QCOMPARE(details.topLevelItem(1)->child(0)->text(1), QStringLiteral("fa fb 06 0b 3b fa 00 05"));
+    QCOMPARE(details.topLevelItem(1)->child(0)->text(0), QStringLiteral("0000  fa fb 06 0b 3b fa 00 05  ....;..."));
     QVERIFY(!child<QToolButton>(*s.view, "packetsFollow").isChecked());  // who reads is not carried away
     s.table->setFocus();
     QTest::keyClick(s.table, Qt::Key_C, Qt::ControlModifier);
