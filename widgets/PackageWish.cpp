@@ -8,14 +8,15 @@
 
 namespace widgets {
 
-void PackageWish::want(robotlink::Session& session, const std::string& robot, std::initializer_list<const char*> packages) {
+void PackageWish::want(robotlink::Session& session, const std::string& robot,
+                       std::initializer_list<const char*> packages) {
   if (const auto generation = session.store().generation(); generation != generation_) {
     generation_ = generation;
     settled_.clear();
     seen_.clear();
   }
-  const auto* table = session.store().latestAs<robotcontrol::KeyTable>(robot + '/' + robotlink::streams::kKeys,
-                                                                       session.timeline().newest());
+  const auto* table = session.store().latestAs<robotcontrol::KeyTable>(
+      robot + '/' + robotlink::streams::kKeys, session.timeline().newest());
   if (table == nullptr || seen_.contains(table)) return;
   if (seen_.size() > 64) seen_.clear();
   seen_.insert(table);

@@ -25,6 +25,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Icon.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/drive/ConnectDialog.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace app {
@@ -126,6 +127,7 @@ void MainWindow::connectSignals() {
   workbench_.onLoaded([this](const LoadedPlatform&) { onLoaded(); });
   workbench_.onErrors([this](const robotlink::Errors& errors) {
     showErrors(errors);
+    if (connectDialog_ != nullptr) connectDialog_->fail(QString::fromStdString(robotlink::describe(errors)));
     toolBar_->showLoaded();
   });
   workbench_.session().setRefusalHandler([this](const std::string& what, const std::string& reason) {
@@ -166,6 +168,7 @@ void MainWindow::tick() {
   widgets::colorFiles(context_).tick();
   status_->refresh();
   docks_->tick();
+  if (connectDialog_ != nullptr) connectDialog_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs) return;
   sinceKept_.restart();
   keepWindow();
@@ -184,6 +187,8 @@ void MainWindow::restoreWindow() {
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   lastSetup_ = SimulationSetupDialog::fromJson(window.value(QStringLiteral("simulation_setup")).toArray());
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
+  recentRobots_ = window.value(QStringLiteral("recent_robots")).toVariant().toStringList();
+  robotMap_ = window.value(QStringLiteral("robot_map")).toString();
   perspectives_.show(perspectives_.current(), *docks_);
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
@@ -195,6 +200,8 @@ void MainWindow::keepWindow() {
   perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
                            {QStringLiteral("toolbars"), toText(saveState())},
                            {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
+                           {QStringLiteral("recent_robots"), QJsonArray::fromStringList(recentRobots_)},
+                           {QStringLiteral("robot_map"), robotMap_},
                            {QStringLiteral("simulation_setup"), SimulationSetupDialog::toJson(lastSetup_)},
                            {QStringLiteral("appearance"), nameOf(appearance_)}});
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});

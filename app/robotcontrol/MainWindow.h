@@ -17,6 +17,9 @@ class QLabel;
 namespace ads {
 class CDockManager;
 }
+namespace widgets {
+class ConnectDialog;
+}
 
 namespace app {
 
@@ -70,6 +73,7 @@ class MainWindow : public QMainWindow {
   void createFileMenu();
   void createViewMenu();
   void createRobotMenus();
+  void connectRobot();
   void createLogMenu();
   void createWindowMenu();
   void createHelpMenu();
@@ -102,6 +106,9 @@ class MainWindow : public QMainWindow {
   LogToolBar* logToolBar_ = nullptr;
   LogOpening* opening_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
+  widgets::ConnectDialog* connectDialog_ = nullptr;  // from the first time it is wanted
+  QStringList recentRobots_;                         // addresses, newest first
+  QString robotMap_;
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;

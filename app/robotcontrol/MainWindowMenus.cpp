@@ -86,6 +86,11 @@ void MainWindow::createViewMenu() {
 
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
+  robot->setObjectName(QStringLiteral("robotMenu"));
+  QAction* connectTo = robot->addAction(widgets::icon("connect"), tr("&Connect…"), this, &MainWindow::connectRobot,
+                                        QKeySequence(QStringLiteral("Ctrl+K")));
+  connectTo->setObjectName(QStringLiteral("robot.connect"));
+  connectTo->setToolTip(tr("Connects a robot over TCP or a serial line, and runs its program here"));
   robot->addAction(toolBar_->stopAction());
   robot->addSeparator();
   QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);

@@ -91,6 +91,25 @@ void buildColour(ViewDocks& docks) {
   setColumns(image, {1180, 420});
 }
 
+/// For robots on wheels: where they are, what is around one, how it does, and steering it.
+void buildDrive(ViewDocks& docks) {
+  ads::CDockWidget* map = docks.add(QStringLiteral("field"), Place::kLeft);
+  ads::CDockWidget* radar = docks.add(QStringLiteral("radar"), Place::kRight);
+  ads::CDockWidget* state = docks.add(QStringLiteral("base-state"), Place::kRight);
+  ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, map);
+  for (const char* id : {"plots", "packets", "processes"}) docks.add(QLatin1String(id), Place::kTab, messages);
+  docks.add(QStringLiteral("motion"), Place::kBottom, radar);
+  ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, state);
+  docks.add(QStringLiteral("debug-keys"), Place::kTab, solutions);
+  for (ads::CDockWidget* front : {messages, solutions}) {
+    if (front != nullptr) front->setAsCurrentTab();
+  }
+  setSizes(map, {680, 280});
+  setSizes(radar, {580, 380});
+  setSizes(state, {600, 360});
+  setColumns(map, {760, 480, 360});
+}
+
 void buildProcesses(ViewDocks& docks) {
   ads::CDockWidget* processes = docks.add(QStringLiteral("processes"), Place::kLeft);
   docks.add(QStringLiteral("timing"), Place::kBottom, processes);
@@ -104,7 +123,7 @@ struct Shipped {
   const char* name;
   void (*build)(ViewDocks&);
 };
-constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Colour", buildColour}, {"Motion", buildMotion}, {"Processes", buildProcesses}};
+constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Colour", buildColour}, {"Motion", buildMotion}, {"Processes", buildProcesses}, {"Drive", buildDrive}};
 
 const Shipped* shipped(const QString& name) {
   for (const Shipped& candidate : kShipped) {

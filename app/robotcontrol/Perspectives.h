@@ -12,7 +12,7 @@ namespace app {
 class ViewDocks;
 
 /// Named window layouts, in a text file of the user's: what he made of the shipped ones, and his own. The shipped ones (Play,
-/// Motion, Processes) can always be had again. GUI thread.
+/// Motion, Processes, Drive, ...) can always be had again. GUI thread.
 ///
 /// A file that cannot be understood is set aside under another name and reported; the shipped ones are used then.
 class Perspectives {

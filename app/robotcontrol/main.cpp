@@ -41,7 +41,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
-  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Motion, Processes, or one of your own");
+  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();

@@ -27,8 +27,8 @@ using robotcontrol::LinkStatus;
 
 const ViewRegistration kRegistration{
     {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
-     QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."), "base-state", true,
-     create<BaseStateView>}};
+     QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."),
+     "base-state", true, create<BaseStateView>}};
 
 template <typename T>
 const T* newestOf(robotlink::Session& session, const std::string& robot, const char* package) {
@@ -51,8 +51,10 @@ QString bumpersText(const DriveState& state) {
     return numbers.join(QStringLiteral(", "));
   };
   QStringList ends;
-  if (const QString front = pressed(state.front_bumpers()); !front.isEmpty()) ends << BaseStateView::tr("front %1").arg(front);
-  if (const QString rear = pressed(state.rear_bumpers()); !rear.isEmpty()) ends << BaseStateView::tr("rear %1").arg(rear);
+  if (const QString front = pressed(state.front_bumpers()); !front.isEmpty())
+    ends << BaseStateView::tr("front %1").arg(front);
+  if (const QString rear = pressed(state.rear_bumpers()); !rear.isEmpty())
+    ends << BaseStateView::tr("rear %1").arg(rear);
   return ends.join(QStringLiteral("; "));
 }
 
@@ -68,11 +70,14 @@ BaseStateView::BaseStateView(ViewContext& context, QWidget* parent) : View(conte
 }
 
 void BaseStateView::createActions() {
-  motors_ = makeAction(this, "motors",
-                       {"baseMotors", tr("Motors"), tr("Switches the motors on and off, at the base"), tr("Ctrl+M")});
-  sonar_ = makeAction(this, "sonar", {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+S")});
-  resetOdometry_ = makeAction(this, "reset",
-                              {"baseResetOdometry", tr("Odometry to 0"), tr("Here is the odometry's origin from now on")});
+  motors_ = makeAction(
+      this, "motors",
+      {"baseMotors", tr("Motors"), tr("Switches the motors on and off, at the base"), tr("Ctrl+M")});
+  sonar_ = makeAction(this, "sonar",
+                      {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+S")});
+  resetOdometry_ =
+      makeAction(this, "reset",
+                 {"baseResetOdometry", tr("Odometry to 0"), tr("Here is the odometry's origin from now on")});
   for (QAction* action : {motors_, sonar_}) action->setCheckable(true);
 }
 
@@ -84,7 +89,8 @@ void BaseStateView::createRows() {
   base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
   base_->addRow("baseStall", tr("Stall"), tr("Wheels that shall turn and do not"));
   base_->addRow("baseBumpers", tr("Bumpers"), tr("Those that are pressed, from left to right"));
-  base_->addRow("baseEmergency", tr("Emergency stop"), tr("The button at the robot, and STOP of this workbench"));
+  base_->addRow("baseEmergency", tr("Emergency stop"),
+                tr("The button at the robot, and STOP of this workbench"));
   base_->addRow("baseTemperature", tr("Temperature"), tr("Of the base's electronics"));
   base_->addRow("baseFaults", tr("Faults"), tr("Flags of its microcontroller"));
   motion_ = new StateRows(tr("Motion"), "motionRows", this);
@@ -98,9 +104,11 @@ void BaseStateView::createRows() {
   link_->addRow("linkRobot", tr("Robot"), tr("Name, class and subclass that it told in the handshake"));
   link_->addRow("linkClient", tr("Client"), tr("Of a simulated robot: who drives it through its port"));
   link_->addRow("linkPackets", tr("Packets"), tr("From the robot, over the last seconds"));
-  link_->addRow("linkErrors", tr("Errors"), tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
+  link_->addRow("linkErrors", tr("Errors"),
+                tr("Packets whose checksum was wrong, and bytes that belonged to no packet"));
   link_->addRow("linkRoundTrip", tr("Round trip"), tr("Until the last request was answered"));
-  link_->addRow("linkGap", tr("Longest gap"), tr("Between two information packets, over the last seconds; they come each 100 ms"));
+  link_->addRow("linkGap", tr("Longest gap"),
+                tr("Between two information packets, over the last seconds; they come each 100 ms"));
   link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
   link_->addText("linkText", tr("What the line says"));
 }
@@ -180,21 +188,26 @@ void BaseStateView::tick() {
   const std::string robot = robots_->robot(session());
   if (robot != robot_) problem_->hide();
   robot_ = robot;
-  wish_.want(session(), robot_, {robotlink::kDriveState.name, robotlink::kDriveRequest.name, robotlink::kLinkStatus.name});
+  wish_.want(session(), robot_,
+             {robotlink::kDriveState.name, robotlink::kDriveRequest.name, robotlink::kLinkStatus.name});
   const auto* state = newestOf<DriveState>(session(), robot_, robotlink::kDriveState.name);
-  const auto* status = session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
+  const auto* status =
+      session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
   const double age = status == nullptr ? 0 : robotlink::seconds(session().timeline().shown() - status->time);
   showBase(state);
   showMotion(state);
   showLink(status == nullptr ? nullptr : dynamic_cast<const LinkStatus*>(status->value.get()), age);
   const auto description = context().robots.find(robot_);
-  const bool drives = state != nullptr || status != nullptr ||
-                      (description != context().robots.end() && description->second && description->second->drive);
+  const bool drives =
+      state != nullptr || status != nullptr ||
+      (description != context().robots.end() && description->second && description->second->drive);
   for (QAction* action : {motors_, sonar_, resetOdometry_}) action->setEnabled(drives);
   body_->setVisible(drives);
-  hint_->setHint(drives           ? QString()
-                 : robot_.empty() ? tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).")
-                                  : tr("%1 has no wheels. Choose a robot that drives.").arg(QString::fromStdString(robot_)));
+  hint_->setHint(
+      drives ? QString()
+      : robot_.empty()
+          ? tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).")
+          : tr("%1 has no wheels. Choose a robot that drives.").arg(QString::fromStdString(robot_)));
 }
 
 void BaseStateView::showBase(const DriveState* state) {
@@ -203,17 +216,25 @@ void BaseStateView::showBase(const DriveState* state) {
   showStop(state);
   if (state == nullptr) {
     battery_->show({});
-    for (const char* row : {"baseMotorsState", "baseSonarState", "baseStall", "baseBumpers", "baseTemperature", "baseFaults"})
+    for (const char* row :
+         {"baseMotorsState", "baseSonarState", "baseStall", "baseBumpers", "baseTemperature", "baseFaults"})
       base_->set(row, {});
     return;
   }
-  battery_->show(BatteryLevel::of(state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
-                                  state->charging() == DriveState::CHARGING));
-  base_->set("baseMotorsState", state->motors_on() ? tr("on") : tr("off"), state->motors_on() ? Meaning::kGood : Meaning::kMuted);
-  base_->set("baseSonarState", state->sonar_on() ? tr("on") : tr("off"), state->sonar_on() ? Meaning::kGood : Meaning::kMuted);
+  battery_->show(BatteryLevel::of(
+      state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
+      state->charging() == DriveState::CHARGING));
+  base_->set("baseMotorsState", state->motors_on() ? tr("on") : tr("off"),
+             state->motors_on() ? Meaning::kGood : Meaning::kMuted);
+  base_->set("baseSonarState", state->sonar_on() ? tr("on") : tr("off"),
+             state->sonar_on() ? Meaning::kGood : Meaning::kMuted);
   const bool left = state->left_stalled(), right = state->right_stalled();
   if (left || right) {
-    base_->set("baseStall", left && right ? tr("both sides are stalled") : left ? tr("left is stalled") : tr("right is stalled"), Meaning::kBad);
+    base_->set("baseStall",
+               left && right ? tr("both sides are stalled")
+               : left        ? tr("left is stalled")
+                             : tr("right is stalled"),
+               Meaning::kBad);
   } else {
     base_->set("baseStall", tr("none"));
   }
@@ -224,18 +245,21 @@ void BaseStateView::showBase(const DriveState* state) {
   } else {
     base_->set("baseBumpers", tr("pressed: %1").arg(pressed), Meaning::kBad);
   }
-  base_->set("baseTemperature", state->has_temperature() ? tr("%1 °C").arg(state->temperature(), 0, 'f', 0) : QString());
+  base_->set("baseTemperature",
+             state->has_temperature() ? tr("%1 °C").arg(state->temperature(), 0, 'f', 0) : QString());
   if (state->fault_flags() == 0) {
     base_->set("baseFaults", tr("none"));
   } else {
-    base_->set("baseFaults", QStringLiteral("0x%1").arg(state->fault_flags(), 4, 16, QLatin1Char('0')), Meaning::kWarning);
+    base_->set("baseFaults", QStringLiteral("0x%1").arg(state->fault_flags(), 4, 16, QLatin1Char('0')),
+               Meaning::kWarning);
   }
 }
 
 void BaseStateView::showStop(const DriveState* state) {
-  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation,
-                                                                                  session().timeline().shown());
-  const bool here = status != nullptr && std::ranges::find(status->stopped_robots(), robot_) != status->stopped_robots().end();
+  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, session().timeline().shown());
+  const bool here = status != nullptr &&
+                    std::ranges::find(status->stopped_robots(), robot_) != status->stopped_robots().end();
   if (here) {
     base_->set("baseEmergency", tr("STOP is engaged in this workbench"), Meaning::kBad);
   } else if (state != nullptr && state->emergency_stop()) {
@@ -258,13 +282,15 @@ void BaseStateView::showMotion(const DriveState* state) {
                                    .arg(state->left_speed() * 1000 + 0.0, 0, 'f', 0)
                                    .arg(state->right_speed() * 1000 + 0.0, 0, 'f', 0));
   }
-  const auto* request = newestOf<robotcontrol::DriveRequest>(session(), robot_, robotlink::kDriveRequest.name);
+  const auto* request =
+      newestOf<robotcontrol::DriveRequest>(session(), robot_, robotlink::kDriveRequest.name);
   motion_->set("baseAsked", request == nullptr ? QString() : speedText(request->velocity()));
 }
 
 void BaseStateView::showLink(const LinkStatus* status, double age) {
   if (status == nullptr) {
-    for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors", "linkRoundTrip", "linkGap", "linkReconnects"})
+    for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors",
+                            "linkRoundTrip", "linkGap", "linkReconnects"})
       link_->set(row, {});
     link_->set("linkState", tr("nothing is told of it"));
     return link_->set("linkText", {});
@@ -281,20 +307,32 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
   if (status->checksum_errors() == 0 && status->skipped_bytes() == 0) {
     link_->set("linkErrors", tr("none"));
   } else {
-    link_->set("linkErrors", tr("%1 checksums, %2 bytes lost").arg(status->checksum_errors()).arg(status->skipped_bytes()), Meaning::kWarning);
+    link_->set("linkErrors",
+               tr("%1 checksums, %2 bytes lost").arg(status->checksum_errors()).arg(status->skipped_bytes()),
+               Meaning::kWarning);
   }
-  link_->set("linkRoundTrip", status->round_trip() > 0 ? tr("%1 ms").arg(status->round_trip() * 1000, 0, 'f', 1) : QString());
+  link_->set("linkRoundTrip",
+             status->round_trip() > 0 ? tr("%1 ms").arg(status->round_trip() * 1000, 0, 'f', 1) : QString());
   if (words.longGap) {
-    link_->set("linkGap", tr("%1 ms: too long").arg(status->longest_gap() * 1000, 0, 'f', 0), Meaning::kWarning);
+    link_->set("linkGap", tr("%1 ms: too long").arg(status->longest_gap() * 1000, 0, 'f', 0),
+               Meaning::kWarning);
   } else {
-    link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0) : QString());
+    link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0)
+                                                    : QString());
   }
-  link_->set("linkReconnects", status->reconnects() > 0 ? tr("%n times", nullptr, static_cast<int>(status->reconnects())) : tr("never"));
-  link_->set("linkText", QString::fromStdString(status->text()), words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
+  link_->set("linkReconnects", status->reconnects() > 0
+                                   ? tr("%n times", nullptr, static_cast<int>(status->reconnects()))
+                                   : tr("never"));
+  link_->set("linkText", QString::fromStdString(status->text()),
+             words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
 }
 
-QJsonObject BaseStateView::saveState() const { return {{QStringLiteral("robot"), robots_->choice()}}; }
+QJsonObject BaseStateView::saveState() const {
+  return {{QStringLiteral("robot"), robots_->choice()}};
+}
 
-void BaseStateView::restoreState(const QJsonObject& state) { robots_->setChoice(state[QStringLiteral("robot")].toString()); }
+void BaseStateView::restoreState(const QJsonObject& state) {
+  robots_->setChoice(state[QStringLiteral("robot")].toString());
+}
 
 }  // namespace widgets

@@ -20,8 +20,9 @@ class EmptyHint;
 class RobotChoice;
 class StateRows;
 
-/// How a robot on wheels and the line to it do: battery, motors, stall, bumpers, odometry, speeds, packets. Motors and sonars are
-/// switched here, the odometry is set to 0; all of it at the base, not through its program.
+/// How a robot on wheels and the line to it do: battery, motors, stall, bumpers, odometry, speeds, packets.
+/// Motors and sonars are switched here, the odometry is set to 0; all of it at the base, not through its
+/// program.
 class BaseStateView final : public View {
   Q_OBJECT
  public:

@@ -35,7 +35,8 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
   level.volts = volts;
   level.charging = charging;
   if (!(volts > 0)) return level;
-  level.share = std::clamp(stateOfCharge.value_or((volts - kEmptyVolts) / (kFullVolts - kEmptyVolts)), 0.0, 1.0);
+  level.share =
+      std::clamp(stateOfCharge.value_or((volts - kEmptyVolts) / (kFullVolts - kEmptyVolts)), 0.0, 1.0);
   const bool empty = volts < kEmptyVolts || (stateOfCharge && *stateOfCharge < kEmptyShare);
   const bool low = volts < kLowVolts || (stateOfCharge && *stateOfCharge < kLowShare);
   level.state = empty ? State::kEmpty : low ? State::kLow : State::kGood;
@@ -57,7 +58,9 @@ BatteryGauge::BatteryGauge(QWidget* parent) : QWidget(parent) {
   setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
 }
 
-QSize BatteryGauge::sizeHint() const { return {180, fontMetrics().height() + 4}; }
+QSize BatteryGauge::sizeHint() const {
+  return {180, fontMetrics().height() + 4};
+}
 
 void BatteryGauge::show(const BatteryLevel& level) {
   level_ = level;
@@ -65,7 +68,8 @@ void BatteryGauge::show(const BatteryLevel& level) {
   update();
 }
 
-void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level, const QPalette& palette) {
+void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level,
+                         const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor color = colorFor(level.state, palette);
@@ -80,7 +84,8 @@ void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLev
     filled.setWidth(std::max(1.5, filled.width() * level.share));
     painter.fillRect(filled, color);
   }
-  const bool plain = level.state == BatteryLevel::State::kGood || level.state == BatteryLevel::State::kUnknown;
+  const bool plain =
+      level.state == BatteryLevel::State::kGood || level.state == BatteryLevel::State::kUnknown;
   QFont font = painter.font();
   font.setBold(!plain);
   painter.setFont(font);

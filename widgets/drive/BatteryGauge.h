@@ -14,8 +14,8 @@ struct BatteryLevel {
   double volts = 0;
   bool charging = false;
 
-  /// Without a state of charge it is estimated from the volts of a 12 V battery: from 11 V, at which robots switch themselves
-  /// off, to 13 V. Below 11.5 V, or a fifth, it is low.
+  /// Without a state of charge it is estimated from the volts of a 12 V battery: from 11 V, at which robots
+  /// switch themselves off, to 13 V. Below 11.5 V, or a fifth, it is low.
   static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging);
   QString text() const;
 };
@@ -28,7 +28,8 @@ class BatteryGauge final : public QWidget {
   void show(const BatteryLevel& level);
   const BatteryLevel& level() const { return level_; }
   /// Pure.
-  static void paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level, const QPalette& palette);
+  static void paint(QPainter& painter, const QRectF& rect, const BatteryLevel& level,
+                    const QPalette& palette);
   QSize sizeHint() const override;
   QSize minimumSizeHint() const override { return {80, sizeHint().height()}; }
 

@@ -45,15 +45,24 @@ void colorText(QLabel& label, bool bad) {
 
 QString meaningOf(const arcos::StreamUrl& url) {
   if (const auto* tcp = std::get_if<arcos::TcpAddress>(&url))
-    return ConnectDialog::tr("over the network: %1, port %2").arg(QString::fromStdString(tcp->host)).arg(tcp->port);
+    return ConnectDialog::tr("over the network: %1, port %2")
+        .arg(QString::fromStdString(tcp->host))
+        .arg(tcp->port);
   const auto& serial = std::get<arcos::SerialAddress>(url);
-  return ConnectDialog::tr("over the serial line %1 at %2 baud").arg(QString::fromStdString(serial.device)).arg(serial.baud);
+  return ConnectDialog::tr("over the serial line %1 at %2 baud")
+      .arg(QString::fromStdString(serial.device))
+      .arg(serial.baud);
 }
 
 }  // namespace
 
-ConnectDialog::ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices, QWidget* parent)
-    : QDialog(parent), session_(session), commands_(commands), choices_(std::move(choices)), recent_(choices_.recent) {
+ConnectDialog::ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices,
+                             QWidget* parent)
+    : QDialog(parent),
+      session_(session),
+      commands_(commands),
+      choices_(std::move(choices)),
+      recent_(choices_.recent) {
   setObjectName(QStringLiteral("connectDialog"));
   setWindowTitle(tr("Connect to a robot"));
   setWindowIcon(icon("connect"));
@@ -66,7 +75,8 @@ ConnectDialog::ConnectDialog(robotlink::Session& session, robotlink::CommandTabl
 
 void ConnectDialog::createViews() {
   address_ = new QComboBox(this);
-  describe(*address_, {"connectAddress", tr("Address"), tr("tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
+  describe(*address_, {"connectAddress", tr("Address"),
+                       tr("tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
   address_->setEditable(true);
   address_->setInsertPolicy(QComboBox::NoInsert);
   address_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -95,7 +105,8 @@ void ConnectDialog::createViews() {
   progress_->setSizePolicy(keepsPlace);
   auto* buttons = new QDialogButtonBox(QDialogButtonBox::Close, this);
   connect_ = buttons->addButton(tr("&Connect"), QDialogButtonBox::ActionRole);
-  describe(*connect_, {"connectButton", tr("Connect"), tr("Opens the line and starts the robot's program here")});
+  describe(*connect_,
+           {"connectButton", tr("Connect"), tr("Opens the line and starts the robot's program here")});
   connect_->setIcon(icon("connect"));
   connect_->setDefault(true);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
@@ -111,7 +122,8 @@ void ConnectDialog::createViews() {
 QWidget* ConnectDialog::createKinds() {
   auto* kinds = new QWidget(this);
   tcp_ = new QRadioButton(tr("&Network (TCP)"), kinds);
-  describe(*tcp_, {"connectTcp", tr("Network (TCP)"), tr("A simulated robot, or one whose line a computer hands on")});
+  describe(*tcp_, {"connectTcp", tr("Network (TCP)"),
+                   tr("A simulated robot, or one whose line a computer hands on")});
   serial_ = new QRadioButton(tr("&Serial"), kinds);
   describe(*serial_, {"connectSerial", tr("Serial"), tr("A robot at a serial port of this computer")});
   QHBoxLayout* row = makeRow(kinds);
@@ -142,7 +154,8 @@ QWidget* ConnectDialog::createTcp() {
 QWidget* ConnectDialog::createSerial() {
   auto* page = new QWidget(this);
   port_ = new QComboBox(page);
-  describe(*port_, {"connectDevice", tr("Serial port"), tr("Those that this computer has; another one can be typed")});
+  describe(*port_, {"connectDevice", tr("Serial port"),
+                    tr("Those that this computer has; another one can be typed")});
   port_->setEditable(true);
   port_->setInsertPolicy(QComboBox::NoInsert);
   port_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
@@ -164,14 +177,16 @@ QWidget* ConnectDialog::createSerial() {
 QWidget* ConnectDialog::createMap() {
   auto* widget = new QWidget(this);
   map_ = new QLineEdit(choices_.map, widget);
-  describe(*map_, {"connectMap", tr("Map"), tr("Of where the robot drives, to find itself in it; may be empty")});
+  describe(*map_,
+           {"connectMap", tr("Map"), tr("Of where the robot drives, to find itself in it; may be empty")});
   map_->setPlaceholderText(tr("none: it does not find itself in a map"));
   map_->setClearButtonEnabled(true);
   auto* browse = new QToolButton(widget);
   describe(*browse, {"connectBrowse", tr("Choose a map"), tr("Chooses a .map file")});
   browse->setIcon(icon("open"));
   connect(browse, &QToolButton::clicked, this, [this] {
-    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a map"), map_->text(), tr("Maps (*.map);;All files (*)"));
+    const QString file = QFileDialog::getOpenFileName(this, tr("Choose a map"), map_->text(),
+                                                      tr("Maps (*.map);;All files (*)"));
     if (!file.isEmpty()) map_->setText(file);
   });
   QHBoxLayout* row = makeRow(widget);
@@ -182,7 +197,8 @@ QWidget* ConnectDialog::createMap() {
 
 QWidget* ConnectDialog::createLayouts() {
   layout_ = new QComboBox(this);
-  describe(*layout_, {"connectLayout", tr("Layout"), tr("Which process of the robot's program does which tasks")});
+  describe(*layout_,
+           {"connectLayout", tr("Layout"), tr("Which process of the robot's program does which tasks")});
   layout_->addItem(tr("of the robot"), QString());
   for (const auto& [name, value] : choices_.layouts) layout_->addItem(name, value);
   return layout_;
@@ -218,8 +234,10 @@ void ConnectDialog::listPorts() {
     port_->addItem(device, device);
     port_->setItemData(port_->count() - 1, QString::fromStdString(port.description), Qt::ToolTipRole);
   }
-  port_->lineEdit()->setPlaceholderText(ports.empty() ? tr("no serial port found; type its path") : QString());
-  port_->setCurrentText(typed.isEmpty() && !ports.empty() ? QString::fromStdString(ports.front().device) : typed);
+  port_->lineEdit()->setPlaceholderText(ports.empty() ? tr("no serial port found; type its path")
+                                                      : QString());
+  port_->setCurrentText(typed.isEmpty() && !ports.empty() ? QString::fromStdString(ports.front().device)
+                                                          : typed);
   const int found = port_->findData(port_->currentText());
   port_->setToolTip(found < 0 ? tr("Those that this computer has; another one can be typed")
                               : port_->itemData(found, Qt::ToolTipRole).toString());
@@ -258,8 +276,10 @@ void ConnectDialog::writeAddress() {
   const bool tcp = tcp_->isChecked();
   pages_->setCurrentIndex(tcp ? 0 : 1);
   const arcos::StreamUrl url =
-      tcp ? arcos::StreamUrl(arcos::TcpAddress{host_->text().trimmed().toStdString(), static_cast<std::uint16_t>(tcpPort_->value())})
-          : arcos::StreamUrl(arcos::SerialAddress{port_->currentText().trimmed().toStdString(), baud_->currentData().toInt()});
+      tcp ? arcos::StreamUrl(arcos::TcpAddress{host_->text().trimmed().toStdString(),
+                                               static_cast<std::uint16_t>(tcpPort_->value())})
+          : arcos::StreamUrl(arcos::SerialAddress{port_->currentText().trimmed().toStdString(),
+                                                  baud_->currentData().toInt()});
   const QSignalBlocker quiet(address_);
   address_->setCurrentText(QString::fromStdString(arcos::toString(url)));
   const auto checked = arcos::parseUrl(address_->currentText().toStdString());
@@ -268,7 +288,9 @@ void ConnectDialog::writeAddress() {
   connect_->setEnabled(checked.has_value() && wanted_.isEmpty());
 }
 
-QString ConnectDialog::map() const { return map_->text().trimmed(); }
+QString ConnectDialog::map() const {
+  return map_->text().trimmed();
+}
 
 void ConnectDialog::connectRobot() {
   const auto url = arcos::parseUrl(address_->currentText().trimmed().toStdString());
@@ -280,7 +302,8 @@ void ConnectDialog::connectRobot() {
   while (recent_.size() > kMostRecent) recent_.removeLast();
   listRecent();
   Q_EMIT recentChanged();
-  const auto done = commands_.run("robot.connect", {address, layout_->currentData().toString().toStdString(), map().toStdString()});
+  const auto done = commands_.run(
+      "robot.connect", {address, layout_->currentData().toString().toStdString(), map().toStdString()});
   if (!done) return fail(QString::fromStdString(done.error().text));
   connect_->setEnabled(false);
   showState(tr("Opening %1…").arg(wanted_), false, true);
@@ -295,8 +318,10 @@ void ConnectDialog::fail(const QString& reason) {
 
 void ConnectDialog::tick() {
   if (wanted_.isEmpty()) return;
-  for (const auto* message : latestOfType(session_.store(), {}, "robotcontrol.LinkStatus", session_.timeline().newest())) {
-    const auto* status = message == nullptr ? nullptr : dynamic_cast<const robotcontrol::LinkStatus*>(message->value.get());
+  for (const auto* message :
+       latestOfType(session_.store(), {}, "robotcontrol.LinkStatus", session_.timeline().newest())) {
+    const auto* status =
+        message == nullptr ? nullptr : dynamic_cast<const robotcontrol::LinkStatus*>(message->value.get());
     if (status == nullptr || QString::fromStdString(status->address()) != wanted_) continue;
     const LinkWords words = linkWords(*status, 0);
     const QString text = QString::fromStdString(status->text());

@@ -25,9 +25,10 @@ class Session;
 
 namespace widgets {
 
-/// Connects a robot over TCP or a serial line: recent addresses, serial ports that are there, a map to drive by, a layout. Runs
-/// the command robot.connect and shows how the connection comes about, in words, until it stands. It is not modal: its owner
-/// calls tick() in each of the session's. GUI thread; session and commands must outlive it.
+/// Connects a robot over TCP or a serial line: recent addresses, serial ports that are there, a map to drive
+/// by, a layout. Runs the command robot.connect and shows how the connection comes about, in words, until it
+/// stands. It is not modal: its owner calls tick() in each of the session's. GUI thread; session and commands
+/// must outlive it.
 class ConnectDialog final : public QDialog {
   Q_OBJECT
  public:
@@ -40,7 +41,8 @@ class ConnectDialog final : public QDialog {
   };
   static constexpr int kMostRecent = 10;
 
-  ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices, QWidget* parent = nullptr);
+  ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices,
+                QWidget* parent = nullptr);
 
   void tick();
   /// What was asked for cannot be had: a layout that is refused, a map that is damaged.

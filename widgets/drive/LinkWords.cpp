@@ -10,10 +10,12 @@ namespace {
 
 using robotcontrol::LinkStatus;
 
-constexpr double kSilence = 3;    // s without a status: who should tell it does not
+constexpr double kSilence = 3;     // s without a status: who should tell it does not
 constexpr double kLongGap = 0.25;  // s, from which on ARIA's clients warn
 
-QString translated(const char* source) { return QCoreApplication::translate("LinkWords", source); }
+QString translated(const char* source) {
+  return QCoreApplication::translate("LinkWords", source);
+}
 
 void nameState(LinkWords& words, const LinkStatus& status) {
   switch (status.state()) {

@@ -15,8 +15,8 @@ namespace widgets {
 struct LinkWords {
   QString state;  ///< "connected", "lost, trying again"
   Meaning meaning = Meaning::kMuted;
-  QString robot;   ///< "MobileSim, Pioneer, p3at-sh"; may be empty
-  QString client;  ///< of a simulated robot: who drives it; may be empty
+  QString robot;         ///< "MobileSim, Pioneer, p3at-sh"; may be empty
+  QString client;        ///< of a simulated robot: who drives it; may be empty
   bool longGap = false;  ///< information packets came too far apart for a client to be happy
 };
 

@@ -17,7 +17,8 @@ constexpr std::size_t kMostBytes = 1024;  // damage may be longer than any packe
 }  // namespace
 
 PacketDetails::PacketDetails(QWidget* parent) : QTreeWidget(parent) {
-  describe(*this, {"packetDetails", tr("Packet"), tr("What the selected packet says, field by field, and its bytes")});
+  describe(*this, {"packetDetails", tr("Packet"),
+                   tr("What the selected packet says, field by field, and its bytes")});
   setColumnCount(3);
   setHeaderLabels({tr("Field"), tr("Value"), tr("Unit")});
   styleTree(*this);
@@ -54,8 +55,9 @@ void PacketDetails::addFields(const PacketEntry& entry) {
   addText(description.problem, true);
   addText(description.summary, false);
   for (const auto& field : description.fields) {
-    auto* item = new QTreeWidgetItem(title, {QString::fromStdString(field.name), QString::fromStdString(field.value),
-                                             QString::fromStdString(field.unit)});
+    auto* item =
+        new QTreeWidgetItem(title, {QString::fromStdString(field.name), QString::fromStdString(field.value),
+                                    QString::fromStdString(field.unit)});
     item->setToolTip(1, item->text(1));
   }
 }
@@ -69,8 +71,10 @@ void PacketDetails::addBytes(const std::string& bytes) {
     QString characters;
     for (const char c : part) characters += c >= 32 && c < 127 ? QLatin1Char(c) : QLatin1Char('.');
     const int digits = 3 * static_cast<int>(kBytesInLine) - 1;
-    auto* line = new QTreeWidgetItem(
-        title, {QStringLiteral("%1  %2  %3").arg(at, 4, 16, QLatin1Char('0')).arg(hexText(part), -digits).arg(characters)});
+    auto* line = new QTreeWidgetItem(title, {QStringLiteral("%1  %2  %3")
+                                                 .arg(at, 4, 16, QLatin1Char('0'))
+                                                 .arg(hexText(part), -digits)
+                                                 .arg(characters)});
     line->setFont(0, fixed);
     line->setFirstColumnSpanned(true);
   }

@@ -34,12 +34,15 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"packets", QT_TRANSLATE_NOOP("View", "Packets"),
-     QT_TRANSLATE_NOOP("View", "What goes over the line to a robot, decoded, both ways; records and repeats conversations."),
+     QT_TRANSLATE_NOOP(
+         "View",
+         "What goes over the line to a robot, decoded, both ways; records and repeats conversations."),
      "link-packets", false, create<PacketInspector>}};
 
 }  // namespace
 
-PacketInspector::PacketInspector(ViewContext& context, QWidget* parent) : View(context, parent), filter_(new PacketFilter(this)) {
+PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
+    : View(context, parent), filter_(new PacketFilter(this)) {
   setObjectName(QStringLiteral("packetInspector"));
   createActions();
   createFilters();
@@ -50,21 +53,37 @@ PacketInspector::PacketInspector(ViewContext& context, QWidget* parent) : View(c
 }
 
 void PacketInspector::createActions() {
-  damaged_ = makeAction(this, "warning", {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"), tr("Ctrl+D")});
-  follow_ = makeAction(this, "follow", {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
-  pause_ = makeAction(this, "pause", {"packetsPause", tr("Pause"), tr("Stops taking packets in; they come when it goes on"), tr("Ctrl+T")});
+  damaged_ = makeAction(
+      this, "warning",
+      {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"), tr("Ctrl+D")});
+  follow_ = makeAction(this, "follow",
+                       {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
+  pause_ = makeAction(
+      this, "pause",
+      {"packetsPause", tr("Pause"), tr("Stops taking packets in; they come when it goes on"), tr("Ctrl+T")});
   for (QAction* action : {damaged_, follow_, pause_}) action->setCheckable(true);
   follow_->setChecked(true);
-  copy_ = makeAction(this, "copy", {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
-  clear_ = makeAction(this, "clear", {"packetsClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
-  save_ = makeAction(this, "save", {"packetsSave", tr("Save conversation..."), tr("Saves all packets of the list, whatever the filters, as a .wire file"), QKeySequence::Save});
-  open_ = makeAction(this, "open", {"packetsOpen", tr("Open conversation..."), tr("Shows a .wire file, whose client's half can be said again"), QKeySequence::Open});
-  goLive_ = makeAction(this, "close", {"packetsLive", tr("Back to the line"), tr("Closes the file and shows what goes over the line now")});
+  copy_ = makeAction(
+      this, "copy",
+      {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
+  clear_ =
+      makeAction(this, "clear", {"packetsClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
+  save_ = makeAction(
+      this, "save",
+      {"packetsSave", tr("Save conversation..."),
+       tr("Saves all packets of the list, whatever the filters, as a .wire file"), QKeySequence::Save});
+  open_ = makeAction(this, "open",
+                     {"packetsOpen", tr("Open conversation..."),
+                      tr("Shows a .wire file, whose client's half can be said again"), QKeySequence::Open});
+  goLive_ = makeAction(
+      this, "close",
+      {"packetsLive", tr("Back to the line"), tr("Closes the file and shows what goes over the line now")});
 }
 
 void PacketInspector::createFilters() {
   from_ = new QComboBox(this);
-  describe(*from_, {"packetsFrom", tr("Direction"), tr("Shows what the robot says, what it is told, or both")});
+  describe(*from_,
+           {"packetsFrom", tr("Direction"), tr("Shows what the robot says, what it is told, or both")});
   from_->addItem(tr("both ways"));
   from_->addItem(tr("from the robot"));
   from_->addItem(tr("to the robot"));
@@ -76,7 +95,9 @@ void PacketInspector::createFilters() {
   namesMenu_ = new QMenu(names_);
   namesMenu_->setObjectName(QStringLiteral("packetsNamesMenu"));
   names_->setMenu(namesMenu_);
-  text_ = makeSearchField(this, {"packetsText", tr("Filter"), tr("Shows only packets whose name, text or bytes (as hexadecimal digits) hold this")});
+  text_ = makeSearchField(
+      this, {"packetsText", tr("Filter"),
+             tr("Shows only packets whose name, text or bytes (as hexadecimal digits) hold this")});
 }
 
 QWidget* PacketInspector::createBar() {
@@ -89,7 +110,8 @@ QWidget* PacketInspector::createBar() {
   layout->addWidget(text_, 1);
   layout->addWidget(makeButton(bar, damaged_));
   layout->addSpacing(8);
-  for (QAction* action : {follow_, pause_, copy_, clear_, save_, open_}) layout->addWidget(makeButton(bar, action));
+  for (QAction* action : {follow_, pause_, copy_, clear_, save_, open_})
+    layout->addWidget(makeButton(bar, action));
   return bar;
 }
 
@@ -175,7 +197,8 @@ void PacketInspector::connectSignals() {
     follow_->setChecked(bar->sliderPosition() >= bar->maximum());
   });
   connect(table_, &QTableView::clicked, this, [this] { follow_->setChecked(false); });
-  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this, &PacketInspector::showDetails);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &PacketInspector::showDetails);
   connect(replay_, &PacketReplayBar::send, this, &PacketInspector::send);
 }
 
@@ -195,7 +218,9 @@ void PacketInspector::connectFilters() {
   connect(namesMenu_, &QMenu::aboutToShow, this, &PacketInspector::listNames);
 }
 
-PacketModel& PacketInspector::shownModel() { return file_.isEmpty() ? live_ : recorded_; }
+PacketModel& PacketInspector::shownModel() {
+  return file_.isEmpty() ? live_ : recorded_;
+}
 
 void PacketInspector::tick() {
   followRobot();
@@ -251,7 +276,8 @@ void PacketInspector::listNames() {
     filter_->setHiddenNames(std::move(hidden));
     showState();
   };
-  namesMenu_->addAction(tr("All"), this, [hide] { hide({}); })->setObjectName(QStringLiteral("packetsAllNames"));
+  namesMenu_->addAction(tr("All"), this, [hide] { hide({}); })
+      ->setObjectName(QStringLiteral("packetsAllNames"));
   namesMenu_->addSeparator();
   for (const auto& [name, count] : shownModel().names()) {
     QAction* action = namesMenu_->addAction(tr("%1 (%2)").arg(name).arg(count));
@@ -288,7 +314,8 @@ void PacketInspector::copy() {
   QStringList lines;
   for (const QModelIndex& row : rows) {
     QStringList cells;
-    for (int column = 0; column < PacketModel::kBytes; ++column) cells << row.siblingAtColumn(column).data().toString();
+    for (int column = 0; column < PacketModel::kBytes; ++column)
+      cells << row.siblingAtColumn(column).data().toString();
     cells << hexText(shownModel().entry(filter_->mapToSource(row).row()).bytes);
     lines << cells.join(QLatin1Char('\t'));
   }
@@ -296,17 +323,19 @@ void PacketInspector::copy() {
 }
 
 bool PacketInspector::saveConversation(const QString& file) {
-  const auto written = robotlink::writeFileAtomically(file.toStdString(),
-                                                      robotlink::arcos::writeConversation(conversationOf(shownModel())));
+  const auto written = robotlink::writeFileAtomically(
+      file.toStdString(), robotlink::arcos::writeConversation(conversationOf(shownModel())));
   if (written) return true;
-  QMessageBox::warning(this, tr("Save conversation"), QString::fromStdString(robotlink::describe({written.error()})));
+  QMessageBox::warning(this, tr("Save conversation"),
+                       QString::fromStdString(robotlink::describe({written.error()})));
   return false;
 }
 
 bool PacketInspector::openConversation(const QString& file) {
   const auto conversation = robotlink::arcos::readConversationFile(file.toStdString());
   if (!conversation) {
-    QMessageBox::warning(this, tr("Open conversation"), QString::fromStdString(robotlink::describe({conversation.error()})));
+    QMessageBox::warning(this, tr("Open conversation"),
+                         QString::fromStdString(robotlink::describe({conversation.error()})));
     return false;
   }
   file_ = file;
@@ -338,13 +367,14 @@ void PacketInspector::showModel(PacketModel& model) {
 }
 
 void PacketInspector::save() {
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save conversation"), QStringLiteral("conversation.wire"),
-                                                    tr("Conversations (*.wire)"));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save conversation"), QStringLiteral("conversation.wire"), tr("Conversations (*.wire)"));
   if (!file.isEmpty()) saveConversation(file);
 }
 
 void PacketInspector::open() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open conversation"), {}, tr("Conversations (*.wire);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open conversation"), {},
+                                                    tr("Conversations (*.wire);;All files (*)"));
   if (!file.isEmpty()) openConversation(file);
 }
 
@@ -359,10 +389,14 @@ void PacketInspector::showState() {
   save_->setEnabled(all > 0);
   if (all == 0) {
     const QString name = QString::fromStdString(robot_);
-    hint_->setHint(robot_.empty() ? tr("No robot. Connect to one (Robot > Connect), or open a recorded conversation.")
-                                  : tr("No packets yet to or from %1. They appear when its line is open; a recorded conversation can be opened.").arg(name));
+    hint_->setHint(robot_.empty()
+                       ? tr("No robot. Connect to one (Robot > Connect), or open a recorded conversation.")
+                       : tr("No packets yet to or from %1. They appear when its line is open; a recorded "
+                            "conversation can be opened.")
+                             .arg(name));
   } else {
-    hint_->setHint(shown == 0 ? tr("No packet passes the filters. Clear the filter, or show all names.") : QString());
+    hint_->setHint(shown == 0 ? tr("No packet passes the filters. Clear the filter, or show all names.")
+                              : QString());
   }
 }
 

@@ -21,8 +21,9 @@ class EmptyHint;
 class PacketDetails;
 class PacketReplayBar;
 
-/// What goes over the line to the selected robot, both ways, decoded: a table with filters, a packet's fields and bytes. Saves it
-/// as a conversation, opens one, and says its client's half again to the robot that is connected.
+/// What goes over the line to the selected robot, both ways, decoded: a table with filters, a packet's fields
+/// and bytes. Saves it as a conversation, opens one, and says its client's half again to the robot that is
+/// connected.
 class PacketInspector final : public View {
   Q_OBJECT
  public:

@@ -32,11 +32,16 @@ PacketReplayBar::PacketReplayBar(QWidget* parent) : QWidget(parent) {
 }
 
 void PacketReplayBar::createActions() {
-  play_ = makeAction(this, "play",
-                     {"packetReplay", tr("Say it again"),
-                      tr("Sends what the client said to the robot, at its times; goes on only while this view is seen"), tr("Ctrl+Return")});
-  step_ = makeAction(this, "step", {"packetReplayStep", tr("Next packet"), tr("Sends the client's next packet"), tr("Ctrl+.")});
-  cancel_ = makeAction(this, "halt", {"packetReplayCancel", tr("Stop saying it"), tr("Sends no more"), tr("Ctrl+Backspace")});
+  play_ = makeAction(
+      this, "play",
+      {"packetReplay", tr("Say it again"),
+       tr("Sends what the client said to the robot, at its times; goes on only while this view is seen"),
+       tr("Ctrl+Return")});
+  step_ =
+      makeAction(this, "step",
+                 {"packetReplayStep", tr("Next packet"), tr("Sends the client's next packet"), tr("Ctrl+.")});
+  cancel_ = makeAction(
+      this, "halt", {"packetReplayCancel", tr("Stop saying it"), tr("Sends no more"), tr("Ctrl+Backspace")});
   connect(play_, &QAction::triggered, this, [this] {
     if (replay_.state() == ConversationReplay::State::kStepping) {
       replay_.setStepping(false);
@@ -109,12 +114,16 @@ void PacketReplayBar::showState() {
   progress_->setVisible(replay_.count() > 0);
   progress_->setRange(0, static_cast<int>(replay_.count()));
   progress_->setValue(static_cast<int>(replay_.done()));
-  const QString leftOut =
-      replay_.leftOut() > 0 ? tr(" (%n left out that would make or end a connection)", nullptr, replay_.leftOut()) : QString();
+  const QString leftOut = replay_.leftOut() > 0 ? tr(" (%n left out that would make or end a connection)",
+                                                     nullptr, replay_.leftOut())
+                                                : QString();
   QString text = problem_;
-  if (text.isEmpty() && state == State::kRunning) text = tr("%1 is being said to %2").arg(name_, robot_) + leftOut;
-  if (text.isEmpty() && state == State::kStepping) text = tr("%1, packet by packet, to %2").arg(name_, robot_) + leftOut;
-  if (text.isEmpty() && replay_.count() > 0 && replay_.done() == replay_.count()) text = tr("All of it was said") + leftOut;
+  if (text.isEmpty() && state == State::kRunning)
+    text = tr("%1 is being said to %2").arg(name_, robot_) + leftOut;
+  if (text.isEmpty() && state == State::kStepping)
+    text = tr("%1, packet by packet, to %2").arg(name_, robot_) + leftOut;
+  if (text.isEmpty() && replay_.count() > 0 && replay_.done() == replay_.count())
+    text = tr("All of it was said") + leftOut;
   if (text.isEmpty() && source_ && robot_.isEmpty()) text = tr("Connect to a robot to say it to.");
   state_->setText(text);
   state_->setToolTip(text);

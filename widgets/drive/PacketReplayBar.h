@@ -14,8 +14,8 @@ class QProgressBar;
 
 namespace widgets {
 
-/// Says what a client once said to the robot that is connected now: at its times, or packet by packet, with progress, and with a
-/// way to stop. It knows no session: what is to be sent is told.
+/// Says what a client once said to the robot that is connected now: at its times, or packet by packet, with
+/// progress, and with a way to stop. It knows no session: what is to be sent is told.
 class PacketReplayBar final : public QWidget {
   Q_OBJECT
  public:

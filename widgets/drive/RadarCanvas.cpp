@@ -14,8 +14,10 @@ namespace widgets {
 RadarCanvas::RadarCanvas(QWidget* parent) : QWidget(parent) {
   setObjectName(QStringLiteral("radarCanvas"));
   setAccessibleName(tr("Radar"));
-  setToolTip(tr("What is around the robot. Blue: sonars, the older the paler; orange: laser; red: bumpers that are pressed and wheels "
-                "that are stalled; green: where it drives in the next second. Wheel: zoom"));
+  setToolTip(
+      tr("What is around the robot. Blue: sonars, the older the paler; orange: laser; red: bumpers that are "
+         "pressed and wheels "
+         "that are stalled; green: where it drives in the next second. Wheel: zoom"));
   setToolTipDuration(5000);
   setFocusPolicy(Qt::StrongFocus);
   setMouseTracking(true);
@@ -53,7 +55,8 @@ void RadarCanvas::setNorthUp(bool northUp) {
 void RadarCanvas::paintContents(QPainter& painter) const {
   paintRadar(painter, readings_, look(), palette());
   const QTransform toWidget = robotToWidget(look(), readings_.heading);
-  for (const WorldDrawing& drawing : drawings_) paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
+  for (const WorldDrawing& drawing : drawings_)
+    paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
 }
 
 QImage RadarCanvas::rendered() const {
@@ -80,6 +83,8 @@ void RadarCanvas::wheelEvent(QWheelEvent* event) {
   event->accept();
 }
 
-void RadarCanvas::leaveEvent(QEvent*) { Q_EMIT cursorMoved(0, 0, false); }
+void RadarCanvas::leaveEvent(QEvent*) {
+  Q_EMIT cursorMoved(0, 0, false);
+}
 
 }  // namespace widgets

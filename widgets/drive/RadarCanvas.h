@@ -10,8 +10,8 @@
 
 namespace widgets {
 
-/// Paints a radar and what the robot's program drew relative to itself; wheel and keys zoom. It knows no session. Object name
-/// "radarCanvas".
+/// Paints a radar and what the robot's program drew relative to itself; wheel and keys zoom. It knows no
+/// session. Object name "radarCanvas".
 class RadarCanvas final : public QWidget {
   Q_OBJECT
  public:

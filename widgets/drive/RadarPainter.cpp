@@ -17,15 +17,17 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr double kRingPixels = 44;    // at least, between two rings
-constexpr double kMarkPixels = 26;    // the robot is never smaller
+constexpr double kRingPixels = 44;  // at least, between two rings
+constexpr double kMarkPixels = 26;  // the robot is never smaller
 
 QColor withAlpha(QColor color, double alpha) {
   color.setAlphaF(std::clamp(alpha, 0.0, 1.0));
   return color;
 }
 
-QPointF map(const QTransform& transform, const Vector2& point) { return transform.map(QPointF(point.x(), point.y())); }
+QPointF map(const QTransform& transform, const Vector2& point) {
+  return transform.map(QPointF(point.x(), point.y()));
+}
 
 QFont smallFont(const QPainter& painter) {
   QFont font = painter.font();
@@ -40,7 +42,8 @@ double ringStep(double scale) {
   return 20;
 }
 
-void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWidget, const QPalette& palette) {
+void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWidget,
+                const QPalette& palette) {
   const double scale = look.scale(), step = ringStep(scale);
   const QPointF middle = map(toWidget, {0, 0});
   const QColor line = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.18);
@@ -59,12 +62,14 @@ void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWi
     painter.setPen(QPen(line, 1));
     painter.drawEllipse(middle, radius, radius);
     painter.setPen(colorOf(Meaning::kMuted, palette));
-    painter.drawText(middle + QPointF(4, -radius - 3), QCoreApplication::translate("Radar", "%1 m").arg(i * step));
+    painter.drawText(middle + QPointF(4, -radius - 3),
+                     QCoreApplication::translate("Radar", "%1 m").arg(i * step));
   }
 }
 
 /// Part of a ring about the sensor, from `inner` to `outer`.
-QPainterPath sector(const Pose2& sensor, double angle, double inner, double outer, const QTransform& toWidget) {
+QPainterPath sector(const Pose2& sensor, double angle, double inner, double outer,
+                    const QTransform& toWidget) {
   constexpr int kPieces = 12;
   QPolygonF outline;
   for (int i = 0; i <= kPieces; ++i) {
@@ -81,8 +86,8 @@ QPainterPath sector(const Pose2& sensor, double angle, double inner, double oute
   return path;
 }
 
-void paintSonar(QPainter& painter, const RadarReadings& readings, const RadarLook& look, const QTransform& toWidget,
-                const QPalette& palette) {
+void paintSonar(QPainter& painter, const RadarReadings& readings, const RadarLook& look,
+                const QTransform& toWidget, const QPalette& palette) {
   const QColor color = colorOf(Meaning::kNote, palette);
   const double angle = readings.openingAngle > 0 ? readings.openingAngle : robotlink::radians(30);
   const double band = 3.5 / look.scale();
@@ -95,11 +100,13 @@ void paintSonar(QPainter& painter, const RadarReadings& readings, const RadarLoo
     }
     if (echo.nothing) continue;
     painter.setBrush(withAlpha(color, echo.newest ? 0.35 + 0.65 * fresh : 0.28 * fresh));
-    painter.drawPath(sector(echo.sensorInRobot, angle, std::max(0.0, echo.range - band / 2), echo.range + band / 2, toWidget));
+    painter.drawPath(sector(echo.sensorInRobot, angle, std::max(0.0, echo.range - band / 2),
+                            echo.range + band / 2, toWidget));
   }
 }
 
-void paintLaser(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget, const QPalette& palette) {
+void paintLaser(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget,
+                const QPalette& palette) {
   const QColor color = colorOf(Meaning::kWarning, palette);
   QPolygonF free;
   for (const Vector2& corner : readings.laserFree) free << map(toWidget, corner);
@@ -114,9 +121,10 @@ void paintLaser(QPainter& painter, const RadarReadings& readings, const QTransfo
 }
 
 /// The segments of one end, from left to right: pressed ones are filled, with a thick edge.
-void paintBumpers(QPainter& painter, const std::vector<bool>& pressed, const Vector2& body, double end, const QTransform& toWidget,
-                  const QPalette& palette) {
-  const double x = end * (body.x() / 2 + 0.03), width = body.y() / static_cast<double>(std::max<std::size_t>(1, pressed.size()));
+void paintBumpers(QPainter& painter, const std::vector<bool>& pressed, const Vector2& body, double end,
+                  const QTransform& toWidget, const QPalette& palette) {
+  const double x = end * (body.x() / 2 + 0.03),
+               width = body.y() / static_cast<double>(std::max<std::size_t>(1, pressed.size()));
   for (std::size_t i = 0; i < pressed.size(); ++i) {
     const double left = body.y() / 2 - width * static_cast<double>(i), right = left - width;
     const QColor color = pressed[i] ? colorOf(Meaning::kBad, palette) : colorOf(Meaning::kMuted, palette);
@@ -125,22 +133,26 @@ void paintBumpers(QPainter& painter, const std::vector<bool>& pressed, const Vec
   }
 }
 
-void paintWheels(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget, const QPalette& palette) {
+void paintWheels(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget,
+                 const QPalette& palette) {
   const Vector2& body = readings.body;
   for (const double side : {1.0, -1.0}) {
     const bool stalled = side > 0 ? readings.leftStalled : readings.rightStalled;
-    const QColor color = stalled ? colorOf(Meaning::kBad, palette) : mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.3);
+    const QColor color = stalled ? colorOf(Meaning::kBad, palette)
+                                 : mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.3);
     painter.setPen(QPen(color.darker(130), 1));
     painter.setBrush(color);
     for (const double end : {1.0, -1.0}) {
-      const double x = end * 0.21 * body.x(), y = side * 0.44 * body.y(), length = 0.17 * body.x(), width = 0.06 * body.y();
+      const double x = end * 0.21 * body.x(), y = side * 0.44 * body.y(), length = 0.17 * body.x(),
+                   width = 0.06 * body.y();
       painter.drawPolygon(toWidget.map(QPolygonF(QRectF(x - length, y - width, 2 * length, 2 * width))));
     }
   }
 }
 
 /// Where it is going: an arrow as long as it goes in a second, bent as it turns.
-void paintMotion(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget, const QPalette& palette) {
+void paintMotion(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget,
+                 const QPalette& palette) {
   if (std::abs(readings.speed) < 0.01 && std::abs(readings.rotation) < 0.03) return;
   painter.setPen(QPen(colorOf(Meaning::kGood, palette), 2, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.setBrush(Qt::NoBrush);
@@ -157,12 +169,13 @@ void paintMotion(QPainter& painter, const RadarReadings& readings, const QTransf
   if (std::abs(turn) < 2) return;
   const QPointF ahead = map(toWidget, {1, 0}) - middle;
   const double up = robotlink::degrees(std::atan2(-ahead.y(), ahead.x()));
-  painter.drawArc(QRectF(middle - QPointF(kMarkPixels, kMarkPixels), QSizeF(2 * kMarkPixels, 2 * kMarkPixels)),
-                  static_cast<int>(up * 16), static_cast<int>(turn * 16));
+  painter.drawArc(
+      QRectF(middle - QPointF(kMarkPixels, kMarkPixels), QSizeF(2 * kMarkPixels, 2 * kMarkPixels)),
+      static_cast<int>(up * 16), static_cast<int>(turn * 16));
 }
 
-void paintRobot(QPainter& painter, const RadarReadings& readings, const RadarLook& look, const QTransform& toWidget,
-                const QPalette& palette) {
+void paintRobot(QPainter& painter, const RadarReadings& readings, const RadarLook& look,
+                const QTransform& toWidget, const QPalette& palette) {
   QTransform enlarged = toWidget;
   const double factor = std::max(1.0, kMarkPixels / (readings.body.x() * look.scale()));
   enlarged.scale(factor, factor);
@@ -170,8 +183,14 @@ void paintRobot(QPainter& painter, const RadarReadings& readings, const RadarLoo
   const double x = readings.body.x() / 2, y = 0.37 * readings.body.y(), cut = 0.3 * y;
   painter.setPen(QPen(palette.color(QPalette::Text), 1.5));
   painter.setBrush(mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.12));
-  painter.drawPolygon(enlarged.map(QPolygonF({{x - cut, y}, {x, y - cut}, {x, -y + cut}, {x - cut, -y}, {-x + cut, -y},
-                                              {-x, -y + cut}, {-x, y - cut}, {-x + cut, y}})));
+  painter.drawPolygon(enlarged.map(QPolygonF({{x - cut, y},
+                                              {x, y - cut},
+                                              {x, -y + cut},
+                                              {x - cut, -y},
+                                              {-x + cut, -y},
+                                              {-x, -y + cut},
+                                              {-x, y - cut},
+                                              {-x + cut, y}})));
   painter.setBrush(palette.color(QPalette::Text));
   painter.drawPolygon(enlarged.map(QPolygonF({{0.75 * x, 0}, {0.25 * x, 0.4 * y}, {0.25 * x, -0.4 * y}})));
   paintBumpers(painter, readings.frontBumpers, readings.body, 1, enlarged, palette);
@@ -188,7 +207,9 @@ void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPale
   } else if (readings.leftStalled || readings.rightStalled) {
     troubles << (readings.leftStalled ? tr("the left side is stalled") : tr("the right side is stalled"));
   }
-  const auto pressed = [](const std::vector<bool>& bumpers) { return std::find(bumpers.begin(), bumpers.end(), true) != bumpers.end(); };
+  const auto pressed = [](const std::vector<bool>& bumpers) {
+    return std::find(bumpers.begin(), bumpers.end(), true) != bumpers.end();
+  };
   if (pressed(readings.frontBumpers)) troubles << tr("a front bumper is pressed");
   if (pressed(readings.rearBumpers)) troubles << tr("a rear bumper is pressed");
   if (troubles.isEmpty()) return;
@@ -202,7 +223,8 @@ void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPale
 }  // namespace
 
 double RadarLook::scale() const {
-  return std::max(1.0, std::min(size.width(), size.height())) / 2 / std::clamp(range, kLeastRange, kGreatestRange);
+  return std::max(1.0, std::min(size.width(), size.height())) / 2 /
+         std::clamp(range, kLeastRange, kGreatestRange);
 }
 
 QTransform robotToWidget(const RadarLook& look, double heading) {
@@ -213,7 +235,8 @@ QTransform robotToWidget(const RadarLook& look, double heading) {
   return transform;
 }
 
-void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLook& look, const QPalette& palette) {
+void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLook& look,
+                const QPalette& palette) {
   painter.save();
   painter.fillRect(QRectF(QPointF(), look.size), palette.color(QPalette::Base));
   painter.setRenderHint(QPainter::Antialiasing);

@@ -24,8 +24,9 @@ struct RadarLook {
 
 /// From the robot's frame to the widget, whose middle is the robot.
 QTransform robotToWidget(const RadarLook& look, double heading);
-/// Pure: ground with rings, what the sensors tell, the robot with bumpers and stall. What the robot's program drew goes on top,
-/// by robotToWidget().
-void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLook& look, const QPalette& palette);
+/// Pure: ground with rings, what the sensors tell, the robot with bumpers and stall. What the robot's program
+/// drew goes on top, by robotToWidget().
+void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLook& look,
+                const QPalette& palette);
 
 }  // namespace widgets

@@ -26,8 +26,9 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"radar", QT_TRANSLATE_NOOP("View", "Radar"),
-     QT_TRANSLATE_NOOP("View", "What sonars, laser and bumpers of a robot on wheels tell of its surroundings."), "radar", true,
-     create<RadarView>}};
+     QT_TRANSLATE_NOOP("View",
+                       "What sonars, laser and bumpers of a robot on wheels tell of its surroundings."),
+     "radar", true, create<RadarView>}};
 
 const double kZoomStep = std::sqrt(2.0);
 
@@ -45,17 +46,23 @@ RadarView::RadarView(ViewContext& context, QWidget* parent) : View(context, pare
 RadarView::~RadarView() = default;
 
 void RadarView::createActions() {
-  northUp_ = makeAction(this, "north",
-                        {"radarNorthUp", tr("Like the map"),
-                         tr("Up is where the map's y-axis points; otherwise where the robot looks"), Qt::Key_N});
+  northUp_ =
+      makeAction(this, "north",
+                 {"radarNorthUp", tr("Like the map"),
+                  tr("Up is where the map's y-axis points; otherwise where the robot looks"), Qt::Key_N});
   northUp_->setCheckable(true);
-  zoomIn_ = makeAction(this, "zoom-in", {"radarZoomIn", tr("Zoom in"), tr("Shows less, larger"), Qt::Key_Plus});
-  zoomOut_ = makeAction(this, "zoom-out", {"radarZoomOut", tr("Zoom out"), tr("Shows more, smaller"), Qt::Key_Minus});
-  showDrawings_ = makeAction(this, "layers", {"radarDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
+  zoomIn_ =
+      makeAction(this, "zoom-in", {"radarZoomIn", tr("Zoom in"), tr("Shows less, larger"), Qt::Key_Plus});
+  zoomOut_ = makeAction(this, "zoom-out",
+                        {"radarZoomOut", tr("Zoom out"), tr("Shows more, smaller"), Qt::Key_Minus});
+  showDrawings_ = makeAction(this, "layers",
+                             {"radarDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   showDrawings_->setCheckable(true);
-  copy_ = makeAction(this, "copy", {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
-  save_ = makeAction(this, "save",
-                     {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+  copy_ = makeAction(this, "copy",
+                     {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
+  save_ = makeAction(
+      this, "save",
+      {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
 }
 
 void RadarView::createViews() {
@@ -100,8 +107,10 @@ QWidget* RadarView::createFooter() {
 
 void RadarView::connectSignals() {
   connect(northUp_, &QAction::toggled, canvas_, &RadarCanvas::setNorthUp);
-  connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->setRange(canvas_->look().range / kZoomStep); });
-  connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->setRange(canvas_->look().range * kZoomStep); });
+  connect(zoomIn_, &QAction::triggered, this,
+          [this] { canvas_->setRange(canvas_->look().range / kZoomStep); });
+  connect(zoomOut_, &QAction::triggered, this,
+          [this] { canvas_->setRange(canvas_->look().range * kZoomStep); });
   connect(canvas_, &RadarCanvas::lookChanged, this, &RadarView::updateStatus);
   connect(canvas_, &RadarCanvas::cursorMoved, this, [this](double distance, double angle, bool inside) {
     const int degrees = qRound(robotlink::degrees(angle));
@@ -119,12 +128,13 @@ void RadarView::tick() {
   drawings_->refresh(session().store());
   const std::string robot = robots_->robot(session());
   wish_.want(session(), robot,
-             {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name, robotlink::kRobotPose.name});
+             {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name,
+              robotlink::kRobotPose.name});
   const auto description = context().robots.find(robot);
   const auto memory = robotlink::fromSeconds(canvas_->look().memory);
-  RadarReadings readings =
-      radarReadings(session().store(), robot, description == context().robots.end() ? nullptr : description->second.get(),
-                    session().timeline().shown(), memory);
+  RadarReadings readings = radarReadings(
+      session().store(), robot, description == context().robots.end() ? nullptr : description->second.get(),
+      session().timeline().shown(), memory);
   readings.heading = mapHeading(robot, readings.heading);
   const bool told = readings.time.has_value();
   canvas_->show(std::move(readings), drawings(robot), hint(robot, told));
@@ -133,31 +143,36 @@ void RadarView::tick() {
 
 /// Up as on the map, where the robot knows how it stands in it.
 double RadarView::mapHeading(const std::string& robot, double odometry) const {
-  const auto* pose = session().store().latestAs<robotcontrol::RobotPose>(robot + '/' + robotlink::kRobotPose.name,
-                                                                         session().timeline().shown());
+  const auto* pose = session().store().latestAs<robotcontrol::RobotPose>(
+      robot + '/' + robotlink::kRobotPose.name, session().timeline().shown());
   return pose != nullptr ? pose->robot_in_field().heading() : odometry;
 }
 
 std::vector<WorldDrawing> RadarView::drawings(const std::string& robot) const {
   std::vector<WorldDrawing> drawings;
-  for (const CurrentDrawing& current : currentDrawings(session(), robot, drawings_->shown(), session().timeline().shown())) {
+  for (const CurrentDrawing& current :
+       currentDrawings(session(), robot, drawings_->shown(), session().timeline().shown())) {
     const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(current.message.get());
     if (update == nullptr) continue;
     for (const auto& entity : update->entities()) {
-      if (entity.frame_id() == robot) drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message});
+      if (entity.frame_id() == robot)
+        drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message});
     }
   }
   return drawings;
 }
 
 QString RadarView::hint(const std::string& robot, bool told) const {
-  if (robot.empty()) return tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).");
+  if (robot.empty())
+    return tr("No robot. Open a map or scene with robots on wheels, or connect to one (Robot > Connect).");
   if (told) return {};
   const QString name = QString::fromStdString(robot);
   const auto description = context().robots.find(robot);
   if (description != context().robots.end() && description->second && !description->second->drive)
     return tr("%1 has neither sonars nor a laser. Choose a robot on wheels.").arg(name);
-  return tr("Nothing heard yet of %1’s sonars and laser. Start the simulation, or switch the robot’s sonars on.").arg(name);
+  return tr("Nothing heard yet of %1’s sonars and laser. Start the simulation, or switch the robot’s sonars "
+            "on.")
+      .arg(name);
 }
 
 void RadarView::updateStatus() {
@@ -166,7 +181,8 @@ void RadarView::updateStatus() {
   QStringList nearest;
   if (const auto sonar = readings.nearestSonar()) nearest << tr("sonar %1 m").arg(*sonar, 0, 'f', 2);
   if (const auto laser = readings.nearestLaser()) nearest << tr("laser %1 m").arg(*laser, 0, 'f', 2);
-  nearest_->setText(nearest.isEmpty() ? QString() : tr("nearest: %1").arg(nearest.join(QStringLiteral(", "))));
+  nearest_->setText(nearest.isEmpty() ? QString()
+                                      : tr("nearest: %1").arg(nearest.join(QStringLiteral(", "))));
   range_->setText(tr("%1 m around").arg(canvas_->look().range, 0, 'f', canvas_->look().range < 10 ? 1 : 0));
 }
 

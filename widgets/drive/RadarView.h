@@ -14,8 +14,8 @@ class RadarCanvas;
 class RobotChoice;
 struct WorldDrawing;
 
-/// What is around a robot on wheels: sonars, laser, bumpers, stall, and what its program draws relative to itself. Follows the
-/// session's time line.
+/// What is around a robot on wheels: sonars, laser, bumpers, stall, and what its program draws relative to
+/// itself. Follows the session's time line.
 class RadarView final : public View {
   Q_OBJECT
  public:

@@ -14,8 +14,8 @@ class QLabel;
 
 namespace widgets {
 
-/// Named values of one kind below each other, each with its title; a value that means something good or bad says so in words and
-/// wears the colour of it. Its labels' object names are those of the rows.
+/// Named values of one kind below each other, each with its title; a value that means something good or bad
+/// says so in words and wears the colour of it. Its labels' object names are those of the rows.
 class StateRows final : public QGroupBox {
   Q_OBJECT
  public:

@@ -14,7 +14,8 @@ namespace {
 using robotlink::Pose2;
 
 /// A flag whose foot is the place; with a heading an arrow along it.
-void paintFlag(QPainter& painter, const Pose2& pose, bool anyHeading, const QColor& color, const QTransform& toWidget) {
+void paintFlag(QPainter& painter, const Pose2& pose, bool anyHeading, const QColor& color,
+               const QTransform& toWidget) {
   const QPointF at = toWidget.map(QPointF(pose.x, pose.y));
   painter.setPen(QPen(color, 2));
   painter.setBrush(color);
@@ -23,15 +24,18 @@ void paintFlag(QPainter& painter, const Pose2& pose, bool anyHeading, const QCol
   painter.setBrush(Qt::NoBrush);
   painter.drawEllipse(at, 6, 6);
   if (anyHeading) return;
-  const QPointF ahead = toWidget.map(QPointF(pose.x + std::cos(pose.heading), pose.y + std::sin(pose.heading))) - at;
+  const QPointF ahead =
+      toWidget.map(QPointF(pose.x + std::cos(pose.heading), pose.y + std::sin(pose.heading))) - at;
   const QPointF along = ahead / std::max(1e-9, std::hypot(ahead.x(), ahead.y()));
   const QPointF across(-along.y(), along.x());
   painter.setBrush(color);
   painter.drawLine(at + along * 6, at + along * 22);
-  painter.drawPolygon(QPolygonF({at + along * 30, at + along * 21 + across * 5, at + along * 21 - across * 5}));
+  painter.drawPolygon(
+      QPolygonF({at + along * 30, at + along * 21 + across * 5, at + along * 21 - across * 5}));
 }
 
-void paintLabel(QPainter& painter, const QPointF& at, const QString& text, const QColor& color, const QPalette& palette) {
+void paintLabel(QPainter& painter, const QPointF& at, const QString& text, const QColor& color,
+                const QPalette& palette) {
   if (text.isEmpty()) return;
   QFont font = painter.font();
   font.setPixelSize(11);
@@ -57,18 +61,22 @@ void paintAim(QPainter& painter, const DriveAim& aim, const QTransform& toWidget
   paintFlag(painter, aim.goal, aim.anyHeading, color, toWidget);
   const QString name = aim.name.isEmpty() ? QString::fromStdString(aim.robot) : aim.name;
   const QString reason = aim.reason.isEmpty() ? QObject::tr("no way") : aim.reason;
-  paintLabel(painter, toWidget.map(QPointF(aim.goal.x, aim.goal.y)),
-             aim.blocked ? QObject::tr("%1: %2", "goal, why it cannot be reached").arg(name, reason) : aim.name, color, palette);
+  paintLabel(
+      painter, toWidget.map(QPointF(aim.goal.x, aim.goal.y)),
+      aim.blocked ? QObject::tr("%1: %2", "goal, why it cannot be reached").arg(name, reason) : aim.name,
+      color, palette);
 }
 
 }  // namespace
 
-void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& toWidget, const QPalette& palette) {
+void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& toWidget,
+                const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const DriveAim& aim : goals.aims) paintAim(painter, aim, toWidget, palette);
   if (goals.wanted)
-    paintFlag(painter, goals.wanted->pose, goals.wanted->anyHeading, colorOf(Meaning::kGood, palette), toWidget);
+    paintFlag(painter, goals.wanted->pose, goals.wanted->anyHeading, colorOf(Meaning::kGood, palette),
+              toWidget);
   painter.restore();
 }
 

@@ -13,13 +13,15 @@ class QPalette;
 
 namespace widgets {
 
-/// Paths and goals of robots on wheels, and the goal that is being chosen or has just been sent. A plain value.
+/// Paths and goals of robots on wheels, and the goal that is being chosen or has just been sent. A plain
+/// value.
 struct GoalFigures {
   std::vector<DriveAim> aims;
   std::optional<GoalSender::Aim> wanted;
 };
 
 /// Pure.
-void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& fieldToWidget, const QPalette& palette);
+void paintGoals(QPainter& painter, const GoalFigures& goals, const QTransform& fieldToWidget,
+                const QPalette& palette);
 
 }  // namespace widgets

@@ -28,11 +28,13 @@ GoalTool::GoalTool(QWidget& owner, FieldCanvas& canvas, robotlink::Session& sess
     : QObject(&owner), canvas_(canvas), session_(session) {
   send_ = makeAction(&owner, "goal",
                      {"fieldSend", tr("Send the robot"),
-                      tr("A click sends the robot there, dragging says where it shall look then; otherwise only with Control"),
+                      tr("A click sends the robot there, dragging says where it shall look then; otherwise "
+                         "only with Control"),
                       Qt::Key_G});
   send_->setCheckable(true);
-  cancel_ = makeAction(&owner, "cancel-goal",
-                       {"fieldCancelGoal", tr("Cancel the goal"), tr("The robot goes nowhere any more"), Qt::Key_Escape});
+  cancel_ = makeAction(
+      &owner, "cancel-goal",
+      {"fieldCancelGoal", tr("Cancel the goal"), tr("The robot goes nowhere any more"), Qt::Key_Escape});
   connect(send_, &QAction::toggled, this, &GoalTool::show);
   connect(cancel_, &QAction::triggered, this, &GoalTool::cancelGoal);
   connectCanvas();
@@ -83,7 +85,9 @@ void GoalTool::tick(const std::string& robot, std::vector<DriveAim> aims) {
   show();
 }
 
-QString GoalTool::refusal() const { return sender_.refusal(); }
+QString GoalTool::refusal() const {
+  return sender_.refusal();
+}
 
 void GoalTool::show() {
   const bool possible = !robot_.empty();

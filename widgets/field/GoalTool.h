@@ -18,7 +18,8 @@ namespace widgets {
 
 class FieldCanvas;
 
-/// Sends robots on wheels to places that are clicked in a canvas, shows where all of them go, and calls them back. GUI thread.
+/// Sends robots on wheels to places that are clicked in a canvas, shows where all of them go, and calls them
+/// back. GUI thread.
 class GoalTool final : public QObject {
   Q_OBJECT
  public:

@@ -21,10 +21,14 @@ constexpr double kPointsApart = 0.02;  // m between the points of a wall
 constexpr double kNamesFrom = 4;       // pixels for a metre: below that names would only cover each other
 constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls grey
 
-double scaleOf(const QTransform& transform) { return std::hypot(transform.m11(), transform.m12()); }
+double scaleOf(const QTransform& transform) {
+  return std::hypot(transform.m11(), transform.m12());
+}
 
 /// NaN and endless numbers come from files of others.
-bool isFinite(double x, double y) { return std::isfinite(x) && std::isfinite(y); }
+bool isFinite(double x, double y) {
+  return std::isfinite(x) && std::isfinite(y);
+}
 
 class Bounds {
  public:
@@ -40,10 +44,13 @@ class Bounds {
   QPointF low_{1e300, 1e300}, high_{-1e300, -1e300};
 };
 
-bool isSpot(const Place& place) { return place.kind() != Place::FORBIDDEN_LINE && place.kind() != Place::FORBIDDEN_AREA; }
+bool isSpot(const Place& place) {
+  return place.kind() != Place::FORBIDDEN_LINE && place.kind() != Place::FORBIDDEN_AREA;
+}
 
 void paintPoints(QImage& image, const GroundMap& map, const QTransform& toPixels, QRgb color) {
-  const int side = std::clamp(static_cast<int>(std::lround(kPointsApart * scaleOf(toPixels))), kSmallestPoint, 64);
+  const int side =
+      std::clamp(static_cast<int>(std::lround(kPointsApart * scaleOf(toPixels))), kSmallestPoint, 64);
   const double half = side / 2.0;
   const int width = image.width(), height = image.height();
   const int perLine = image.bytesPerLine() / 4;
@@ -60,7 +67,8 @@ void paintPoints(QImage& image, const GroundMap& map, const QTransform& toPixels
   }
 }
 
-void paintForbidden(QPainter& painter, const Place& place, const QTransform& toWidget, const QPalette& palette) {
+void paintForbidden(QPainter& painter, const Place& place, const QTransform& toWidget,
+                    const QPalette& palette) {
   const QColor warning = colorOf(Meaning::kWarning, palette);
   const auto& extent = place.extent();
   if (!isFinite(extent.x1() + extent.x2(), extent.y1() + extent.y2())) return;
@@ -74,7 +82,8 @@ void paintForbidden(QPainter& painter, const Place& place, const QTransform& toW
   QColor area = warning;
   area.setAlphaF(0.4);
   painter.setBrush(QBrush(area, Qt::BDiagPattern));
-  const QRectF corners = QRectF(QPointF(extent.x1(), extent.y1()), QPointF(extent.x2(), extent.y2())).normalized();
+  const QRectF corners =
+      QRectF(QPointF(extent.x1(), extent.y1()), QPointF(extent.x2(), extent.y2())).normalized();
   painter.drawPolygon(turned.map(QPolygonF(corners)));
   painter.setBrush(Qt::NoBrush);
 }
@@ -88,7 +97,8 @@ QString nameOf(const Place& place) {
 
 void paintSign(QPainter& painter, const Place& place, const QPointF& at, const QTransform& toWidget) {
   if (place.kind() == Place::HOME) {
-    const QPolygonF house({at + QPointF(-5, 5), at + QPointF(-5, -1), at + QPointF(0, -6), at + QPointF(5, -1), at + QPointF(5, 5)});
+    const QPolygonF house({at + QPointF(-5, 5), at + QPointF(-5, -1), at + QPointF(0, -6),
+                           at + QPointF(5, -1), at + QPointF(5, 5)});
     painter.drawPolygon(house);
   } else if (place.kind() == Place::DOCK) {
     painter.drawRect(QRectF(at - QPointF(5, 5), QSizeF(10, 10)));
@@ -97,11 +107,13 @@ void paintSign(QPainter& painter, const Place& place, const QPointF& at, const Q
   }
   if (!place.has_heading()) return;
   const double heading = place.pose().heading();
-  const QPointF ahead = toWidget.map(QPointF(place.pose().x() + std::cos(heading), place.pose().y() + std::sin(heading))) - at;
+  const QPointF ahead =
+      toWidget.map(QPointF(place.pose().x() + std::cos(heading), place.pose().y() + std::sin(heading))) - at;
   painter.drawLine(at, at + ahead * (14 / std::max(1e-9, std::hypot(ahead.x(), ahead.y()))));
 }
 
-void paintSpot(QPainter& painter, const Place& place, const QTransform& toWidget, const QPalette& palette, bool highlighted) {
+void paintSpot(QPainter& painter, const Place& place, const QTransform& toWidget, const QPalette& palette,
+               bool highlighted) {
   const QPointF at = toWidget.map(QPointF(place.pose().x(), place.pose().y()));
   if (!isFinite(at.x(), at.y())) return;
   const QColor color = colorOf(place.kind() == Place::GOAL ? Meaning::kNote : Meaning::kMuted, palette);
@@ -139,7 +151,8 @@ void paintWalls(QImage& image, const GroundMap& map, const QTransform& toPixels,
   paintPoints(image, map, toPixels, qPremultiply(color.rgba()));
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
-  painter.setPen(QPen(color, std::clamp(kPointsApart * scaleOf(toPixels), 2.0, 8.0), Qt::SolidLine, Qt::RoundCap));
+  painter.setPen(
+      QPen(color, std::clamp(kPointsApart * scaleOf(toPixels), 2.0, 8.0), Qt::SolidLine, Qt::RoundCap));
   const QRectF seen(-8, -8, image.width() + 16, image.height() + 16);
   for (const auto& line : map.lines()) {
     if (!isFinite(line.x1() + line.x2(), line.y1() + line.y2())) continue;
@@ -150,7 +163,8 @@ void paintWalls(QImage& image, const GroundMap& map, const QTransform& toPixels,
   }
 }
 
-void paintPlaces(QPainter& painter, const GroundMap& map, const QTransform& toWidget, const QPalette& palette, int highlighted) {
+void paintPlaces(QPainter& painter, const GroundMap& map, const QTransform& toWidget, const QPalette& palette,
+                 int highlighted) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   for (const Place& place : map.places()) {
@@ -176,10 +190,11 @@ int placeAt(const GroundMap& map, const QTransform& toWidget, const QPointF& at,
   return nearest;
 }
 
-MapGround::MapGround(std::shared_ptr<const GroundMap> map) : map_(std::move(map)), extent_(mapExtent(*map_)) {}
+MapGround::MapGround(std::shared_ptr<const GroundMap> map)
+    : map_(std::move(map)), extent_(mapExtent(*map_)) {}
 
-void MapGround::paint(QPainter& painter, const QSize& widget, const QTransform& toWidget, const QPalette& palette, double ratio,
-                      int highlighted) const {
+void MapGround::paint(QPainter& painter, const QSize& widget, const QTransform& toWidget,
+                      const QPalette& palette, double ratio, int highlighted) const {
   painter.fillRect(QRect(QPoint(), widget), palette.color(QPalette::Base));
   const QColor color = mixed(palette.color(QPalette::Text), palette.color(QPalette::Base), 0.15);
   const QSize pixels = (QSizeF(widget) * ratio).toSize();

@@ -8,7 +8,8 @@
 
 namespace widgets {
 
-std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot, robotlink::Instant shown) {
+std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot,
+                                 robotlink::Instant shown) {
   const auto* path = store.latestAs<robotcontrol::DrivePath>(robot + "/" + robotlink::kDrivePath.name, shown);
   if (path == nullptr || !path->has_goal() || path->goal().cancelled()) return {};
   DriveAim aim;

@@ -16,7 +16,8 @@ class StreamStore;
 
 namespace widgets {
 
-/// Where a robot on wheels is going and how, as models/path tells it; metres and radians, in the field's frame.
+/// Where a robot on wheels is going and how, as models/path tells it; metres and radians, in the field's
+/// frame.
 struct DriveAim {
   std::string robot;
   QColor color;  ///< the robot's
@@ -29,6 +30,7 @@ struct DriveAim {
 };
 
 /// Nothing if it is going nowhere.
-std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot, robotlink::Instant shown);
+std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot,
+                                 robotlink::Instant shown);
 
 }  // namespace widgets

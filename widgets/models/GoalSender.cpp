@@ -74,6 +74,8 @@ void GoalSender::tick() {
   if (sent_ && ++sentTicks_ > kSentTicks) sent_.reset();
 }
 
-QString GoalSender::refusal() const { return answer_->refusal; }
+QString GoalSender::refusal() const {
+  return answer_->refusal;
+}
 
 }  // namespace widgets

@@ -14,8 +14,9 @@ class Session;
 
 namespace widgets {
 
-/// Sends a robot to a place with the mouse: press where it shall go, drag to where it shall look then, release. Poses in the
-/// field's frame, metres and radians. GUI thread; answers that come after its end are harmless.
+/// Sends a robot to a place with the mouse: press where it shall go, drag to where it shall look then,
+/// release. Poses in the field's frame, metres and radians. GUI thread; answers that come after its end are
+/// harmless.
 class GoalSender {
  public:
   /// What is aimed at between press and release.

@@ -27,7 +27,8 @@ PacketEntry markerEntry(PacketEntry::Kind kind, Instant time) {
   PacketEntry entry;
   entry.kind = kind;
   entry.time = time;
-  entry.name = kind == PacketEntry::Kind::kClosed ? QObject::tr("connection closed") : QObject::tr("new connection");
+  entry.name =
+      kind == PacketEntry::Kind::kClosed ? QObject::tr("connection closed") : QObject::tr("new connection");
   return entry;
 }
 
@@ -38,7 +39,8 @@ arcos::Conversation conversationOf(const PacketModel& model) {
   arcos::Conversation conversation;
   if (model.rowCount() == 0) return conversation;
   Instant start = model.entry(0).time;
-  if (model.entry(0).kind != PacketEntry::Kind::kNewConnection) conversation.events.push_back(marker(Kind::kNewConnection, {}));
+  if (model.entry(0).kind != PacketEntry::Kind::kNewConnection)
+    conversation.events.push_back(marker(Kind::kNewConnection, {}));
   for (int row = 0; row < model.rowCount(); ++row) {
     const PacketEntry& entry = model.entry(row);
     if (entry.kind == PacketEntry::Kind::kNewConnection) {
@@ -46,7 +48,8 @@ arcos::Conversation conversationOf(const PacketModel& model) {
       conversation.events.push_back(marker(Kind::kNewConnection, {}));
       continue;
     }
-    auto event = marker(entry.kind == PacketEntry::Kind::kClosed ? Kind::kClosed : Kind::kPacket, std::max(Duration(0), entry.time - start));
+    auto event = marker(entry.kind == PacketEntry::Kind::kClosed ? Kind::kClosed : Kind::kPacket,
+                        std::max(Duration(0), entry.time - start));
     event.direction = entry.fromRobot ? arcos::Direction::kFromRobot : arcos::Direction::kFromClient;
     event.bytes.assign(entry.bytes.begin(), entry.bytes.end());
     conversation.events.push_back(std::move(event));
@@ -71,7 +74,8 @@ std::vector<PacketEntry> entriesOf(const arcos::Conversation& conversation) {
       continue;
     }
     const bool fromRobot = event.direction == arcos::Direction::kFromRobot;
-    entries.push_back(packetEntry(start + event.at, fromRobot, std::string(event.bytes.begin(), event.bytes.end())));
+    entries.push_back(
+        packetEntry(start + event.at, fromRobot, std::string(event.bytes.begin(), event.bytes.end())));
   }
   return entries;
 }
@@ -113,7 +117,8 @@ std::vector<std::string> ConversationReplay::tick(Instant now) {
   if (state_ != State::kRunning) return due;
   if (last_) reached_ += std::clamp(now - *last_, Duration(0), kLongestTick);
   last_ = now;
-  while (next_ < half_.packets.size() && half_.packets[next_].at <= reached_) due.push_back(half_.packets[next_++].bytes);
+  while (next_ < half_.packets.size() && half_.packets[next_].at <= reached_)
+    due.push_back(half_.packets[next_++].bytes);
   if (next_ == half_.packets.size()) state_ = State::kIdle;
   return due;
 }

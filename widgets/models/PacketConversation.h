@@ -12,14 +12,15 @@ namespace widgets {
 
 class PacketModel;
 
-// Between tables of packets and recorded conversations. Times of a conversation count from the beginning of its connection.
+// Between tables of packets and recorded conversations. Times of a conversation count from the beginning of
+// its connection.
 
 /// All rows. Where no connection begins in them, one begins at the first.
 robotlink::arcos::Conversation conversationOf(const PacketModel& model);
 std::vector<PacketEntry> entriesOf(const robotlink::arcos::Conversation& conversation);
 
-/// What a client said, to be said again to a robot whose connection is already made: what makes and ends a connection (SYNC, OPEN,
-/// CLOSE) is left out, as it would end that one.
+/// What a client said, to be said again to a robot whose connection is already made: what makes and ends a
+/// connection (SYNC, OPEN, CLOSE) is left out, as it would end that one.
 struct ClientHalf {
   struct Said {
     robotlink::Duration at;  ///< since the first
@@ -30,8 +31,8 @@ struct ClientHalf {
 };
 ClientHalf clientHalf(const PacketModel& model);
 
-/// Says a client's half again, at its times or one by one. A state machine that is fed with the time of the robot's platform;
-/// one thread.
+/// Says a client's half again, at its times or one by one. A state machine that is fed with the time of the
+/// robot's platform; one thread.
 class ConversationReplay {
  public:
   enum class State : std::uint8_t { kIdle, kRunning, kStepping };
@@ -42,8 +43,8 @@ class ConversationReplay {
   /// From single steps to its own times, and back.
   void setStepping(bool stepping);
 
-  /// What is due. If nobody asked for long (the view was hidden, the clock was set) it goes on where it was, without haste. After
-  /// the last packet it is idle.
+  /// What is due. If nobody asked for long (the view was hidden, the clock was set) it goes on where it was,
+  /// without haste. After the last packet it is idle.
   std::vector<std::string> tick(robotlink::Instant now);
   /// The next one, whatever its time; empty after the last.
   std::string step();

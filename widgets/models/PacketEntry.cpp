@@ -67,7 +67,8 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
 
 arcos::PacketDescription describePacket(const PacketEntry& entry) {
   const auto found = parse(entry.bytes);
-  if (const auto* packet = std::get_if<arcos::Packet>(&found)) return arcos::describe(*packet, directionOf(entry.fromRobot));
+  if (const auto* packet = std::get_if<arcos::Packet>(&found))
+    return arcos::describe(*packet, directionOf(entry.fromRobot));
   arcos::PacketDescription description;
   description.name = entry.name.toStdString();
   description.problem = arcos::describe(std::get<arcos::Damage>(found).kind);

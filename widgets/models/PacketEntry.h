@@ -21,7 +21,8 @@ struct PacketEntry {
   QString summary;    ///< one line
 };
 
-/// Decodes `bytes`; that they are damaged is found by itself, `damaged` says what whoever told them knows besides.
+/// Decodes `bytes`; that they are damaged is found by itself, `damaged` says what whoever told them knows
+/// besides.
 PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string bytes, bool damaged = false);
 /// Field by field; of damaged bytes the problem.
 robotlink::arcos::PacketDescription describePacket(const PacketEntry& entry);

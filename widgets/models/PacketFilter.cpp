@@ -49,8 +49,10 @@ bool PacketFilter::filterAcceptsRow(int row, const QModelIndex&) const {
   if (from_ != From::kBoth && entry.fromRobot != (from_ == From::kRobot)) return false;
   if (!hidden_.isEmpty() && hidden_.contains(entry.name)) return false;
   if (text_.isEmpty()) return true;
-  if (entry.name.contains(text_, Qt::CaseInsensitive) || entry.summary.contains(text_, Qt::CaseInsensitive)) return true;
-  return !bytes_.isEmpty() && entry.bytes.find(bytes_.constData(), 0, static_cast<std::size_t>(bytes_.size())) != std::string::npos;
+  if (entry.name.contains(text_, Qt::CaseInsensitive) || entry.summary.contains(text_, Qt::CaseInsensitive))
+    return true;
+  return !bytes_.isEmpty() && entry.bytes.find(bytes_.constData(), 0,
+                                               static_cast<std::size_t>(bytes_.size())) != std::string::npos;
 }
 
 }  // namespace widgets

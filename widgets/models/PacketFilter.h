@@ -6,7 +6,8 @@
 
 namespace widgets {
 
-/// Shows of a PacketModel what passes all of: a direction, names that are not hidden, a text, only what is damaged.
+/// Shows of a PacketModel what passes all of: a direction, names that are not hidden, a text, only what is
+/// damaged.
 class PacketFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:

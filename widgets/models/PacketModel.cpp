@@ -8,13 +8,16 @@
 
 namespace widgets {
 
-PacketModel::PacketModel(std::size_t capacity, QObject* parent) : QAbstractTableModel(parent), capacity_(capacity) {}
+PacketModel::PacketModel(std::size_t capacity, QObject* parent)
+    : QAbstractTableModel(parent), capacity_(capacity) {}
 
 void PacketModel::append(std::vector<PacketEntry> entries) {
-  if (entries.size() > capacity_) entries.erase(entries.begin(), entries.end() - static_cast<std::ptrdiff_t>(capacity_));
+  if (entries.size() > capacity_)
+    entries.erase(entries.begin(), entries.end() - static_cast<std::ptrdiff_t>(capacity_));
   if (entries.empty()) return;
   const std::size_t wanted = entries_.size() + entries.size();
-  if (wanted > capacity_) forgetFirst(std::min(entries_.size(), std::max(wanted - capacity_, capacity_ / 100)));
+  if (wanted > capacity_)
+    forgetFirst(std::min(entries_.size(), std::max(wanted - capacity_, capacity_ / 100)));
   const int first = static_cast<int>(entries_.size());
   beginInsertRows({}, first, first + static_cast<int>(entries.size()) - 1);
   for (PacketEntry& entry : entries) {
@@ -54,7 +57,9 @@ int PacketModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(entries_.size());
 }
 
-int PacketModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int PacketModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
 
 QString PacketModel::text(const PacketEntry& entry, int column) {
   const bool packet = entry.kind == PacketEntry::Kind::kPacket;

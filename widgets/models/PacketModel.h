@@ -10,8 +10,8 @@
 
 namespace widgets {
 
-/// Packets of one robot, or of a file, as a table. Bounded: past `capacity` rows the oldest go, some hundred at a time, so that
-/// a full table costs no more than an empty one. A batch is one insertion. GUI thread.
+/// Packets of one robot, or of a file, as a table. Bounded: past `capacity` rows the oldest go, some hundred
+/// at a time, so that a full table costs no more than an empty one. A batch is one insertion. GUI thread.
 class PacketModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

@@ -25,10 +25,13 @@ constexpr double kLaserMaximum = 32;  // m, where no description tells it
 constexpr robotlink::Duration kLaserMemory = std::chrono::seconds(2);
 constexpr int kMostReadings = 20'000;  // of one message: what is beyond is no laser's
 
-std::string pathOf(const std::string& robot, const char* package) { return robot + '/' + package; }
+std::string pathOf(const std::string& robot, const char* package) {
+  return robot + '/' + package;
+}
 
 std::optional<Pose2> odometryAt(const StreamStore& store, const std::string& robot, Instant time) {
-  const auto* state = store.latestAs<robotcontrol::DriveState>(pathOf(robot, robotlink::kDriveState.name), time);
+  const auto* state =
+      store.latestAs<robotcontrol::DriveState>(pathOf(robot, robotlink::kDriveState.name), time);
   if (state == nullptr) return {};
   return robotlink::pose2(state->odometry());
 }
@@ -51,7 +54,8 @@ Instant timeOf(const robotcontrol::SonarReadings::Reading& reading, Instant mess
   return own > message || message - own > std::chrono::seconds(1) ? message : own;
 }
 
-void addSonar(RadarReadings& readings, const StreamStore& store, const std::string& robot, Instant shown, robotlink::Duration memory) {
+void addSonar(RadarReadings& readings, const StreamStore& store, const std::string& robot, Instant shown,
+              robotlink::Duration memory) {
   const auto* stream = store.find(pathOf(robot, robotlink::kSonar.name));
   if (stream == nullptr) return;
   const auto now = odometryAt(store, robot, shown);
@@ -118,13 +122,16 @@ std::optional<double> RadarReadings::nearestLaser() const {
   return nearest;
 }
 
-RadarReadings radarReadings(const StreamStore& store, const std::string& robot, const robotlink::RobotDescription* description,
-                            Instant shown, robotlink::Duration memory) {
+RadarReadings radarReadings(const StreamStore& store, const std::string& robot,
+                            const robotlink::RobotDescription* description, Instant shown,
+                            robotlink::Duration memory) {
   RadarReadings readings;
-  if (description != nullptr && description->drive) readings.body = {description->drive->length, description->drive->width};
+  if (description != nullptr && description->drive)
+    readings.body = {description->drive->length, description->drive->width};
   if (const auto* message = store.latest(pathOf(robot, robotlink::kDriveState.name), shown)) {
     readings.time = message->time;
-    if (const auto* state = dynamic_cast<const robotcontrol::DriveState*>(message->value.get())) addState(readings, *state);
+    if (const auto* state = dynamic_cast<const robotcontrol::DriveState*>(message->value.get()))
+      addState(readings, *state);
   }
   addSonar(readings, store, robot, shown, memory);
   if (readings.openingAngle == 0 && description != nullptr && description->sonars) {
@@ -134,8 +141,10 @@ RadarReadings radarReadings(const StreamStore& store, const std::string& robot, 
   const auto* laser = store.latest(pathOf(robot, robotlink::kLaser.name), shown);
   if (laser != nullptr && shown - laser->time <= kLaserMemory) {
     readings.time = std::max(readings.time.value_or(laser->time), laser->time);
-    const double maximum = description != nullptr && description->laser ? description->laser->maximum : kLaserMaximum;
-    if (const auto* scan = dynamic_cast<const foxglove::LaserScan*>(laser->value.get())) addLaser(readings, *scan, maximum);
+    const double maximum =
+        description != nullptr && description->laser ? description->laser->maximum : kLaserMaximum;
+    if (const auto* scan = dynamic_cast<const foxglove::LaserScan*>(laser->value.get()))
+      addLaser(readings, *scan, maximum);
   }
   return readings;
 }

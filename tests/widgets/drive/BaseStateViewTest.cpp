@@ -27,7 +27,9 @@ robotcontrol::LinkStatus connected() {
   return status;
 }
 
-QString text(QWidget& view, const char* name) { return child<QLabel>(view, name).text(); }
+QString text(QWidget& view, const char* name) {
+  return child<QLabel>(view, name).text();
+}
 
 }  // namespace
 
@@ -96,7 +98,8 @@ class BaseStateViewTest : public QObject {
     world.tick(*view);
     QVERIFY(!motors.isChecked());
     click(child<QToolButton>(*view, "baseSonar"));
-    QVERIFY(world.requests.back().control_drive().has_sonar() && !world.requests.back().control_drive().sonar());
+    QVERIFY(world.requests.back().control_drive().has_sonar() &&
+            !world.requests.back().control_drive().sonar());
     click(child<QToolButton>(*view, "baseResetOdometry"));
     QVERIFY(world.requests.back().control_drive().reset_odometry());
   }

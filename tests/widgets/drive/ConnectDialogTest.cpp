@@ -26,7 +26,8 @@ struct Shown : DriveWorld {
                    {"map", robotlink::CommandTable::Type::kText, ""}},
                   [this](const Values& values) -> robotlink::Result<void> {
                     asked.clear();
-                    for (const auto& value : values) asked << QString::fromStdString(std::get<std::string>(value));
+                    for (const auto& value : values)
+                      asked << QString::fromStdString(std::get<std::string>(value));
                     if (!refusal.empty()) return robotlink::failure("test", refusal);
                     return {};
                   }});
@@ -57,7 +58,8 @@ struct Shown : DriveWorld {
     dialog->tick();
   }
 
-  std::vector<robotlink::arcos::SerialPort> ports{{"/dev/ttyUSB0", "FTDI adapter"}, {"/dev/ttyS0", "built-in serial port"}};
+  std::vector<robotlink::arcos::SerialPort> ports{{"/dev/ttyUSB0", "FTDI adapter"},
+                                                  {"/dev/ttyS0", "built-in serial port"}};
   QStringList asked;
   std::string refusal;
   double time = 0;
@@ -99,7 +101,8 @@ class ConnectDialogTest : public QObject {
     QVERIFY(s.text("connectMeaning").contains(QStringLiteral("host is missing")));
     auto& serial = child<QRadioButton>(*s.dialog, "connectSerial");
     QTest::mouseClick(&serial, Qt::LeftButton, {}, {8, serial.height() / 2});
-    QVERIFY2(s.address->text().startsWith(QStringLiteral("serial:///dev/ttyUSB0")), qPrintable(s.address->text()));
+    QVERIFY2(s.address->text().startsWith(QStringLiteral("serial:///dev/ttyUSB0")),
+             qPrintable(s.address->text()));
     auto& device = child<QComboBox>(*s.dialog, "connectDevice");
     device.setFocus();
     QTest::keyClick(&device, Qt::Key_Down);
@@ -126,8 +129,10 @@ class ConnectDialogTest : public QObject {
     QTest::keyClick(&layout, Qt::Key_Down);
     QSignalSpy connected(s.dialog.get(), &widgets::ConnectDialog::connected);
     click(s.button());
-    QCOMPARE(s.asked, QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("pioneer"), QStringLiteral("/maps/office.map")}));
-    QCOMPARE(s.dialog->recent(), QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("tcp://localhost:8105")}));
+    QCOMPARE(s.asked, QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("pioneer"),
+                                   QStringLiteral("/maps/office.map")}));
+    QCOMPARE(s.dialog->recent(),
+             QStringList({QStringLiteral("tcp://robot:8101"), QStringLiteral("tcp://localhost:8105")}));
     QVERIFY(child<QProgressBar>(*s.dialog, "connectProgress").isVisible());
     QVERIFY(!s.button().isEnabled());
     s.tell(robotcontrol::LinkStatus::LOST, "nobody listens at tcp://robot:8101; it is tried again in 2 s");

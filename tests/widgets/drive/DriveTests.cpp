@@ -8,7 +8,8 @@ int main(int argc, char** argv) {
   QApplication application(argc, argv);
   Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
   int failures = 0;
-  for (const auto run : {runRadarTests, runBaseStateTests, runMapTests, runDrivingTests, runPacketTests, runConnectTests})
+  for (const auto run :
+       {runRadarTests, runBaseStateTests, runMapTests, runDrivingTests, runPacketTests, runConnectTests})
     failures += run(argc, argv);
   Bench::tidyUp();
   return failures;

@@ -20,7 +20,8 @@
 /// A bench with two Pioneers, "p3at1" (selected) and "p3at2", whose streams the test tells.
 struct DriveWorld : Bench {
   DriveWorld() {
-    auto description = robotlink::readRobotDescription(std::string(ROBOTCONTROL_SOURCE_DIR) + "/resources/robots/p3at.yaml");
+    auto description =
+        robotlink::readRobotDescription(std::string(ROBOTCONTROL_SOURCE_DIR) + "/resources/robots/p3at.yaml");
     if (!description) qFatal("the description of the p3at cannot be read");
     const auto shared = std::make_shared<const robotlink::RobotDescription>(std::move(*description));
     context.robots = {{"p3at1", shared}, {"p3at2", shared}};
@@ -54,7 +55,8 @@ struct DriveWorld : Bench {
     for (const auto& [number, range] : ranges) {
       auto& reading = *readings.add_readings();
       reading.set_number(static_cast<unsigned>(number));
-      robotlink::assign(*reading.mutable_sensor_in_robot(), sonars.sensors[static_cast<std::size_t>(number)].inRobot);
+      robotlink::assign(*reading.mutable_sensor_in_robot(),
+                        sonars.sensors[static_cast<std::size_t>(number)].inRobot);
       reading.set_range(range);
     }
     return readings;
@@ -84,7 +86,8 @@ struct DriveWorld : Bench {
     }
     push("transforms", transforms, time);
   }
-  void pushEstimate(const std::string& robot, const robotlink::Pose2& pose, double time, double deviation = 0.1) {
+  void pushEstimate(const std::string& robot, const robotlink::Pose2& pose, double time,
+                    double deviation = 0.1) {
     robotcontrol::RobotPose estimate;
     robotlink::assign(*estimate.mutable_robot_in_field(), pose);
     estimate.set_position_deviation(deviation);
@@ -105,7 +108,8 @@ struct DriveWorld : Bench {
       map.add_points(4);
       map.add_points(static_cast<float>(0.02 * i));
     }
-    const auto place = [&](robotcontrol::GroundMap::Place::Kind kind, const char* name, double x, double y) -> auto& {
+    const auto place = [&](robotcontrol::GroundMap::Place::Kind kind, const char* name, double x,
+                           double y) -> auto& {
       auto& added = *map.add_places();
       added.set_kind(kind);
       added.set_name(name);
@@ -125,12 +129,14 @@ struct DriveWorld : Bench {
   /// A map of the shared data; empty where that is missing.
   static robotcontrol::GroundMap sharedMap(const char* name) {
     robotcontrol::GroundMap message;
-    const auto map = robotlink::GroundMap::load(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "../shared/data/arcos" / name);
+    const auto map = robotlink::GroundMap::load(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
+                                                "../shared/data/arcos" / name);
     if (!map) return message;
     message.set_name(map->name);
     for (const auto& line : map->lines) {
       auto& added = *message.add_lines();
-      added.set_x1(line.from.x()), added.set_y1(line.from.y()), added.set_x2(line.to.x()), added.set_y2(line.to.y());
+      added.set_x1(line.from.x()), added.set_y1(line.from.y()), added.set_x2(line.to.x()),
+          added.set_y2(line.to.y());
     }
     for (const auto& point : map->points) {
       message.add_points(static_cast<float>(point.x()));

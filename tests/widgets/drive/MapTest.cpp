@@ -21,7 +21,9 @@ struct Shown : DriveWorld {
   }
   QPoint at(double x, double y) const { return canvas->transform().map(QPointF(x, y)).toPoint(); }
   QColor colorAt(double x, double y) const { return canvas->rendered().pixelColor(at(x, y)); }
-  bool isGround(double x, double y) const { return isNear(colorAt(x, y), canvas->palette().color(QPalette::Base), 8); }
+  bool isGround(double x, double y) const {
+    return isNear(colorAt(x, y), canvas->palette().color(QPalette::Base), 8);
+  }
   void press(double x, double y, Qt::KeyboardModifiers modifiers = {}) {
     QTest::mousePress(canvas, Qt::LeftButton, modifiers, at(x, y));
   }
@@ -50,7 +52,7 @@ class MapTest : public QObject {
 
   void wallsAreLinesAndPoints() {
     Shown s;
-    QVERIFY(!s.isGround(2, 0) && !s.isGround(8, 3));  // lines
+    QVERIFY(!s.isGround(2, 0) && !s.isGround(8, 3));                            // lines
     QVERIFY(!s.isGround(4, 1.5) && !s.isGround(4, 2.9) && s.isGround(4, 3.4));  // points
     QVERIFY(s.isGround(2, 3));
     int forbidden = 0;
@@ -64,7 +66,8 @@ class MapTest : public QObject {
 
   void allOfABuildingIsSeenAtFirst() {
     Shown s;
-    for (const auto& [x, y] : {std::pair(0.0, 0.0), {8.0, 6.0}}) QVERIFY(s.canvas->rect().contains(s.at(x, y)));
+    for (const auto& [x, y] : {std::pair(0.0, 0.0), {8.0, 6.0}})
+      QVERIFY(s.canvas->rect().contains(s.at(x, y)));
     QVERIFY(s.at(4, 3).x() - s.canvas->rect().center().x() <= 1);
   }
 
@@ -78,7 +81,8 @@ class MapTest : public QObject {
     s.release(2, 3);
     QCOMPARE(s.requests.size(), std::size_t{1});
     QCOMPARE(s.requests.back().robot(), std::string("p3at1"));
-    QVERIFY(std::abs(s.goal().pose_in_field().x() - 2) < 0.02 && std::abs(s.goal().pose_in_field().y() - 3) < 0.02);
+    QVERIFY(std::abs(s.goal().pose_in_field().x() - 2) < 0.02 &&
+            std::abs(s.goal().pose_in_field().y() - 3) < 0.02);
     QVERIFY(s.goal().any_heading() && !s.goal().cancelled());
   }
 

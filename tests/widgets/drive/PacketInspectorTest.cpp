@@ -28,11 +28,16 @@ using widgets::PacketModel;
 
 namespace {
 
-Bytes command(int id, int argument) { return encode(toPacket(Command{static_cast<std::uint8_t>(id), argument})); }
-Bytes bare(int id) { return encode(robotlink::arcos::Packet{static_cast<std::uint8_t>(id), {}}); }
+Bytes command(int id, int argument) {
+  return encode(toPacket(Command{static_cast<std::uint8_t>(id), argument}));
+}
+Bytes bare(int id) {
+  return encode(robotlink::arcos::Packet{static_cast<std::uint8_t>(id), {}});
+}
 /// A short information packet: it ends behind the number of its sonar readings.
 Bytes information() {
-  return robotlink::arcos::encode({0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
+  return robotlink::arcos::encode(
+      {0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
 }
 
 struct Shown : DriveWorld {
@@ -72,7 +77,8 @@ std::string conversation() {
     Conversation::Event event;
     event.kind = kind;
     event.at = std::chrono::milliseconds(ms);
-    event.direction = fromRobot ? robotlink::arcos::Direction::kFromRobot : robotlink::arcos::Direction::kFromClient;
+    event.direction =
+        fromRobot ? robotlink::arcos::Direction::kFromRobot : robotlink::arcos::Direction::kFromClient;
     event.bytes = std::move(bytes);
     talk.events.push_back(event);
   };
@@ -95,7 +101,8 @@ std::string conversation() {
 QString fileOf(const QTemporaryDir& folder, const std::string& text) {
   const QString name = folder.filePath(QStringLiteral("talk.wire"));
   QFile file(name);
-  if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0) qFatal("no file");
+  if (!file.open(QIODevice::WriteOnly) || file.write(text.data(), static_cast<qint64>(text.size())) < 0)
+    qFatal("no file");
   return name;
 }
 
@@ -110,7 +117,8 @@ class PacketInspectorTest : public QObject {
     std::vector<widgets::PacketEntry> entries;
     const Bytes bytes = bare(0);
     for (int i = 0; i < 150; ++i)
-      entries.push_back(widgets::packetEntry(robotlink::Instant(std::chrono::milliseconds(i)), false, std::string(bytes.begin(), bytes.end())));
+      entries.push_back(widgets::packetEntry(robotlink::Instant(std::chrono::milliseconds(i)), false,
+                                             std::string(bytes.begin(), bytes.end())));
     model.append(entries);
     model.append(entries);
     QVERIFY(model.rowCount() <= 200 && model.rowCount() > 150);
@@ -171,7 +179,8 @@ class PacketInspectorTest : public QObject {
     auto& menu = child<QMenu>(*s.view, "packetsNamesMenu");
     menu.popup({0, 0});
     const auto actions = menu.actions();
-    const auto vel = std::find_if(actions.begin(), actions.end(), [](QAction* a) { return a->text() == QStringLiteral("VEL (1)"); });
+    const auto vel = std::find_if(actions.begin(), actions.end(),
+                                  [](QAction* a) { return a->text() == QStringLiteral("VEL (1)"); });
     QVERIFY(vel != actions.end());
     QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(*vel).center());
     QCOMPARE(s.rows(), 3);
@@ -185,7 +194,8 @@ class PacketInspectorTest : public QObject {
   void thePacketUnderTheCursorIsTakenApart() {
     Shown s;
     s.pushTalk();
-    QTest::mouseClick(s.table->viewport(), Qt::LeftButton, {}, s.table->visualRect(s.table->model()->index(0, 2)).center());
+    QTest::mouseClick(s.table->viewport(), Qt::LeftButton, {},
+                      s.table->visualRect(s.table->model()->index(0, 2)).center());
     auto& details = child<QTreeWidget>(*s.view, "packetDetails");
     QCOMPARE(details.topLevelItem(0)->text(0), QStringLiteral("VEL"));
     bool speed = false;
@@ -194,7 +204,8 @@ class PacketInspectorTest : public QObject {
       speed |= field->text(1) == QStringLiteral("250") && field->text(2) == QStringLiteral("mm/s");
     }
     QVERIFY(speed);
-    QCOMPARE(details.topLevelItem(1)->child(0)->text(0), QStringLiteral("0000  fa fb 06 0b 3b fa 00 05  ....;..."));
+    QCOMPARE(details.topLevelItem(1)->child(0)->text(0),
+             QStringLiteral("0000  fa fb 06 0b 3b fa 00 05  ....;..."));
     QVERIFY(!child<QToolButton>(*s.view, "packetsFollow").isChecked());  // who reads is not carried away
     s.table->setFocus();
     QTest::keyClick(s.table, Qt::Key_C, Qt::ControlModifier);
@@ -294,7 +305,8 @@ class PacketInspectorTest : public QObject {
       click(step);
       QCOMPARE(s.sent().size(), static_cast<std::size_t>(i));
     }
-    QVERIFY(child<QLabel>(*s.view, "packetReplayState").text().startsWith(QStringLiteral("All of it was said")));
+    QVERIFY(
+        child<QLabel>(*s.view, "packetReplayState").text().startsWith(QStringLiteral("All of it was said")));
     click(step);  // begins anew
     s.answer(false, "the line is lost");
     s.tick(*s.view);
@@ -304,14 +316,16 @@ class PacketInspectorTest : public QObject {
 
   void showsAWholePicture() {
     Shown s;
-    const std::filesystem::path wire = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "../shared/data/arcos/wire/simpleMotionCommands.wire.xz";
+    const std::filesystem::path wire = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
+                                       "../shared/data/arcos/wire/simpleMotionCommands.wire.xz";
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("simpleMotionCommands.wire"));
     const std::string unpack = "xz -dc '" + wire.string() + "' > '" + file.toStdString() + "' 2>/dev/null";
     if (std::system(unpack.c_str()) != 0) QSKIP("the recorded conversations are not there");
     QVERIFY(s.view->openConversation(file));
     QVERIFY(s.rows() > 100);
-    for (int row = 0; row < s.rows(); ++row) QVERIFY2(!s.cell(row, PacketModel::kName).isEmpty(), qPrintable(s.cell(row, PacketModel::kSummary)));
+    for (int row = 0; row < s.rows(); ++row)
+      QVERIFY2(!s.cell(row, PacketModel::kName).isEmpty(), qPrintable(s.cell(row, PacketModel::kSummary)));
     s.tick(*s.view);
     s.table->selectRow(14);
     s.view->resize(1150, 520);

@@ -33,7 +33,9 @@ struct Painted {
     QPainter painter(&picture);
     widgets::paintRadar(painter, readings, look, whitePalette());
   }
-  QPoint at(double x, double y) const { return widgets::robotToWidget(look, heading).map(QPointF(x, y)).toPoint(); }
+  QPoint at(double x, double y) const {
+    return widgets::robotToWidget(look, heading).map(QPointF(x, y)).toPoint();
+  }
   QColor colorAt(double x, double y) const { return picture.pixelColor(at(x, y)); }
   RadarLook look;
   double heading;
@@ -49,7 +51,9 @@ RadarReadings::Echo echo(double range, double age) {
   return echo;
 }
 
-bool isBlue(const QColor& color) { return color.blue() > color.red() + 25; }
+bool isBlue(const QColor& color) {
+  return color.blue() > color.red() + 25;
+}
 
 }  // namespace
 
@@ -62,7 +66,7 @@ class RadarViewTest : public QObject {
     readings.echoes = {echo(2, 0)};
     const Painted fresh(readings);
     QVERIFY(isBlue(fresh.colorAt(2.2, 0)));
-    QVERIFY(isBlue(fresh.colorAt(1.2, 0)));   // the cone, paler
+    QVERIFY(isBlue(fresh.colorAt(1.2, 0)));  // the cone, paler
     QVERIFY(!isBlue(fresh.colorAt(2.6, 0.1)));
     QVERIFY(!isBlue(fresh.colorAt(-1.9, 0.1)));
     readings.echoes = {echo(2, 1.8)};
@@ -111,7 +115,9 @@ class RadarViewTest : public QObject {
     auto view = world.open<widgets::RadarView>();
     const auto& echoes = child<widgets::RadarCanvas>(*view, "radarCanvas").readings().echoes;
     QCOMPARE(echoes.size(), std::size_t{3});
-    const auto x = [](const RadarReadings::Echo& e) { return e.sensorInRobot.x + e.range * std::cos(e.sensorInRobot.heading); };
+    const auto x = [](const RadarReadings::Echo& e) {
+      return e.sensorInRobot.x + e.range * std::cos(e.sensorInRobot.heading);
+    };
     QVERIFY(!echoes[0].newest && echoes[1].newest && echoes[2].nothing);
     QVERIFY(std::abs(echoes[0].age - 1) < 1e-6);
     QVERIFY(std::abs(x(echoes[0]) - x(echoes[1])) < 0.02);  // the same wall
@@ -208,15 +214,20 @@ class RadarViewTest : public QObject {
       world.push("p3at1/drive/state", state, 1 + 0.1 * i);
       const int a = i % 8, b = 8 + (i + 3) % 8;
       world.push("p3at1/range/sonar",
-                 world.sonar({{a, 1.2 + 0.25 * a - 0.04 * i}, {b, b == 12 ? 5.0 : 3.4 - 0.2 * (b - 8) + 0.04 * i}, {(a + 4) % 8, 1.9}}), 1 + 0.1 * i);
+                 world.sonar({{a, 1.2 + 0.25 * a - 0.04 * i},
+                              {b, b == 12 ? 5.0 : 3.4 - 0.2 * (b - 8) + 0.04 * i},
+                              {(a + 4) % 8, 1.9}}),
+                 1 + 0.1 * i);
     }
     world.push("p3at1/range/laser", DriveWorld::laser([](double angle) {
-                 return std::min(1.7 / std::max(0.02, std::abs(std::cos(angle))), 2.1 / std::max(0.02, std::abs(std::sin(angle))));
+                 return std::min(1.7 / std::max(0.02, std::abs(std::cos(angle))),
+                                 2.1 / std::max(0.02, std::abs(std::sin(angle))));
                }),
                2.9);
     auto view = world.open<widgets::RadarView>({560, 600});
     widgets::test::keepPicture(*view, "radar-view");
-    QVERIFY(widgets::test::countNear(child<widgets::RadarCanvas>(*view, "radarCanvas").rendered(), QColor(168, 93, 0), 40) > 100);
+    QVERIFY(widgets::test::countNear(child<widgets::RadarCanvas>(*view, "radarCanvas").rendered(),
+                                     QColor(168, 93, 0), 40) > 100);
   }
 };
 
