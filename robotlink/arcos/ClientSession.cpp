@@ -12,47 +12,13 @@ using State = ClientSession::State;
 
 /// What an owner may leave unwritten before commands are refused.
 constexpr std::size_t kMaximumOutgoing = 64U << 10U;
-constexpr Duration kGapWindow = std::chrono::seconds(5);
-constexpr std::size_t kMaximumGaps = 256;
 /// A robot that answers some SYNCs but never all of them is given up after so many times as many tries.
 constexpr int kRounds = 4;
 
-/// A controller that restarts says so with these.
-bool isControllerReset(std::uint8_t id) {
-  return id >= 0xFE;
-}
-
-bool isInformation(std::uint8_t id) {
-  return id == StandardInformation::kStandingId || id == StandardInformation::kMovingId;
-}
-
-Error error(const char* id, std::string text) {
-  return {id, std::move(text), {}, {}};
-}
+/// A controller that restarts says so with packets from this number on.
+constexpr std::uint8_t kFirstControllerReset = 0xFE;
 
 }  // namespace
-
-const char* nameOf(State state) {
-  switch (state) {
-    case State::kClosed:
-      return "closed";
-    case State::kPausing:
-      return "pausing";
-    case State::kWaitingForLink:
-      return "waiting for the line";
-    case State::kSynchronizing:
-      return "synchronizing";
-    case State::kResynchronizing:
-      return "resynchronizing";
-    case State::kOpening:
-      return "opening";
-    case State::kConnected:
-      return "connected";
-    case State::kFailed:
-      return "failed";
-  }
-  return "";
-}
 
 void ClientSession::enter(State state, Instant now) {
   state_ = state;
@@ -162,27 +128,16 @@ void ClientSession::retry(Error why, Instant now) {
   }
 }
 
-/// The robot's controller restarts: what it says meanwhile means nothing.
+/// The robot's controller restarts: what it says meanwhile means nothing. The line is good, so the handshake
+/// begins again on it.
 void ClientSession::restart(Instant now) {
-  if (mayTryAgain(error("arcos.controller-reset", "the robot's controller restarts"), now)) {
+  if (state_ == State::kConnected) {
+    ++statistics_.losses;
+    tries_ = unanswered_ = 0;
+  }
+  if (mayTryAgain({"arcos.controller-reset", "the robot's controller restarts", {}, {}}, now)) {
     enter(State::kResynchronizing, now);
   }
-}
-
-Error ClientSession::silence() const {
-  if (damages_ > 0 && !heard_) {
-    return error(
-        "arcos.only-damage",
-        "bytes come from the robot, but no packet is whole: set the serial line to the robot's rate (9600 "
-        "usually), and check that this is a robot");
-  }
-  if (state_ == State::kOpening) {
-    return error("arcos.no-information", "the robot answers, but sends no standard information after OPEN");
-  }
-  return error("arcos.no-answer",
-               "no answer to SYNC" + std::to_string(sync_) +
-                   ": check that the robot is turned on and connected, that the address is right, "
-                   "and that no other client drives it");
 }
 
 void ClientSession::take(const PacketParser::Found& found, Instant now) {
@@ -198,9 +153,12 @@ void ClientSession::take(const Packet& packet, Instant now) {
   ++statistics_.packets;
   heard_ = true;
   packetAt_ = now;
-  if (state_ == State::kSynchronizing) {
+  if (state_ == State::kResynchronizing) return;
+  if (packet.id >= kFirstControllerReset) {
+    restart(now);
+  } else if (state_ == State::kSynchronizing) {
     takeInHandshake(packet, now);
-  } else if (state_ != State::kResynchronizing) {
+  } else {
     takeInConnection(packet, now);
   }
 }
@@ -220,87 +178,11 @@ void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
     opened_ = informed_ = configured_ = false;
     askedAt_.reset();
     enter(State::kOpening, now);
-  } else if (isControllerReset(packet.id)) {
-    restart(now);
   } else if (packet.id > 2) {
     // The answer to an earlier SYNC comes late; anything else is from a connection that was never closed.
-    const Error why = error("arcos.busy", "the robot is in another connection, and does not close it");
+    const Error why{"arcos.busy", "the robot is in another connection, and does not close it", {}, {}};
     if (mayTryAgain(why, now)) resynchronize(now);
   }
-}
-
-void ClientSession::takeInConnection(const Packet& packet, Instant now) {
-  if (isInformation(packet.id)) {
-    takeInformation(packet, now);
-  } else if (packet.id == Configuration::kId) {
-    takeConfiguration(packet, now);
-  } else if (packet.id == LaserPacket::kPlainId || packet.id == LaserPacket::kExtendedId) {
-    takeLaser(packet, now);
-  } else if (isControllerReset(packet.id)) {
-    // The line is good, so the handshake begins again on it.
-    if (state_ == State::kConnected) {
-      ++statistics_.losses;
-      tries_ = unanswered_ = 0;
-    }
-    restart(now);
-  }
-}
-
-void ClientSession::takeInformation(const Packet& packet, Instant now) {
-  auto information = decodeStandardInformation(packet);
-  if (!information) {
-    ++statistics_.undecodable;
-    return;
-  }
-  if (informed_) {
-    gaps_.push_back({now, now - informationAt_});
-    if (gaps_.size() > kMaximumGaps) gaps_.pop_front();
-  }
-  information_ = std::move(*information);
-  informationAt_ = now;
-  informed_ = true;
-  ++statistics_.information;
-  if (state_ == State::kOpening && configured_) becomeConnected(now);
-}
-
-void ClientSession::takeConfiguration(const Packet& packet, Instant now) {
-  auto configuration = decodeConfiguration(packet);
-  if (!configuration) {
-    ++statistics_.undecodable;
-    return;
-  }
-  configuration_ = std::move(*configuration);
-  if (askedAt_ && !askedTwice_) statistics_.roundTrip = now - *askedAt_;
-  askedAt_.reset();
-  configured_ = true;
-  if (state_ == State::kOpening && informed_) becomeConnected(now);
-}
-
-void ClientSession::takeLaser(const Packet& packet, Instant now) {
-  const auto part = decodeLaser(packet);
-  if (!part) {
-    ++statistics_.undecodable;
-    return;
-  }
-  auto scan = assembler_.take(*part, informed_ ? &*information_ : nullptr, now);
-  statistics_.incompleteScans = assembler_.incompleteScans();
-  if (!scan) return;
-  scan_ = std::move(*scan);
-  ++statistics_.scans;
-}
-
-void ClientSession::askConfiguration(Instant now) {
-  askedTwice_ = askedAt_.has_value();
-  askedAt_ = lastAsked_ = now;
-  post(CommandId::kConfig, 1, now);
-}
-
-void ClientSession::becomeConnected(Instant now) {
-  gaps_.clear();
-  problem_.reset();
-  failures_ = tries_ = unanswered_ = 0;
-  ++statistics_.connections;
-  enter(State::kConnected, now);
 }
 
 void ClientSession::tick(Instant now) {
@@ -325,51 +207,6 @@ void ClientSession::tick(Instant now) {
     case State::kFailed:
       break;
   }
-}
-
-void ClientSession::tickOpening(Instant now) {
-  if (!opened_) {
-    if (now - since_ < options_.openDelay) return;
-    opened_ = true;
-    openedAt_ = openSentAt_ = now;
-    post(CommandId::kOpen, 1, now);
-    askConfiguration(now);
-    return;
-  }
-  const bool mayStillCome = now - openedAt_ < options_.configTimeout;
-  if (informed_ && !configured_ && !mayStillCome) {
-    becomeConnected(now);
-  } else if (!informed_ && now - openedAt_ >= options_.openTimeout) {
-    retry(silence(), now);
-  } else if (!informed_ && now - openSentAt_ >= options_.syncTimeout) {
-    openSentAt_ = now;
-    post(CommandId::kOpen, 1, now);
-  } else if (!configured_ && mayStillCome && now - lastAsked_ >= options_.configInterval) {
-    askConfiguration(now);
-  }
-}
-
-void ClientSession::tickConnected(Instant now) {
-  const std::string limit =
-      std::to_string(std::chrono::duration_cast<std::chrono::seconds>(options_.linkTimeout).count());
-  if (now - packetAt_ >= options_.linkTimeout) {
-    lose(error("arcos.lost", "nothing came from the robot for " + limit + " s"), now);
-    return;
-  }
-  if (now - informationAt_ >= options_.linkTimeout) {
-    lose(error("arcos.lost-information",
-               "packets come from the robot, but no standard information for " + limit + " s"),
-         now);
-    return;
-  }
-  if (now - sentAt_ >= options_.pulseInterval) post(CommandId::kPulse, now);
-  if (options_.roundTripInterval > Duration::zero() && now - lastAsked_ >= options_.roundTripInterval) {
-    askedAt_.reset();
-    askConfiguration(now);
-  }
-  while (!gaps_.empty() && now - gaps_.front().at > kGapWindow) gaps_.pop_front();
-  statistics_.longestGap = std::max(now - informationAt_, Duration::zero());
-  for (const Gap& gap : gaps_) statistics_.longestGap = std::max(statistics_.longestGap, gap.length);
 }
 
 Bytes ClientSession::takeOutgoing() {
@@ -397,32 +234,6 @@ Result<void> ClientSession::send(const Packet& packet, Instant now) {
   }
   post(packet, now);
   return {};
-}
-
-std::string ClientSession::describe() const {
-  const std::string after = problem_ ? " (" + problem_->text + ")" : "";
-  switch (state_) {
-    case State::kClosed:
-      return "closed";
-    case State::kPausing:
-      return "waits " + std::to_string(std::chrono::duration_cast<std::chrono::seconds>(pause_).count()) +
-             " s before it connects again" + after;
-    case State::kWaitingForLink:
-      return "opens the line" + after;
-    case State::kSynchronizing:
-      return "sent SYNC" + std::to_string(sync_) + ", try " + std::to_string(tries_ + 1) + " of " +
-             std::to_string(options_.syncTries) + after;
-    case State::kResynchronizing:
-      return "waits until the robot is silent" + after;
-    case State::kOpening:
-      return "waits for the robot's configuration and standard information";
-    case State::kConnected:
-      return "connected to " + identity_->name + " (" + identity_->robotClass + ", " + identity_->subclass +
-             ")" + (configured_ ? "" : "; the robot has not told its configuration");
-    case State::kFailed:
-      return "has given up" + after;
-  }
-  return "";
 }
 
 }  // namespace robotlink::arcos
