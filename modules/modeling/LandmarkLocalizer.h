@@ -4,17 +4,11 @@
 #include <span>
 #include <vector>
 
+#include "modules/modeling/PoseEstimate.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Random.h"
 
 namespace modules {
-
-/// Where the robot believes to be on the field.
-struct PoseEstimate {
-  robotlink::Pose2 robotInField;
-  double positionDeviation = 0;  ///< m, standard deviation
-  double headingDeviation = 0;   ///< rad, standard deviation
-};
 
 /// A landmark at a known place of the field, as the robot sees it.
 struct LandmarkMeasurement {

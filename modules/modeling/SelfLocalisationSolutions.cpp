@@ -5,64 +5,22 @@
 
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/LandmarkLocalizer.h"
-#include "robotcontrol/Modeling.pb.h"
+#include "modules/modeling/SelfLocator.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/FieldDescription.h"
-#include "robotlink/debugging/Solution.h"
-#include "robotlink/packages/Conversions.h"
 
 namespace modules {
 namespace {
 
-using robotlink::DebugKey;
 using robotlink::Pose2;
-
-const DebugKey kPoseKey{"self-localisation/pose", "Where the robot believes to be, and how sure that is"};
-const DebugKey kParticlesKey{"self-localisation/particles",
-                             "The poses that the filter weighs against each other"};
-const DebugKey kPlotKey{"self-localisation/plot", "Place, heading and deviation of the robot"};
 
 /// Start poses are those of the red team; the blue one plays the field turned by half.
 Pose2 startPose(const robotcontrol::Pose2& start, const std::string& team) {
   const Pose2 red = robotlink::pose2(start);
   return team == "blue" ? Pose2{0, 0, robotlink::kPi} * red : red;
 }
-
-/// Sends an estimate and tells of it.
-class SelfLocator : public robotlink::Solution {
- public:
-  explicit SelfLocator(robotlink::SolutionContext& context)
-      : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
-
- protected:
-  void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
-    auto package = std::make_shared<robotcontrol::RobotPose>();
-    *package->mutable_timestamp() = time;
-    robotlink::assign(*package->mutable_robot_in_field(), estimate.robotInField);
-    package->set_position_deviation(estimate.positionDeviation);
-    package->set_heading_deviation(estimate.headingDeviation);
-    pose_.send(std::move(package));
-    if (debug_.on(kPoseKey)) {
-      auto drawing = debug_.fieldDrawing(kPoseKey);
-      drawing.pose(estimate.robotInField, robotlink::colors::kBlack);
-      drawing.circle(estimate.robotInField.translation(), 2 * estimate.positionDeviation,
-                     robotlink::colors::kGrey);
-    }
-    if (debug_.on(kPlotKey)) {
-      debug_.plot(kPlotKey, "x", estimate.robotInField.x, "m");
-      debug_.plot(kPlotKey, "y", estimate.robotInField.y, "m");
-      debug_.plot(kPlotKey, "heading", estimate.robotInField.heading, "rad");
-      debug_.plot(kPlotKey, "deviation", estimate.positionDeviation, "m");
-    }
-  }
-
-  robotlink::DebugContext& debug_;
-
- private:
-  robotlink::Output<robotcontrol::RobotPose> pose_;
-};
 
 class OdometryLocator final : public SelfLocator {
  public:
@@ -100,7 +58,7 @@ const robotlink::SolutionRegistration kOdometry =
                                                 "Dead reckoning from a known start; its error only grows.")
         .needs(robotlink::kMotionStatus)
         .yields(robotlink::kRobotPose)
-        .keys({&kPoseKey, &kPlotKey})
+        .keys({&kLocatorPoseKey, &kLocatorPlotKey})
         .parameters<robotcontrol::OdometryLocalisationParameters>();
 
 class LandmarkLocator final : public SelfLocator {
@@ -124,8 +82,8 @@ class LandmarkLocator final : public SelfLocator {
                         executed == robotcontrol::MotionRequest::GET_UP;
     localizer_.update(motion_ ? robotlink::pose2(motion_->odometry()) : Pose2{}, shaken, seen_);
     tell(localizer_.estimate(), percepts_->timestamp());
-    if (debug_.on(kParticlesKey)) {
-      auto drawing = debug_.fieldDrawing(kParticlesKey);
+    if (debug_.on(kLocatorParticlesKey)) {
+      auto drawing = debug_.fieldDrawing(kLocatorParticlesKey);
       for (const Pose2& particle : localizer_.particles())
         drawing.pose(particle, robotlink::colors::kBlue, 0.05);
     }
@@ -179,7 +137,7 @@ const robotlink::SolutionRegistration kLandmarks =
         .needs(robotlink::kLandmarkPercepts)
         .uses(robotlink::kMotionStatus)
         .yields(robotlink::kRobotPose)
-        .keys({&kPoseKey, &kParticlesKey, &kPlotKey})
+        .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey})
         .parameters<robotcontrol::LandmarkLocalisationParameters>();
 
 class OracleLocator final : public SelfLocator {
@@ -201,7 +159,7 @@ const robotlink::SolutionRegistration kOracle =
                                               "The robot's true pose, from the simulator.")
         .needs(robotlink::kOracleWorld)
         .yields(robotlink::kRobotPose)
-        .keys({&kPoseKey, &kPlotKey});
+        .keys({&kLocatorPoseKey, &kLocatorPlotKey});
 
 }  // namespace
 }  // namespace modules

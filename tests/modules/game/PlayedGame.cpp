@@ -30,7 +30,7 @@ robotcontrol::Request requestTo(const std::string& robot) {
 PlayedGame::PlayedGame(Solutions solutions, app::SimulatedWorld::Options world) {
   const std::string resources = ROBOTCONTROL_SOURCE_DIR "/resources";
   setenv("ROBOTCONTROL_RESOURCES", resources.c_str(), 1);
-  app::RunOptions options{resources + "/scenes/field2002.sdf", resources + "/layouts/compact.yaml", world,
+  app::RunOptions options{resources + "/scenes/field2002.sdf", resources + "/layouts/compact.yaml", {}, world,
                           app::ExecutorKind::kLockstep, std::move(solutions)};
   app::SimulatedRun::Listeners listeners;
   listeners.queue = [this](const std::string&, auto queue) { receive(*queue); };

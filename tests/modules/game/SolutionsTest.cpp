@@ -31,10 +31,13 @@ TEST(Solutions, offerTwoWaysToDoEachTaskAndSayWhatTheyDo) {
 }
 
 TEST(Solutions, haveDefaultsForAllTheirParameters) {
-  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/parameters/ers210";
+  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/parameters";
   for (const SolutionDescription& solution : SolutionRegistry::all()) {
     if (solution.parameters == nullptr) continue;
-    const std::filesystem::path file = folder / (solution.task + "." + solution.name + ".textproto");
+    // Of the robot that it is for.
+    const std::string name = solution.task + "." + solution.name + ".textproto";
+    const bool ofAibo = std::filesystem::exists(folder / "ers210" / name);
+    const std::filesystem::path file = folder / (ofAibo ? "ers210" : "p3at") / name;
     std::ifstream stream(file);
     ASSERT_TRUE(stream) << file;
     std::stringstream text;

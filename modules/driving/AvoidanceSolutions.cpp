@@ -1,0 +1,280 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "obstacle-avoidance": what the motors are told of what the behaviour would like.
+#include <cmath>
+
+#include "DrivingParameters.pb.h"
+#include "foxglove/Ranging.pb.h"
+#include "modules/driving/DriveSensing.h"
+#include "modules/driving/DynamicWindow.h"
+#include "modules/driving/SpeedLimiter.h"
+#include "modules/driving/VectorField.h"
+#include "modules/navigation/ParameterDefaults.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+using robotlink::Vector2;
+
+const DebugKey kPointsKey{"obstacle-avoidance/points",
+                          "What is remembered around the robot, and its outline"};
+const DebugKey kHistogramKey{
+    "obstacle-avoidance/histogram",
+    "How far it could drive in each direction, those that are open (green), and the chosen one"};
+const DebugKey kWindowKey{
+    "obstacle-avoidance/window",
+    "The arcs of the velocities that it could choose (green, red where it could not brake)"};
+const DebugKey kSpeedKey{"obstacle-avoidance/speed",
+                         "The speeds and rotations that are wished, requested and driven (plots)"};
+
+/// s, after which a wish has lost its meaning.
+constexpr double kWishOutdated = 1.0;
+
+/// Knows the wish and the robot's limits, and sends requests that the robot can follow.
+class Avoidance : public robotlink::Solution {
+ public:
+  explicit Avoidance(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        clock_(context.clock()),
+        limits_(limitsOf(context.robot().description)),
+        wish_(context.input(robotlink::kDriveWish)),
+        request_(context.output(robotlink::kDriveRequest)) {}
+
+ protected:
+  /// What the behaviour wants now; nothing if it has not said so lately.
+  DriveVelocity wish() const {
+    if (!wish_) return {};
+    const double age = robotlink::seconds(clock_.now() - robotlink::instant(wish_->timestamp()));
+    const DriveVelocity wish{wish_->velocity().x(), wish_->velocity().rotation()};
+    if (std::abs(age) > kWishOutdated || !std::isfinite(wish.forward) || !std::isfinite(wish.rotation))
+      return {};
+    return {std::clamp(wish.forward, -limits_.speed, limits_.speed),
+            std::clamp(wish.rotation, -limits_.rotation, limits_.rotation)};
+  }
+
+  void send(const DriveVelocity& wanted) {
+    const double now = robotlink::seconds(clock_.now());
+    const DriveVelocity velocity = limiter_.limit(wanted, limits_, now - sentAt_);
+    sentAt_ = now;
+    auto request = std::make_shared<robotcontrol::DriveRequest>();
+    robotlink::assign(*request->mutable_timestamp(), clock_.now());
+    request->mutable_velocity()->set_x(velocity.forward);
+    request->mutable_velocity()->set_rotation(velocity.rotation);
+    request_.send(std::move(request));
+  }
+
+  void plot(const DriveVelocity& driven) {
+    if (!debug_.on(kSpeedKey)) return;
+    debug_.plot(kSpeedKey, "wished", wish().forward, "m/s");
+    debug_.plot(kSpeedKey, "requested", limiter_.last().forward, "m/s");
+    debug_.plot(kSpeedKey, "driven", driven.forward, "m/s");
+    debug_.plot(kSpeedKey, "rotation wished", wish().rotation, "rad/s");
+    debug_.plot(kSpeedKey, "rotation requested", limiter_.last().rotation, "rad/s");
+    debug_.plot(kSpeedKey, "rotation driven", driven.rotation, "rad/s");
+  }
+
+  const DriveVelocity& lastRequest() const { return limiter_.last(); }
+
+  robotlink::DebugContext& debug_;
+  const robotlink::Clock& clock_;
+  const DriveLimits limits_;
+
+ private:
+  robotlink::Input<robotcontrol::DriveRequest> wish_;
+  robotlink::Output<robotcontrol::DriveRequest> request_;
+  SpeedLimiter limiter_;
+  double sentAt_ = -1;
+};
+
+/// Avoids by what is seen; blind it does not drive.
+class SeeingAvoidance : public Avoidance {
+ public:
+  explicit SeeingAvoidance(robotlink::SolutionContext& context)
+      : Avoidance(context), outline_(outlineOf(context.robot().description)), sensing_(context) {}
+
+  void execute() override {
+    sensing_.update(lastRequest().forward);
+    if (!sensing_.awake()) {
+      if (!warned_ && wish() != DriveVelocity{}) {
+        debug_.text(robotlink::Level::kWarning, "obstacle-avoidance", "stands: " + sensing_.whyNot());
+        warned_ = true;
+      }
+      return send({});
+    }
+    warned_ = false;
+    const AvoidanceSituation situation{sensing_.emergencyStop() ? DriveVelocity{} : wish(),
+                                       sensing_.velocity(), sensing_.points(), limits_, sensing_.time()};
+    send(avoid(situation));
+    plot(sensing_.velocity());
+    drawPoints();
+  }
+
+ protected:
+  virtual DriveVelocity avoid(const AvoidanceSituation& situation) = 0;
+  const Outline& outline() const { return outline_; }
+
+ private:
+  void drawPoints() {
+    if (!debug_.on(kPointsKey)) return;
+    auto drawing = debug_.robotDrawing(kPointsKey);
+    const double l = outline_.halfLength, w = outline_.halfWidth;
+    const std::array corners{Vector2(l, w), Vector2(-l, w), Vector2(-l, -w), Vector2(l, -w)};
+    drawing.polygon(corners, robotlink::colors::kBlack, 2);
+    for (const Vector2& point : sensing_.points()) drawing.dot(point, robotlink::colors::kRed, 0.05);
+  }
+
+  Outline outline_;
+  DriveSensing sensing_;
+  bool warned_ = false;
+};
+
+class VectorFieldAvoidance final : public SeeingAvoidance {
+ public:
+  explicit VectorFieldAvoidance(robotlink::SolutionContext& context)
+      : SeeingAvoidance(context),
+        parameters_(context.parameters<robotcontrol::VectorFieldParameters>()),
+        engine_(options()) {}
+
+ private:
+  DriveVelocity avoid(const AvoidanceSituation& situation) override {
+    engine_.setOptions(options());
+    const DriveVelocity velocity = engine_.decide(situation);
+    if (debug_.on(kHistogramKey)) draw();
+    return velocity;
+  }
+
+  VectorField::Options options() const {
+    VectorField::Options options;
+    options.outline = outline();
+    replace(options.margin, parameters_.margin());
+    replace(options.reach, parameters_.reach());
+    replace(options.need, parameters_.need());
+    replace(options.needAgain, parameters_.need_again());
+    replace(options.wishTime, parameters_.wish_time());
+    replace(options.wishCost, parameters_.wish_cost());
+    replace(options.straightCost, parameters_.straight_cost());
+    replace(options.lastCost, parameters_.last_cost());
+    replace(options.steering, parameters_.steering());
+    replace(options.latency, parameters_.latency());
+    return options;
+  }
+
+  void draw() {
+    auto drawing = debug_.robotDrawing(kHistogramKey);
+    const auto at = [](double angle, double way) {
+      return Vector2(way * std::cos(angle), way * std::sin(angle));
+    };
+    for (int sector = 0; sector < PolarView::kSectors; ++sector) {
+      const double angle = PolarView::angleOf(sector);
+      drawing.line(Vector2(0, 0), at(angle, engine_.view().free(sector)),
+                   engine_.open(sector) ? robotlink::colors::kGreen : robotlink::colors::kRed);
+    }
+    const auto color = engine_.escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue;
+    drawing.arrow(Vector2(0, 0), at(engine_.direction(), 1), color, 3);
+  }
+
+  const robotcontrol::VectorFieldParameters& parameters_;
+  VectorField engine_;
+};
+
+const robotlink::SolutionRegistration kVectorField =
+    robotlink::SolutionBuilder<VectorFieldAvoidance>(
+        "obstacle-avoidance", "vector-field",
+        "Takes the open direction nearest to the wish, from a polar histogram of what was seen lately.")
+        .needs(robotlink::kDriveWish)
+        .needs(robotlink::kDriveState)
+        .uses(robotlink::kSonar)
+        .uses(robotlink::kLaser)
+        .yields(robotlink::kDriveRequest)
+        .keys({&kPointsKey, &kHistogramKey, &kSpeedKey})
+        .parameters<robotcontrol::VectorFieldParameters>();
+
+class DynamicWindowAvoidance final : public SeeingAvoidance {
+ public:
+  explicit DynamicWindowAvoidance(robotlink::SolutionContext& context)
+      : SeeingAvoidance(context),
+        parameters_(context.parameters<robotcontrol::DynamicWindowParameters>()),
+        engine_(options()) {}
+
+ private:
+  DriveVelocity avoid(const AvoidanceSituation& situation) override {
+    engine_.setOptions(options());
+    const DriveVelocity velocity = engine_.decide(situation);
+    if (debug_.on(kWindowKey)) draw();
+    return velocity;
+  }
+
+  DynamicWindow::Options options() const {
+    DynamicWindow::Options options;
+    options.outline = outline();
+    replace(options.margin, parameters_.margin());
+    replace(options.window, parameters_.window());
+    replace(options.horizon, parameters_.horizon());
+    replace(options.latency, parameters_.latency());
+    // A person may ask for so many that it takes for ever.
+    options.speeds = std::min(50, orBuiltIn(parameters_.speeds(), options.speeds));
+    options.rotations = std::min(50, orBuiltIn(parameters_.rotations(), options.rotations));
+    replace(options.speedWeight, parameters_.speed_weight());
+    replace(options.rotationWeight, parameters_.rotation_weight());
+    replace(options.wayWeight, parameters_.way_weight());
+    replace(options.roomWeight, parameters_.room_weight());
+    return options;
+  }
+
+  /// Each velocity as the arc that it would drive.
+  void draw() {
+    auto drawing = debug_.robotDrawing(kWindowKey);
+    const auto arc = [&](const DriveVelocity& velocity, double time, robotlink::Color color, double width) {
+      Vector2 last(0, 0);
+      constexpr int kPieces = 8;
+      for (int i = 1; i <= kPieces; ++i) {
+        const double t = time * i / kPieces, half = 0.5 * velocity.rotation * t;
+        const double chord = velocity.forward * t * (std::abs(half) < 1e-6 ? 1 : std::sin(half) / half);
+        const Vector2 next(chord * std::cos(half), chord * std::sin(half));
+        drawing.line(last, next, color, width);
+        last = next;
+      }
+    };
+    for (const DynamicWindow::Candidate& candidate : engine_.candidates())
+      arc(candidate.velocity, candidate.freeTime,
+          candidate.admissible ? robotlink::colors::kGreen : robotlink::colors::kRed, 1);
+    arc(engine_.chosen(), 3, engine_.escaping() ? robotlink::colors::kOrange : robotlink::colors::kBlue, 3);
+  }
+
+  const robotcontrol::DynamicWindowParameters& parameters_;
+  DynamicWindow engine_;
+};
+
+const robotlink::SolutionRegistration kDynamicWindow =
+    robotlink::SolutionBuilder<DynamicWindowAvoidance>(
+        "obstacle-avoidance", "dynamic-window",
+        "Takes the velocity nearest to the wish that its motors can reach and from which it can brake in "
+        "time.")
+        .needs(robotlink::kDriveWish)
+        .needs(robotlink::kDriveState)
+        .uses(robotlink::kSonar)
+        .uses(robotlink::kLaser)
+        .yields(robotlink::kDriveRequest)
+        .keys({&kPointsKey, &kWindowKey, &kSpeedKey})
+        .parameters<robotcontrol::DynamicWindowParameters>();
+
+class NoAvoidance final : public Avoidance {
+ public:
+  explicit NoAvoidance(robotlink::SolutionContext& context) : Avoidance(context) {}
+  void execute() override {
+    send(wish());
+    plot({});
+  }
+};
+
+const robotlink::SolutionRegistration kNone =
+    robotlink::SolutionBuilder<NoAvoidance>("obstacle-avoidance", "none",
+                                            "Passes wishes on whatever is in the way, within what the motors "
+                                            "can do: for those who know what they do.")
+        .needs(robotlink::kDriveWish)
+        .yields(robotlink::kDriveRequest)
+        .keys({&kSpeedKey});
+
+}  // namespace
+}  // namespace modules

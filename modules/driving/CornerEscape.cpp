@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/driving/CornerEscape.h"
+
+namespace modules {
+
+namespace {
+
+// rad/s of a wish and m/s of what comes of it; less is none.
+constexpr double kWantsTurn = 0.1, kDrivesSpeed = 0.04;
+// s, of turning without success until it tries the other side.
+constexpr double kOtherSideAfter = 12;
+
+/// 1: there is more room to the left; -1: to the right.
+double betterSide(const PolarView& view) {
+  double left = 0, right = 0;
+  for (int sector = 1; sector < PolarView::kSectors / 2; ++sector) {
+    left += view.free(sector);
+    right += view.free(-sector);
+  }
+  return left >= right ? 1 : -1;
+}
+
+}  // namespace
+
+bool CornerEscape::freed(const DriveVelocity& wish, const Clearance& clearance, const PolarView& view,
+                         const DriveLimits& limits) const {
+  if (wish.forward <= kWantsSpeed)
+    return clearance.safe({0, std::copysign(options_.rotation, wish.rotation)}, limits, options_.latency);
+  return view.freeAbout(0, robotlink::radians(10)) > options_.roomAhead &&
+         clearance.safe({0.2, 0}, limits, options_.latency);
+}
+
+DriveVelocity CornerEscape::decide(const DriveVelocity& wish, const DriveVelocity& possible,
+                                   const Clearance& clearance, const PolarView& view,
+                                   const DriveLimits& limits, double time) {
+  const bool wantsAhead = wish.forward > kWantsSpeed;
+  const bool wantsTurn = std::abs(wish.forward) <= kWantsSpeed && std::abs(wish.rotation) > kWantsTurn;
+  if (side_ != 0 && (wantsAhead || wantsTurn) && !freed(wish, clearance, view, limits))
+    return escape(clearance, limits, time);
+  const bool was = side_ != 0;
+  side_ = 0;
+  const double least = 0.3 * std::min(std::abs(wish.rotation), options_.rotation);
+  const bool stuck =
+      wantsAhead ? possible.forward < kDrivesSpeed : wantsTurn && std::abs(possible.rotation) < least;
+  if (was || !stuck || stuckSince_ < 0 || stuckSince_ > time) stuckSince_ = stuck ? time : -1;
+  if (!stuck || time - stuckSince_ < options_.patience) return possible;
+  side_ = wantsTurn ? std::copysign(1, wish.rotation) : betterSide(view);
+  since_ = time;
+  return escape(clearance, limits, time);
+}
+
+DriveVelocity CornerEscape::escape(const Clearance& clearance, const DriveLimits& limits, double time) {
+  if (time - since_ > kOtherSideAfter) {
+    side_ = -side_;
+    since_ = time;
+  }
+  for (const double share : {1.0, 0.4}) {
+    const DriveVelocity turning{0, side_ * share * options_.rotation};
+    if (clearance.safe(turning, limits, options_.latency)) return turning;
+  }
+  // No room to turn: make some, straight or in a slight curve, back rather than ahead.
+  for (const double direction : {-1.0, 1.0}) {
+    for (const double turn : {0.0, side_, -side_}) {
+      const DriveVelocity moving{direction * options_.backingSpeed, 0.3 * turn * options_.rotation};
+      if (clearance.safe(moving, limits, options_.latency)) return moving;
+    }
+  }
+  const DriveVelocity other{0, -side_ * 0.4 * options_.rotation};
+  return clearance.safe(other, limits, options_.latency) ? other : DriveVelocity{};
+}
+
+}  // namespace modules

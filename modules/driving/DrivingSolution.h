@@ -1,0 +1,43 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "modules/driving/Outline.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+
+// Inline, so that every file that registers a solution of the task has it before.
+inline const robotlink::DebugKey kDrivingSpeedKey{
+    "driving/speed", "The speed and rotation that the behaviour would like (plots)"};
+
+/// A solution of the task "driving": sends what the behaviour would like.
+class DrivingSolution : public robotlink::Solution {
+ public:
+  explicit DrivingSolution(robotlink::SolutionContext& context)
+      : debug_(context.debug()), clock_(context.clock()), wish_(context.output(robotlink::kDriveWish)) {}
+
+ protected:
+  void want(const DriveVelocity& velocity) {
+    auto wish = std::make_shared<robotcontrol::DriveRequest>();
+    robotlink::assign(*wish->mutable_timestamp(), clock_.now());
+    wish->mutable_velocity()->set_x(velocity.forward);
+    wish->mutable_velocity()->set_rotation(velocity.rotation);
+    wish_.send(std::move(wish));
+    if (!debug_.on(kDrivingSpeedKey)) return;
+    debug_.plot(kDrivingSpeedKey, "speed", velocity.forward, "m/s");
+    debug_.plot(kDrivingSpeedKey, "rotation", velocity.rotation, "rad/s");
+  }
+
+  robotlink::DebugContext& debug_;
+  const robotlink::Clock& clock_;
+
+ private:
+  robotlink::Output<robotcontrol::DriveRequest> wish_;
+};
+
+}  // namespace modules

@@ -1,0 +1,247 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "driving" that decide by themselves where the robot goes, not knowing what is in
+// the way, or leave that to a person.
+#include <cmath>
+#include <optional>
+
+#include "DrivingParameters.pb.h"
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Ranging.pb.h"
+#include "modules/driving/DriveSensing.h"
+#include "modules/driving/DrivingSolution.h"
+#include "modules/driving/PathFollower.h"
+#include "modules/driving/Wanderer.h"
+#include "modules/navigation/ParameterDefaults.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Motion.pb.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+using robotlink::Level;
+using robotlink::Pose2;
+using robotlink::Vector2;
+
+const DebugKey kDirectionKey{"driving/direction", "Where wandering wants to go, beside the robot"};
+const DebugKey kTargetKey{"driving/target",
+                          "The point of the path that is steered for, and what following it does"};
+
+Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& p) {
+  Wanderer::Options options;
+  replace(options.speed, p.speed());
+  replace(options.rotation, p.rotation());
+  replace(options.room, p.room());
+  replace(options.roomAgain, p.room_again());
+  replace(options.easyRoom, p.easy_room());
+  replace(options.likingTime, p.liking_time());
+  replace(options.novelty, p.novelty());
+  replace(options.halfWidth, p.half_width());
+  options.seed = static_cast<std::uint64_t>(std::max(0, p.seed())) + 1;
+  return options;
+}
+
+/// Steers by what is seen; stands while nothing is.
+class Roaming {
+ public:
+  Roaming(robotlink::SolutionContext& context, const Wanderer::Options& options)
+      : debug_(context.debug()), sensing_(context), wanderer_(options) {}
+
+  void update(double requested) { sensing_.update(requested); }
+  DriveVelocity wander(const Wanderer::Options& options) {
+    if (!sensing_.awake()) return {};
+    wanderer_.setOptions(options);
+    const DriveVelocity wish =
+        wanderer_.decide(sensing_.points(), sensing_.robotInOdometry(), sensing_.time());
+    if (debug_.on(kDirectionKey)) {
+      const double direction = wanderer_.direction();
+      debug_.robotDrawing(kDirectionKey)
+          .arrow(Vector2(0, 0), Vector2(std::cos(direction), std::sin(direction)), robotlink::colors::kGreen,
+                 2);
+    }
+    return wish;
+  }
+  const DriveSensing& sensing() const { return sensing_; }
+
+ private:
+  robotlink::DebugContext& debug_;
+  DriveSensing sensing_;
+  Wanderer wanderer_;
+};
+
+class Wander final : public DrivingSolution {
+ public:
+  explicit Wander(robotlink::SolutionContext& context)
+      : DrivingSolution(context),
+        parameters_(context.parameters<robotcontrol::WanderParameters>()),
+        roaming_(context, wanderOptions(parameters_)) {}
+
+  void execute() override {
+    roaming_.update(last_.forward);
+    last_ = roaming_.wander(wanderOptions(parameters_));
+    want(last_);
+  }
+
+ private:
+  const robotcontrol::WanderParameters& parameters_;
+  Roaming roaming_;
+  DriveVelocity last_;
+};
+
+const robotlink::SolutionRegistration kWander =
+    robotlink::SolutionBuilder<Wander>(
+        "driving", "wander", "Drives about by what sonars and laser see, to where it has not been for long.")
+        .needs(robotlink::kDriveState)
+        .uses(robotlink::kSonar)
+        .uses(robotlink::kLaser)
+        .yields(robotlink::kDriveWish)
+        .keys({&kDrivingSpeedKey, &kDirectionKey})
+        .parameters<robotcontrol::WanderParameters>();
+
+class FollowPath final : public DrivingSolution {
+ public:
+  explicit FollowPath(robotlink::SolutionContext& context)
+      : DrivingSolution(context),
+        parameters_(context.parameters<robotcontrol::FollowPathParameters>()),
+        path_(context.input(robotlink::kDrivePath)),
+        pose_(context.input(robotlink::kRobotPose)),
+        roaming_(context, {}),
+        follower_({}) {}
+
+  void execute() override {
+    roaming_.update(last_.forward);
+    last_ = decide();
+    want(last_);
+  }
+
+ private:
+  DriveVelocity decide() {
+    if (!path_ || !path_->has_goal() || path_->goal().cancelled()) return stand("nothing to do");
+    if (isLost()) {
+      if (parameters_.wait_when_lost()) return stand("does not know where it is: waits");
+      say("does not know where it is: wanders until it does");
+      follower_.decide({}, {}, {});
+      return roaming_.wander({});
+    }
+    if (path_->blocked()) return stand("no way: " + path_->reason());
+    return follow();
+  }
+
+  bool isLost() {
+    if (!pose_) return true;
+    const double most =
+        lost_ ? orBuiltIn(parameters_.found_deviation(), 0.3) : orBuiltIn(parameters_.lost_deviation(), 1.0);
+    lost_ = !(pose_->position_deviation() < most);
+    return lost_;
+  }
+
+  /// The pose is that of a moment ago, if another process made it.
+  Pose2 robotNow() const {
+    const Pose2 robot = robotlink::pose2(pose_->robot_in_field());
+    const OdometryHistory& odometry = roaming_.sensing().odometry();
+    const auto then = odometry.at(robotlink::instant(pose_->timestamp())), now = odometry.latest();
+    return then && now ? robot * (then->inverse() * *now) : robot;
+  }
+
+  DriveVelocity follow() {
+    follower_.setOptions(options());
+    std::vector<Vector2> points;
+    for (const auto& point : path_->points_in_field()) points.push_back(robotlink::vector2(point));
+    const robotcontrol::DriveGoal& goal = path_->goal();
+    const auto heading = goal.any_heading() ? std::optional<double>() : goal.pose_in_field().heading();
+    const DriveVelocity wish = follower_.decide(robotNow(), points, heading);
+    using State = PathFollower::State;
+    const std::string to = goal.name().empty() ? "the goal" : "“" + goal.name() + "”";
+    if (follower_.state() == State::kDriving) say("drives to " + to);
+    if (follower_.state() == State::kThere) say("is at " + to);
+    if (debug_.on(kTargetKey)) {
+      auto drawing = debug_.fieldDrawing(kTargetKey);
+      drawing.line(robotNow().translation(), follower_.target(), robotlink::colors::kOrange);
+      drawing.dot(follower_.target(), robotlink::colors::kRed, 0.1);
+      drawing.text(robotNow().translation(), said_, robotlink::colors::kBlack);
+    }
+    return wish;
+  }
+
+  DriveVelocity stand(const std::string& why) {
+    say(why);
+    follower_.decide({}, {}, {});
+    return {};
+  }
+
+  void say(const std::string& what) {
+    if (what == said_) return;
+    said_ = what;
+    debug_.text(Level::kInfo, "driving", what);
+  }
+
+  PathFollower::Options options() const {
+    PathFollower::Options options;
+    replace(options.speed, parameters_.speed());
+    replace(options.rotation, parameters_.rotation());
+    replace(options.lookAhead, parameters_.look_ahead());
+    replace(options.braking, parameters_.braking());
+    replace(options.near, parameters_.near());
+    replace(options.headingNear, parameters_.heading_near());
+    replace(options.turnOnSpot, parameters_.turn_on_spot());
+    return options;
+  }
+
+  const robotcontrol::FollowPathParameters& parameters_;
+  robotlink::Input<robotcontrol::DrivePath> path_;
+  robotlink::Input<robotcontrol::RobotPose> pose_;
+  Roaming roaming_;
+  PathFollower follower_;
+  DriveVelocity last_;
+  bool lost_ = true;
+  std::string said_;
+};
+
+const robotlink::SolutionRegistration kFollowPath =
+    robotlink::SolutionBuilder<FollowPath>(
+        "driving", "follow-path",
+        "Follows the path to the goal that a person set; wanders while it does not know where it is.")
+        .needs(robotlink::kDrivePath)
+        .needs(robotlink::kRobotPose)
+        .needs(robotlink::kDriveState)
+        .uses(robotlink::kSonar)
+        .uses(robotlink::kLaser)
+        .yields(robotlink::kDriveWish)
+        .keys({&kDrivingSpeedKey, &kDirectionKey, &kTargetKey})
+        .parameters<robotcontrol::FollowPathParameters>();
+
+class ObeyOnWheels final : public DrivingSolution {
+ public:
+  explicit ObeyOnWheels(robotlink::SolutionContext& context)
+      : DrivingSolution(context), remote_(context.input(robotlink::kRemoteMotion)) {}
+
+  void execute() override {
+    DriveVelocity wish;
+    if (remote_ && remote_->motion().kind() == robotcontrol::MotionRequest::WALK)
+      wish = {remote_->motion().walk().x(), remote_->motion().walk().rotation()};
+    want(wish);
+  }
+
+ private:
+  robotlink::Input<robotcontrol::RemoteMotion> remote_;
+};
+
+const robotlink::SolutionRegistration kObey =
+    robotlink::SolutionBuilder<ObeyOnWheels>("driving", "obey",
+                                             "Drives as a person asks for; stands until somebody does.")
+        .uses(robotlink::kRemoteMotion)
+        .yields(robotlink::kDriveWish)
+        .keys({&kDrivingSpeedKey});
+
+class Halt final : public DrivingSolution {
+ public:
+  explicit Halt(robotlink::SolutionContext& context) : DrivingSolution(context) {}
+  void execute() override { want({}); }
+};
+
+const robotlink::SolutionRegistration kHalt = robotlink::SolutionBuilder<Halt>("driving", "halt", "Stands.")
+                                                  .yields(robotlink::kDriveWish)
+                                                  .keys({&kDrivingSpeedKey});
+
+}  // namespace
+}  // namespace modules

@@ -1,0 +1,28 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/driving/SpeedLimiter.h"
+
+namespace modules {
+
+namespace {
+
+double towards(double last, double wanted, double step) {
+  // Braking: towards 0.
+  const double most = last * wanted <= 0 || std::abs(wanted) < std::abs(last) ? 2 * step : step;
+  return last + std::clamp(wanted - last, -most, most);
+}
+
+}  // namespace
+
+DriveVelocity SpeedLimiter::limit(const DriveVelocity& wanted, const DriveLimits& limits, double elapsed) {
+  // After a pause nothing is known of how fast the robot is: no more than a cycle's worth.
+  const double time = std::clamp(elapsed, 0.0, 0.2);
+  const double forward = std::isfinite(wanted.forward) ? wanted.forward : 0;
+  const double rotation = std::isfinite(wanted.rotation) ? wanted.rotation : 0;
+  last_.forward =
+      towards(last_.forward, std::clamp(forward, -limits.speed, limits.speed), limits.acceleration * time);
+  last_.rotation = towards(last_.rotation, std::clamp(rotation, -limits.rotation, limits.rotation),
+                           limits.rotationAcceleration * time);
+  return last_;
+}
+
+}  // namespace modules

@@ -1,0 +1,75 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/driving/VectorField.h"
+
+#include <algorithm>
+
+namespace modules {
+
+using robotlink::normalizedAngle;
+
+namespace {
+
+// m, that what gets in the way while the robot drives must stay away from its outline.
+constexpr double kHardMargin = 0.1;
+// Of the wish's speed, that is kept whatever the direction.
+constexpr double kLeastShare = 0.1;
+
+}  // namespace
+
+void VectorField::setOptions(const Options& options) {
+  options_ = options;
+  escape_.setOptions(options.escape);
+}
+
+void VectorField::openSectors(double need) {
+  const double again = need + std::max(0.0, options_.needAgain - options_.need);
+  for (int sector = 0; sector < PolarView::kSectors; ++sector) {
+    bool& open = open_[static_cast<std::size_t>(sector)];
+    open = view_.free(sector) > (open ? need : again);
+  }
+}
+
+DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits& limits) {
+  const double wanted = std::clamp(wish.rotation * options_.wishTime, -2.0, 2.0);
+  // Slow wishes need less room.
+  openSectors(std::min(options_.need, options_.outline.halfLength + 0.15 + 1.6 * wish.forward));
+  double best = 1e9, direction = 0;
+  bool found = false;
+  for (int sector = 0; sector < PolarView::kSectors; ++sector) {
+    const double angle = PolarView::angleOf(sector);
+    if (!open(sector) || std::abs(angle) > robotlink::radians(120)) continue;
+    const double cost = options_.wishCost * std::abs(normalizedAngle(angle - wanted)) +
+                        options_.straightCost * std::abs(angle) +
+                        options_.lastCost * std::abs(normalizedAngle(angle - direction_)) +
+                        1.0 / std::max(0.2, view_.free(sector));
+    if (cost >= best) continue;
+    best = cost;
+    direction = angle;
+    found = true;
+  }
+  if (!found) return {0, 0};
+  direction_ = direction;
+  const double room = view_.freeAbout(0, robotlink::radians(5));
+  const double straight = std::max(kLeastShare, std::cos(direction));
+  const double speed = wish.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
+  // Where the wish's own way is open it is followed as it was wished.
+  const bool asWished = std::abs(direction - wanted) < 1.5 * PolarView::kSector;
+  const double rotation = asWished ? wish.rotation : options_.steering * direction;
+  return {direction > 1.2 || direction < -1.2 ? 0 : speed,
+          std::clamp(rotation, -limits.rotation, limits.rotation)};
+}
+
+DriveVelocity VectorField::decide(const AvoidanceSituation& situation) {
+  const Clearance clearance(options_.outline, {kHardMargin, 3.0}, situation.points);
+  view_ = PolarView(situation.points, options_.outline.halfWidth + options_.margin, options_.reach);
+  DriveVelocity wanted = situation.wish;
+  // Only ways ahead are steered; turning on the spot and backing off are taken as they are wished.
+  if (wanted.forward > CornerEscape::kWantsSpeed)
+    wanted = steered(wanted, situation.limits);
+  else
+    direction_ = 0;
+  const DriveVelocity possible = clearance.limited(wanted, situation.limits, options_.latency);
+  return escape_.decide(situation.wish, possible, clearance, view_, situation.limits, situation.time);
+}
+
+}  // namespace modules

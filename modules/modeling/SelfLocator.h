@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+
+#include "modules/modeling/PoseEstimate.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+
+// Keys that all solutions of the task share. Inline, so that every file that registers one has them before.
+inline const robotlink::DebugKey kLocatorPoseKey{"self-localisation/pose",
+                                                 "Where the robot believes to be, and how sure that is"};
+inline const robotlink::DebugKey kLocatorParticlesKey{"self-localisation/particles",
+                                                      "The poses that the filter weighs against each other"};
+inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
+                                                 "Place, heading and deviation of the robot"};
+
+/// A solution of the task "self-localisation": sends an estimate and tells of it.
+class SelfLocator : public robotlink::Solution {
+ public:
+  explicit SelfLocator(robotlink::SolutionContext& context)
+      : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
+
+ protected:
+  void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
+    auto package = std::make_shared<robotcontrol::RobotPose>();
+    *package->mutable_timestamp() = time;
+    robotlink::assign(*package->mutable_robot_in_field(), estimate.robotInField);
+    package->set_position_deviation(estimate.positionDeviation);
+    package->set_heading_deviation(estimate.headingDeviation);
+    pose_.send(std::move(package));
+    if (debug_.on(kLocatorPoseKey)) {
+      auto drawing = debug_.fieldDrawing(kLocatorPoseKey);
+      drawing.pose(estimate.robotInField, robotlink::colors::kBlack);
+      drawing.circle(estimate.robotInField.translation(), 2 * estimate.positionDeviation,
+                     robotlink::colors::kGrey);
+    }
+    if (debug_.on(kLocatorPlotKey)) {
+      debug_.plot(kLocatorPlotKey, "x", estimate.robotInField.x, "m");
+      debug_.plot(kLocatorPlotKey, "y", estimate.robotInField.y, "m");
+      debug_.plot(kLocatorPlotKey, "heading", estimate.robotInField.heading, "rad");
+      debug_.plot(kLocatorPlotKey, "deviation", estimate.positionDeviation, "m");
+    }
+  }
+
+  robotlink::DebugContext& debug_;
+
+ private:
+  robotlink::Output<robotcontrol::RobotPose> pose_;
+};
+
+}  // namespace modules

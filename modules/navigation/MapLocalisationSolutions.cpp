@@ -1,0 +1,230 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "self-localisation" of robots on wheels: where the robot is in the map that it
+// drives by.
+#include <algorithm>
+#include <cmath>
+#include <optional>
+
+#include "NavigationParameters.pb.h"
+#include "foxglove/Ranging.pb.h"
+#include "modules/modeling/SelfLocator.h"
+#include "modules/navigation/MonteCarloLocalizer.h"
+#include "modules/navigation/OdometryHistory.h"
+#include "modules/navigation/ParameterDefaults.h"
+#include "modules/navigation/RangePackages.h"
+#include "robotcontrol/Driving.pb.h"
+
+namespace modules {
+namespace {
+
+using robotlink::DebugKey;
+using robotlink::Instant;
+using robotlink::Level;
+using robotlink::Pose2;
+using robotlink::Vector2;
+
+const DebugKey kRaysKey{"self-localisation/rays",
+                        "What was measured, seen from where the robot believes to be"};
+const DebugKey kFilterKey{
+    "self-localisation/filter",
+    "Share of the measurements that the pose explains, and the number of particles (plots)"};
+
+/// So many particles are drawn at most.
+constexpr std::size_t kMostDrawn = 1000;
+/// Of who knows no map: sure of nothing.
+constexpr PoseEstimate kNowhere{{}, 1e3, robotlink::kPi};
+
+bool finite(const Pose2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
+class MonteCarloLocator final : public SelfLocator {
+ public:
+  explicit MonteCarloLocator(robotlink::SolutionContext& context)
+      : SelfLocator(context),
+        parameters_(context.parameters<robotcontrol::MonteCarloLocalisationParameters>()),
+        laserMaximum_(context.robot().description.laser ? context.robot().description.laser->maximum : 32),
+        map_(context.robot().map),
+        drive_(context.input(robotlink::kDriveState)),
+        sonar_(context.input(robotlink::kSonar)),
+        laser_(context.input(robotlink::kLaser)) {
+    if (map_ != nullptr) start();
+  }
+
+  void execute() override {
+    if (!drive_ || (!drive_.isNew() && !sonar_.isNew() && !laser_.isNew())) return;
+    if (!localizer_) {
+      if (!warned_)
+        debug_.text(Level::kWarning, "self-localisation",
+                    "there is no map to find the robot in: open one, or choose the solution wheel-odometry");
+      warned_ = true;
+      return tell(kNowhere, drive_->timestamp());
+    }
+    localizer_->setOptions(options());
+    takeStep();
+    const std::vector<RangeBeam> beams = measured();
+    localizer_->see(beams);
+    tell(localizer_->estimate(), drive_->timestamp());
+    draw(beams);
+  }
+
+ private:
+  void start() {
+    localizer_.emplace(*map_, options());
+    const robotlink::GroundMap::Place* home = map_->find(robotlink::GroundMap::Place::Kind::kHome);
+    if (parameters_.start_at_home() && home != nullptr) localizer_->startAt(home->pose, 0.5, 0.3);
+    if (localizer_->freeSpace().empty())
+      debug_.text(Level::kWarning, "self-localisation",
+                  "the map has no place where the robot fits: is it the right one?");
+  }
+
+  void takeStep() {
+    const Pose2 odometry = robotlink::pose2(drive_->odometry());
+    if (!drive_.isNew() || !finite(odometry)) return;
+    const std::optional<Pose2> last = odometry_.latest();
+    const bool continued = odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
+    // Where it was set to another place nobody knows how far the robot went meanwhile; not far.
+    if (last && continued) localizer_->move(last->inverse() * odometry);
+  }
+
+  /// What is new, as if it had been measured where the robot is now.
+  std::vector<RangeBeam> measured() {
+    std::vector<RangeBeam> result;
+    if (laser_ && laser_.isNew()) {
+      result = beams(*laser_, laserMaximum_);
+      laserSeenAt_ = robotlink::instant(laser_->timestamp());
+    }
+    const double waited =
+        laserSeenAt_ ? robotlink::seconds(robotlink::instant(drive_->timestamp()) - *laserSeenAt_) : 1e9;
+    if (sonar_ && sonar_.isNew() && std::abs(waited) > orBuiltIn(parameters_.sonar_after(), 1.0)) {
+      const std::vector<RangeBeam> cones = beams(*sonar_);
+      result.insert(result.end(), cones.begin(), cones.end());
+    }
+    const std::optional<Pose2> now = odometry_.latest();
+    std::erase_if(result, [&](RangeBeam& beam) {
+      const std::optional<Pose2> then = odometry_.at(beam.time);
+      if (!now || !then) return true;
+      beam.sensorInRobot = now->inverse() * *then * beam.sensorInRobot;
+      return false;
+    });
+    return result;
+  }
+
+  MonteCarloLocalizer::Options options() const {
+    const robotcontrol::MonteCarloLocalisationParameters& p = parameters_;
+    MonteCarloLocalizer::Options options;
+    replace(options.particlesPerArea, p.particles_per_area());
+    replace(options.fewest, p.fewest_particles());
+    replace(options.most, p.most_particles());
+    replace(options.ranges.rays, p.rays());
+    replace(options.ranges.evidence, p.evidence());
+    replace(options.ranges.sonarDeviation, p.sonar_deviation());
+    replace(options.ranges.randomShare, p.random_share());
+    replace(options.rayDeviation, p.ray_deviation());
+    replace(options.startDeviation, p.start_deviation());
+    options.startDeviation = std::max(options.startDeviation, options.rayDeviation);
+    replace(options.wayNoise, p.way_noise());
+    replace(options.skidNoise, p.skid_noise());
+    replace(options.turnNoise, p.turn_noise());
+    replace(options.driftNoise, p.drift_noise());
+    replace(options.leastWay, p.least_way());
+    replace(options.leastTurn, p.least_turn());
+    replace(options.goodFit, p.good_fit());
+    replace(options.newShare, p.new_share());
+    replace(options.lostAfter, p.lost_after());
+    options.seed = static_cast<std::uint64_t>(std::max(0, p.seed())) + 1;
+    return options;
+  }
+
+  void draw(const std::vector<RangeBeam>& seen) {
+    if (debug_.on(kLocatorParticlesKey)) {
+      auto drawing = debug_.fieldDrawing(kLocatorParticlesKey);
+      const std::span<const Particle> all = localizer_->particles();
+      const std::size_t count = std::min(all.size(), kMostDrawn);
+      for (std::size_t i = 0; i < count; ++i)
+        drawing.pose(all[i * all.size() / count].pose(), robotlink::colors::kBlue, 0.15);
+    }
+    if (debug_.on(kRaysKey)) {
+      auto drawing = debug_.fieldDrawing(kRaysKey);
+      const Pose2 robot = localizer_->estimate().robotInField;
+      for (const RangeBeam& beam : seen)
+        if (beam.hit()) drawing.dot(robot * beam.endInRobot(), robotlink::colors::kRed, 0.06);
+    }
+    if (debug_.on(kFilterKey)) {
+      debug_.plot(kFilterKey, "fit", localizer_->fit());
+      debug_.plot(kFilterKey, "particles", static_cast<double>(localizer_->particles().size()));
+    }
+  }
+
+  const robotcontrol::MonteCarloLocalisationParameters& parameters_;
+  double laserMaximum_;
+  std::shared_ptr<const robotlink::GroundMap> map_;
+  robotlink::Input<robotcontrol::DriveState> drive_;
+  robotlink::Input<robotcontrol::SonarReadings> sonar_;
+  robotlink::Input<foxglove::LaserScan> laser_;
+  std::optional<MonteCarloLocalizer> localizer_;
+  OdometryHistory odometry_;
+  std::optional<Instant> laserSeenAt_;
+  bool warned_ = false;
+};
+
+const robotlink::SolutionRegistration kMonteCarlo =
+    robotlink::SolutionBuilder<MonteCarloLocator>(
+        "self-localisation", "monte-carlo",
+        "A particle filter over odometry and what laser or sonars measure in the map; begins anywhere.")
+        .needs(robotlink::kDriveState)
+        .uses(robotlink::kSonar)
+        .uses(robotlink::kLaser)
+        .yields(robotlink::kRobotPose)
+        .keys({&kLocatorPoseKey, &kLocatorParticlesKey, &kLocatorPlotKey, &kRaysKey, &kFilterKey})
+        .parameters<robotcontrol::MonteCarloLocalisationParameters>();
+
+class WheelLocator final : public SelfLocator {
+ public:
+  explicit WheelLocator(robotlink::SolutionContext& context)
+      : SelfLocator(context),
+        parameters_(context.parameters<robotcontrol::WheelOdometryParameters>()),
+        drive_(context.input(robotlink::kDriveState)) {
+    const auto map = context.robot().map;
+    const auto* home = map ? map->find(robotlink::GroundMap::Place::Kind::kHome) : nullptr;
+    if (home != nullptr)
+      home_ = home->pose;
+    else
+      debug_.text(Level::kWarning, "self-localisation",
+                  "there is no map with a home to reckon from: the robot is taken to have begun at 0, 0");
+  }
+
+  void execute() override {
+    if (!drive_ || !drive_.isNew()) return;
+    const Pose2 now = robotlink::pose2(drive_->odometry());
+    if (!finite(now)) return;
+    const Pose2 step = last_.inverse() * now;
+    last_ = now;
+    way_ += std::hypot(step.x, step.y);
+    turn_ += std::abs(step.heading);
+    PoseEstimate estimate;
+    estimate.robotInField = home_ * now;
+    estimate.headingDeviation = orBuiltIn(parameters_.drift_per_radian(), 0.03) * turn_;
+    estimate.positionDeviation =
+        orBuiltIn(parameters_.drift_per_metre(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
+    tell(estimate, drive_->timestamp());
+  }
+
+ private:
+  const robotcontrol::WheelOdometryParameters& parameters_;
+  robotlink::Input<robotcontrol::DriveState> drive_;
+  Pose2 home_, last_;
+  double way_ = 0, turn_ = 0;
+};
+
+const robotlink::SolutionRegistration kWheels =
+    robotlink::SolutionBuilder<WheelLocator>(
+        "self-localisation", "wheel-odometry",
+        "Dead reckoning by the wheels from the home of the map; its error only grows.")
+        .needs(robotlink::kDriveState)
+        .yields(robotlink::kRobotPose)
+        .keys({&kLocatorPoseKey, &kLocatorPlotKey})
+        .parameters<robotcontrol::WheelOdometryParameters>();
+
+}  // namespace
+}  // namespace modules

@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "path-planning": how the robot gets to where a person wants it.
+#include <cmath>
+#include <optional>
+
+#include "NavigationParameters.pb.h"
+#include "foxglove/Geometry.pb.h"
+#include "modules/navigation/GridPlanner.h"
+#include "modules/navigation/ParameterDefaults.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Modeling.pb.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+namespace {
+
+using robotcontrol::DrivePath;
+using robotlink::DebugKey;
+using robotlink::Level;
+using robotlink::Vector2;
+
+const DebugKey kPathKey{"path-planning/path", "The way to the goal, and the goal"};
+const DebugKey kWaveKey{"path-planning/wave",
+                        "How far each place is from the goal, from near (green) to far (blue)"};
+
+Vector2 goalOf(const robotcontrol::DriveGoal& goal) {
+  return {goal.pose_in_field().x(), goal.pose_in_field().y()};
+}
+
+std::string nameOf(const robotcontrol::DriveGoal& goal) {
+  if (!goal.name().empty()) return "“" + goal.name() + "”";
+  char text[64];
+  std::snprintf(text, sizeof text, "(%.2f, %.2f)", goal.pose_in_field().x(), goal.pose_in_field().y());
+  return text;
+}
+
+/// Plans when there is a new goal, and again and again while the robot is on its way.
+class PathPlanner : public robotlink::Solution {
+ public:
+  explicit PathPlanner(robotlink::SolutionContext& context)
+      : debug_(context.debug()),
+        clock_(context.clock()),
+        pose_(context.input(robotlink::kRobotPose)),
+        goal_(context.input(robotlink::kDriveGoal)),
+        path_(context.output(robotlink::kDrivePath)) {}
+
+  void execute() override {
+    if (goal_ && goal_.isNew()) {
+      told_.clear();
+      planNow_ = true;
+    }
+    const double now = robotlink::seconds(clock_.now());
+    if (!planNow_ && now - plannedAt_ < period() && now >= plannedAt_) return draw();
+    planNow_ = false;
+    plannedAt_ = now;
+    sent_ = std::make_shared<DrivePath>();
+    robotlink::assign(*sent_->mutable_timestamp(), clock_.now());
+    if (goal_ && !goal_->cancelled()) planFor(*goal_);
+    path_.send(sent_);
+    draw();
+  }
+
+ protected:
+  virtual double period() const { return 0.5; }
+  /// Of the pose, m, above which nothing is planned.
+  virtual double lostDeviation() const { return 1.0; }
+  virtual PlannedPath plan(const Vector2& from, const Vector2& goal) = 0;
+  virtual void drawMore() {}
+
+  robotlink::DebugContext& debug_;
+
+ private:
+  void planFor(const robotcontrol::DriveGoal& goal) {
+    *sent_->mutable_goal() = goal;
+    if (!pose_ || !(pose_->position_deviation() <= lostDeviation())) {
+      sent_->set_reason("the robot does not know well enough where it is");
+      return sayOnce(Level::kInfo, "to " + nameOf(goal) + ": " + sent_->reason() + " yet");
+    }
+    const robotlink::Pose2 robot = robotlink::pose2(pose_->robot_in_field());
+    const PlannedPath planned = plan(robot.translation(), goalOf(goal));
+    sent_->set_blocked(planned.blocked());
+    sent_->set_reason(planned.reason);
+    for (const Vector2& point : planned.points) robotlink::assign(*sent_->add_points_in_field(), point);
+    if (planned.blocked())
+      return sayOnce(Level::kWarning, "no way to " + nameOf(goal) + ": " + planned.reason);
+    char length[32];
+    std::snprintf(length, sizeof length, "%.1f m", planned.length());
+    sayOnce(Level::kInfo, "to " + nameOf(goal) + " it is " + length, "to " + nameOf(goal));
+  }
+
+  /// Not again until there is another goal, or something else to say; `what`: what it is about, if not the
+  /// text itself.
+  void sayOnce(Level level, const std::string& text, const std::string& what = "") {
+    const std::string about = what.empty() ? text : what;
+    if (about == told_) return;
+    told_ = about;
+    debug_.text(level, "path-planning", text);
+  }
+
+  void draw() {
+    if (sent_ && debug_.on(kPathKey)) {
+      auto drawing = debug_.fieldDrawing(kPathKey);
+      for (int i = 1; i < sent_->points_in_field_size(); ++i)
+        drawing.line(robotlink::vector2(sent_->points_in_field(i - 1)),
+                     robotlink::vector2(sent_->points_in_field(i)), robotlink::colors::kGreen, 2);
+      if (sent_->has_goal()) {
+        const auto color = sent_->blocked() ? robotlink::colors::kRed : robotlink::colors::kOrange;
+        drawing.circle(goalOf(sent_->goal()), 0.2, color, 2);
+        if (!sent_->goal().any_heading())
+          drawing.pose(robotlink::pose2(sent_->goal().pose_in_field()), color, 0.4);
+      }
+    }
+    drawMore();
+  }
+
+  const robotlink::Clock& clock_;
+  robotlink::Input<robotcontrol::RobotPose> pose_;
+  robotlink::Input<robotcontrol::DriveGoal> goal_;
+  robotlink::Output<DrivePath> path_;
+  std::shared_ptr<DrivePath> sent_;
+  std::string told_;
+  bool planNow_ = true;
+  double plannedAt_ = 0;
+};
+
+class GridPathPlanner final : public PathPlanner {
+ public:
+  explicit GridPathPlanner(robotlink::SolutionContext& context)
+      : PathPlanner(context), parameters_(context.parameters<robotcontrol::GridPlanningParameters>()) {
+    if (context.robot().map == nullptr) {
+      debug_.text(Level::kWarning, "path-planning",
+                  "there is no map to plan in: open one, or choose the solution direct");
+      return;
+    }
+    GridPlanner::Options options;
+    if (const auto& drive = context.robot().description.drive; drive && drive->width > 0)
+      options.clearance = 0.5 * drive->width + 0.1;
+    replace(options.clearance, parameters_.clearance());
+    replace(options.comfort, parameters_.comfort());
+    replace(options.nearness, parameters_.nearness());
+    planner_.emplace(*context.robot().map, options);
+  }
+
+ private:
+  double period() const override { return orBuiltIn(parameters_.period(), 0.5); }
+  double lostDeviation() const override { return orBuiltIn(parameters_.lost_deviation(), 1.0); }
+
+  PlannedPath plan(const Vector2& from, const Vector2& goal) override {
+    if (!planner_) return {{}, "there is no map to plan in"};
+    if (planner_->goal() != goal) planner_->setGoal(goal);
+    return planner_->path(from);
+  }
+
+  void drawMore() override {
+    if (!planner_ || !debug_.on(kWaveKey)) return;
+    auto drawing = debug_.fieldDrawing(kWaveKey);
+    for (const GridPlanner::WavePoint& point : planner_->wave(1500)) {
+      const auto share = static_cast<std::uint8_t>(255 * point.share);
+      drawing.dot(point.place, {{40, static_cast<std::uint8_t>(220 - 0.7 * share), share}}, 0.1);
+    }
+  }
+
+  const robotcontrol::GridPlanningParameters& parameters_;
+  std::optional<GridPlanner> planner_;
+};
+
+const robotlink::SolutionRegistration kGrid =
+    robotlink::SolutionBuilder<GridPathPlanner>(
+        "path-planning", "grid",
+        "The way of least cost on the map's grid, away from walls, not through what is forbidden.")
+        .needs(robotlink::kRobotPose)
+        .uses(robotlink::kDriveGoal)
+        .yields(robotlink::kDrivePath)
+        .keys({&kPathKey, &kWaveKey})
+        .parameters<robotcontrol::GridPlanningParameters>();
+
+class DirectPathPlanner final : public PathPlanner {
+ public:
+  explicit DirectPathPlanner(robotlink::SolutionContext& context) : PathPlanner(context) {}
+
+ private:
+  PlannedPath plan(const Vector2& from, const Vector2& goal) override { return {{from, goal}, ""}; }
+};
+
+const robotlink::SolutionRegistration kDirect =
+    robotlink::SolutionBuilder<DirectPathPlanner>("path-planning", "direct",
+                                                  "Straight to the goal, whatever is in between.")
+        .needs(robotlink::kRobotPose)
+        .uses(robotlink::kDriveGoal)
+        .yields(robotlink::kDrivePath)
+        .keys({&kPathKey});
+
+}  // namespace
+}  // namespace modules

@@ -1,0 +1,59 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "modules/navigation/RangePackages.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "foxglove/Ranging.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace modules {
+
+using robotlink::Pose2;
+
+namespace {
+
+constexpr int kMostReadings = 256, kMostRays = 4096;
+// Where a message does not say how far its sonars reach: those of a Pioneer.
+constexpr double kSonarMaximum = 5;
+
+bool finite(const Pose2& pose) {
+  return std::isfinite(pose.x) && std::isfinite(pose.y) && std::isfinite(pose.heading);
+}
+
+}  // namespace
+
+std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar) {
+  std::vector<RangeBeam> result;
+  const double maximum = sonar.maximum() > 0 ? sonar.maximum() : kSonarMaximum;
+  const double opening = std::clamp(sonar.opening_angle(), robotlink::radians(1), robotlink::kPi);
+  const int count = std::min(kMostReadings, sonar.readings_size());
+  for (int i = 0; i < count; ++i) {
+    const robotcontrol::SonarReadings::Reading& reading = sonar.readings(i);
+    const Pose2 sensor = robotlink::pose2(reading.sensor_in_robot());
+    if (!(reading.range() > 0) || !finite(sensor)) continue;
+    const auto& time = reading.has_timestamp() ? reading.timestamp() : sonar.timestamp();
+    result.push_back(
+        {sensor, std::min(reading.range(), maximum), maximum, opening, robotlink::instant(time)});
+  }
+  return result;
+}
+
+std::vector<RangeBeam> beams(const foxglove::LaserScan& laser, double maximum) {
+  std::vector<RangeBeam> result;
+  const int count = std::min(kMostRays, laser.ranges_size());
+  const Pose2 sensor = robotlink::groundPose(robotlink::pose3(laser.pose()));
+  const double step = count > 1 ? (laser.end_angle() - laser.start_angle()) / (laser.ranges_size() - 1) : 0;
+  if (!finite(sensor) || !std::isfinite(laser.start_angle()) || !std::isfinite(step)) return result;
+  const robotlink::Instant time = robotlink::instant(laser.timestamp());
+  for (int i = 0; i < count; ++i) {
+    const double range = laser.ranges(i);
+    const bool hit = range > 0 && range < maximum;
+    result.push_back(
+        {sensor * Pose2{0, 0, laser.start_angle() + i * step}, hit ? range : maximum, maximum, 0, time});
+  }
+  return result;
+}
+
+}  // namespace modules

@@ -1,0 +1,45 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <functional>
+#include <optional>
+#include <span>
+
+#include "RollingRobot.h"
+#include "modules/driving/DynamicWindow.h"
+#include "modules/driving/RangeMemory.h"
+#include "modules/driving/SpeedLimiter.h"
+#include "modules/driving/VectorField.h"
+
+namespace modules {
+
+enum class Avoidance { kVectorField, kDynamicWindow };
+
+/// A RollingRobot that remembers what it sees and avoids obstacles, as the solutions of its program do.
+class Ride {
+ public:
+  Ride(const FlatWorld& world, const RollingRobot::Options& options, Avoidance avoidance);
+
+  /// What is wished, by the obstacles in the robot's frame.
+  using Wish = std::function<DriveVelocity(std::span<const robotlink::Vector2>)>;
+  void run(double seconds, const Wish& wish);
+  /// Runs until `done`; false if it was not within the time.
+  bool runUntil(double seconds, const Wish& wish, const std::function<bool()>& done);
+
+  RollingRobot& robot() { return robot_; }
+  const DriveVelocity& request() const { return request_; }
+
+ private:
+  void cycle(const Wish& wish);
+
+  RollingRobot robot_;
+  Avoidance avoidance_;
+  OdometryHistory odometry_;
+  RangeMemory memory_{{}};
+  VectorField vectorField_;
+  DynamicWindow dynamicWindow_;
+  SpeedLimiter limiter_;
+  DriveVelocity request_;
+};
+
+}  // namespace modules
