@@ -6,6 +6,9 @@
 // The fields of CONFIGpac in the order of the wire; see WireFields.h.
 namespace robotlink::arcos {
 
+inline constexpr const char* kBauds =
+    "; 0 9600 baud; 1 19200 baud; 2 38400 baud; 3 57600 baud; 4 115200 baud";
+
 /// `C` is Configuration, const or not. `rest` and `fieldCount` are left to the visitor's owner.
 template <typename C, typename V>
 void visitConfigurationFields(C& c, V& v) {
@@ -20,8 +23,8 @@ void visitConfigurationFields(C& c, V& v) {
   v("pwm max", c.pwmMax);
   v("name", c.name);
   v("sip cycle", c.sipCycleMs, "ms");
-  v("host baud", c.hostBaud);
-  v("aux baud 1", c.auxBaud1);
+  v("host baud", c.hostBaud, kBauds);
+  v("aux baud 1", c.auxBaud1, kBauds);
   v("gripper", c.gripper);
   v("front sonar", c.frontSonar);
   v("rear sonar", c.rearSonar);
@@ -50,10 +53,10 @@ void visitConfigurationFields(C& c, V& v) {
   v("charger", c.charger);
   v("sonar cycle", c.sonarCycleMs, "ms");
   v("auto baud", c.autoBaud);
-  v("has gyro", c.hasGyro);
+  v("has gyro", c.hasGyro, "; 0 none; 1 for the client; 2 for the robot");
   v("drift factor", c.driftFactor, "1/8192");
-  v("aux baud 2", c.auxBaud2);
-  v("aux baud 3", c.auxBaud3);
+  v("aux baud 2", c.auxBaud2, kBauds);
+  v("aux baud 3", c.auxBaud3, kBauds);
   v("encoder ticks", c.ticksMm, "ticks/mm");
   v("shutdown", c.shutdownDecivolts, "0.1 V");
   v("version", c.version);

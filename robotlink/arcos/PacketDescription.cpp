@@ -20,20 +20,34 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// "bits: motors on, , sonar" and 5: "0x05 motors on, sonar".
-std::string flagNames(std::uint64_t bits, std::size_t bytes, std::string_view unit) {
+/// Takes the text before the next `separator` from `text`, and the separator; without blanks around it.
+std::string_view takePart(std::string_view& text, char separator) {
+  const std::size_t end = std::min(text.find(separator), text.size());
+  std::string_view part = text.substr(0, end);
+  text.remove_prefix(std::min(end + 1, text.size()));
+  part.remove_prefix(std::min(part.find_first_not_of(' '), part.size()));
+  return part;
+}
+
+/// "motors on, , sonar" and 5: "0x05 motors on, sonar".
+std::string flagNames(std::uint64_t bits, std::size_t bytes, std::string_view names) {
   std::string text =
       formatted("0x%0*llx", static_cast<int>(2 * bytes), static_cast<unsigned long long>(bits));
-  unit.remove_prefix(std::min(unit.size(), std::string_view("bits:").size()));
   const char* separator = " ";
-  for (; !unit.empty(); bits >>= 1U) {
-    const std::size_t comma = std::min(unit.find(','), unit.size());
-    std::string_view name = unit.substr(0, comma);
-    name.remove_prefix(std::min(name.find_first_not_of(' '), name.size()));
+  for (; !names.empty(); bits >>= 1U) {
+    const std::string_view name = takePart(names, ',');
     if ((bits & 1U) && !name.empty()) text += std::exchange(separator, ", ") + std::string(name);
-    unit.remove_prefix(std::min(comma + 1, unit.size()));
   }
   return text;
+}
+
+/// "-127 none; 3 three" and 3: "three"; nothing if the value has no name.
+std::optional<std::string> nameOfValue(std::int64_t value, std::string_view names) {
+  while (!names.empty()) {
+    std::string_view name = takePart(names, ';');
+    if (takePart(name, ' ') == std::to_string(value)) return std::string(name);
+  }
+  return std::nullopt;
 }
 
 /// "0.1 V" as 0.1 and "V", "1/4096 turn" as 360/4096 and "deg", "mm" as 1 and "mm".
@@ -69,14 +83,19 @@ class FieldLister {
 
   template <std::integral T>
   void operator()(const char* name, const T& value, const char* unit = "") {
-    const std::string_view text(unit);
-    if (text.starts_with("bits")) {
+    if (value == 0 && std::string_view(name) == "reserved") return;
+    std::string_view names(unit);
+    std::string_view text = takePart(names, ';');
+    if (const auto meaning = nameOfValue(static_cast<std::int64_t>(value), names)) {
+      add(name, *meaning, "");
+    } else if (text.starts_with("bits")) {
+      takePart(text, ':');
       add(name, flagNames(static_cast<std::make_unsigned_t<T>>(value), sizeof(T), text), "");
-      return;
+    } else {
+      auto [factor, unitName] = factorOf(text);
+      add(name, factor == 1 ? std::to_string(value) : formatted("%.10g", static_cast<double>(value) * factor),
+          std::move(unitName));
     }
-    auto [factor, unitName] = factorOf(text);
-    add(name, factor == 1 ? std::to_string(value) : formatted("%.10g", static_cast<double>(value) * factor),
-        std::move(unitName));
   }
   void operator()(const char* name, const std::string& value, const char* = "") {
     add(name, printable(value), "");

@@ -50,12 +50,12 @@ void visitFields(P& p, V& v) {
   v("digital in", p.digitalIn, "bits");
   v("digital out", p.digitalOut, "bits");
   v("battery, fine", p.batteryDecivolts16, "0.1 V");
-  v("charge state", p.chargeState);
+  v("charge state", p.chargeState, "; 0 not charging; 1 bulk; 2 over; 3 float; 4 balance; 255 unknown");
   v("rotation rate", p.rotationRateDeciDegS, "0.1 deg/s");
   v("fault flags", p.faultFlags, "bits: , temperature, , low battery, gyroscope");
   v("lateral speed", p.lateralSpeedMmS, "mm/s");
-  v("temperature", p.temperatureDegC, "degC");
-  v("state of charge", p.stateOfChargePercent, "%");
+  v("temperature", p.temperatureDegC, "degC; -127 unknown; -128 unknown");
+  v("state of charge", p.stateOfChargePercent, "%; 0 unknown");
   v("controller time", p.controllerTimeUs, "us");
   v("more flags", p.moreFlags, "bits");
   v.rest(p.rest);

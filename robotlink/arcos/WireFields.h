@@ -17,7 +17,12 @@
 // visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers
 // and descriptions are visitors, so the order of fields stands in one place. Integers are little-endian and
 // as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector), then its
-// elements between enter() and leave(). Only this folder's sources include this.
+// elements between enter() and leave(); the field that numbers an element is a key().
+//
+// Units may have a factor ("0.1 V", "1/4096 turn"), and values with a meaning behind them ("%; 0 unknown").
+// Those of flags are "bits", or "bits: name, name" from bit 0 on.
+//
+// Only this folder's sources include this.
 namespace robotlink::arcos {
 
 template <std::integral T>

@@ -63,6 +63,32 @@ TEST(PacketDescriptionTest, informationIsShownInUnitsThatPeopleUse) {
   EXPECT_EQ(field("analog port"), "missing");
 }
 
+TEST(PacketDescriptionTest, valuesWithAMeaningAreNamed) {
+  StandardInformation sip;
+  sip.gripState = sip.analogPort = sip.analog = sip.digitalIn = sip.digitalOut = std::uint8_t{0};
+  sip.batteryDecivolts16 = 131;
+  sip.chargeState = 3;
+  sip.rotationRateDeciDegS = -15;
+  sip.faultFlags = 0x0010;
+  sip.lateralSpeedMmS = 0;
+  sip.temperatureDegC = StandardInformation::kNoTemperature;
+  sip.stateOfChargePercent = 50;
+  EXPECT_TRUE(
+      fromRobot(sip).ends_with("battery, fine 13.1 V, charge state float, rotation rate -1.5 deg/s, "
+                               "fault flags 0x0010 gyroscope, lateral speed 0 mm/s, temperature unknown, "
+                               "state of charge 50 %"))
+      << fromRobot(sip);
+  LaserPacket laser;
+  laser.total = 1;
+  laser.readings = {{5000, 3, {}}};
+  EXPECT_EQ(fromRobot(laser),
+            "laser: total 1 readings, first 0, readings 1, reading 0 5000 mm, "
+            "reading 0 reflectance 3, device 0, flags 0x00");
+  Configuration configuration;
+  configuration.auxBaud1 = 4;
+  EXPECT_NE(fromRobot(configuration).find("host baud 9600 baud, aux baud 1 115200 baud"), std::string::npos);
+}
+
 TEST(PacketDescriptionTest, everyPacketOfARobotIsNamedWithItsFields) {
   EXPECT_EQ(fromRobot(EncoderPacket{-1, 2, {}}), "encoder: left -1 ticks, right 2 ticks");
   EXPECT_EQ(fromRobot(Identity{"A", "Pioneer", "p3at-sh", {}}),
