@@ -48,7 +48,9 @@ DriveGeometry driveGeometry(const ModelDescription& model) {
   std::vector<Vector3> wheels = wheelPlaces(model, model.drive->left);
   const std::vector<Vector3> right = wheelPlaces(model, model.drive->right);
   DriveGeometry result;
-  result.toLeft = (mean(wheels) - mean(right)).normalized();
+  result.toLeft = model.joints[static_cast<std::size_t>(model.drive->left[0])].axisInModel;
+  const double apart = result.toLeft.dot(mean(wheels) - mean(right));
+  if (apart < 0) result.toLeft = -result.toLeft;
   wheels.insert(wheels.end(), right.begin(), right.end());
   result.center = mean(wheels);
   double along = 0, across = 0;  // of the wheels' distances from the middle: sum of squares, and plain sum
@@ -60,6 +62,7 @@ DriveGeometry driveGeometry(const ModelDescription& model) {
   }
   const auto count = static_cast<double>(wheels.size());
   result.slipRatio = slipRatioFor(model.drive->track, std::sqrt(along / count), across / count);
+  if (std::abs(apart) < 1e-3) result.slipRatio = 0;
 
   const Vector3 forward = result.toLeft.cross(Vector3::UnitZ()).normalized();
   const auto reachTo = [&](const Vector3& direction) {

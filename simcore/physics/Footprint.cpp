@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "simcore/physics/Footprint.h"
 
+#include <ode/ode.h>
+
 #include <cmath>
 
 namespace simcore {

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <ode/ode.h>
-
 #include "robotlink/base/Geometry.h"
+
+struct dxGeom;
 
 namespace simcore {
 
@@ -18,6 +18,6 @@ struct Footprint {
 };
 
 /// Of a solid with an end. Exact for an upright box; the others' bounds.
-Footprint footprintOf(dGeomID geom);
+Footprint footprintOf(dxGeom* geom);
 
 }  // namespace simcore

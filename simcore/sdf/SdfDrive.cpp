@@ -2,10 +2,14 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/physics/DriveGeometry.h"
 #include "simcore/sdf/SdfConversion.h"
 
 namespace simcore {
 namespace {
+
+// How unequally tyres may grip along and across.
+constexpr double kMostSlipRatio = 5;
 
 /// Reads <robotcontrol:drive> of one model.
 class DriveReader {
@@ -31,6 +35,10 @@ class DriveReader {
     if (!readJointLimits()) return;
     drive_.idleForce = idleTorque / drive_.wheelRadius;
     model_.drive = drive_;
+    const double ratio = driveGeometry(model_).slipRatio;
+    if (ratio > 1 / kMostSlipRatio && ratio < kMostSlipRatio) return;
+    fail("scene.drive", "wheels that stand there cannot turn the model about that track");
+    model_.drive.reset();
   }
 
  private:
@@ -46,9 +54,8 @@ class DriveReader {
       if (child->GetName() != key) continue;
       const auto name = child->Get<std::string>();
       const auto found = std::ranges::find(model_.joints, name, &JointDescription::name);
-      if (found == model_.joints.end()) {
-        context_.fail(child, "scene.drive", "the model has no joint '" + name + "' for its drive");
-      } else if (const char* reason = unfit(*found); reason != nullptr) {
+      if (found == model_.joints.end()) continue;  // checkSdfTree() has told
+      if (const char* reason = unfit(*found); reason != nullptr) {
         context_.fail(child, "scene.drive", "'" + name + "' cannot be a wheel's joint: " + reason);
       } else {
         found->wheel = true;
@@ -77,23 +84,27 @@ class DriveReader {
     return along && centered ? nullptr : "a wheel's cylinder must lie about the joint's axis";
   }
 
+  /// How a wheel should be as the first one is; null if it is.
+  const char* unlike(const JointDescription& joint, const JointDescription& first, double radius) const {
+    if (std::abs(radius - drive_.wheelRadius) > 1e-6) return "be of one radius";
+    if (joint.parent != first.parent) return "be joined to the same link";
+    return std::abs(joint.axisInModel.dot(first.axisInModel)) > 0.9999 ? nullptr : "turn about parallel axes";
+  }
+
   /// Speed and force are the least that any of the wheels has.
   bool readJointLimits() {
     drive_.maximumSpeed = drive_.maximumForce = 1e9;
+    const JointDescription& first = model_.joints[static_cast<std::size_t>(drive_.left[0])];
     for (const std::vector<int>* side : {&drive_.left, &drive_.right}) {
       for (const int index : *side) {
         const JointDescription& joint = model_.joints[static_cast<std::size_t>(index)];
         const sdf::Joint& source = *source_.JointByName(joint.name);
         const double radius = model_.links[static_cast<std::size_t>(joint.child)].collisions[0].shape.radius;
-        if (drive_.wheelRadius > 0 && std::abs(radius - drive_.wheelRadius) > 1e-6) {
-          fail("scene.drive", "a drive's wheels must be of one radius");
+        if (drive_.wheelRadius == 0) drive_.wheelRadius = radius;
+        if (const char* reason = unlike(joint, first, radius); reason != nullptr) {
+          fail("scene.drive", std::string("a drive's wheels must ") + reason);
           return false;
         }
-        if (joint.parent != model_.joints[static_cast<std::size_t>(drive_.left[0])].parent) {
-          fail("scene.drive", "a drive's wheels must be joined to the same link");
-          return false;
-        }
-        drive_.wheelRadius = radius;
         const sdf::JointAxis& axis = *source.Axis(0);
         const double speed =
             context_.within(axis.MaxVelocity(), 1e-6, 1000, "a wheel's <velocity>", source.Element());

@@ -41,7 +41,7 @@ class NameChecker {
     }
     // SDFormat has one scope for all of them.
     checkUnique(model, {"link", "joint", "frame", "model"});
-    std::set<std::string> links;
+    std::set<std::string> links, joints;
     for (auto* link = model.FirstChildElement("link"); link != nullptr;
          link = link->NextSiblingElement("link")) {
       links.insert(nameOf(*link));
@@ -50,7 +50,9 @@ class NameChecker {
     for (auto* joint = model.FirstChildElement("joint"); joint != nullptr;
          joint = joint->NextSiblingElement("joint")) {
       checkJoint(*joint, links);
+      joints.insert(nameOf(*joint));
     }
+    checkDrive(model.FirstChildElement("robotcontrol:drive"), joints);
   }
 
  private:
@@ -66,6 +68,16 @@ class NameChecker {
       if (!name.empty() && !names.insert(name).second) {
         fail(*child, "scene.duplicate-name", "the name '" + name + "' stands here twice");
       }
+    }
+  }
+
+  void checkDrive(const XMLElement* drive, const std::set<std::string>& joints) {
+    if (drive == nullptr) return;
+    for (auto* wheel = drive->FirstChildElement(); wheel != nullptr; wheel = wheel->NextSiblingElement()) {
+      const std::string_view name = wheel->Name();
+      if (name != "robotcontrol:left" && name != "robotcontrol:right") continue;
+      if (joints.contains(textOf(wheel))) continue;
+      fail(*wheel, "scene.drive", "the model has no joint '" + textOf(wheel) + "' for its drive");
     }
   }
 
