@@ -86,13 +86,26 @@ void ClearanceGrid::mark(const Cell& cell) {
 
 void ClearanceGrid::markRectangle(const robotlink::Pose2& pose, const Vector2& size) {
   // Samples half a cell apart meet each cell that the rectangle covers more than a little of.
-  const int countX = static_cast<int>(std::ceil(2 * size.x() / cellSize_)) + 1;
-  const int countY = static_cast<int>(std::ceil(2 * size.y() / cellSize_)) + 1;
+  const Vector2 samples = (2 * size / cellSize_).array().ceil() + 1;
+  if (samples.x() * samples.y() > 4.0 * width_ * height_) return markLarge(pose, size);
+  const int countX = static_cast<int>(samples.x()), countY = static_cast<int>(samples.y());
+  const auto share = [](int i, int count) {
+    return count == 1 ? 0 : static_cast<double>(i) / (count - 1) - 0.5;
+  };
   for (int i = 0; i < countX; ++i) {
-    const double x = countX == 1 ? 0 : size.x() * (static_cast<double>(i) / (countX - 1) - 0.5);
-    for (int j = 0; j < countY; ++j) {
-      const double y = countY == 1 ? 0 : size.y() * (static_cast<double>(j) / (countY - 1) - 0.5);
-      mark(cellAt(pose * Vector2(x, y)));
+    const double x = size.x() * share(i, countX);
+    for (int j = 0; j < countY; ++j) mark(cellAt(pose * Vector2(x, size.y() * share(j, countY))));
+  }
+}
+
+/// One that is larger than the grid, perhaps by far.
+void ClearanceGrid::markLarge(const robotlink::Pose2& pose, const Vector2& size) {
+  const robotlink::Pose2 gridInRectangle = pose.inverse();
+  const Vector2 half = size / 2 + Vector2(cellSize_, cellSize_) / 2;
+  for (int y = 0; y < height_; ++y) {
+    for (int x = 0; x < width_; ++x) {
+      const Vector2 inside = (gridInRectangle * centerOf({x, y})).cwiseAbs();
+      if (inside.x() <= half.x() && inside.y() <= half.y()) mark({x, y});
     }
   }
 }

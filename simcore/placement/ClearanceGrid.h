@@ -46,6 +46,8 @@ class ClearanceGrid {
   double clearance(const Cell& cell) const { return static_cast<double>(clearances_[indexOf(cell)]); }
 
  private:
+  void markLarge(const robotlink::Pose2& pose, const robotlink::Vector2& size);
+
   robotlink::Vector2 low_;
   double cellSize_ = 0;
   int width_ = 0, height_ = 0;

@@ -66,6 +66,17 @@ TEST(ClearanceGrid, shapesCoverTheirCells) {
   EXPECT_FALSE(grid.isMarked(grid.cellAt({1.3, 3.3})));
 }
 
+TEST(ClearanceGrid, whatIsFarLargerThanTheGridIsMarkedInNoTime) {
+  ClearanceGrid grid({0, 0}, {4, 4}, 0.1);
+  grid.markRectangle({2, -9998, robotlink::kPi / 2}, {20'000, 20'000});
+  EXPECT_TRUE(grid.isMarked(grid.cellAt({0.05, 1.8})));
+  EXPECT_TRUE(grid.isMarked(grid.cellAt({3.9, 0.1})));
+  EXPECT_FALSE(grid.isMarked(grid.cellAt({2, 2.2})));
+  grid.markCircle({-9997, 2}, 10'000);
+  EXPECT_TRUE(grid.isMarked(grid.cellAt({2.8, 2.8})));
+  EXPECT_FALSE(grid.isMarked(grid.cellAt({3.3, 2.8})));
+}
+
 TEST(ClearanceGrid, aHugeFloorHasLargerCells) {
   const ClearanceGrid grid({-5000, -5000}, {5000, 5000}, 0.05);
   EXPECT_LE(static_cast<double>(grid.width()) * grid.height(), 4.1e6);
