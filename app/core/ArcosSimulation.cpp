@@ -11,8 +11,13 @@ tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulatio
     Options options, ArcosPorts::Teller teller) {
   auto scene = simcore::Scene::load(options.scene, options.robots);
   if (!scene) return tl::unexpected(scene.error());
+  return create(std::move(*scene), std::move(options), std::move(teller));
+}
+
+tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
+    std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Teller teller) {
   std::unique_ptr<ArcosSimulation> simulation(new ArcosSimulation(std::move(options)));
-  auto world = SimulatedWorld::create(std::move(*scene), simulation->options_.world);
+  auto world = SimulatedWorld::create(std::move(scene), simulation->options_.world);
   if (!world) return tl::unexpected(robotlink::Errors{world.error()});
   simulation->world_ = std::move(*world);
   auto ports = ArcosPorts::open(*simulation->world_, simulation->options_.ports, std::move(teller));

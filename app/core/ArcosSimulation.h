@@ -32,6 +32,10 @@ class ArcosSimulation {
   static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
       Options options, ArcosPorts::Teller teller = {});
 
+  /// The same of a scene that was loaded before; the options' file and robots do not count then.
+  static tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> create(
+      std::shared_ptr<const simcore::Scene> scene, Options options, ArcosPorts::Teller teller = {});
+
   /// Waits until the next step is due, moving packets meanwhile, and makes it.
   void step();
   /// Until that instant of the simulation, or until `stop` says so, which is asked before each step, or a

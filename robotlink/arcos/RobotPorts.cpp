@@ -34,7 +34,8 @@ tl::unexpected<Error> cannotListen(const tcp::endpoint& endpoint, const boost::s
 /// One robot's port with its client, if there is one.
 class Port {
  public:
-  explicit Port(asio::io_context& context) : acceptor_(context), client_(context) {}
+  Port(asio::io_context& context, std::chrono::milliseconds silence)
+      : acceptor_(context), client_(context), silence_(silence) {}
 
   Result<void> listen(const tcp::endpoint& endpoint) {
     boost::system::error_code error;
@@ -55,8 +56,7 @@ class Port {
 
   RobotPorts::Statistics statistics() const {
     RobotPorts::Statistics statistics = statistics_;
-    const PacketParser::Counters& now = parser_.counters();
-    statistics.received = now;
+    statistics.received = parser_.counters();
     return statistics;
   }
 
@@ -103,7 +103,7 @@ class Port {
     // The client before may be gone already, without that its end was read yet.
     for (int i = 0; i < kReadsBeforeAccept && client_.is_open() && read(); ++i) {
     }
-    if (client_.is_open() && Clock::now() - heardAt_ < RobotPorts::kSilentFor) {
+    if (client_.is_open() && Clock::now() - heardAt_ < silence_) {
       ++statistics_.refused;
       socket.close(error);
       return;
@@ -114,6 +114,7 @@ class Port {
     socket.non_blocking(true, error);
     client_ = std::move(socket);
     heardAt_ = Clock::now();
+    statistics_.receivedBytes = 0;
     ++statistics_.clients;
     statistics_.client = describe(from);
     listener_->clientCame(robot_, statistics_.client);
@@ -140,6 +141,7 @@ class Port {
       return false;
     }
     heardAt_ = Clock::now();
+    statistics_.receivedBytes += count;
     parser_.push({bytes.data(), count});
     handOut();
     return true;
@@ -184,6 +186,7 @@ class Port {
 
   tcp::acceptor acceptor_;
   tcp::socket client_;
+  const std::chrono::milliseconds silence_;
   std::uint64_t connection_ = 0;  ///< so that what was begun for one client does not touch the next
   RobotPorts::Listener* listener_ = nullptr;
   std::size_t robot_ = 0;
@@ -224,7 +227,7 @@ Result<std::unique_ptr<RobotPorts>> RobotPorts::open(const Options& options) {
   made.loopbackOnly = address.is_loopback();
   for (std::size_t robot = 0; robot < options.robots; ++robot) {
     const auto number = static_cast<std::uint16_t>(options.firstPort == 0 ? 0 : options.firstPort + robot);
-    made.ports.push_back(std::make_unique<Port>(made.context));
+    made.ports.push_back(std::make_unique<Port>(made.context, options.silence));
     if (auto listening = made.ports.back()->listen({address, number}); !listening) {
       return tl::unexpected(listening.error());
     }

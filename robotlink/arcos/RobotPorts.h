@@ -15,7 +15,7 @@ namespace robotlink::arcos {
 ///
 /// A port listens from open() to the end: a client that goes away leaves it free for the next at once. A
 /// second client is accepted and closed at once, which unmodified clients report as a connection that was
-/// lost, and which does not disturb the first; unless that has been silent for kSilentFor, as clients are
+/// lost, and which does not disturb the first; unless that has been silent for long, as clients are
 /// whose machine has gone. What a client does not read is kept up to kMaximumPending bytes; packets past that
 /// are dropped, whole ones only.
 ///
@@ -23,13 +23,14 @@ namespace robotlink::arcos {
 class RobotPorts {
  public:
   static constexpr std::size_t kMaximumPending = 256U << 10U;
-  static constexpr std::chrono::seconds kSilentFor{10};
-
   struct Options {
     std::string address =
         "127.0.0.1";                 ///< of this machine; others than loopback open the robots to the network
     std::uint16_t firstPort = 8101;  ///< the next robot has the next one; 0: each has one that is free
     std::size_t robots = 1;
+    /// A client that has said nothing for so long gives way to the next; living ones send a pulse every
+    /// second.
+    std::chrono::milliseconds silence{10'000};
   };
   /// Told in serve() what happens. Robots are counted from 0.
   class Listener {
@@ -42,6 +43,7 @@ class RobotPorts {
   struct Statistics {
     std::string client;  ///< "127.0.0.1:50312"; empty: there is none
     PacketParser::Counters received;
+    std::uint64_t receivedBytes = 0;  ///< of the present client
     std::uint64_t sentPackets = 0;
     std::uint64_t droppedPackets = 0;  ///< that the client did not read in time
     std::uint64_t clients = 0;         ///< that came, those that were refused apart

@@ -113,6 +113,19 @@ TEST_F(RobotPortsTest, aSecondClientIsClosedAtOnceAndDisturbsNobody) {
   EXPECT_EQ(gone[0], 0);
 }
 
+TEST_F(RobotPortsTest, aClientWhoseMachineHasGoneGivesWayToTheNext) {
+  ports = std::move(*RobotPorts::open({"127.0.0.1", 0, 1, 30ms}));
+  const auto first = connect(0);
+  ASSERT_TRUE(serveUntil([&] { return came[0] == 1; }));
+  const auto end = Clock::now() + 40ms;
+  serveUntil([&] { return Clock::now() >= end; });
+  const auto second = connect(0);
+  ASSERT_TRUE(serveUntil([&] { return came[0] == 2; }));
+  EXPECT_EQ(gone[0], 1);
+  ASSERT_TRUE(second->write(encode({8, {}})));
+  ASSERT_TRUE(serveUntil([&] { return !packets[0].empty(); }));
+}
+
 TEST_F(RobotPortsTest, damageIsCountedAndTheNextPacketsAreRead) {
   const auto client = connect(0);
   Bytes bytes = {1, 2, 3, 0xFA, 0xFB, 3, 9, 9, 9};
