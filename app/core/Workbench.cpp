@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "app/core/ColorTables.h"
 #include "app/core/LogCommands.h"
 #include "app/core/RecordingCommands.h"
+#include "app/core/RobotCommands.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -49,8 +49,7 @@ Workbench::Workbench(std::filesystem::path userFolder)
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   addSimulationCommands();
   addLayoutCommand();
-  addRobotCommands();
-  addConnectCommand();
+  addRobotCommands(*this);
   addLogCommands(*this);
   addRecordingCommands(*this);
 }
@@ -282,76 +281,6 @@ void Workbench::addLayoutCommand() {
                    setLayout(layoutNamed(std::get<std::string>(values[0])));
                    return {};
                  }});
-}
-
-void Workbench::addConnectCommand() {
-  commands_.add({"robot.connect",
-                 "Connects a Pioneer over TCP or a serial line and runs its program here; it stays connected until something "
-                 "else is opened",
-                 {{"address", CommandTable::Type::kText, "tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]"},
-                  {"layout", CommandTable::Type::kText, "a layout file or the name of a shipped one; empty: the Pioneer's"},
-                  {"map", CommandTable::Type::kText, "a map (.map) of where it drives; empty: none"}},
-                 [this](const Values& values) -> robotlink::Result<void> {
-                   PioneerOptions options{.url = std::get<std::string>(values[0])};
-                   if (const auto& layout = std::get<std::string>(values[1]); !layout.empty()) {
-                     options.layout = layoutNamed(layout);
-                   }
-                   options.map = std::get<std::string>(values[2]);
-                   connectRobot(std::move(options));
-                   return {};
-                 }});
-}
-
-void Workbench::addRobotCommands() {
-  commands_.add({"robot.select",
-                 "Chooses the robot that toolbars and views talk about",
-                 {{"robot", CommandTable::Type::kText, "its name"}},
-                 [this](const Values& values) -> robotlink::Result<void> {
-                   const auto& name = std::get<std::string>(values[0]);
-                   const auto& robots = session_.robots();
-                   if (std::find(robots.begin(), robots.end(), name) == robots.end()) {
-                     return robotlink::failure("robot.unknown", "there is no robot " + name, {}, {name});
-                   }
-                   session_.selectRobot(name);
-                   return {};
-                 }});
-  commands_.add({"robot.stop",
-                 "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
-                 {{"engaged", CommandTable::Type::kBool, "true engages, false releases"}},
-                 [this](const Values& values) -> robotlink::Result<void> {
-                   for (const std::string& robot : session_.robots()) {
-                     robotcontrol::Request request;
-                     request.set_robot(robot);
-                     request.mutable_stop()->set_engaged(std::get<bool>(values[0]));
-                     session_.request(request);
-                   }
-                   return {};
-                 }});
-  commands_.add({"robot.color-table",
-                 "Gives the selected robot's program a colour table, which it uses from its next image on",
-                 {{"file", CommandTable::Type::kText, "a colour table (.c64)"}},
-                 [this](const Values& values) -> robotlink::Result<void> {
-                   auto table = readColorTable(std::get<std::string>(values[0]));
-                   if (!table) return tl::unexpected(table.error());
-                   robotcontrol::SetColorTable change;
-                   *change.mutable_table() = std::move(**table);
-                   return askForColorTable(change);
-                 }});
-  commands_.add({"robot.no-color-table",
-                 "Lets the selected robot's program find colours as it does without a table",
-                 {},
-                 [this](const Values&) { return askForColorTable({}); }});
-}
-
-robotlink::Result<void> Workbench::askForColorTable(const robotcontrol::SetColorTable& change) {
-  if (session_.robots().empty()) {
-    return robotlink::failure("robot.none", "there is no robot; open a scene or a log first");
-  }
-  robotcontrol::Request request;
-  request.set_robot(session_.selectedRobot());
-  *request.mutable_set_color_table() = change;
-  ask(std::move(request));
-  return {};
 }
 
 }  // namespace app

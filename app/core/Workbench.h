@@ -14,10 +14,6 @@
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 
-namespace robotcontrol {
-class SetColorTable;
-}
-
 namespace app {
 
 /// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs), and the commands
@@ -90,9 +86,7 @@ class Workbench {
     tl::expected<LoadedPlatform, robotlink::Errors> loaded;
   };
   void addSimulationCommands();
-  void addRobotCommands();
   void addLayoutCommand();
-  void addConnectCommand();
   robotlink::Result<void> setUp(const std::vector<robotlink::CommandTable::Value>& values);
   logplayer::LogFile::Progress newOpening();
   PlatformThread::LoadHandler outcomeOf(Change change);
@@ -100,7 +94,6 @@ class Workbench {
   void take(const robotcontrol::Request& request);
   void tell(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
-  robotlink::Result<void> askForColorTable(const robotcontrol::SetColorTable& change);
   robotlink::Result<void> control(int action, double speed = -1);
 
   std::filesystem::path userFolder_;

@@ -1,0 +1,66 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include <gtest/gtest.h>
+
+#include <filesystem>
+
+#include "TickUntil.h"
+#include "app/core/Workbench.h"
+#include "robotcontrol/Debugging.pb.h"
+
+using namespace app;
+
+namespace {
+
+class RobotCommandsTest : public testing::Test {
+ protected:
+  RobotCommandsTest() : workbench_(std::filesystem::path(testing::TempDir()) / "robot-commands") {}
+  std::string refusal(const std::string& command, const std::vector<robotlink::CommandTable::Value>& values) {
+    const auto done = workbench_.commands().run(command, values);
+    return done ? std::string() : done.error().id;
+  }
+  Workbench workbench_;
+};
+
+}  // namespace
+
+TEST_F(RobotCommandsTest, withoutARobotNothingCanBeAskedOfIt) {
+  EXPECT_EQ(refusal("robot.goal", {1.0, 2.0}), "robot.none");
+  EXPECT_EQ(refusal("robot.motors", {true}), "robot.none");
+  EXPECT_EQ(refusal("robot.select", {std::string("nobody")}), "robot.unknown");
+}
+
+TEST_F(RobotCommandsTest, aKeysModeIsOneOfFive) {
+  for (const char* mode : {"off", "always", "n 3", "every 3", "every-ms 40"}) {
+    EXPECT_EQ(refusal("robot.key", {std::string("driving/goal"), std::string(mode)}), "robot.none") << mode;
+  }
+  for (const char* mode : {"", "on", "n", "n x", "every -1", "always 3", "every-ms 123456789"}) {
+    EXPECT_EQ(refusal("robot.key", {std::string("driving/goal"), std::string(mode)}), "robot.key") << mode;
+  }
+}
+
+TEST_F(RobotCommandsTest, aSetUpThatMakesNoSenseIsRefusedAtOnce) {
+  const std::string scene = "pioneer", kind = "p3at";
+  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 101.0, false, 0.0, false}), "simulation.setup");
+  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 10.0, false, 65530.0, false}), "simulation.setup");
+}
+
+TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
+  std::string errors;
+  workbench_.onErrors([&](const robotlink::Errors& told) { errors += robotlink::describe(told); });
+  ASSERT_TRUE(workbench_.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 0.0, true, 0.0, false}));
+  ASSERT_TRUE(test::tickUntil(workbench_, [&] { return workbench_.loaded() != nullptr || !errors.empty(); }));
+  ASSERT_EQ(errors, "");
+  ASSERT_TRUE(workbench_.commands().run("simulation.start"));
+  ASSERT_TRUE(workbench_.commands().run("robot.solution", {std::string("driving"), std::string("halt")}));
+  const auto* table = static_cast<const robotcontrol::SolutionTable*>(nullptr);
+  EXPECT_TRUE(test::tickUntil(workbench_, [&] {
+    table = workbench_.session().store().latestAs<robotcontrol::SolutionTable>("p3at1/tables/solutions",
+                                                                              workbench_.session().timeline().newest());
+    if (table == nullptr) return false;
+    for (const auto& task : table->tasks()) {
+      if (task.name() == "driving" && task.active() == "halt") return true;
+    }
+    return false;
+  }));
+  EXPECT_EQ(errors, "");
+}
