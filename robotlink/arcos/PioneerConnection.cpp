@@ -51,9 +51,10 @@ std::shared_ptr<ByteStream> PioneerConnection::stream() const {
   return stream_;
 }
 
-tl::unexpected<Error> PioneerConnection::lose(const Error& why) {
+/// Nothing happens if another line has taken this one's place meanwhile.
+tl::unexpected<Error> PioneerConnection::lose(const ByteStream& line, const Error& why) {
   const std::lock_guard lock(mutex_);
-  if (stream_) {
+  if (stream_.get() == &line) {
     session_.linkClosed(why, clock_->now());
     stream_->close();
     stream_.reset();
@@ -78,10 +79,11 @@ Result<void> PioneerConnection::begin(Duration timeLimit) {
     problem_ = opened.error().text;
     return tl::unexpected(opened.error());
   }
+  const std::shared_ptr<ByteStream> line = std::move(*opened);
   {
     const std::lock_guard lock(mutex_);
     const Instant now = clock_->now();
-    stream_ = std::move(*opened);
+    stream_ = line;
     parser_ = {};
     session_ = ClientSession(sessionOptions());
     decoder_ = StateDecoder(robotType({}));
@@ -93,18 +95,18 @@ Result<void> PioneerConnection::begin(Duration timeLimit) {
     session_.open(now);
     session_.linkOpened(now);
   }
-  return greet(timeLimit);
+  return greet(*line, timeLimit);
 }
 
-Result<void> PioneerConnection::greet(Duration timeLimit) {
+Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit) {
   const Instant limit = clock_->now() + timeLimit;
   while (!inspect([](const auto& c) { return c.session_.isConnected(); })) {
     if (clock_->now() >= limit) {
-      return lose({"pioneer.no-robot",
-                   "the line is open, but no robot answered in time: is it switched on, and is its speed the "
-                   "line's (baud)?",
-                   {},
-                   {}});
+      return lose(line, {"pioneer.no-robot",
+                         "the line is open, but no robot answered in time: is it switched on, and is its "
+                         "speed the line's (baud)?",
+                         {},
+                         {}});
     }
     if (const auto pumped = pump(kTurn); !pumped) return tl::unexpected(pumped.error());
   }
@@ -160,13 +162,13 @@ Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
   std::array<std::uint8_t, kPiece> bytes;
   const Instant before = clock_->now();
   const auto count = line->read(bytes, timeout);
-  if (!count) return lose(count.error());
+  if (!count) return lose(*line, count.error());
   takeBytes(std::span(bytes).first(*count), clock_->now() - before);
   if (const auto flushed = flush(); !flushed) return tl::unexpected(flushed.error());
   const auto problem = inspect([](const auto& c) -> std::optional<Error> {
     return c.session_.wantsLink() ? std::nullopt : c.session_.problem();
   });
-  if (problem) return lose(*problem);
+  if (problem) return lose(*line, *problem);
   return *count > 0 ? Line::kBusy : Line::kSilent;
 }
 
@@ -206,7 +208,7 @@ Result<void> PioneerConnection::flush() {
     line = stream_;
   }
   if (!line || bytes.empty()) return {};
-  if (const auto written = line->write(bytes); !written) return lose(written.error());
+  if (const auto written = line->write(bytes); !written) return lose(*line, written.error());
   return {};
 }
 

@@ -61,9 +61,9 @@ class PioneerConnection {
   void takeBytes(std::span<const std::uint8_t> bytes, Duration waited);
   void takeFound(const PacketParser::Found& found, Instant now);
   Result<void> flush();
-  Result<void> greet(Duration timeLimit);
+  Result<void> greet(const ByteStream& line, Duration timeLimit);
   std::shared_ptr<ByteStream> stream() const;
-  tl::unexpected<Error> lose(const Error& why);
+  tl::unexpected<Error> lose(const ByteStream& line, const Error& why);
   tl::unexpected<Error> notSent(const Error& why) const;
 
   const PioneerRobot::Opener opener_;
