@@ -35,22 +35,23 @@ int main(int argc, char** argv) {
   robot.setSonar(true);
   robot.setLaser(true);  // fails on robots whose laser has a line of its own; sonars will do
   const auto start = robot.state().time;
-  double chosen = 0;  // rad from ahead
+  double course = robot.heading();  // rad, that it chose
   while (robot.read() && robotlink::seconds(robot.state().time - start) < duration) {
     const auto echoes = robot.echoes();
-    // The way that is free for longest; rather ahead, and rather the one chosen before, so that it does not
-    // waver.
+    const double chosen = robotlink::normalizedAngle(course - robot.heading());  // from ahead
+    // The way that is free for longest; rather ahead, and much rather the one chosen before, so that it does
+    // not waver. By and by it likes the left more, then the right: so it comes around.
+    const double curiosity = 0.3 * std::sin(robotlink::seconds(robot.state().time - start) / 15);
     double best = 0, most = -1e9;
     for (double direction = -1.6; direction <= 1.6; direction += 0.08) {
-      const double liking =
-          freeWay(echoes, direction) - 0.3 * std::abs(direction) - 0.3 * std::abs(direction - chosen);
+      const double liking = freeWay(echoes, direction) + curiosity * direction - 0.2 * std::abs(direction) -
+                            0.6 * std::abs(direction - chosen);
       if (liking > most) most = liking, best = direction;
     }
-    if (freeWay(echoes, best) < 0.3)
-      best = chosen < 0 ? -1.6 : 1.6;  // no way out ahead: turns until there is one
-    chosen = best;
-    const double ahead = freeWay(echoes, 0), straight = std::max(0.0, 1 - std::abs(chosen) / 0.6);
-    robot.drive(std::clamp(0.6 * (ahead - 0.1), 0.0, 0.4) * straight, std::clamp(1.2 * chosen, -0.6, 0.6));
+    if (freeWay(echoes, best) < 0.3) best = chosen < 0 ? -1.6 : 1.6;  // no way out: turns until there is one
+    course = robot.heading() + best;
+    const double ahead = freeWay(echoes, 0), straight = std::max(0.0, 1 - std::abs(best) / 0.6);
+    robot.drive(std::clamp(0.6 * (ahead - 0.1), 0.0, 0.4) * straight, std::clamp(1.2 * best, -0.6, 0.6));
   }
   std::cout << (robot.isConnected() ? "wandered to the end" : robot.problem()) << "\n";
   return robot.isConnected() ? 0 : 1;
