@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/ContactFigures.h"
 
 namespace app {
 namespace {
@@ -42,14 +43,9 @@ class InterruptGuard {
 };
 
 json robotFigures(const ArcosSimulation& simulation, std::size_t index) {
-  const simcore::Simulation& world = simulation.world().simulation();
-  const std::string name = simulation.world().pioneers()[index]->robot();
   const auto line = simulation.ports().ports().statistics(index);
-  json figures;
-  figures["name"] = name;
+  json figures = contactFigures(simulation.world(), simulation.world().pioneers()[index]->robot());
   figures["url"] = simulation.ports().url(index);
-  figures["contacts"] = world.obstacleContacts(name);
-  figures["contact_seconds"] = robotlink::seconds(world.obstacleContactTime(name));
   figures["clients"] = line.clients;
   figures["refused_clients"] = line.refused;
   figures["packets_received"] = line.received.packets;
@@ -137,6 +133,11 @@ simcore::RobotsToAdd ArcosOptions::robotsFor(const std::filesystem::path& scene,
   add.count = asked ? robots : scene.extension() == ".map" ? 1 : 0;
   add.seed = seed;
   return add;
+}
+
+void ArcosOptions::applyTo(RunOptions& run) const {
+  run.robots = robotsFor(run.scene, run.world.seed);
+  run.world.kinematic = kinematic;
 }
 
 int runArcos(const ArcosOptions& options, const ArcosRun& run) {

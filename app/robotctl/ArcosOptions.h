@@ -6,6 +6,7 @@
 #include <string>
 
 #include "app/core/ArcosSimulation.h"
+#include "app/core/SimulatedRun.h"
 
 namespace CLI {
 class App;
@@ -28,6 +29,8 @@ struct ArcosOptions {
   bool given() const;
   /// Robots to add as the options say; one for a map if they do not.
   simcore::RobotsToAdd robotsFor(const std::filesystem::path& scene, std::uint64_t seed) const;
+  /// The same for robots with programs of their own.
+  void applyTo(RunOptions& run) const;
 
  private:
   CLI::Option* arcos_ = nullptr;

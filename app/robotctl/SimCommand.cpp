@@ -15,6 +15,7 @@
 #include "app/robotctl/ArcosOptions.h"
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/ContactFigures.h"
 #include "app/robotctl/RecordOptions.h"
 #include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -107,6 +108,7 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["images"] = costs.images;
   figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
   figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
+  for (const auto& pioneer : world.pioneers()) figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
   figures["digest"] = hex(world.digest());
   return figures;
@@ -239,6 +241,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     return kUsage;
   }
   arguments.camera.applyTo(arguments.run);
+  arguments.arcos.applyTo(arguments.run);
   if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;

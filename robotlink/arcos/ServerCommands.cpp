@@ -160,7 +160,9 @@ bool ServerSession::obeySubscription(const Command& command) {
     case CommandId::kSimStat:
       return ask(kStatus);
     case CommandId::kGyro:
-      if (settings_.gyroscope == ServerSettings::Gyroscope::kClient) return ask(kGyro);
+      // Clients that use it themselves ask for all readings by 1.
+      subscription(kGyro).always =
+          settings_.gyroscope == ServerSettings::Gyroscope::kClient && integerArgument(command, 1) != 0;
       client_.gyroUsed = integerArgument(command, 1) != 0;
       return true;
     default:

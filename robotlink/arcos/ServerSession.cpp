@@ -190,9 +190,9 @@ void ServerSession::fireSonars(RangeFinders& ranges, Instant now) {
 }
 
 void ServerSession::readGyroscope(const RobotSensing& sensing, Instant now) {
-  const Subscription& wanted = subscription(kGyro);
-  if (now < client_.nextGyroReading || !(wanted.once || wanted.always)) return;
-  client_.nextGyroReading = now + kGyroPeriod;
+  if (now < client_.nextGyroReading || !subscription(kGyro).always) return;
+  // Clients take each reading for the rate over one period: on average there must be neither more nor fewer.
+  client_.nextGyroReading = std::max(client_.nextGyroReading + kGyroPeriod, now);
   if (client_.gyroReadings.size() < kMostGyroReadings) client_.gyroReadings.push_back(gyroReadingOf(sensing));
 }
 

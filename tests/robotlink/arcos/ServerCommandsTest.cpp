@@ -226,6 +226,21 @@ TEST_F(ServerCommandsTest, theGyroscopeIsReadAsAriaDoes) {
   }
 }
 
+TEST_F(ServerCommandsTest, gyroscopesReadingsAddUpToTheTurn) {
+  robot.sensing.rotationRate = radians(20.0);
+  robot.send(CommandId::kGyro, 1);
+  robot.drive(5);
+  double turned = 0;
+  for (const Packet& packet : robot.of(GyroPacket::kId)) {
+    const auto gyro = decodeGyro(packet);
+    ASSERT_TRUE(gyro);
+    for (const auto& reading : gyro->readings) {
+      turned += 0.025 * -(reading.rate - 512.0) * 5 / 1023 * 300 / 2.5 * 1.626;
+    }
+  }
+  EXPECT_NEAR(turned, 100, 3) << "as ARIA sums them up";
+}
+
 TEST_F(ServerCommandsTest, bumpersInIoPacketsAreLowWherePressed) {
   robot.sensing.frontBumpers = 0b10;
   robot.send(CommandId::kIoRequest, 1);
