@@ -16,7 +16,6 @@ import tty
 
 def load_drive(source):
     """The worked example in Python, whose packets and connection serve here, too."""
-    sys.dont_write_bytecode = True
     sys.path.insert(0, os.path.join(source, "resources/templates/pioneer/python"))
     import drive
 
@@ -90,15 +89,15 @@ def put(drive, url, x, y, heading_deg):
 
 
 def true_pose(drive, url):
-    """x and y in m."""
+    """x and y in m, heading in degrees."""
     robot = drive.Pioneer(url)
     robot.send(SIM_STAT, 1)
     body = robot.receive()
     while body[0] != STATUS:
         body = robot.receive()
     robot.close()
-    x, y = struct.unpack_from("<2i", body, 13)
-    return x / 1000, y / 1000
+    x, y, _, heading = struct.unpack_from("<4i", body, 13)
+    return x / 1000, y / 1000, heading
 
 
 class SerialBridge:
