@@ -108,9 +108,21 @@ Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit
                          {},
                          {}});
     }
-    if (const auto pumped = pump(kTurn); !pumped) return tl::unexpected(pumped.error());
+    const auto pumped = pump(kTurn);
+    if (pumped) continue;
+    if (pumped.error().id == "stream.lost") return refused(pumped.error());
+    return tl::unexpected(pumped.error());
   }
   return {};
+}
+
+/// A robot serves one program: a simulator hangs up on the second, without a word.
+tl::unexpected<Error> PioneerConnection::refused(Error why) {
+  why.id = "pioneer.refused";
+  why.text += ". It hung up before it greeted: does another program drive this robot?";
+  const std::lock_guard lock(mutex_);
+  problem_ = why.text;
+  return tl::unexpected(std::move(why));
 }
 
 void PioneerConnection::end() {

@@ -64,6 +64,7 @@ class PioneerConnection {
   Result<void> greet(const ByteStream& line, Duration timeLimit);
   std::shared_ptr<ByteStream> stream() const;
   tl::unexpected<Error> lose(const ByteStream& line, const Error& why);
+  tl::unexpected<Error> refused(Error why);
   tl::unexpected<Error> notSent(const Error& why) const;
 
   const PioneerRobot::Opener opener_;

@@ -1,6 +1,6 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# Installs the client library into an empty folder, builds a template against it alone, and runs it.
-# cmake -D SOURCE_DIR=... -D BUILD_DIR=... -D WORK_DIR=... -D GENERATOR=... -D CXX=... -P installed.cmake
+# Installs the client library into an empty folder and builds the templates against it alone, into WORK_DIR/bin.
+# cmake -D SOURCE_DIR=... -D BUILD_DIR=... -D WORK_DIR=... -D GENERATOR=... -D CXX=... -D TEMPLATES=a;b -P installed.cmake
 function(run)
   execute_process(COMMAND ${ARGN} RESULT_VARIABLE status OUTPUT_VARIABLE output ERROR_VARIABLE output)
   set(output "${output}" PARENT_SCOPE)
@@ -29,17 +29,19 @@ foreach(header ${headers})
   string(APPEND all "#include \"${name}\"\n")
 endforeach()
 
-# The template as a user has it: copied somewhere else. One more file includes every header.
-file(COPY ${SOURCE_DIR}/resources/templates/pioneer/wander DESTINATION ${WORK_DIR})
-file(WRITE ${WORK_DIR}/wander/headers.cpp "${all}")
-file(APPEND ${WORK_DIR}/wander/CMakeLists.txt "target_sources(wander PRIVATE headers.cpp)\n")
-run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK_DIR}/wander -B ${WORK_DIR}/build -D CMAKE_CXX_COMPILER=${CXX}
-    -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
-run(${CMAKE_COMMAND} --build ${WORK_DIR}/build)
+# The templates as users have them: copied somewhere else. One of them gets a file that includes every header.
+file(COPY ${SOURCE_DIR}/resources/templates/pioneer DESTINATION ${WORK_DIR})
+file(WRITE ${WORK_DIR}/pioneer/wander/headers.cpp "${all}")
+file(APPEND ${WORK_DIR}/pioneer/wander/CMakeLists.txt "target_sources(wander PRIVATE headers.cpp)\n")
+foreach(template ${TEMPLATES})
+  run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK_DIR}/pioneer/${template} -B ${WORK_DIR}/build/${template}
+      -D CMAKE_CXX_COMPILER=${CXX} -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix
+      -D CMAKE_RUNTIME_OUTPUT_DIRECTORY=${WORK_DIR}/bin)
+  run(${CMAKE_COMMAND} --build ${WORK_DIR}/build/${template})
+endforeach()
 
 # There is no robot; it must say so, by the library's words.
-execute_process(COMMAND ${WORK_DIR}/build/wander tcp://127.0.0.1:1 RESULT_VARIABLE status ERROR_VARIABLE said)
+execute_process(COMMAND ${WORK_DIR}/bin/wander tcp://127.0.0.1:1 RESULT_VARIABLE status ERROR_VARIABLE said)
 if(NOT status EQUAL 1 OR NOT said MATCHES "nothing listens at 127.0.0.1:1")
   message(FATAL_ERROR "the template ended with ${status} and said: ${said}")
 endif()
-file(REMOVE_RECURSE ${WORK_DIR})

@@ -274,6 +274,20 @@ TEST_F(PioneerRobotTest, aLineThatCannotBeOpenedIsTheProblem) {
   EXPECT_THAT(robot.read().error().text, HasSubstr("there is no cable"));
 }
 
+TEST_F(PioneerRobotTest, aRobotThatHangsUpAtOnceIsDrivenBySomebodyElse) {
+  PioneerRobot second(
+      [this]() -> Result<std::unique_ptr<ByteStream>> {
+        auto line = std::make_unique<SimulatedLine>(world);
+        world.unplugged = true;
+        return line;
+      },
+      std::shared_ptr<const Clock>(std::shared_ptr<void>(), &world.clock));
+  const auto begun = second.begin();
+  ASSERT_FALSE(begun);
+  EXPECT_THAT(begun.error().text, HasSubstr("does another program drive this robot?"));
+  EXPECT_EQ(second.problem(), begun.error().text);
+}
+
 TEST_F(PioneerRobotTest, aRobotThatDoesNotAnswerIsGivenUpInTime) {
   world.silent = true;
   const Instant before = world.robot.now;
