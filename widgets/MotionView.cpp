@@ -87,7 +87,6 @@ QWidget* MotionView::createTop() {
   layout->setContentsMargins(0, 0, 0, 0);
   layout->addWidget(take_);
   layout->addWidget(state_, 1);
-  layout->addWidget(motors_);
   layout->addWidget(stop_);
   return top;
 }
@@ -114,6 +113,7 @@ QWidget* MotionView::createBody() {
   left->addWidget(gamepadState_);
   auto* right = new QVBoxLayout;
   right->addWidget(speed_);
+  right->addWidget(motors_);
   right->addWidget(head_);
   right->addWidget(motions_);
   right->addStretch();

@@ -84,13 +84,14 @@ void SpeedPanel::setRobot(bool wheels, const MotionCommander::Limits& greatest) 
 void SpeedPanel::showRow(Row row, const std::optional<Speed>& speed) {
   const auto& cells = cells_[row];
   const auto text = [&](double value, int digits) {
-    const QString shown = QString::number(value, 'f', digits);
+    QString shown = QString::number(value, 'f', digits);
+    if (shown.toDouble() == 0) shown.remove(QLatin1Char('-'));
     return speed ? shown : QStringLiteral("–");
   };
   const Speed value = speed.value_or(Speed{});
-  cells[0]->setText(text(value.x * 1000 + 0.0, 0));
-  cells[1]->setText(text(value.y * 1000 + 0.0, 0));
-  cells[2]->setText(text(value.rotation + 0.0, 2));
+  cells[0]->setText(text(value.x * 1000, 0));
+  cells[1]->setText(text(value.y * 1000, 0));
+  cells[2]->setText(text(value.rotation, 2));
 }
 
 void SpeedPanel::showSpeeds(const Speed& asked, const std::optional<Speed>& measured,

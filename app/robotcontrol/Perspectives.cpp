@@ -107,7 +107,7 @@ void buildDrive(ViewDocks& docks) {
   setSizes(map, {680, 280});
   setSizes(radar, {580, 380});
   setSizes(state, {600, 360});
-  setColumns(map, {760, 480, 360});
+  setColumns(map, {740, 460, 400});
 }
 
 void buildProcesses(ViewDocks& docks) {

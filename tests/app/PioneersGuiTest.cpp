@@ -2,7 +2,11 @@
 // Pioneers in the workbench: set up as a person does, connected over TCP, stopped, and driven by a program outside.
 #include <QCheckBox>
 #include <QComboBox>
+#include <QLabel>
+#include <QLineEdit>
+#include <QPushButton>
 #include <QSpinBox>
+#include <QTableView>
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/PioneerRobot.h"
@@ -84,20 +88,28 @@ class PioneersGuiTest : public QObject {
     ServedWorld world;
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
-    QVERIFY(desk.workbench.commands().run("robot.connect", {world.url(), std::string(), std::string()}));
+    desk.window.showPerspective(QStringLiteral("Drive"));
+    desk.choose("robot.connect");
+    auto* address = desk.find<QComboBox>("connectAddress").lineEdit();
+    address->setFocus();
+    address->selectAll();
+    QTest::keyClicks(address, QString::fromStdString(world.url()));
+    QTest::mouseClick(&desk.find<QPushButton>("connectButton"), Qt::LeftButton);
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").currentText(), QStringLiteral("p3at1"), kWaitMs);
     QVERIFY(desk.window.windowTitle().contains(QString::fromStdString(world.url())));
-    showPackage(desk, "drive/state");
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>("connectDialog").isVisible(), kWaitMs);  // the robot answers
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("linkState").text(), QStringLiteral("connected"), kWaitMs);
     const auto state = [&] { return newest<robotcontrol::DriveState>(desk, "p3at1/drive/state"); };
     QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
     QVERIFY(!state()->motors_on());  // a real robot waits for a person
-    robotcontrol::Request motors;
-    motors.set_robot("p3at1");
-    motors.mutable_control_drive()->set_motors(true);
-    desk.workbench.session().request(motors);
+    QTest::mouseClick(&desk.find<QToolButton>("baseMotors"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
     QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!state()->motors_on(), kWaitMs);
+    // All of it went over the line as packets.
+    desk.window.docks().open(QStringLiteral("packets"));
+    const auto* packets = desk.find<QTableView>("packetsTable").model();
+    QTRY_VERIFY_WITH_TIMEOUT(packets->rowCount() > 20, kWaitMs);
   }
 
  private:

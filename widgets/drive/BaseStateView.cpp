@@ -118,11 +118,12 @@ QWidget* BaseStateView::createToolRow() {
   robots_ = new RobotChoice("baseRobot", row->parentWidget(), RobotChoice::Offer::kOne);
   row->addWidget(robots_);
   row->addStretch(1);
-  for (QAction* action : {motors_, sonar_, resetOdometry_}) {
+  for (QAction* action : {motors_, sonar_}) {
     QToolButton* button = makeButton(row->parentWidget(), action);
     button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
     row->addWidget(button);
   }
+  addButtons(row, {resetOdometry_});
   return row->parentWidget();
 }
 

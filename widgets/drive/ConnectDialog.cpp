@@ -17,6 +17,7 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/StreamUrl.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
@@ -318,6 +319,8 @@ void ConnectDialog::fail(const QString& reason) {
 
 void ConnectDialog::tick() {
   if (wanted_.isEmpty()) return;
+  for (const std::string& robot : session_.robots())
+    wish_.want(session_, robot, {robotlink::kLinkStatus.name});
   for (const auto* message :
        latestOfType(session_.store(), {}, "robotcontrol.LinkStatus", session_.timeline().newest())) {
     const auto* status =

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robotlink/arcos/SerialPorts.h"
+#include "widgets/PackageWish.h"
 
 class QComboBox;
 class QLabel;
@@ -79,6 +80,7 @@ class ConnectDialog final : public QDialog {
   robotlink::CommandTable& commands_;
   Choices choices_;
   QStringList recent_;
+  PackageWish wish_;
   QString wanted_;  // the address that is being connected to; empty: none
   QComboBox *address_ = nullptr, *port_ = nullptr, *baud_ = nullptr, *layout_ = nullptr;
   QLabel *meaning_ = nullptr, *state_ = nullptr;

@@ -150,7 +150,7 @@ void PacketInspector::createTable() {
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
   table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("123456.123"), tr("Direction.."), tr("standard information..")};
+  const QString samples[] = {tr("12345.678"), tr("← robot."), tr("standard information")};
   for (int column = 0; column < PacketModel::kSummary; ++column)
     table_->setColumnWidth(column, textWidth(*table_, samples[column]));
   table_->setColumnWidth(PacketModel::kBytes, textWidth(*table_, tr("Bytes..")));
@@ -166,7 +166,7 @@ void PacketInspector::createViews() {
   splitter->addWidget(details_);
   splitter->setStretchFactor(0, 3);
   splitter->setStretchFactor(1, 2);
-  splitter->setSizes({620, 330});
+  splitter->setSizes({680, 270});
   state_ = new QLabel(this);
   describe(*state_, {"packetsState", tr("Number of packets"), {}});
   auto* layout = new QVBoxLayout(this);

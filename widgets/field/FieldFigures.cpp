@@ -102,7 +102,8 @@ void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBe
   const QPointF at = map(toWidget, belief.estimate->translation());
   if (radius > 1) {
     QColor area = color;
-    area.setAlphaF(0.22);
+    // A robot that has no idea where it is shall not hide the building.
+    area.setAlphaF(figures.onMap ? 0.1 : 0.22);
     painter.setPen(QPen(color, 1));
     painter.setBrush(area);
     painter.drawEllipse(at, radius, radius);

@@ -50,6 +50,7 @@ FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, pare
   connectSignals();
   connectDrag();
   tick();
+  title_.clear();  // nobody heard it yet
 }
 
 FieldView::~FieldView() = default;
@@ -182,12 +183,14 @@ void FieldView::tick() {
 
 void FieldView::updateGround() {
   canvas_->setField(context().field);
-  auto map = shownMap(session());
-  if (map.get() == canvas_->map()) return;
+  const auto map = shownMap(session());
+  canvas_->setMap(map);
+  trails_.setReach(map ? std::chrono::seconds(60) : std::chrono::seconds(10));
   const QString name = map ? QString::fromStdString(map->name()) : QString();
-  canvas_->setMap(std::move(map));
-  trails_.setReach(canvas_->map() != nullptr ? std::chrono::seconds(60) : std::chrono::seconds(10));
-  Q_EMIT titleChanged(canvas_->map() == nullptr ? tr("Field") : name.isEmpty() ? tr("Map") : tr("Map: %1").arg(name));
+  const QString title = !map ? tr("Field") : name.isEmpty() ? tr("Map") : tr("Map: %1").arg(name);
+  if (title == title_) return;
+  title_ = title;
+  Q_EMIT titleChanged(title);
 }
 
 bool FieldView::drives(const std::string& robot) const {

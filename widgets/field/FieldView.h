@@ -60,6 +60,7 @@ class FieldView final : public View {
   DrawingsModel* drawings_ = nullptr;
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
+  QString title_;  // as it was told last
   PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;

@@ -42,12 +42,17 @@ class MapTest : public QObject {
  private Q_SLOTS:
   void aMapIsTheGround() {
     DriveWorld world;
-    auto view = world.open<widgets::FieldView>();
-    QSignalSpy titles(view.get(), &widgets::View::titleChanged);
     world.push("map", DriveWorld::room(), 0);
-    world.tick(*view);
+    world.session.tick();
+    widgets::FieldView view(world.context);  // also of a view that is made while the map is there
+    QSignalSpy titles(&view, &widgets::View::titleChanged);
+    world.tick(view);
+    world.tick(view);
     QCOMPARE(titles.size(), 1);
     QCOMPARE(titles[0][0].toString(), QStringLiteral("Map: room"));
+    world.session.restart();
+    world.tick(view);
+    QCOMPARE(titles[1][0].toString(), QStringLiteral("Field"));
   }
 
   void wallsAreLinesAndPoints() {
