@@ -20,6 +20,7 @@
 #include <cstring>
 #include <fstream>
 #include <memory>
+#include <numeric>
 #include <sstream>
 #include <string>
 #include <thread>
@@ -140,7 +141,7 @@ class Client {
   }
 
   std::vector<double> gaps;  // s
-  std::uint64_t information = 0, laserPackets = 0;
+  std::uint64_t laserPackets = 0;
 
  private:
   void say(const Command& command) { append(toPacket(command), outgoing_); }
@@ -152,7 +153,6 @@ class Client {
     if (counted && last_ != Clock::time_point{})
       gaps.push_back(std::chrono::duration<double>(now - last_).count());
     last_ = now;
-    information += counted;
     const auto sip = decodeStandardInformation(packet);
     if (sip) wander(*sip);
   }
@@ -180,6 +180,12 @@ double share(std::vector<double>& sorted, double part) {
   if (sorted.empty()) return 0;
   return sorted[std::min(sorted.size() - 1,
                          static_cast<std::size_t>(part * static_cast<double>(sorted.size())))];
+}
+
+/// Per second; counted between packets, not between the ends of what was watched.
+double rateOf(const std::vector<double>& gaps) {
+  const double sum = std::accumulate(gaps.begin(), gaps.end(), 0.0);
+  return sum > 0 ? static_cast<double>(gaps.size()) / sum : 0;
 }
 
 /// Serves all clients until that time.
@@ -224,16 +230,14 @@ bool measure(const std::string& map, const Setting& setting, double seconds) {
   const double real = std::chrono::duration<double>(Clock::now() - begin).count();
   const double cores = (server.used() - usedBefore) / real;
   std::vector<double> gaps;
-  std::uint64_t information = 0, scans = 0;
+  std::uint64_t scans = 0;
   for (const auto& client : clients) {
     gaps.insert(gaps.end(), client->gaps.begin(), client->gaps.end());
-    information += client->information;
     scans += client->laserPackets;
   }
   std::sort(gaps.begin(), gaps.end());
   std::printf("%6d  %-5s  %-9s  %7.3f  %6.1f  %5.0f %5.0f %5.0f  %7.1f  %8.3f  %6.1f\n", setting.robots,
-              setting.laser ? "laser" : "sonar", setting.kinematic ? "kinematic" : "dynamic",
-              static_cast<double>(information) / real / setting.robots,
+              setting.laser ? "laser" : "sonar", setting.kinematic ? "kinematic" : "dynamic", rateOf(gaps),
               static_cast<double>(scans) / real / setting.robots, share(gaps, 0.5) * 1000,
               share(gaps, 0.99) * 1000, share(gaps, 1) * 1000, cores * 100, cores * 100 / setting.robots,
               server.megabytes());
