@@ -29,17 +29,22 @@ tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulatio
 
 void ArcosSimulation::step() {
   const auto time = world_->clock().now();
-  const auto now = Clock::now();
-  if (!std::exchange(paced_, true)) pace_.restart(now, time);
+  if (!std::exchange(paced_, true)) pace_.restart(Clock::now(), time);
   if (options_.speed > 0) {
-    const robotlink::Duration late = now - pace_.due(time);
-    punctuality_.latest = std::max(punctuality_.latest, late);
-    if (late > Pace::kMaxLag) punctuality_.lost += late;
-    pace_.forgetLag(now, time);
+    ports_->serve(pace_.due(time));
+    keepTime(Clock::now(), time);
+  } else {
+    ports_->serve(Clock::now());
   }
-  ports_->serve(options_.speed > 0 ? pace_.due(time) : now);
   world_->advance();
   ports_->deliver();
+}
+
+void ArcosSimulation::keepTime(Clock::time_point now, robotlink::Instant time) {
+  const robotlink::Duration late = now - pace_.due(time);
+  punctuality_.latest = std::max(punctuality_.latest, late);
+  if (late > Pace::kMaxLag) punctuality_.lost += late;
+  pace_.forgetLag(now, time);
 }
 
 void ArcosSimulation::run(robotlink::Instant end, const std::function<bool()>& stop) {

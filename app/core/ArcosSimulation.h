@@ -51,6 +51,7 @@ class ArcosSimulation {
 
  private:
   explicit ArcosSimulation(Options options) : options_(std::move(options)) {}
+  void keepTime(std::chrono::steady_clock::time_point now, robotlink::Instant time);
 
   Options options_;
   std::unique_ptr<SimulatedWorld> world_;
