@@ -2,11 +2,11 @@
 #include "simcore/physics/OdeWorld.h"
 
 #include <cmath>
-#include <span>
 
 #include "simcore/ModelGeometry.h"
-#include "simcore/physics/DriveGeometry.h"
 #include "simcore/physics/LumpedLink.h"
+#include "simcore/physics/OdeDriveBuilder.h"
+#include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/Physics.h"
 
 namespace simcore {
@@ -54,11 +54,11 @@ class Builder {
     for (const LinkDescription& link : model.type->links) {
       for (const CollisionDescription& collision : link.collisions) {
         const Pose3 pose = model.poseInWorld * link.poseInModel * collision.poseInLink;
-        const dGeomID geom = addGeom(nullptr, collision, index, pose);
+        const dGeomID geom = addGeom(ode_, nullptr, collision, index, pose);
         if (collision.shape.kind == Shape::Kind::kPlane) {
           ode_.hasSteepPlanes |= std::abs(pose.linear()(2, 2)) < kSteep;
         } else {
-          setPose(pose, [&](const dReal* p, const dMatrix3 r) {
+          withOdePose(pose, [&](const dReal* p, const dMatrix3 r) {
             dGeomSetPosition(geom, p[0], p[1], p[2]);
             dGeomSetRotation(geom, r);
           });
@@ -84,7 +84,7 @@ class Builder {
       if (isWheel(type, link)) continue;
       ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
     }
-    if (type.drive) addDrive(model, *type.drive, index, added);
+    if (type.drive) addDrive(ode_, model, index);
     for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
     pose(model, added.firstBody);
     const OdeBody& first = ode_.bodies[added.firstBody];
@@ -96,73 +96,6 @@ class Builder {
     for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
       dBodyDisable(ode_.bodies[added.firstBody + i].id);
     }
-  }
-
-  void addDrive(const ModelInstance& model, const DriveDescription& drive, int index, const OdeModel& added) {
-    const std::size_t first = ode_.wheels.size();
-    for (const std::vector<int>* joints : {&drive.left, &drive.right}) {
-      const auto count = static_cast<double>(joints->size());
-      OdeWheelSide side;
-      side.firstWheel = ode_.wheels.size();
-      side.wheelCount = joints->size();
-      side.maximumForce = drive.maximumForce * count;
-      side.idleForce = drive.idleForce * count;
-      ode_.wheelSides.push_back(side);
-      for (const int joint : *joints) {
-        addWheel(*model.type, model.type->joints[static_cast<std::size_t>(joint)], index, added);
-      }
-    }
-    const DriveGeometry geometry = driveGeometry(*model.type);
-    const std::span<OdeWheel> wheels = std::span(ode_.wheels).subspan(first);
-    const OdeBody& carrier = ode_.bodies[wheels[0].body];
-    const auto link = static_cast<std::size_t>(wheels[0].body - added.firstBody);
-    const Pose3 bodyInModel =
-        model.type->links[link].poseInModel * Eigen::Translation3d(carrier.centerInLink);
-    dMass mass;
-    dBodyGetMass(carrier.id, &mass);
-    for (OdeWheel& wheel : wheels) {
-      wheel.slipRatio = geometry.slipRatio;
-      wheel.restLoad = mass.mass * ode_.description.gravity.norm() / static_cast<double>(wheels.size());
-      wheel.load = wheel.restLoad;
-      // Forwards is the same way for all, whichever way their joints' axes look.
-      if ((bodyInModel.linear() * wheel.axisInBody).dot(geometry.toLeft) > 0) continue;
-      wheel.axisInBody = -wheel.axisInBody;
-      wheel.axisInLink = -wheel.axisInLink;
-    }
-    OdeDrive& made = ode_.drives.emplace_back();
-    made.model = index;
-    made.body = wheels[0].body;
-    made.track = drive.track;
-    made.centerInBody = bodyInModel.inverse() * geometry.center;
-    made.axisInBody = bodyInModel.linear().transpose() * geometry.toLeft;
-    made.radius = geometry.radius;
-    made.footprint = geometry.footprint;
-    made.place = ode_.places.size();
-  }
-
-  void addWheel(const ModelDescription& type, const JointDescription& joint, int index,
-                const OdeModel& added) {
-    const LinkDescription& link = type.links[static_cast<std::size_t>(joint.child)];
-    OdeBody& body = ode_.bodies[added.firstBody + static_cast<std::size_t>(joint.child)];
-    OdeWheel wheel;
-    wheel.body = added.firstBody + static_cast<std::size_t>(joint.parent);
-    wheel.side = ode_.wheelSides.size() - 1;
-    const OdeBody& carrier = ode_.bodies[wheel.body];
-    const Pose3& carrierInModel = type.links[static_cast<std::size_t>(joint.parent)].poseInModel;
-    const Pose3 bodyInModel = carrierInModel * Eigen::Translation3d(carrier.centerInLink);
-    wheel.linkInBody = bodyInModel.inverse() * link.poseInModel;
-    wheel.axisInBody = bodyInModel.linear().transpose() * joint.axisInModel;
-    wheel.axisInLink = link.poseInModel.linear().transpose() * joint.axisInModel;
-    CollisionDescription tread = link.collisions.front();
-    wheel.radius = tread.shape.radius;
-    tread.shape.kind = Shape::Kind::kSphere;
-    tread.poseInLink = carrierInModel.inverse() * link.poseInModel * tread.poseInLink;
-    body.id = carrier.id;
-    body.wheel = static_cast<int>(ode_.wheels.size());
-    body.firstGeom = ode_.geoms.size();
-    addBodyGeom(carrier, tread, index, added.space);
-    ode_.geoms.back().wheel = body.wheel;
-    ode_.wheels.push_back(wheel);
   }
 
   OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
@@ -177,7 +110,8 @@ class Builder {
     dBodySetAutoDisableFlag(body.id, 0);
     setDamping(body.id, link);
     place(body, model.poseInWorld * link.poseInModel);
-    for (const CollisionDescription& collision : link.collisions) addBodyGeom(body, collision, index, space);
+    for (const CollisionDescription& collision : link.collisions)
+      addBodyGeom(ode_, body, collision, index, space);
     return body;
   }
 
@@ -188,45 +122,6 @@ class Builder {
     // By default ODE stops damping what moves slowly, and a ball would roll for ever.
     dBodySetLinearDampingThreshold(body, 0);
     dBodySetAngularDampingThreshold(body, 0);
-  }
-
-  void addBodyGeom(const OdeBody& body, const CollisionDescription& collision, int index, dSpaceID space) {
-    const dGeomID geom = addGeom(space, collision, index, Pose3::Identity());
-    if (collision.shape.kind == Shape::Kind::kPlane) return;
-    dGeomSetBody(geom, body.id);
-    const Vector3 offset = collision.poseInLink.translation() - body.centerInLink;
-    setPose(collision.poseInLink, [&](const dReal*, const dMatrix3 r) {
-      dGeomSetOffsetPosition(geom, offset.x(), offset.y(), offset.z());
-      dGeomSetOffsetRotation(geom, r);
-    });
-  }
-
-  dGeomID addGeom(dSpaceID space, const CollisionDescription& collision, int index, const Pose3& pose) {
-    OdeGeom& geom = ode_.geoms.emplace_back();
-    geom.id = createGeom(space, collision.shape, pose);
-    geom.model = index;
-    geom.friction = collision.friction;
-    geom.restitution = collision.restitution;
-    dGeomSetData(geom.id, &geom);
-    return geom.id;
-  }
-
-  static dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
-    switch (shape.kind) {
-      case Shape::Kind::kBox:
-        return dCreateBox(space, shape.size.x(), shape.size.y(), shape.size.z());
-      case Shape::Kind::kSphere:
-        return dCreateSphere(space, shape.radius);
-      case Shape::Kind::kCylinder:
-        return dCreateCylinder(space, shape.radius, shape.length);
-      case Shape::Kind::kCapsule:
-        return dCreateCapsule(space, shape.radius, shape.length);
-      case Shape::Kind::kPlane:
-      case Shape::Kind::kMesh:  // never a solid
-        break;
-    }
-    const Vector3 normal = pose.linear().col(2);
-    return dCreatePlane(space, normal.x(), normal.y(), normal.z(), normal.dot(pose.translation()));
   }
 
   void addJoint(const ModelInstance& model, const JointDescription& joint, std::size_t firstBody) {
@@ -272,20 +167,10 @@ class Builder {
 
   static void place(const OdeBody& body, const Pose3& link) {
     const Vector3 center = link * body.centerInLink;
-    setPose(link, [&](const dReal*, const dMatrix3 r) {
+    withOdePose(link, [&](const dReal*, const dMatrix3 r) {
       dBodySetPosition(body.id, center.x(), center.y(), center.z());
       dBodySetRotation(body.id, r);
     });
-  }
-
-  template <typename Set>
-  static void setPose(const Pose3& pose, Set set) {
-    const Vector3& p = pose.translation();
-    const auto& m = pose.linear();
-    const dReal position[3] = {p.x(), p.y(), p.z()};
-    const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
-                               m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
-    set(position, rotation);
   }
 
   OdeWorld& ode_;

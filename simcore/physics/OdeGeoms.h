@@ -1,0 +1,27 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "simcore/physics/OdeWorld.h"
+
+namespace simcore {
+
+/// Makes a solid of a model, in a space if that is not null. `pose` (world) is needed for planes alone, which
+/// ODE cannot move.
+dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& collision, int model,
+                const Pose3& pose);
+/// Makes a solid that moves with a body.
+void addBodyGeom(OdeWorld& ode, const OdeBody& body, const CollisionDescription& collision, int model,
+                 dSpaceID space);
+
+/// Calls `set` with a pose as ODE has them: a position and a rotation.
+template <typename Set>
+void withOdePose(const Pose3& pose, Set set) {
+  const Vector3& p = pose.translation();
+  const auto& m = pose.linear();
+  const dReal position[3] = {p.x(), p.y(), p.z()};
+  const dMatrix3 rotation = {m(0, 0), m(0, 1), m(0, 2), 0,       m(1, 0), m(1, 1),
+                             m(1, 2), 0,       m(2, 0), m(2, 1), m(2, 2), 0};
+  set(position, rotation);
+}
+
+}  // namespace simcore
