@@ -138,31 +138,34 @@ class ClientSession {
 
   Options options_;
   State state_ = State::kClosed;
-  Instant since_{};     ///< when state_ was entered, or its SYNC sent
   int sync_ = 0;        ///< the number that was sent last
   int tries_ = 0;       ///< that failed, one after the other
   int unanswered_ = 0;  ///< that failed since the line was opened, or since the last connection
   int failures_ = 0;    ///< lines that failed since the last connection
-  Duration pause_{};
+  // Since the line was opened.
+  bool heard_ = false;  ///< any packet
+  std::uint64_t damages_ = 0;
+  // In this connection.
   bool opened_ = false;  ///< OPEN was sent
+  bool configured_ = false;
+  bool informed_ = false;
+  bool askedTwice_ = false;         ///< for the configuration, so no telling which is answered
+  std::optional<Instant> askedAt_;  ///< the CONFIG that is not answered yet
+  Instant lastAsked_{};
+
+  Instant since_{};  ///< when state_ was entered, or its SYNC sent
+  Duration pause_{};
   Instant openedAt_{};
   Instant openSentAt_{};
-  std::uint64_t damages_ = 0;  ///< since the line was opened
-  bool heard_ = false;         ///< any packet since the line was opened
-  std::optional<Error> problem_;
-  Bytes outgoing_;
   Instant sentAt_{};
   Instant packetAt_{};
+  Instant informationAt_{};
+  std::optional<Error> problem_;
+  Bytes outgoing_;
 
   std::optional<Identity> identity_;
   std::optional<Configuration> configuration_;
-  bool configured_ = false;         ///< in this connection
-  std::optional<Instant> askedAt_;  ///< the CONFIG that is not answered yet
-  bool askedTwice_ = false;         ///< so no telling which is answered
-  Instant lastAsked_{};
   std::optional<StandardInformation> information_;
-  Instant informationAt_{};
-  bool informed_ = false;  ///< in this connection
   LaserScanAssembler assembler_;
   std::optional<LaserScan> scan_;
   struct Gap {

@@ -14,8 +14,8 @@ enum class ArgumentType { kNone, kUnsigned, kSigned, kBytePair, kString, kData }
 /// A command for people: what an inspector and a help text show.
 struct CommandInfo {
   std::uint8_t id = 0;
-  const char* name = "";  ///< as the robot's manual has it: "VEL2"
   ArgumentType argument = ArgumentType::kNone;
+  const char* name = "";     ///< as the robot's manual has it: "VEL2"
   const char* unit = "";     ///< of an integer argument: "mm/s"
   const char* summary = "";  ///< a sentence
 };
