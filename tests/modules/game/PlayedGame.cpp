@@ -30,8 +30,11 @@ robotcontrol::Request requestTo(const std::string& robot) {
 PlayedGame::PlayedGame(Solutions solutions, app::SimulatedWorld::Options world) {
   const std::string resources = ROBOTCONTROL_SOURCE_DIR "/resources";
   setenv("ROBOTCONTROL_RESOURCES", resources.c_str(), 1);
-  app::RunOptions options{resources + "/scenes/field2002.sdf", resources + "/layouts/compact.yaml", {}, world,
-                          app::ExecutorKind::kLockstep, std::move(solutions)};
+  app::RunOptions options;
+  options.scene = resources + "/scenes/field2002.sdf";
+  options.layout = resources + "/layouts/compact.yaml";
+  options.world = std::move(world);
+  options.solutions = std::move(solutions);
   app::SimulatedRun::Listeners listeners;
   listeners.queue = [this](const std::string&, auto queue) { receive(*queue); };
   listeners.trouble = [](const std::string&, const auto&, const std::string& text) {
