@@ -137,8 +137,8 @@ void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
 void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
-  // A log has a toolbar of its own to play it.
-  for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty());
+  // A log has a toolbar of its own to play it, and a real robot's time cannot be stopped.
+  for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty() && !loaded->pioneer);
   selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
   layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));
   showLayouts(*loaded);

@@ -21,7 +21,7 @@ class SimulationToolBar : public QToolBar {
 
   /// Shows the simulation's state; called after each tick.
   void refresh();
-  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless it is a log.
+  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless it is a log or a real robot.
   void showLoaded();
 
   const QList<QAction*>& simulationActions() const { return simulationActions_; }

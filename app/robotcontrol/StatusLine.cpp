@@ -56,7 +56,8 @@ void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
                   : status.running()                 ? tr("running")
                                                      : tr("paused"));
   time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
-  speed_->setText(tr("sim %1×").arg(status.speed(), 0, 'f', 1));
+  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->pioneer;
+  speed_->setText(real ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
   const auto& models = status.models();
   if (std::find(models.begin(), models.end(), "ball") == models.end()) return contacts_->clear();

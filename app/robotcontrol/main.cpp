@@ -41,7 +41,7 @@ void define(CLI::App& app, Arguments& arguments) {
   app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
-  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own");
+  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; for a map or a Pioneer Drive, unless you say so");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
@@ -70,6 +70,13 @@ bool connectsRobot(const Arguments& arguments) { return !arguments.files.empty()
 
 bool opensLogs(const Arguments& arguments) {
   return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
+}
+
+/// Empty: the one that was shown last. Who opens a map or a Pioneer wants to see what belongs to it.
+std::string perspectiveOf(const Arguments& arguments) {
+  if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
+  const bool map = std::filesystem::path(arguments.files.front()).extension() == ".map";
+  return map || connectsRobot(arguments) ? "Drive" : "";
 }
 
 app::RunOptions simulationOf(const Arguments& arguments) {
@@ -173,7 +180,9 @@ int takePicture(app::MainWindow& window, const std::string& file) {
 int run(const Arguments& arguments) {
   app::Workbench workbench(robotlink::userDirectory());
   app::MainWindow window(workbench, robotlink::userDirectory());
-  if (!arguments.perspective.empty()) window.showPerspective(QString::fromStdString(arguments.perspective));
+  if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
+    window.showPerspective(QString::fromStdString(perspective));
+  }
   window.show();
   if (!load(workbench, arguments)) return kUsage;
   new Script(workbench, arguments, &window);

@@ -101,6 +101,7 @@ class PioneersGuiTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("linkState").text(), QStringLiteral("connected"), kWaitMs);
     const auto state = [&] { return newest<robotcontrol::DriveState>(desk, "p3at1/drive/state"); };
     QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
+    QVERIFY(!desk.find<QAction>("simulation.pause").isVisible());  // its time cannot be stopped
     QVERIFY(!state()->motors_on());  // a real robot waits for a person
     QTest::mouseClick(&desk.find<QToolButton>("baseMotors"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
