@@ -187,7 +187,7 @@ void SimulatedPioneer::fulfilRequests() {
 void SimulatedPioneer::place(const robotlink::Pose2& pose) {
   const auto placed = simulation_.placeModel(robot_, pose);
   if (!placed && requests_.size() < kMostRequests) {
-    requests_.push_back(robotlink::arcos::simulator_request::Message{placed.error().text});
+    requests_.emplace_back(robotlink::arcos::simulator_request::Message{placed.error().text});
   }
 }
 

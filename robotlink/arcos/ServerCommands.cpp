@@ -26,7 +26,7 @@ double angle(const Command& command) {
 /// Numbers behind a command's argument type, whatever that says; what is missing is 0.
 class ArgumentBytes {
  public:
-  explicit ArgumentBytes(const Bytes& data) : data_(data), at_(1) {}
+  explicit ArgumentBytes(const Bytes& data) : data_(data) {}
 
   std::int32_t number(int bytes) {
     std::uint32_t bits = 0;
@@ -45,7 +45,7 @@ class ArgumentBytes {
 
  private:
   const Bytes& data_;
-  std::size_t at_;
+  std::size_t at_ = 1;
 };
 
 }  // namespace

@@ -21,8 +21,8 @@ constexpr double kImuRateUnitDeg = 0.01832, kImuTemperatureUnit = 0.1453, kImuTe
 template <typename T>
 T rounded(double value) {
   if (!std::isfinite(value)) return 0;
-  constexpr auto low = static_cast<double>(std::numeric_limits<T>::min());
-  constexpr auto high = static_cast<double>(std::numeric_limits<T>::max());
+  const auto low = static_cast<double>(std::numeric_limits<T>::min());
+  const auto high = static_cast<double>(std::numeric_limits<T>::max());
   return static_cast<T>(std::clamp(std::round(value), low, high));
 }
 
