@@ -58,6 +58,17 @@ double Clearance::freeTime(const DriveVelocity& velocity) const {
   return options_.horizon;
 }
 
+double Clearance::nearestAfter(const DriveVelocity& velocity, double time) const {
+  const double turn = velocity.rotation * time, half = 0.5 * turn;
+  const double chord = velocity.forward * time * (std::abs(half) < 1e-6 ? 1 : std::sin(half) / half);
+  const robotlink::Pose2 before =
+      robotlink::Pose2{chord * std::cos(half), chord * std::sin(half), turn}.inverse();
+  double nearest = 1e3;
+  for (const Obstacle& obstacle : obstacles_)
+    nearest = std::min(nearest, outline_.distance(before * Vector2(obstacle.x, obstacle.y)));
+  return nearest;
+}
+
 bool Clearance::safe(const DriveVelocity& velocity, const DriveLimits& limits, double latency) const {
   // At the velocity of the beginning, braking takes half as long.
   const double braking = std::max(0.5 * std::abs(velocity.forward) / limits.acceleration,

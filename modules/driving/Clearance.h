@@ -29,6 +29,8 @@ class Clearance {
   DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits, double latency) const;
   /// m, to what is nearest; the horizon's reach if there is nothing.
   double nearest() const { return nearest_; }
+  /// m, to what will be nearest after some seconds of a velocity.
+  double nearestAfter(const DriveVelocity& velocity, double time) const;
 
  private:
   struct Obstacle {

@@ -10,6 +10,9 @@ constexpr double kWantsTurn = 0.1, kDrivesSpeed = 0.04;
 // s, of turning without success until it tries the other side.
 constexpr double kOtherSideAfter = 12;
 
+// s, after which a move must have made room; m of it that keeping on is worth.
+constexpr double kMakingRoom = 1.5, kKeeping = 0.03;
+
 /// 1: there is more room to the left; -1: to the right.
 double betterSide(const PolarView& view) {
   double left = 0, right = 0;
@@ -58,12 +61,24 @@ DriveVelocity CornerEscape::escape(const Clearance& clearance, const DriveLimits
     const DriveVelocity turning{0, side_ * share * options_.rotation};
     if (clearance.safe(turning, limits, options_.latency)) return turning;
   }
-  // No room to turn: make some, straight or in a slight curve, back rather than ahead.
+  // No room to turn: go to where there is more, back or ahead, straight or in a curve.
+  DriveVelocity best;
+  double most = -1;
   for (const double direction : {-1.0, 1.0}) {
-    for (const double turn : {0.0, side_, -side_}) {
-      const DriveVelocity moving{direction * options_.backingSpeed, 0.3 * turn * options_.rotation};
-      if (clearance.safe(moving, limits, options_.latency)) return moving;
+    for (const double turn : {0.0, 0.1, -0.1, 0.3, -0.3}) {
+      const DriveVelocity moving{direction * options_.backingSpeed, turn * options_.rotation};
+      if (!clearance.safe(moving, limits, options_.latency)) continue;
+      // Not to and fro.
+      const double room =
+          clearance.nearestAfter(moving, kMakingRoom) + (direction == direction_ ? kKeeping : 0);
+      if (room <= most) continue;
+      most = room;
+      best = moving;
     }
+  }
+  if (most >= 0) {
+    direction_ = best.forward > 0 ? 1 : -1;
+    return best;
   }
   const DriveVelocity other{0, -side_ * 0.4 * options_.rotation};
   return clearance.safe(other, limits, options_.latency) ? other : DriveVelocity{};

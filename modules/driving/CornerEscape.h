@@ -39,6 +39,7 @@ class CornerEscape {
   double stuckSince_ = -1;
   double side_ = 0;  // 1 left, -1 right, 0 none
   double since_ = 0;
+  double direction_ = -1;  // of the last move that was to make room
 };
 
 }  // namespace modules

@@ -8,20 +8,25 @@ namespace modules {
 
 using robotlink::Vector2;
 
+// Of a point's distance: within this much aside of the robot's way it is in it, however near it is.
+constexpr double kNearest = 0.95;
+
 PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double reach) : reach_(reach) {
   free_.fill(reach);
   for (const Vector2& point : points) {
     const double distance = point.norm();
     if (distance > reach + halfWidth) continue;
     const double bearing = std::atan2(point.y(), point.x());
-    // It is in the way of all directions in which it would be passed by less than half of the width.
-    const double half = distance > halfWidth ? std::asin(halfWidth / distance) : 0.5 * robotlink::kPi;
+    // It is in the way of all directions in which it would be passed by less than half of the width; what is
+    // nearer than that already only of those that lead towards it.
+    const double room = std::min(halfWidth, kNearest * distance);
+    const double half = distance > 0 ? std::asin(room / distance) : 0;
     const int first = static_cast<int>(std::ceil((bearing - half) / kSector));
     const int last = static_cast<int>(std::floor((bearing + half) / kSector));
     for (int sector = first; sector <= last; ++sector) {
       const double aside = distance * std::sin(sector * kSector - bearing);
       const double ahead = distance * std::cos(sector * kSector - bearing);
-      const double until = ahead - std::sqrt(std::max(0.0, halfWidth * halfWidth - aside * aside));
+      const double until = ahead - std::sqrt(std::max(0.0, room * room - aside * aside));
       double& free = free_[static_cast<std::size_t>(wrapped(sector))];
       free = std::min(free, std::max(0.0, until));
     }

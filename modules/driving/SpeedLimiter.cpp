@@ -7,7 +7,8 @@ namespace {
 
 double towards(double last, double wanted, double step) {
   // Braking: towards 0.
-  const double most = last * wanted <= 0 || std::abs(wanted) < std::abs(last) ? 2 * step : step;
+  const bool braking = last * wanted < 0 || std::abs(wanted) < std::abs(last);
+  const double most = braking ? 2 * step : step;
   return last + std::clamp(wanted - last, -most, most);
 }
 

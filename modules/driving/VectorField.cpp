@@ -53,7 +53,7 @@ DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits&
   const double straight = std::max(kLeastShare, std::cos(direction));
   const double speed = wish.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
   // Where the wish's own way is open it is followed as it was wished.
-  const bool asWished = std::abs(direction - wanted) < 1.5 * PolarView::kSector;
+  const bool asWished = std::abs(direction - wanted) < 0.6 * PolarView::kSector;
   const double rotation = asWished ? wish.rotation : options_.steering * direction;
   return {direction > 1.2 || direction < -1.2 ? 0 : speed,
           std::clamp(rotation, -limits.rotation, limits.rotation)};

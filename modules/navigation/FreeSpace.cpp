@@ -31,9 +31,10 @@ void flood(const GridFrame& frame, std::vector<std::uint8_t>& marks, std::vector
   }
 }
 
-/// Takes away what has no wall on one of its four sides.
+/// Takes away what has no wall on two or more of its four sides: in front of a gap it may be one.
 void keepEnclosed(const DistanceMap& distances, std::vector<std::uint8_t>& marks) {
   const GridFrame& frame = distances.frame();
+  std::vector<std::uint8_t> openSides(marks.size(), 0);
   const auto sweep = [&](int count, int length, const auto& cellOf) {
     for (int line = 0; line < count; ++line) {
       int first = length, last = -1;
@@ -45,12 +46,15 @@ void keepEnclosed(const DistanceMap& distances, std::vector<std::uint8_t>& marks
       }
       for (int i = 0; i < length; ++i) {
         const auto [column, row] = cellOf(line, i);
-        if (i < first || i > last) marks[frame.index(column, row)] = kWall;
+        openSides[frame.index(column, row)] +=
+            static_cast<std::uint8_t>((i < first ? 1 : 0) + (i > last ? 1 : 0));
       }
     }
   };
   sweep(frame.height, frame.width, [](int row, int column) { return std::pair(column, row); });
   sweep(frame.width, frame.height, [](int column, int row) { return std::pair(column, row); });
+  for (std::size_t i = 0; i < marks.size(); ++i)
+    if (openSides[i] > 1) marks[i] = kWall;
 }
 
 std::vector<std::uint32_t> border(const GridFrame& frame, std::vector<std::uint8_t>& marks) {

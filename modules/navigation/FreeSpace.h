@@ -10,8 +10,8 @@
 namespace modules {
 
 /// The places of a map at which a robot can be: far enough from walls, and inside of the building. Inside are
-/// walls to the left, to the right, above and below; and no way as wide as the robot leads there from beyond
-/// the map, unless one leads to the map's home, too: maps of real buildings have gaps. Immutable.
+/// walls on at least three of four sides; and no way as wide as the robot leads there from beyond the map,
+/// unless one leads to the map's home, too: maps of real buildings have gaps. Immutable.
 class FreeSpace {
  public:
   /// `clearance`: m, that the robot's middle needs.

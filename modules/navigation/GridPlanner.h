@@ -25,14 +25,14 @@ class GridPlanner {
  public:
   struct Options {
     double cell = 0.1;        ///< m
-    double clearance = 0.36;  ///< m, that the robot's middle needs
+    double clearance = 0.32;  ///< m, that the robot's middle needs
     double comfort = 0.8;     ///< m, from walls from which on they do not matter
     double nearness = 3;      ///< how much dearer a metre is at the least clearance
     double reach = 1.0;       ///< m, within which a robot too near to a wall may find to where it can plan
   };
   GridPlanner(const robotlink::GroundMap& map, const Options& options);
 
-  /// Runs the wave: some 50 ms in a large building. The goal may be anywhere; `path` tells if it cannot be
+  /// Runs the wave: some 20 ms in a large building. The goal may be anywhere; `path` tells if it cannot be
   /// reached.
   void setGoal(const robotlink::Vector2& goal);
   const std::optional<robotlink::Vector2>& goal() const { return goal_; }

@@ -27,7 +27,7 @@ class MonteCarloLocalizer {
  public:
   struct Options {
     double particlesPerArea = 120;  ///< 1/m^2 of free space, at the start
-    int fewest = 800, most = 40000;
+    int fewest = 1200, most = 40000;
     double clearance = 0.25;  ///< m, of the robot's middle from walls
     RangeModel::Options ranges;
     double rayDeviation = 0.08;                ///< m, of the ends of rays once the pose is known ...
@@ -39,7 +39,7 @@ class MonteCarloLocalizer {
     double leastWay = 0.05, leastTurn = 0.05;  ///< m and rad between measurements that are looked at
     double goodFit = 0.8;   ///< share of measurements that are explained where the pose is right
     double newShare = 0.1;  ///< of particles drawn anew where none is explained
-    int lostAfter = 60;     ///< measurements with far less than a good fit until everything begins anew
+    int lostAfter = 40;     ///< measurements with far less than a good fit until everything begins anew
     std::uint64_t seed = 1;
   };
   /// The map need not outlive it. In one without free space the estimate stays as uncertain as can be.

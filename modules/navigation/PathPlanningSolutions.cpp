@@ -135,7 +135,7 @@ class GridPathPlanner final : public PathPlanner {
     }
     GridPlanner::Options options;
     if (const auto& drive = context.robot().description.drive; drive && drive->width > 0)
-      options.clearance = 0.5 * drive->width + 0.1;
+      options.clearance = 0.5 * drive->width + 0.07;
     replace(options.clearance, parameters_.clearance());
     replace(options.comfort, parameters_.comfort());
     replace(options.nearness, parameters_.nearness());

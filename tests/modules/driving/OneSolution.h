@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <google/protobuf/message.h>
+#include <gtest/gtest.h>
+
+#include <map>
+#include <set>
+#include <string>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/debugging/Solution.h"
+
+namespace modules {
+
+/// What a process gives to one solution of a Pioneer's program: inputs that a test sets, outputs that it
+/// reads.
+class OneSolution final : public robotlink::SolutionContext {
+ public:
+  static constexpr double kFrame = 0.1;  ///< s, between two frames
+
+  OneSolution(const std::string& task, const std::string& name,
+              std::shared_ptr<const robotlink::GroundMap> map = nullptr)
+      : debug_("navigation", clock_, {}), description_(robotlink::SolutionRegistry::find(task, name)) {
+    setup_.name = "p3at1";
+    setup_.description =
+        *robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/p3at.yaml");
+    setup_.map = std::move(map);
+    if (description_->parameters != nullptr) parameters_.reset(description_->parameters->New());
+    for (const auto* names : {&description_->required, &description_->optional})
+      for (const std::string& package : *names) slots_[package];
+    for (const int key : description_->keys) {
+      robotcontrol::KeyMode mode;
+      mode.set_kind(robotcontrol::KeyMode::ALWAYS);
+      debug_.setMode(key, mode);
+    }
+    // What its constructor says belongs to the first frame.
+    solution_ = description_->create(*this);
+  }
+
+  template <typename T>
+  void set(robotlink::Package<T> package, T value) {
+    slots_.at(package.name) = {std::make_shared<const T>(std::move(value)), true};
+  }
+  /// Null if it has sent nothing.
+  template <typename T>
+  const T* sent(robotlink::Package<T> package) const {
+    const auto found = outputs_.find(package.name);
+    return found == outputs_.end() ? nullptr : static_cast<const T*>(found->second.get());
+  }
+  template <typename P>
+  P& parametersAs() {
+    return static_cast<P&>(*parameters_);
+  }
+  /// One frame; what was set is new in it only.
+  void execute() {
+    debug_.beginFrame(clock_.now(), static_cast<std::uint64_t>(++frame_));
+    solution_->execute();
+    debug_.endFrame();
+    for (auto& [package, slot] : slots_) slot.isNew = false;
+    remember();
+  }
+  void pass(double seconds = kFrame) { clock_.advance(robotlink::fromSeconds(seconds)); }
+
+  /// Of texts, how often each was told.
+  const std::map<std::string, int>& texts() const { return texts_; }
+  bool said(const std::string& part) const {
+    return std::ranges::any_of(texts_,
+                               [&](const auto& text) { return text.first.find(part) != std::string::npos; });
+  }
+  /// Of all keys, those that told nothing yet.
+  std::set<std::string> silentKeys() const {
+    std::set<std::string> silent;
+    for (const int key : description_->keys) {
+      const std::string& name = robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name;
+      if (std::ranges::none_of(paths_,
+                               [&](const std::string& path) { return path.find(name) != std::string::npos; }))
+        silent.insert(name);
+    }
+    return silent;
+  }
+
+  const robotlink::RobotSetup& robot() const override { return setup_; }
+  const robotlink::ManualClock& clock() const override { return clock_; }
+  robotlink::DebugContext& debug() override { return debug_; }
+
+ protected:
+  const robotlink::PackageSlot& inputSlot(const char* package) override { return slots_.at(package); }
+  std::function<void(robotlink::PackagePtr)> outputSend(const char* package) override {
+    return [this, name = std::string(package)](robotlink::PackagePtr value) {
+      outputs_[name] = std::move(value);
+    };
+  }
+  const google::protobuf::Message& parameterMessage() override { return *parameters_; }
+
+ private:
+  void remember() {
+    while (debug_.hasQueue()) {
+      const auto queue = debug_.takeQueue();
+      for (const auto& message : queue->messages()) {
+        paths_.insert(message.path());
+        if (message.has_text()) ++texts_[message.text().message()];
+      }
+    }
+  }
+
+  robotlink::ManualClock clock_;
+  robotlink::DebugContext debug_;
+  const robotlink::SolutionDescription* description_;
+  robotlink::RobotSetup setup_;
+  std::unique_ptr<google::protobuf::Message> parameters_;
+  std::map<std::string, robotlink::PackageSlot> slots_;
+  std::map<std::string, robotlink::PackagePtr> outputs_;
+  std::unique_ptr<robotlink::Solution> solution_;
+  std::map<std::string, int> texts_;
+  std::set<std::string> paths_;
+  int frame_ = 0;
+};
+
+}  // namespace modules
