@@ -44,16 +44,14 @@ inline robotcontrol::Request keyRequest(const std::string& robot, const std::str
   return request;
 }
 
-/// Records the simulated robot in a layout from its start, in steps of 8 ms; `before` is called before each.
-inline void recordSimulation(const std::filesystem::path& file, const std::string& layout, int steps,
+/// Records a simulation from its start, in steps of 8 ms; `before` is called before each.
+inline void recordSimulation(const std::filesystem::path& file, const RunOptions& options, int steps,
                              const std::function<void(SimulatedRun&, int step)>& before = {}) {
   logplayer::Recorder recorder({});
   robotcontrol::ControlRecording control;
   control.set_action(robotcontrol::ControlRecording::START);
   control.set_path(file.string());
   ASSERT_TRUE(recorder.control(control).has_value());
-  RunOptions options = Workbench::defaultOptions();
-  options.layout = robotlink::resource("layouts/" + layout + ".yaml");
   auto run = SimulatedRun::create(options, {}, &recorder);
   ASSERT_TRUE(run.has_value()) << robotlink::describe(run.error());
   for (int i = 0; i < steps; ++i) {
@@ -64,6 +62,14 @@ inline void recordSimulation(const std::filesystem::path& file, const std::strin
   control.set_action(robotcontrol::ControlRecording::STOP);
   ASSERT_TRUE(recorder.control(control).has_value());
   recorder.finish();
+}
+
+/// The same for the robot of the shipped scene in a layout.
+inline void recordSimulation(const std::filesystem::path& file, const std::string& layout, int steps,
+                             const std::function<void(SimulatedRun&, int step)>& before = {}) {
+  RunOptions options = Workbench::defaultOptions();
+  options.layout = robotlink::resource("layouts/" + layout + ".yaml");
+  recordSimulation(file, options, steps, before);
 }
 
 inline ReplayOptions replayOf(std::vector<ReplayLog> logs) {

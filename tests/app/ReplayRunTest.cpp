@@ -97,6 +97,30 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
   }
 }
 
+/// It localises itself in the map, which the log holds.
+TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
+  const auto folder = logplayer::TemporaryFolder::make();
+  const auto map = folder->path() / "room.map";
+  std::ofstream(map) << "2D-Map\nCairn: RobotHome 1000 1000 0 \"\" ICON \"Home\"\nLINES\n0 0 6000 0\n6000 0 6000 4000\n"
+                        "6000 4000 0 4000\n0 4000 0 0\n3000 0 3000 1500\nDATA\n";
+  RunOptions options;
+  options.scene = map;
+  options.solutions["driving"] = "wander";
+  recordSimulation(folder->path() / "sim.mcap", options, 1000);
+  std::filesystem::remove(map);
+  Replay replay(recomputingAll(folder->path() / "sim.mcap"));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  replay.playToEnd();
+  EXPECT_THAT(replay.troubles, IsEmpty());
+  const auto status = replay.status();
+  EXPECT_EQ(recomputedPackages(status).size(), 4U);
+  for (const auto& difference : status.differences()) {
+    EXPECT_GT(difference.compared(), 10U) << difference.package();
+    EXPECT_EQ(difference.different() + difference.only_logged() + difference.only_recomputed(), 0U)
+        << difference.package() << " first at " << difference.first_time() << ", " << difference.largest_field();
+  }
+}
+
 TEST(ReplayRun, aLayoutThatWasChangedInTheRecordingChangesInItsReplay) {
   const auto folder = logplayer::TemporaryFolder::make();
   const auto file = folder->path() / "sim.mcap";
