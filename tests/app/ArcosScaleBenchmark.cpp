@@ -69,12 +69,18 @@ class Server {
     ::_exit(127);
   }
   ~Server() {
+    if (ended()) return;
     ::kill(process_, SIGINT);
     ::waitpid(process_, nullptr, 0);
   }
   Server(const Server&) = delete;
   Server& operator=(const Server&) = delete;
 
+  /// It ended by itself: there is no room for so many robots, or a port is taken.
+  bool ended() {
+    ended_ = ended_ || ::waitpid(process_, nullptr, WNOHANG) != 0;
+    return ended_;
+  }
   /// Processor time it used so far, s.
   double used() const {
     std::ifstream file("/proc/" + std::to_string(process_) + "/stat");
@@ -96,6 +102,7 @@ class Server {
 
  private:
   pid_t process_ = 0;
+  bool ended_ = false;
 };
 
 /// A program that drives one robot.
@@ -207,14 +214,16 @@ std::chrono::duration<double> realSeconds(double seconds) {
 }
 
 bool measure(const std::string& map, const Setting& setting, double seconds) {
-  const Server server(map, setting);
+  Server server(map, setting);
   std::vector<std::unique_ptr<Client>> clients;
   const auto patience = Clock::now() + std::chrono::seconds(30);
   for (int robot = 0; robot < setting.robots; ++robot) {
     clients.push_back(std::make_unique<Client>());
     while (!clients.back()->connect(kFirstPort + robot, setting.laser)) {
-      if (Clock::now() > patience) {
-        std::fprintf(stderr, "no robot listens at port %d\n", kFirstPort + robot);
+      if (server.ended() || Clock::now() > patience) {
+        std::fprintf(stderr,
+                     "no robot listens at port %d; 'robotctl sim %s --robots %d --arcos %d' says why\n",
+                     kFirstPort + robot, map.c_str(), setting.robots, kFirstPort);
         return false;
       }
       std::this_thread::sleep_for(std::chrono::milliseconds(50));
