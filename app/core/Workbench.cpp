@@ -56,7 +56,12 @@ Workbench::Workbench(std::filesystem::path userFolder)
 
 Workbench::~Workbench() { session_.setRequestSink({}); }
 
-std::vector<std::filesystem::path> Workbench::scenes() { return filesIn("scenes", ".sdf"); }
+std::vector<std::filesystem::path> Workbench::scenes() {
+  std::vector<std::filesystem::path> files = filesIn("scenes", ".sdf");
+  const auto maps = filesIn("scenes", ".map");
+  files.insert(files.end(), maps.begin(), maps.end());
+  return files;
+}
 std::vector<std::filesystem::path> Workbench::layouts() { return filesIn("layouts", ".yaml"); }
 
 std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotDescription& robot) {

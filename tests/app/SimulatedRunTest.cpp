@@ -119,6 +119,20 @@ TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
   EXPECT_EQ(run->world().digest(), digestAfter(options(), 1));
 }
 
+TEST(SimulatedRun, allShippedScenesAndMapsPlayWithoutTrouble) {
+  EXPECT_GE(Workbench::scenes().size(), 3U);
+  for (const auto& scene : Workbench::scenes()) {
+    Ears ears;
+    RunOptions chosen = options();
+    chosen.scene = scene;
+    const auto run = makeRun(chosen, ears.listeners());
+    ASSERT_NE(run, nullptr) << scene;
+    play(*run, 1);
+    EXPECT_FALSE(run->robots().empty()) << scene;
+    EXPECT_TRUE(ears.troubles.empty()) << scene << ": " << ears.troubles.front();
+  }
+}
+
 TEST(SimulatedRun, allShippedLayoutsPlayWithoutTrouble) {
   const auto robot = robotlink::readRobotDescription(robotlink::resource("robots/ers210.yaml"));
   ASSERT_TRUE(robot) << robotlink::describe(robot.error());
