@@ -85,6 +85,7 @@ void BaseStateView::createRows() {
   base_ = new StateRows(tr("Base"), "baseRows", this);
   battery_ = new BatteryGauge(base_);
   base_->addRow(tr("Battery"), tr("Below 11.5 V it is low, at 11 V robots switch themselves off"), battery_);
+  base_->addText("baseBatteryWarning", tr("What the battery needs"));
   base_->addRow("baseMotorsState", tr("Motors"), tr("Whether the motors hold and turn the wheels"));
   base_->addRow("baseSonarState", tr("Sonars"), tr("Whether the sonars fire"));
   base_->addRow("baseStall", tr("Stall"), tr("Wheels that shall turn and do not"));
@@ -217,14 +218,18 @@ void BaseStateView::showBase(const DriveState* state) {
   showStop(state);
   if (state == nullptr) {
     battery_->show({});
+    base_->set("baseBatteryWarning", {});
     for (const char* row :
          {"baseMotorsState", "baseSonarState", "baseStall", "baseBumpers", "baseTemperature", "baseFaults"})
       base_->set(row, {});
     return;
   }
-  battery_->show(BatteryLevel::of(
+  const BatteryLevel level = BatteryLevel::of(
       state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
-      state->charging() == DriveState::CHARGING));
+      state->charging() == DriveState::CHARGING);
+  battery_->show(level);
+  base_->set("baseBatteryWarning", level.warning(),
+             level.state == BatteryLevel::State::kEmpty ? Meaning::kBad : Meaning::kWarning);
   base_->set("baseMotorsState", state->motors_on() ? tr("on") : tr("off"),
              state->motors_on() ? Meaning::kGood : Meaning::kMuted);
   base_->set("baseSonarState", state->sonar_on() ? tr("on") : tr("off"),

@@ -28,6 +28,10 @@ QColor colorFor(BatteryLevel::State state, const QPalette& palette) {
   return colorOf(Meaning::kMuted, palette);
 }
 
+QString translated(const char* source) {
+  return QCoreApplication::translate("BatteryGauge", source);
+}
+
 }  // namespace
 
 BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge, bool charging) {
@@ -44,13 +48,16 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
 }
 
 QString BatteryLevel::text() const {
-  const auto tr = [](const char* source) { return QCoreApplication::translate("BatteryGauge", source); };
-  if (state == State::kUnknown) return tr("not told");
-  QString text = tr("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
-  if (charging) return tr("%1, charging").arg(text);
-  if (state == State::kEmpty) return tr("%1: empty, charge now").arg(text);
-  if (state == State::kLow) return tr("%1: low, charge soon").arg(text);
-  return text;
+  if (state == State::kUnknown) return translated("not told");
+  const QString text = translated("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
+  return charging ? translated("%1, charging").arg(text) : text;
+}
+
+QString BatteryLevel::warning() const {
+  if (charging) return {};
+  if (state == State::kEmpty) return translated("The battery is empty: charge it now.");
+  if (state == State::kLow) return translated("The battery is low: charge it soon.");
+  return {};
 }
 
 BatteryGauge::BatteryGauge(QWidget* parent) : QWidget(parent) {
@@ -64,7 +71,7 @@ QSize BatteryGauge::sizeHint() const {
 
 void BatteryGauge::show(const BatteryLevel& level) {
   level_ = level;
-  setAccessibleDescription(level.text());
+  setAccessibleDescription(level.text() + QLatin1Char(' ') + level.warning());
   update();
 }
 

@@ -18,9 +18,11 @@ struct BatteryLevel {
   /// switch themselves off, to 13 V. Below 11.5 V, or a fifth, it is low.
   static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging);
   QString text() const;
+  /// What to do, in a sentence; empty while all is well.
+  QString warning() const;
 };
 
-/// A battery with its level and a sentence beside it. Object name "baseBattery".
+/// A battery with its level and the figures beside it. Object name "baseBattery".
 class BatteryGauge final : public QWidget {
   Q_OBJECT
  public:

@@ -76,6 +76,7 @@ void PacketDetails::addBytes(const std::string& bytes) {
                                                  .arg(hexText(part), -digits)
                                                  .arg(characters)});
     line->setFont(0, fixed);
+    line->setToolTip(0, line->text(0));
     line->setFirstColumnSpanned(true);
   }
   title->setExpanded(true);

@@ -43,7 +43,8 @@ class BaseStateViewTest : public QObject {
     QVERIFY(BatteryLevel::of(12.6, 0.1, false).state == BatteryLevel::State::kLow);
     QVERIFY(BatteryLevel::of(0, {}, false).state == BatteryLevel::State::kUnknown);
     QCOMPARE(BatteryLevel::of(12, {}, false).share, 0.5);
-    QVERIFY(BatteryLevel::of(11.4, {}, false).text().contains(QStringLiteral("low")));
+    QVERIFY(BatteryLevel::of(11.4, {}, false).warning().contains(QStringLiteral("low")));
+    QVERIFY(BatteryLevel::of(11.4, {}, true).warning().isEmpty());
   }
 
   void theStateIsTold() {
@@ -154,6 +155,7 @@ class BaseStateViewTest : public QObject {
     world.push("p3at1/link/status", status, 1);
     auto view = world.open<widgets::BaseStateView>({400, 560});
     widgets::test::keepPicture(*view, "base-state-view");
+    QCOMPARE(text(*view, "baseBatteryWarning"), QStringLiteral("The battery is low: charge it soon."));
     QVERIFY(view->saveState().contains(QStringLiteral("robot")));
   }
 };
