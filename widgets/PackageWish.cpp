@@ -7,6 +7,11 @@
 #include "widgets/Requests.h"
 
 namespace widgets {
+namespace {
+
+constexpr std::size_t kTables = 64;  // that are remembered
+
+}  // namespace
 
 void PackageWish::want(robotlink::Session& session, const std::string& robot,
                        std::initializer_list<const char*> packages) {
@@ -15,11 +20,12 @@ void PackageWish::want(robotlink::Session& session, const std::string& robot,
     settled_.clear();
     seen_.clear();
   }
-  const auto* table = session.store().latestAs<robotcontrol::KeyTable>(
-      robot + '/' + robotlink::streams::kKeys, session.timeline().newest());
-  if (table == nullptr || seen_.contains(table)) return;
-  if (seen_.size() > 64) seen_.clear();
-  seen_.insert(table);
+  const auto* message =
+      session.store().latest(robot + '/' + robotlink::streams::kKeys, session.timeline().newest());
+  if (message == nullptr || !seen_.insert(message->value).second) return;
+  const auto* table = dynamic_cast<const robotcontrol::KeyTable*>(message->value.get());
+  if (table == nullptr) return;
+  if (seen_.size() > kTables) seen_ = {message->value};
   for (const char* package : packages) {
     const std::string name = std::string("package/") + package;
     const auto key = std::ranges::find(table->keys(), name, [](const auto& entry) { return entry.name(); });
@@ -28,7 +34,8 @@ void PackageWish::want(robotlink::Session& session, const std::string& robot,
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(name);
     request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    // In a log the table may be that of a program that does not run: nobody needs to know that it cannot be asked.
+    // In a log the table may be that of a program that does not run: nobody needs to know that it cannot be
+    // asked.
     ask(session, robot, std::move(request), nullptr, [](bool, const QString&) {});
   }
 }

@@ -6,6 +6,8 @@
 #include <set>
 #include <string>
 
+#include "robotlink/process/Link.h"
+
 namespace robotlink {
 class Session;
 }
@@ -17,14 +19,16 @@ namespace widgets {
 /// until another platform is opened. Packages that a robot does not have are not asked for. GUI thread.
 class PackageWish {
  public:
-  /// Called in each tick; costs next to nothing while the table is the same.
+  /// Called in each tick, always with the same packages for a robot; costs next to nothing while the table is
+  /// the same.
   void want(robotlink::Session& session, const std::string& robot,
             std::initializer_list<const char*> packages);
 
  private:
   std::uint64_t generation_ = ~std::uint64_t{0};
   std::set<std::string> settled_;  // paths of packages: asked for, or on anyway
-  std::set<const void*> seen_;     // tables that lack the others
+  std::set<robotlink::PackagePtr>
+      seen_;  // tables that lack the others; kept, so that no new one has their address
 };
 
 }  // namespace widgets
