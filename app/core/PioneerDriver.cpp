@@ -123,6 +123,7 @@ void PioneerDriver::setOtherClient(const std::string& address, Instant now) {
 }
 
 void PioneerDriver::use(const arcos::Packet& packet, Instant now) {
+  if (const arcos::Identity* identity = session_.identity()) packages_.setSubclass(identity->subclass);
   if (packet.id == arcos::Configuration::kId) {
     if (const auto configuration = arcos::decodeConfiguration(packet)) {
       packages_.setBumpers(configuration->frontBumpers, configuration->rearBumpers);

@@ -9,26 +9,35 @@ namespace app {
 namespace {
 
 using robotlink::arcos::LaserPacket;
+using robotlink::arcos::RobotState;
 using robotlink::arcos::StandardInformation;
 
 constexpr double kMetre = 1000;         // mm
-constexpr double kTurn = 4096;          // units of the heading
 // More between two packets is no way that it has gone: its client has set the robot's odometry.
 constexpr double kMostStep = 1.0;  // m
 constexpr double kMostTurn = robotlink::radians(90.0);
 
-double headingOf(std::int16_t units) { return units * (2 * robotlink::kPi / kTurn); }
-
-/// How far a counter of 16 bits that wraps has gone.
-int difference(std::int16_t now, std::int16_t before) { return static_cast<std::int16_t>(now - before); }
-
-robotcontrol::DriveState::Charging chargingOf(const StandardInformation& information) {
+robotcontrol::DriveState::Charging chargingOf(const RobotState& state) {
   using robotcontrol::DriveState;
-  if (!information.chargeState || *information.chargeState == 255) return DriveState::UNKNOWN;
-  return *information.chargeState == 0 ? DriveState::NOT_CHARGING : DriveState::CHARGING;
+  if (!state.charging) return DriveState::UNKNOWN;
+  return *state.charging ? DriveState::CHARGING : DriveState::NOT_CHARGING;
 }
 
 }  // namespace
+
+PioneerPackages::PioneerPackages(std::string robot, const robotlink::RobotDescription& description)
+    : robot_(std::move(robot)), description_(description), decoder_(robotlink::arcos::robotType({})) {}
+
+void PioneerPackages::setSubclass(const std::string& subclass) {
+  if (decoder_.type().subclass == subclass) return;
+  decoder_ = robotlink::arcos::StateDecoder(robotlink::arcos::robotType(subclass));
+  last_.reset();
+}
+
+void PioneerPackages::restart() {
+  decoder_ = robotlink::arcos::StateDecoder(decoder_.type());
+  last_.reset();
+}
 
 void PioneerPackages::setBumpers(int front, int rear) {
   frontBumpers_ = front;
@@ -37,53 +46,42 @@ void PioneerPackages::setBumpers(int front, int rear) {
 
 void PioneerPackages::resetOdometry() { odometry_ = {}; }
 
-void PioneerPackages::follow(const StandardInformation& information) {
-  const Raw now{information.xMm, information.yMm, information.heading4096};
+void PioneerPackages::followOdometry() {
+  const robotlink::Pose2 now = decoder_.state().pose;
   if (last_) {
-    // Steps are turned from the robot's own frame into the one that this counting began in.
-    const double turned = odometry_.heading - headingOf(last_->heading);
-    const robotlink::Vector2 step =
-        robotlink::Pose2{0, 0, turned} *
-        robotlink::Vector2(difference(now.x, last_->x) / kMetre, difference(now.y, last_->y) / kMetre);
-    const double turn = robotlink::normalizedAngle(headingOf(now.heading) - headingOf(last_->heading));
-    if (step.norm() <= kMostStep && std::abs(turn) <= kMostTurn) {
-      odometry_.x += step.x();
-      odometry_.y += step.y();
-      odometry_.heading = robotlink::normalizedAngle(odometry_.heading + turn);
-    }
+    const robotlink::Pose2 step = last_->inverse() * now;
+    if (step.translation().norm() <= kMostStep && std::abs(step.heading) <= kMostTurn) odometry_ = odometry_ * step;
   }
   last_ = now;
 }
 
 std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const StandardInformation& information,
                                                                        robotlink::Instant now) {
-  follow(information);
+  decoder_.take(information, now);
+  followOdometry();
+  const RobotState& said = decoder_.state();
   auto state = std::make_shared<robotcontrol::DriveState>();
   robotlink::assign(*state->mutable_timestamp(), now);
   robotlink::assign(*state->mutable_odometry(), odometry_);
-  const double left = information.leftSpeedMmS / kMetre, right = information.rightSpeedMmS / kMetre;
-  state->set_left_speed(left);
-  state->set_right_speed(right);
-  state->mutable_velocity()->set_x((left + right) / 2);
-  const double track = description_.drive ? description_.drive->track : 1;
-  state->mutable_velocity()->set_rotation((right - left) / track);
-  state->set_motors_on(information.motorsOn());
-  state->set_sonar_on(information.sonarOn());
-  state->set_left_stalled(information.leftStalled());
-  state->set_right_stalled(information.rightStalled());
-  state->set_emergency_stop((information.flags & StandardInformation::kEmergencyStop) != 0);
-  for (int i = 0; i < frontBumpers_; ++i) state->add_front_bumpers((information.frontBumpers() >> i & 1U) != 0);
-  for (int i = 0; i < rearBumpers_; ++i) state->add_rear_bumpers((information.rearBumpers() >> i & 1U) != 0);
-  state->set_battery(information.batteryDecivoltsBest() / 10.0);
-  if (information.stateOfChargePercent.value_or(0) > 0) state->set_state_of_charge(*information.stateOfChargePercent / 100.0);
-  state->set_charging(chargingOf(information));
-  if (information.temperatureDegC.value_or(-128) > StandardInformation::kNoTemperature) {
-    state->set_temperature(*information.temperatureDegC);
-  }
-  state->set_digital_in(information.digitalIn.value_or(0));
-  state->set_digital_out(information.digitalOut.value_or(0));
-  state->set_analog_in(information.analog.value_or(0));
-  state->set_fault_flags(information.faultFlags.value_or(0));
+  state->set_left_speed(said.leftSpeed);
+  state->set_right_speed(said.rightSpeed);
+  state->mutable_velocity()->set_x(said.speed);
+  state->mutable_velocity()->set_rotation(said.rotation);
+  state->set_motors_on(said.motorsOn);
+  state->set_sonar_on(said.sonarOn);
+  state->set_left_stalled(said.leftStalled);
+  state->set_right_stalled(said.rightStalled);
+  state->set_emergency_stop(said.emergencyStop);
+  for (int i = 0; i < frontBumpers_; ++i) state->add_front_bumpers((said.frontBumpers >> i & 1) != 0);
+  for (int i = 0; i < rearBumpers_; ++i) state->add_rear_bumpers((said.rearBumpers >> i & 1) != 0);
+  state->set_battery(said.battery);
+  if (said.stateOfCharge) state->set_state_of_charge(*said.stateOfCharge);
+  state->set_charging(chargingOf(said));
+  if (said.temperature) state->set_temperature(*said.temperature);
+  state->set_digital_in(said.digitalIn);
+  state->set_digital_out(said.digitalOut);
+  state->set_analog_in(said.analogIn);
+  state->set_fault_flags(said.faultFlags);
   if (information.rotationRateDeciDegS) state->set_rotation_rate(robotlink::radians(*information.rotationRateDeciDegS / 10.0));
   return state;
 }
@@ -100,7 +98,7 @@ std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(const
     auto& reading = *readings->add_readings();
     reading.set_number(sonar.number);
     robotlink::assign(*reading.mutable_sensor_in_robot(), description_.sonars->sensors[sonar.number].inRobot);
-    reading.set_range(std::min(sonar.rangeMm / kMetre, description_.sonars->maximum));
+    reading.set_range(std::min(decoder_.type().range * sonar.rangeMm, description_.sonars->maximum));
     robotlink::assign(*reading.mutable_timestamp(), now);
   }
   return readings;
