@@ -4,6 +4,7 @@
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
+#include <functional>
 #include <map>
 #include <set>
 #include <string>
@@ -20,14 +21,17 @@ class OneSolution final : public robotlink::SolutionContext {
  public:
   static constexpr double kFrame = 0.1;  ///< s, between two frames
 
+  /// `setUp`: sets its parameters before it is switched on.
   OneSolution(const std::string& task, const std::string& name,
-              std::shared_ptr<const robotlink::GroundMap> map = nullptr)
+              std::shared_ptr<const robotlink::GroundMap> map = nullptr,
+              const std::function<void(google::protobuf::Message&)>& setUp = {})
       : debug_("navigation", clock_, {}), description_(robotlink::SolutionRegistry::find(task, name)) {
     setup_.name = "p3at1";
     setup_.description =
         *robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/p3at.yaml");
     setup_.map = std::move(map);
     if (description_->parameters != nullptr) parameters_.reset(description_->parameters->New());
+    if (setUp) setUp(*parameters_);
     for (const auto* names : {&description_->required, &description_->optional})
       for (const std::string& package : *names) slots_[package];
     for (const int key : description_->keys) {

@@ -118,16 +118,16 @@ TEST(MonteCarloSolution, anOdometryThatIsSetToZeroMovesNobody) {
 }
 
 TEST(MonteCarloSolution, itMayBeginAtHome) {
-  OneSolution locator("self-localisation", "monte-carlo", crookedRoom());
-  OneSolution atHome("self-localisation", "monte-carlo", crookedRoom());
-  atHome.parametersAs<robotcontrol::MonteCarloLocalisationParameters>().set_start_at_home(true);
-  // Parameters are set before a solution is switched on; here it was on already, and keeps on.
-  robotcontrol::DriveState state;
-  for (OneSolution* each : {&locator, &atHome}) {
-    each->set(robotlink::kDriveState, state);
-    each->execute();
-    EXPECT_GT(each->sent(robotlink::kRobotPose)->position_deviation(), 0.5);
-  }
+  OneSolution locator(
+      "self-localisation", "monte-carlo", crookedRoom(), [](google::protobuf::Message& parameters) {
+        static_cast<robotcontrol::MonteCarloLocalisationParameters&>(parameters).set_start_at_home(true);
+      });
+  locator.set(robotlink::kDriveState, robotcontrol::DriveState());
+  locator.execute();
+  const auto& pose = *locator.sent(robotlink::kRobotPose);
+  EXPECT_NEAR(3, pose.robot_in_field().x(), 0.2);
+  EXPECT_NEAR(1.5, pose.robot_in_field().y(), 0.2);
+  EXPECT_LT(pose.position_deviation(), 0.7);
 }
 
 TEST(WheelOdometry, reckonsFromTheHomeOfTheMapAndGrowsUnsure) {
