@@ -42,12 +42,18 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
 
 void PlatformThread::load(RunOptions options, LoadHandler handler) {
   postOther([this, options = std::move(options), handler = std::move(handler)] {
+    auto* before = dynamic_cast<SimulationFeed*>(feed_.get());
+    if (before != nullptr) before->closePorts();
     auto feed = SimulationFeed::create(options, session_, recorder_);
     if (!feed) {
-      handler(tl::unexpected(feed.error()));
+      robotlink::Errors errors = feed.error();
+      if (before != nullptr) {
+        if (auto opened = before->openPorts(); !opened) errors.push_back(opened.error());
+      }
+      handler(tl::unexpected(std::move(errors)));
       return;
     }
-    if (const auto* before = dynamic_cast<const SimulationFeed*>(feed_.get())) (*feed)->goOnLike(*before);
+    if (before != nullptr) (*feed)->goOnLike(*before);
     start(std::move(*feed));
     handler(describe());
   });

@@ -56,11 +56,7 @@ Errors SimulatedRun::load() {
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};
   world_ = std::move(*world);
-  if (options_.ports) {
-    auto ports = ArcosPorts::open(*world_, *options_.ports, listeners_.ports);
-    if (!ports) return {ports.error()};
-    ports_ = std::move(*ports);
-  }
+  if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
   if (!options_.layout.empty()) {
     for (const Robot& robot : robots_) options_.layouts[robot.description->name] = options_.layout;
@@ -70,6 +66,14 @@ Errors SimulatedRun::load() {
   if (!programs) return programs.error();
   if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
+  return {};
+}
+
+robotlink::Result<void> SimulatedRun::openPorts() {
+  if (!options_.ports || ports_) return {};
+  auto ports = ArcosPorts::open(*world_, *options_.ports, listeners_.ports);
+  if (!ports) return tl::unexpected(ports.error());
+  ports_ = std::move(*ports);
   return {};
 }
 

@@ -92,6 +92,9 @@ class SimulatedRun {
   /// The file of the layout in which the first robot's program runs.
   std::filesystem::path layout() const;
 
+  /// Opens the ports that the options ask for, if they are not open; closes them, so that another run can have them.
+  robotlink::Result<void> openPorts();
+  void closePorts() { ports_.reset(); }
   /// Null: programs outside cannot drive the robots.
   const ArcosPorts* ports() const { return ports_.get(); }
   std::shared_ptr<const robotlink::GroundMap> map() const;  ///< that the world was made from; null: from none

@@ -24,6 +24,10 @@ class SimulationFeed final : public PlatformFeed {
   /// Runs, and at the speed, as another one did that it takes the place of.
   void goOnLike(const SimulationFeed& before);
 
+  // Another simulation may want the same ports before it is known that it can be run.
+  void closePorts() { run_->closePorts(); }
+  robotlink::Result<void> openPorts() { return run_->openPorts(); }
+
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
   void step() override;

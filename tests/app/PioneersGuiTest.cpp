@@ -74,7 +74,10 @@ class PioneersGuiTest : public QObject {
                                  !newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status")->client().empty(),
                              kWaitMs);
     client.join();
-    // What was chosen is there again.
+    // The same once more, at the same ports; what was chosen is there again.
+    QVERIFY(desk.workbench.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 2.0, true,
+                                                               static_cast<double>(port), false}));
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 3, kWaitMs);
     DialogAnswer again([port](QDialog& dialog) {
       QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->currentText(), QStringLiteral("pioneer"));
       QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("setupPort"))->value(), port);
