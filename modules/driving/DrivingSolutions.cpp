@@ -217,18 +217,24 @@ class ObeyOnWheels final : public DrivingSolution {
 
   void execute() override {
     DriveVelocity wish;
-    if (remote_ && remote_->motion().kind() == robotcontrol::MotionRequest::WALK)
+    if (remote_ && remote_.isNew()) heard_ = clock_.now();
+    const bool fresh = remote_ && clock_.now() - heard_ <= kPatience;
+    if (fresh && remote_->motion().kind() == robotcontrol::MotionRequest::WALK)
       wish = {remote_->motion().walk().x(), remote_->motion().walk().rotation()};
     want(wish);
   }
 
  private:
+  /// Who steers repeats his wish ten times a second: if he is no longer heard, his window hangs or his line is lost.
+  static constexpr robotlink::Duration kPatience = std::chrono::seconds(2);
+
   robotlink::Input<robotcontrol::RemoteMotion> remote_;
+  robotlink::Instant heard_;
 };
 
 const robotlink::SolutionRegistration kObey =
     robotlink::SolutionBuilder<ObeyOnWheels>("driving", "obey",
-                                             "Drives as a person asks for; stands until somebody does.")
+                                             "Drives as a person asks for; stands until somebody does, and when he falls silent.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kDriveWish)
         .keys({&kDrivingSpeedKey});

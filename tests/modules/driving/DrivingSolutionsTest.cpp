@@ -68,6 +68,22 @@ TEST(ObeyOnWheels, doesWhatAPersonAsksFor) {
   EXPECT_THAT(obey.silentKeys(), IsEmpty());
 }
 
+TEST(ObeyOnWheels, standsWhenNobodyIsHeardAnyMore) {
+  OneSolution obey("driving", "obey");
+  robotcontrol::RemoteMotion remote;
+  remote.mutable_motion()->set_kind(robotcontrol::MotionRequest::WALK);
+  remote.mutable_motion()->mutable_walk()->set_x(0.3);
+  for (int i = 0; i < 40; ++i) {
+    if (i % 10 == 0) obey.set(robotlink::kRemoteMotion, remote);
+    obey.execute();
+    EXPECT_EQ((DriveVelocity{0.3, 0}), velocityOf(obey.sent(robotlink::kDriveWish))) << i;
+    obey.pass();
+  }
+  obey.pass(2);
+  obey.execute();
+  EXPECT_EQ(DriveVelocity{}, velocityOf(obey.sent(robotlink::kDriveWish)));
+}
+
 TEST(Halt, stands) {
   OneSolution halt("driving", "halt");
   halt.execute();
