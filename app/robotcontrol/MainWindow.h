@@ -66,6 +66,7 @@ class MainWindow : public QMainWindow {
   void createActions();
   void createLogs();
   void addBookmarkCommand();
+  void addViewCommand();
   void createColors(const std::filesystem::path& userFolder);
   bool mayLoseColors();
   void createErrorBar();

@@ -7,6 +7,8 @@
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
+#include <QPointer>
+#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
@@ -72,9 +74,32 @@ void MainWindow::createFileMenu() {
   menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit)->setObjectName(QStringLiteral("file.quit"));
 }
 
+void MainWindow::addViewCommand() {
+  using Type = robotlink::CommandTable::Type;
+  if (workbench_.commands().find("view.show") != nullptr) return;
+  const auto show = [docks = QPointer(docks_)](const auto& values) -> robotlink::Result<void> {
+    const std::string& id = std::get<std::string>(values[0]);
+    if (docks == nullptr || widgets::ViewRegistry::find(id) == nullptr) {
+      return robotlink::failure("view.unknown", "there is no view '" + id + "'", {}, {id});
+    }
+    const auto open = docks->docks(QString::fromStdString(id));
+    if (open.empty()) {
+      docks->open(QString::fromStdString(id));
+    } else {
+      open.front()->setAsCurrentTab();
+    }
+    return {};
+  };
+  workbench_.commands().add({"view.show",
+                             "Brings a view to the front, and opens it if it is not open",
+                             {{"view", Type::kText, "its name: image, field, packets, ..."}},
+                             show});
+}
+
 void MainWindow::createViewMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&View"));
   menu->setObjectName(QStringLiteral("viewMenu"));
+  addViewCommand();
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
     const QString id = QLatin1String(type.id);
     QAction* action = menu->addAction(widgets::icon(type.icon), QCoreApplication::translate("View", type.title), this, [this, id] { docks_->open(id); });

@@ -2,45 +2,18 @@
 #include "app/robotctl/ArcosOptions.h"
 
 #include <CLI/CLI.hpp>
-#include <atomic>
-#include <csignal>
 #include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/ContactFigures.h"
+#include "app/robotctl/Interrupt.h"
 
 namespace app {
 namespace {
 
 using nlohmann::json;
-
-/// Set by the signals that ask a program to end.
-std::atomic<bool> interrupted{false};
-
-void interrupt(int) {
-  interrupted = true;
-}
-
-/// While it lives, Ctrl-C ends the simulation in good order instead of at once.
-class InterruptGuard {
- public:
-  InterruptGuard()
-      : onInterrupt_(std::signal(SIGINT, interrupt)), onTerminate_(std::signal(SIGTERM, interrupt)) {
-    interrupted = false;
-  }
-  ~InterruptGuard() {
-    std::signal(SIGINT, onInterrupt_);
-    std::signal(SIGTERM, onTerminate_);
-  }
-  InterruptGuard(const InterruptGuard&) = delete;
-  InterruptGuard& operator=(const InterruptGuard&) = delete;
-
- private:
-  void (*onInterrupt_)(int);
-  void (*onTerminate_)(int);
-};
 
 json robotFigures(const ArcosSimulation& simulation, std::size_t index) {
   const auto line = simulation.ports().ports().statistics(index);
@@ -158,11 +131,11 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
   for (std::size_t i = 0; i < (*simulation)->world().pioneers().size(); ++i) {
     std::cerr << (*simulation)->world().pioneers()[i]->robot() << " listens at " << ports.url(i) << std::endl;
   }
-  const InterruptGuard guard;
+  const Interrupt interrupt;
   const auto start = std::chrono::steady_clock::now();
   const auto end =
       run.seconds ? robotlink::Instant(robotlink::fromSeconds(*run.seconds)) : robotlink::Instant::max();
-  (*simulation)->run(end, [] { return interrupted.load(); });
+  (*simulation)->run(end, &Interrupt::noted);
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   const json figures = figuresOf(**simulation, real);
   if (run.asJson) {

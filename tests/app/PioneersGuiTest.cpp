@@ -6,6 +6,7 @@
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
+#include <qtadvanceddocking/DockWidget.h>
 #include <QTableView>
 
 #include "robotcontrol/Driving.pb.h"
@@ -85,6 +86,18 @@ class PioneersGuiTest : public QObject {
     });
     desk.choose("file.simulate");
     QVERIFY(again.asked());
+  }
+
+  void aViewIsBroughtToTheFrontByACommand() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QVERIFY(desk.workbench.commands().run("view.show", {std::string("packets")}));
+    const auto packets = desk.window.docks().docks(QStringLiteral("packets"));
+    QCOMPARE(packets.size(), std::size_t{1});
+    QVERIFY(desk.workbench.commands().run("view.show", {std::string("packets")}));
+    QCOMPARE(desk.window.docks().docks(QStringLiteral("packets")), packets);
+    QVERIFY(packets.front()->isCurrentTab());
+    QCOMPARE(desk.workbench.commands().run("view.show", {std::string("parrot")}).error().id, std::string("view.unknown"));
   }
 
   void aRobotAtTheEndOfALineIsARobotLikeTheOthers() {
