@@ -60,7 +60,7 @@ std::string ArcosPorts::url(std::size_t robot) const {
 std::string ArcosPorts::warning() const {
   if (ports_->loopbackOnly()) return {};
   return "the robots can be driven from every machine that reaches " + options_.address +
-         ", and ARCOS knows no password; leave --bind away to keep them to this machine";
+         ", and ARCOS knows no password; open them to this machine alone if that is not wanted";
 }
 
 void ArcosPorts::clientCame(std::size_t robot, const std::string& address) {
