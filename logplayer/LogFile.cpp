@@ -185,7 +185,9 @@ std::string LogFile::damageText() const {
   const std::lock_guard lock(implementation_->mutex);
   const auto& damage = implementation_->reader->damage();
   std::string text;
-  if (!implementation_->reader->complete()) text = "it was not closed: its end may be missing";
+  if (const auto lost = implementation_->reader->cutOffBytes(); lost > 0) {
+    text = "the file was cut short while it was open: " + plural(lost, "byte") + " are gone from its end";
+  } else if (!implementation_->reader->complete()) text = "it was not closed: its end may be missing";
   if (!damage.empty()) {
     std::uint64_t bytes = 0;
     for (const auto& place : damage) bytes += place.bytes;

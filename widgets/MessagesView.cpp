@@ -19,10 +19,14 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/LevelDelegate.h"
+#include "widgets/log/OpenLogs.h"
 #include "widgets/models/LogFilter.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
+
+using robotlink::Instant;
+
 namespace {
 
 const ViewRegistration kRegistration{
@@ -40,10 +44,16 @@ LogEntry logEntry(const robotlink::StreamMessage& message, const QString& robot,
   return entry;
 }
 
+/// The same for a message that a log holds and for the one that is published when the log is played.
+std::string keyOf(const LogEntry& entry) {
+  return std::to_string(entry.time.time_since_epoch().count()) + ' ' + entry.source.toStdString() + ' ' +
+         entry.text.toStdString();
+}
+
 }  // namespace
 
 MessagesView::MessagesView(ViewContext& context, QWidget* parent)
-    : View(context, parent), filter_(new LogFilter(this)) {
+    : View(context, parent), filter_(new LogFilter(this)), logs_(openLogs(context)) {
   setObjectName(QStringLiteral("messagesView"));
   createActions();
   createFilters();
@@ -177,7 +187,11 @@ void MessagesView::connectSignals() {
     showState();
   });
   connect(follow_, &QAction::toggled, this, [this](bool on) {
-    if (on) table_->scrollToBottom();
+    if (on && !logs_.replay().open()) table_->scrollToBottom();
+    shown_ = {};
+  });
+  connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
+    if (logs_.replay().open()) logs_.replay().jumpTo(model_.entry(filter_->mapToSource(index).row()).time);
   });
   // Who scrolls up wants to read: following goes on when he is at the end again.
   connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
@@ -188,22 +202,56 @@ void MessagesView::connectSignals() {
 
 void MessagesView::tick() {
   listRobots();
+  model_.setOrigin(session().timeline().origin());
   if (!pause_->isChecked()) takeNew();
+  showInstant();
+}
+
+void MessagesView::showInstant() {
+  const bool log = logs_.replay().open();
   const auto& timeline = session().timeline();
-  if (timeline.live() || timeline.shown() == shown_) return;
-  shown_ = timeline.shown();
+  const Instant shown = log ? logs_.replay().shown() : timeline.shown();
+  model_.setShown(log ? shown : Instant::max());
+  if (shown == shown_ || (log ? !follow_->isChecked() : timeline.live())) return;
+  shown_ = shown;
+  // Whoever selects rows to copy them is not disturbed while the log is played.
+  if (log && table_->selectionModel()->selectedRows().size() > 1) return;
   const int row = model_.rowAt(shown_);
   const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(model_.index(row, 0));
   if (!index.isValid()) return;
   table_->setCurrentIndex(index);
-  table_->scrollTo(index);
+  table_->scrollTo(index, log ? QAbstractItemView::PositionAtCenter : QAbstractItemView::EnsureVisible);
+}
+
+/// All that the open logs hold, whether or not it was played.
+void MessagesView::takeLogs() {
+  std::vector<LogEntry> entries;
+  logged_.clear();
+  model_.clear();
+  for (const auto& log : logs_.logs()) {
+    if (log->overview->texts == nullptr) continue;
+    for (LogEntry entry : *log->overview->texts) {
+      entry.time += log->offset;
+      entry.robot = QString::fromStdString(robotPart(OpenLogs::toldAs(*log, entry.robot.toStdString() + "/")));
+      entry.logged = true;
+      logged_.insert(keyOf(entry));
+      entries.push_back(std::move(entry));
+    }
+  }
+  model_.insert(std::move(entries));
 }
 
 void MessagesView::takeNew() {
-  if (const auto generation = session().store().generation(); generation != generation_) {
+  const auto generation = session().store().generation();
+  decltype(listed_) logs;
+  for (const auto& log : logs_.logs()) logs.emplace_back(log->overview->texts, log->offset);
+  if (generation != generation_ || logs != listed_) {
+    const bool sameLogs = logs == listed_;
+    listed_ = std::move(logs);
     generation_ = generation;
     cursors_.clear();
-    model_.clear();
+    sameLogs ? model_.removePublished() : takeLogs();
+    shown_ = {};
     showState();
   }
   std::vector<LogEntry> entries;
@@ -211,14 +259,14 @@ void MessagesView::takeNew() {
     const QString robot = QString::fromStdString(robotPart(stream->path));
     for (const auto* message : cursors_[stream->path].take(*stream).messages) {
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
-      if (log != nullptr) entries.push_back(logEntry(*message, robot, *log));
+      if (log == nullptr) continue;
+      LogEntry entry = logEntry(*message, robot, *log);
+      if (logged_.empty() || !logged_.contains(keyOf(entry))) entries.push_back(std::move(entry));
     }
   }
   if (entries.empty()) return;
-  std::stable_sort(entries.begin(), entries.end(),
-                   [](const LogEntry& a, const LogEntry& b) { return a.time < b.time; });
-  model_.append(std::move(entries));
-  if (follow_->isChecked() && session().timeline().live()) table_->scrollToBottom();
+  model_.insert(std::move(entries));
+  if (follow_->isChecked() && session().timeline().live() && !logs_.replay().open()) table_->scrollToBottom();
   showState();
 }
 
@@ -286,7 +334,8 @@ void MessagesView::showState() {
                   : all == 1  ? tr("1 message")
                               : tr("%1 messages").arg(all));
   if (all == 0) {
-    hint_->setHint(tr("No messages yet. They appear here when a robot's program says something."));
+    hint_->setHint(logs_.replay().open() ? tr("The log holds no messages.")
+                                         : tr("No messages yet. They appear here when a robot's program says something."));
   } else {
     hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.")
                               : QString());

@@ -13,6 +13,21 @@
 
 namespace widgets {
 
+namespace {
+
+/// Labels times as seconds since an origin, at round values of these.
+class TimeTicker final : public QCPAxisTicker {
+ public:
+  explicit TimeTicker(double origin) { setTickOrigin(origin); }
+
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return QCPAxisTicker::getTickLabel(tick - tickOrigin(), locale, format, precision);
+  }
+};
+
+}  // namespace
+
 PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
     : QWidget(parent), curves_(curves), plot_(new QCustomPlot(this)), mark_(new QCPItemStraightLine(plot_)) {
   plot_->setObjectName(QStringLiteral("plotCanvas"));
@@ -117,6 +132,12 @@ void PlotCanvas::fitValues() {
 void PlotCanvas::fit() {
   plot_->xAxis->rescale();
   fitValues();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotCanvas::setOrigin(double seconds) {
+  if (plot_->xAxis->ticker()->tickOrigin() == seconds) return;
+  plot_->xAxis->setTicker(QSharedPointer<TimeTicker>::create(seconds));
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 

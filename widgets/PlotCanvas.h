@@ -24,6 +24,8 @@ class PlotCanvas final : public QWidget {
   void refresh(bool follow, double end, double length);
   /// Everything that there is.
   void fit();
+  /// The time that is shown as 0 s, in the curves' seconds.
+  void setOrigin(double seconds);
   /// The instant that the time line shows; nothing: no line.
   void setMark(std::optional<double> time);
   bool savePng(const QString& file);

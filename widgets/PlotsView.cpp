@@ -232,6 +232,7 @@ double PlotsView::shownTime() const {
 void PlotsView::tick() {
   listSources();
   requestMissing();
+  canvas_->setOrigin(robotlink::seconds(session().timeline().origin()));
   const bool empty = curves_.rowCount() == 0;
   hint_->setHint(!empty ? QString()
                  : sources_.rowCount() == 0

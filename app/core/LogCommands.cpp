@@ -91,7 +91,8 @@ void addOpening(CommandTable& commands, const Logs& logs) {
                 }});
   commands.add({"log.add",
                 "Opens one more log file on the same time line",
-                {{"file", Type::kText, "a log file"}, {"offset", Type::kNumber, "seconds that are added to its times"}},
+                {{"file", Type::kText, "a log file"},
+                 {"offset", Type::kNumber, "seconds that are added to its times; 0: it begins with the first log unless their times overlap"}},
                 [logs](const Values& values) -> Result<void> {
                   logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
                   return {};

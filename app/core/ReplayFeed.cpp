@@ -187,6 +187,7 @@ void ReplayFeed::publishStatus() {
   status->set_loop(playback_.loop());
   status->set_skip_gaps(playback_.skipsGaps());
   status->set_step_process(run_->stepProcess());
+  status->set_start(firstImage().time_since_epoch().count());
   status->set_time(playback_.reached(real, place()).time_since_epoch().count());
   if (const auto& range = playback_.range()) {
     status->mutable_range()->set_from(range->from.time_since_epoch().count());

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robotlink/packages/PackageTitles.h"
+
 namespace app {
 
 using robotcontrol::ControlReplay;
@@ -130,7 +132,7 @@ void Planner::describeProducer(ReplayPlan::Package& package) const {
         // What the solution that is wished for lacks says more than what others do.
         if (wanting == nullptr || solution.name == task.solution) wanting = lacks;
       }
-      package.whyNot = package.canRecompute || wanting == nullptr ? "" : "nobody offers " + *wanting;
+      package.whyNot = package.canRecompute || wanting == nullptr ? "" : robotlink::notProvided(*wanting);
       return;
     }
   }

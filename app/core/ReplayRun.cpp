@@ -80,6 +80,7 @@ Errors ReplayRun::Implementation::open() {
     }
     auto file = LogFile::open(options.logs[i].file, std::move(wishes));
     if (!file) return {file.error()};
+    options.logs[i].offset = offsetOf(options.logs[i], **file);
     auto& source = *sources.emplace_back(new Source{options.logs[i], ReplaySource(*file), !hasWorld, {}, {}});
     hasWorld = hasWorld || std::any_of((*file)->streams().begin(), (*file)->streams().end(),
                                        [](const auto& stream) { return stream.path == streams::kScene; });
@@ -91,6 +92,14 @@ Errors ReplayRun::Implementation::open() {
     });
   }
   return {};
+}
+
+Duration ReplayRun::Implementation::offsetOf(const ReplayLog& log, const LogFile& file) const {
+  if (log.offsetChosen || log.offset != Duration::zero() || sources.empty()) return log.offset;
+  const Source& first = *sources.front();
+  const Instant begin = first.onLine(first.reader.file().begin()), end = first.onLine(first.reader.file().end());
+  const bool overlaps = file.begin() <= end && file.end() >= begin;
+  return overlaps ? Duration::zero() : begin - file.begin();
 }
 
 Errors ReplayRun::Implementation::addRobots(Source& source) {
@@ -331,10 +340,10 @@ Errors ReplayRun::setLayout(const std::filesystem::path& file) {
 
 void ReplayRun::setOffset(const std::filesystem::path& log, Duration offset) {
   for (const auto& source : implementation_->sources) {
-    if (source->log.file == log) source->log.offset = offset;
+    if (source->log.file == log) source->log = {log, offset, true};
   }
   for (ReplayLog& known : implementation_->options.logs) {
-    if (known.file == log) known.offset = offset;
+    if (known.file == log) known = {log, offset, true};
   }
   (void)implementation_->jump(std::clamp(now(), begin(), end()));
 }

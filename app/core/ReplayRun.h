@@ -30,6 +30,9 @@ namespace app {
 struct ReplayLog {
   std::filesystem::path file;
   robotlink::Duration offset{0};  ///< added to its times
+  /// Whether a person chose the offset. Otherwise a log that does not overlap with the first one begins with it: the clocks of
+  /// different machines do not agree.
+  bool offsetChosen = false;
 };
 
 struct ReplayOptions {

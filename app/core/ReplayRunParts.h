@@ -29,6 +29,7 @@ struct ReplayRun::Implementation {
 
   // Making it.
   robotlink::Errors open();
+  robotlink::Duration offsetOf(const ReplayLog& log, const logplayer::LogFile& file) const;
   robotlink::Errors addRobots(Source& source);
   std::string freeName(const std::string& robot) const;
   void findStepProcess();

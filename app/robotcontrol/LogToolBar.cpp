@@ -100,6 +100,12 @@ void LogToolBar::createOptions() {
     return action;
   };
   loop_ = option({"log.loop", "loop", tr("Loop"), tr("Plays again and again: the selected range, or all of the log")}, "log.loop");
+  timeStamps_ = make({"log.timeStamps", "timing", tr("Time stamps"), tr("Shows times in all views as the messages bear them, instead of since the beginning of the log")}, [] {});
+  timeStamps_->setCheckable(true);
+  connect(timeStamps_, &QAction::toggled, this, [this](bool on) {
+    logs_.replay().setShowsTimeStamps(on);
+    refresh();
+  });
   skipGaps_ = option({"log.skipGaps", "skip-gaps", tr("Skip gaps"), tr("Goes on at once where nothing was logged for more than a second")}, "log.skip-gaps");
 }
 
@@ -117,13 +123,11 @@ void LogToolBar::createFields() {
     return edit;
   };
   time_ = field(11);
-  describe(time_, "logTime", tr("Time in seconds"), tr("The time that is shown, in seconds since the start. Type another one to jump there: 12.5, 1:02.5, or +2 and -2 from here"));
+  describe(time_, "logTime", tr("Time in seconds"), tr("The time that is shown, in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and -2 from here"));
   frame_ = field(7);
   describe(frame_, "logFrame", tr("Frame"), tr("The number of the frame that is shown. Type another one to jump there"));
   end_ = new QLabel(this);
-  describe(end_, "logEnd", tr("Length of the log"), tr("How long the log is"));
-  stamp_ = new QLabel(this);
-  describe(stamp_, "logStamp", tr("Time stamp"), tr("The time stamp that messages of this moment bear, in seconds"));
+  describe(end_, "logEnd", tr("End of the log"), tr("The time of the log's end"));
   frames_ = new QLabel(this);
   describe(frames_, "logFrames", tr("Frames"), tr("Which one it is, and how many frames of the process the log holds"));
   process_ = new QComboBox(this);
@@ -151,7 +155,8 @@ void LogToolBar::createBar() {
   }
   addAction(stop_);
   addSeparator();
-  add(tr("Time:"), {time_, end_, stamp_});
+  add(tr("Time:"), {time_, end_});
+  addAction(timeStamps_);
   add(tr("Frame:"), {frame_, frames_});
   add(tr("of"), {process_});
   addSeparator();
@@ -176,7 +181,7 @@ void LogToolBar::fillMenu(QMenu& menu) {
   for (const double value : speeds()) {
     speed->addAction(SimulationToolBar::speedText(value), this, [this, value] { actions_.run(QStringLiteral("log.speed"), {value}); });
   }
-  menu.addActions({loop_, skipGaps_});
+  menu.addActions({loop_, skipGaps_, timeStamps_});
   menu.addSeparator();
   add({ReplayKey::kRangeStart, ReplayKey::kRangeEnd});
   menu.addAction(clearRange_);
@@ -191,10 +196,11 @@ bool LogToolBar::press(const QKeyEvent& event) {
 }
 
 void LogToolBar::jumpToTypedTime() {
-  const auto begin = logs_.replay().begin();
-  const auto time = widgets::timeFromText(time_->text(), logs_.replay().shown() - begin);
+  auto& replay = logs_.replay();
+  const auto origin = replay.origin();
+  const auto time = widgets::timeFromText(time_->text(), replay.shown() - origin);
   if (!time) return Q_EMIT logs_.failed(tr("\"%1\" is no time; type seconds (12.5), minutes and seconds (1:02.5), or +2 and -2 from here.").arg(time_->text()));
-  logs_.replay().jumpTo(begin + *time);
+  replay.jumpTo(origin + *time);
   time_->clearFocus();
 }
 
@@ -226,12 +232,9 @@ void LogToolBar::refreshFields() {
   const auto show = [](QLineEdit* edit, const QString& text) {
     if (!edit->hasFocus() && edit->text() != text) edit->setText(text);
   };
-  const auto begin = logs_.replay().begin();
-  show(time_, widgets::timeText(logs_.replay().shown() - begin));
+  show(time_, logs_.replay().shownText(logs_.replay().shown()));
   show(frame_, QString::number(status.frame()));
-  end_->setText(tr(" / %1 s ").arg(widgets::timeText(logs_.replay().end() - begin)));
-  // What messages of robots bear, in all other views.
-  stamp_->setText(tr("= %1 ").arg(widgets::timeText(logs_.replay().shown().time_since_epoch())));
+  end_->setText(tr(" / %1 s ").arg(logs_.replay().shownText(logs_.replay().end())));
   std::uint64_t frames = 0;
   for (const auto& process : status.processes()) {
     if (process.name() == status.step_process()) frames = process.frames();

@@ -36,6 +36,8 @@ class LogToolBar : public QToolBar {
   void fillMenu(QMenu& menu);
   /// Does what a key stands for that nobody else wanted. False: it stands for nothing, or no log is open.
   bool press(const QKeyEvent& event);
+  /// The one that switches between times since the beginning and time stamps, in all views.
+  QAction* timeStampsAction() const { return timeStamps_; }
   /// The speeds to choose from, times real time.
   static std::vector<double> speeds() { return {0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50}; }
 
@@ -68,11 +70,11 @@ class LogToolBar : public QToolBar {
   QAction* loop_ = nullptr;
   QAction* skipGaps_ = nullptr;
   QAction* clearRange_ = nullptr;
+  QAction* timeStamps_ = nullptr;
   QComboBox* speed_ = nullptr;
   QComboBox* process_ = nullptr;
   QLineEdit* time_ = nullptr;
   QLabel* end_ = nullptr;
-  QLabel* stamp_ = nullptr;
   QLineEdit* frame_ = nullptr;
   QLabel* frames_ = nullptr;
   bool wasOpen_ = true;

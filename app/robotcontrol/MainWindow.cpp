@@ -16,6 +16,7 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LogOpening.h"
+#include "app/robotcontrol/LogToolBar.h"
 #include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
@@ -189,6 +190,7 @@ void MainWindow::restoreWindow() {
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
   recentRobots_ = window.value(QStringLiteral("recent_robots")).toVariant().toStringList();
   robotMap_ = window.value(QStringLiteral("robot_map")).toString();
+  logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
@@ -202,6 +204,7 @@ void MainWindow::keepWindow() {
                            {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
                            {QStringLiteral("recent_robots"), QJsonArray::fromStringList(recentRobots_)},
                            {QStringLiteral("robot_map"), robotMap_},
+                           {QStringLiteral("time_stamps"), logToolBar_->timeStampsAction()->isChecked()},
                            {QStringLiteral("simulation_setup"), SimulationSetupDialog::toJson(lastSetup_)},
                            {QStringLiteral("appearance"), nameOf(appearance_)}});
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});

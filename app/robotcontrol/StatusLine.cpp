@@ -30,7 +30,7 @@ StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
     : QObject(&bar),
       workbench_(workbench),
       state_(addLabel(bar, "statusState", tr("What the simulation or the log does"), 10)),
-      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time since its begin, and its frame"), 12)),
+      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time that is shown, and its frame"), 12)),
       speed_(addLabel(bar, "statusSpeed", tr("How many times real time the simulation runs or the log is played"), 10)),
       contacts_(addLabel(bar, "statusContacts", tr("How often a robot and the ball began to touch"), 16)),
       dropped_(addLabel(bar, "statusDropped",
@@ -66,7 +66,8 @@ void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
 
 void StatusLine::showLog(const robotcontrol::ReplayStatus& status) {
   state_->setText(workbench_.loading() ? tr("loading…") : status.playing() ? tr("playing") : tr("paused"));
-  const double time = 1e-9 * static_cast<double>(status.time() - status.begin());
+  const robotlink::Instant shown{robotlink::Duration(status.time())};
+  const double time = robotlink::seconds(workbench_.session().timeline().sinceOrigin(shown));
   time_->setText(tr("%1 s  frame %2").arg(time, 0, 'f', 3).arg(status.frame()));
   speed_->setText(tr("log %1×").arg(status.speed()));
   contacts_->clear();

@@ -113,6 +113,7 @@ std::string takeLogs(const RunArguments& arguments, ReplayOptions& options) {
     ReplayLog log{std::string(rest.substr(0, end))};
     if (options.logs.size() < arguments.offsets.size()) {
       log.offset = robotlink::fromSeconds(arguments.offsets[options.logs.size()]);
+      log.offsetChosen = true;
     }
     options.logs.push_back(std::move(log));
     rest.remove_prefix(std::min(end + 1, rest.size()));

@@ -63,6 +63,9 @@ const std::vector<Reader::ChunkInfo>& Reader::chunks() const {
 bool Reader::complete() const {
   return implementation_->index.complete;
 }
+std::uint64_t Reader::cutOffBytes() const {
+  return implementation_->source.cutOff();
+}
 const std::vector<Damage>& Reader::damage() const {
   return implementation_->index.damage;
 }

@@ -72,6 +72,8 @@ class Reader {
   bool complete() const;
   const std::vector<Damage>& damage() const;
   std::uint64_t fileBytes() const;
+  /// How many bytes somebody cut off the file's end since it was opened; asks the system.
+  std::uint64_t cutOffBytes() const;
 
   // Where messages are, in order of time, whatever their order in the file. From the message indexes, without
   // decompressing, where there are any; the indexes of some chunks are kept, not those of all.

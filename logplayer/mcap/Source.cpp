@@ -41,6 +41,13 @@ Source::~Source() {
   if (descriptor_ >= 0) ::close(descriptor_);
 }
 
+std::uint64_t Source::cutOff() const {
+  struct stat status {};
+  if (::fstat(descriptor_, &status) != 0) return 0;
+  const auto now = static_cast<std::uint64_t>(status.st_size);
+  return now < bytes_ ? bytes_ - now : 0;
+}
+
 bool Source::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
   while (!to.empty()) {
     const ssize_t count = ::pread(descriptor_, to.data(), to.size(), static_cast<off_t>(offset));

@@ -20,6 +20,8 @@ class Source {
   const std::filesystem::path& file() const { return file_; }
   /// As it was when it was opened.
   std::uint64_t bytes() const { return bytes_; }
+  /// How many bytes somebody cut off its end since then.
+  std::uint64_t cutOff() const;
   /// False: it ends before, or the system cannot read it.
   bool read(std::uint64_t offset, std::span<std::uint8_t> to) const;
   /// Up to `count` bytes, less where the file ends.

@@ -3,6 +3,8 @@
 
 #include <algorithm>
 
+#include "robotlink/packages/PackageTitles.h"
+
 namespace robotlink {
 namespace {
 
@@ -75,7 +77,7 @@ bool LayoutIndex::offered(const std::string& package) const {
 }
 
 LayoutIndex::Obstacle LayoutIndex::obstacle(const Place& place, const std::string& package) const {
-  if (!offered(package)) return {"nobody offers " + package};
+  if (!offered(package)) return {notProvided(package)};
   const Place* from = producer(package);
   if (from == nullptr || from->process != place.process || from->position < place.position) return {};
   if (from->position == place.position) return {"only the task itself yields " + package, from};

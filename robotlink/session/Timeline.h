@@ -13,6 +13,12 @@ class Timeline {
   Instant shown() const { return live_ ? newest_ : chosen_; }
   Instant newest() const { return newest_; }
 
+  /// The instant that views show as 0 s: the platform's own zero, unless somebody chose to count from a log's begin.
+  Instant origin() const { return origin_; }
+  void setOrigin(Instant time) { origin_ = time; }
+  /// What views show for an instant.
+  Duration sinceOrigin(Instant time) const { return time - origin_; }
+
   void goLive() { live_ = true; }
   void show(Instant time) {
     live_ = false;
@@ -24,6 +30,7 @@ class Timeline {
   bool live_ = true;
   Instant newest_;
   Instant chosen_;
+  Instant origin_;
 };
 
 }  // namespace robotlink

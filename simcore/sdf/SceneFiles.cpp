@@ -23,6 +23,32 @@ void fail(Errors& errors, const fs::path& file, int line, std::string id, std::s
   errors.push_back({std::move(id), std::move(text), {}, {file.string(), line, 0}});
 }
 
+/// What is wrong, for people.
+std::string problemOf(tinyxml2::XMLError error) {
+  switch (error) {
+    case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
+      return "the file is empty";
+    case tinyxml2::XML_ERROR_MISMATCHED_ELEMENT:
+      return "a tag is closed that is not the one that was opened last, or one is never closed";
+    case tinyxml2::XML_ERROR_PARSING_ELEMENT:
+      return "a tag is not complete; it looks like <name ...> or <name .../>";
+    case tinyxml2::XML_ERROR_PARSING_ATTRIBUTE:
+      return "an attribute is not written as name=\"value\"";
+    case tinyxml2::XML_ERROR_PARSING_COMMENT:
+      return "a comment is not closed by -->";
+    case tinyxml2::XML_ERROR_PARSING_CDATA:
+      return "a <![CDATA[ is not closed by ]]>";
+    case tinyxml2::XML_ERROR_PARSING_TEXT:
+      return "there is text where only tags may be";
+    case tinyxml2::XML_ERROR_PARSING_DECLARATION:
+      return "the <?xml ...?> at the beginning is not complete";
+    case tinyxml2::XML_ELEMENT_DEPTH_EXCEEDED:
+      return "tags are nested too deeply";
+    default:
+      return "something here is not XML";
+  }
+}
+
 /// A whole file, parsed; false if it cannot be read or is no XML.
 bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& document, Errors& errors) {
   auto contents = robotlink::readFile(file, kMaxFileBytes);
@@ -33,7 +59,7 @@ bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& doc
   text = std::move(*contents);
   if (document.Parse(text.data(), text.size()) != tinyxml2::XML_SUCCESS) {
     fail(errors, file, std::max(1, document.ErrorLineNum()), "scene.xml",
-         std::string("not readable as XML (") + document.ErrorName() + ")");
+         "this is not well-formed XML: " + problemOf(document.ErrorID()));
     return false;
   }
   return true;

@@ -113,13 +113,42 @@ class LogWindowTest : public QObject {
     desk.openLog();
     QVERIFY(bar.isVisible());
     QCOMPARE(desk.find<QLineEdit>("logTime").text(), QStringLiteral("10.000"));
+    QCOMPARE(desk.find<QLabel>("statusTime").text(), QStringLiteral("10.000 s  frame 309"));
     QCOMPARE(desk.find<QLineEdit>("logFrame").text(), QStringLiteral("309"));
     QVERIFY(desk.find<QLabel>("logFrames").text().contains(QStringLiteral("101 / 434")));
     QVERIFY(desk.find<QLabel>("logEnd").text().contains(QStringLiteral("30.000")));
-    QVERIFY(desk.find<QLabel>("logStamp").text().contains(QStringLiteral("20.000")));
     desk.status.clear_logs();
     desk.tell();
     QVERIFY(!bar.isVisible());
+  }
+
+  void allTimesAreSinceTheBeginningOrTimeStamps() {
+    Desk desk(home_ / "stamps");
+    desk.openLog();
+    QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant(robotlink::fromSeconds(10)));
+    desk.click("log.timeStamps");
+    desk.window.tick();
+    QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant());
+    QCOMPARE(desk.find<QLineEdit>("logTime").text(), QStringLiteral("20.000"));
+    QVERIFY(desk.find<QLabel>("logEnd").text().contains(QStringLiteral("40.000")));
+    QCOMPARE(desk.find<QLabel>("statusTime").text(), QStringLiteral("20.000 s  frame 309"));
+    auto& time = desk.find<QLineEdit>("logTime");
+    time.setFocus();
+    time.selectAll();
+    QTest::keyClicks(&time, QStringLiteral("25.5"));
+    QTest::keyClick(&time, Qt::Key_Return);
+    QCOMPARE(desk.last().time(), Desk::at(25.5));
+    desk.status.clear_logs();
+    desk.tell();
+    QCOMPARE(desk.workbench.session().timeline().origin(), robotlink::Instant());
+  }
+
+  void homeGoesToTheFirstImage() {
+    Desk desk(home_ / "first");
+    desk.status.set_start(Desk::at(11));
+    desk.openLog();
+    QTest::keyClick(&desk.window, Qt::Key_Home);
+    QCOMPARE(desk.last().time(), Desk::at(11));
   }
 
   void itsButtonsPlayStopAndStep() {

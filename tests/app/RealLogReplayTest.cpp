@@ -85,9 +85,9 @@ TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
   ASSERT_TRUE(replay.run->jump(replay.run->begin()).empty());
   const auto status = replay.status();
   const auto& unavailable = status.unavailable_tasks();
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/camera-pose: nobody offers joints/states"));
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/ball-percept: nobody offers camera/pose"));
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/motion: nobody offers joints/states"));
+  EXPECT_THAT(unavailable, ::testing::Contains("nao/camera-pose: neither the robot nor another task provides joint angles (joints/states)"));
+  EXPECT_THAT(unavailable, ::testing::Contains("nao/ball-percept: neither the robot nor another task provides the camera's pose (camera/pose)"));
+  EXPECT_THAT(unavailable, ::testing::Contains("nao/motion: neither the robot nor another task provides joint angles (joints/states)"));
   const auto* told = replay.lastOn("nao/tables/solutions");
   ASSERT_NE(told, nullptr);
   const auto& table = dynamic_cast<const robotcontrol::SolutionTable&>(*told->value);

@@ -112,18 +112,18 @@ TEST(ReplayPlan, aLoggedPoseLetsARobotWithoutJointsBeSeenThrough) {
   const ReplayPlan plan = planned(wishesFor({"image", "pose"}));
   EXPECT_THAT(tasksOf(plan),
               ElementsAre("cognition/segment:lines", "cognition/see:fit", "cognition/believe:filter"));
-  EXPECT_THAT(plan.unavailable, ElementsAre("walk: nobody offers joints"));
+  EXPECT_THAT(plan.unavailable, ElementsAre("walk: neither the robot nor another task provides joints"));
   EXPECT_FALSE(plan.hasProcess("motion"));
   EXPECT_FALSE(plan.find("steps")->canRecompute);
-  EXPECT_EQ(plan.find("steps")->whyNot, "nobody offers joints");
-  EXPECT_EQ(plan.find("pose")->whyNot, "nobody offers joints");
+  EXPECT_EQ(plan.find("steps")->whyNot, "neither the robot nor another task provides joints");
+  EXPECT_EQ(plan.find("pose")->whyNot, "neither the robot nor another task provides joints");
 }
 
 TEST(ReplayPlan, whatLacksInputsByWayOfOthersGoesToo) {
   const ReplayPlan plan = planned(wishesFor({"image"}));
   EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/segment:lines"));
-  EXPECT_THAT(plan.unavailable, ElementsAre("locate: nobody offers joints", "see: nobody offers pose",
-                                            "believe: nobody offers percept", "walk: nobody offers joints"));
+  EXPECT_THAT(plan.unavailable, ElementsAre("locate: neither the robot nor another task provides joints", "see: neither the robot nor another task provides pose",
+                                            "believe: neither the robot nor another task provides percept", "walk: neither the robot nor another task provides joints"));
 }
 
 TEST(ReplayPlan, anotherSolutionIsTakenWhereTheWishedOneCannotRunAndThatIsSaid) {
@@ -131,7 +131,7 @@ TEST(ReplayPlan, anotherSolutionIsTakenWhereTheWishedOneCannotRunAndThatIsSaid) 
   wishes.layout.processes[0].tasks[3].solution = "truth";
   const ReplayPlan plan = planned(std::move(wishes));
   EXPECT_THAT(tasksOf(plan), ::testing::Contains("cognition/believe:filter"));
-  EXPECT_THAT(plan.notes, ElementsAre("task believe is done by filter, because truth is unavailable: nobody offers oracle"));
+  EXPECT_THAT(plan.notes, ElementsAre("task believe is done by filter, because truth is unavailable: neither the robot nor another task provides oracle"));
 }
 
 TEST(ReplayPlan, oneOfTwoPackagesOfATaskCanBeAsLogged) {
@@ -170,7 +170,7 @@ TEST(ReplayPlan, choicesThatCannotBeAreRefused) {
   wishes.packages = {{"steps", ControlReplay::RECOMPUTED}};
   const auto plan = planReplay(wishes, catalog());
   ASSERT_FALSE(plan);
-  EXPECT_EQ(plan.error().front().text, "steps cannot be recomputed: nobody offers joints");
+  EXPECT_EQ(plan.error().front().text, "steps cannot be recomputed: neither the robot nor another task provides joints");
   wishes.packages = {{"percept", ControlReplay::AS_LOGGED}};
   EXPECT_EQ(idOf(wishes), "replay.not-logged");
   wishes.packages = {{"smell", ControlReplay::AS_LOGGED}};

@@ -407,6 +407,24 @@ TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   EXPECT_EQ(replay.countOn("scene"), 3U) << "and at each jump";
 }
 
+TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
+  const auto folder = logplayer::TemporaryFolder::make();
+  const auto later = folder->path() / "later.mcap";
+  {
+    auto writer = logplayer::LogWriter::create(later, {});
+    const auto value = std::make_shared<robotcontrol::PlotValue>();
+    for (const double time : {5000.0, 5001.0}) ASSERT_TRUE((*writer)->write({{"blue1/plots/a", at(time), value}}));
+  }
+  Replay replay(replayOf({ReplayLog{file()}, ReplayLog{later}}));
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  EXPECT_EQ(replay.status().logs(1).begin(), replay.status().logs(0).begin());
+  EXPECT_EQ(replay.run->options().logs[1].offset, replay.run->begin() - at(5000));
+  replay.run->setOffset(later, 0ms);
+  const Replay chosen{ReplayOptions(replay.run->options())};
+  ASSERT_TRUE(chosen.run);
+  EXPECT_EQ(chosen.run->end(), at(5001)) << "what a person chose is kept";
+}
+
 /// Logs of other programs, older or newer.
 class ForeignSetup : public ::testing::Test {
  protected:

@@ -101,6 +101,16 @@ TEST(LogFile, findsTheNewestMessageAndItsNeighbours) {
   EXPECT_EQ(log->times("red1/plots/a").size(), 10U);
 }
 
+TEST(LogFile, aFileThatIsCutShortWhileItIsOpenSaysSo) {
+  const LogFixture fixture;
+  writeFrames(*fixture.write());
+  const auto log = opened(fixture.path());
+  ASSERT_TRUE(log);
+  EXPECT_EQ(log->damageText(), "");
+  fixture.truncate(std::filesystem::file_size(fixture.path()) - 100);
+  EXPECT_NE(log->damageText().find("cut short while it was open: 100 bytes"), std::string::npos) << log->damageText();
+}
+
 TEST(LogFile, aCursorGoesInTheOrderOfTimeFromAnywhere) {
   const LogFixture fixture;
   {

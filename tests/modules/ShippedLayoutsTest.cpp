@@ -94,7 +94,7 @@ TEST_P(ShippedLayoutsTest, everySolutionForItsKindOfRobotCanBeChosenInASimulator
 }
 
 TEST_P(ShippedLayoutsTest, withoutASimulatorOraclesSayWhyTheyCannotBeChosen) {
-  EXPECT_EQ("unavailable because nobody offers oracle/world",
+  EXPECT_EQ("unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)",
             unavailability(layout_, registeredTasks(), platform(false), "self-localisation", "oracle"));
 }
 

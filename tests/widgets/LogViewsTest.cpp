@@ -53,7 +53,7 @@ void addPackages(robotcontrol::ReplayStatus& status) {
   difference.set_largest_field("position_in_robot.x");
   difference.set_largest(0.25);
   difference.set_largest_time(at(21).time_since_epoch().count());
-  status.add_unavailable_tasks("nao/motion: nobody offers joints/request");
+  status.add_unavailable_tasks("nao/motion: neither the robot nor another task provides requests to joints (joints/request)");
 }
 
 }  // namespace
@@ -124,7 +124,7 @@ class LogViewsTest : public QObject {
     QCOMPARE(cell(table, ball, ReplayPackageModel::kFirst).data().toString(), QStringLiteral("7.500"));
     QCOMPARE(cell(table, ball, ReplayPackageModel::kLargest).data().toString(), QStringLiteral("position_in_robot.x: 0.25"));
     QVERIFY(cell(table, QStringLiteral("nao/percepts/ball"), ReplayPackageModel::kSource).data().toString().contains(QStringLiteral("automatic")));
-    QVERIFY(child<QLabel>(*view, "unavailableTasks").text().contains(QStringLiteral("nobody offers joints/request")));
+    QVERIFY(child<QLabel>(*view, "unavailableTasks").text().contains(QStringLiteral("neither the robot nor another task provides requests to joints (joints/request)")));
     bench.status.mutable_differences(0)->set_different(9);
     bench.tell();
     bench.tick(*view);

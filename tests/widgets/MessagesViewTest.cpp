@@ -12,7 +12,7 @@
 #include <QToolButton>
 
 #include "foxglove/Robot.pb.h"
-#include "tests/widgets/Bench.h"
+#include "tests/widgets/LogBench.h"
 
 using foxglove::Log;
 
@@ -82,6 +82,49 @@ class MessagesViewTest : public QObject {
     bench.session.restart();
     bench.tick(*view);
     QCOMPARE(table.model()->rowCount(), 0);
+  }
+
+  void allThatALogHoldsIsListedBeforeItIsPlayed() {
+    LogBench bench;
+    bench.shapeOverview = [](widgets::LogOverview& overview) {
+      std::vector<widgets::LogEntry> texts = overview.said;
+      texts.push_back({at(35), widgets::LogEntry::Level::kInfo, QStringLiteral("nao"), QStringLiteral("motion"), QStringLiteral("stands")});
+      overview.texts = std::make_shared<const std::vector<widgets::LogEntry>>(std::move(texts));
+    };
+    bench.openLog("/logs/game.mcap");
+    auto view = bench.openView<widgets::MessagesView>();
+    bench.showTime(18.5);
+    bench.tick(*view);
+    auto& table = child<QTableView>(*view, "messagesTable");
+    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(table.model()->rowCount(), 3);
+    QCOMPARE(cell(table, 0, 0), QStringLiteral("8.000"));
+    QCOMPARE(table.currentIndex().row(), 0);
+    // What is played is the same message; what a program says anew stands between the others.
+    bench.push("nao/log", log(Log::ERROR, "motion", "a servo does not answer"), 31);
+    bench.push("nao/log", log(Log::INFO, "cognition", "computed here"), 30);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 4);
+    QCOMPARE(cell(table, 1, 4), QStringLiteral("computed here"));
+    const QRect row = table.visualRect(table.model()->index(3, widgets::LogModel::kText));
+    QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, row.center());
+    QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, row.center());
+    QCOMPARE(bench.asked().time(), at(35).time_since_epoch().count());
+  }
+
+  void whatCameLateStandsWhereItsTimeBelongs() {
+    widgets::LogModel model(1000);
+    QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);
+    const auto entry = [](double time) {
+      widgets::LogEntry made;
+      made.time = at(time);
+      return made;
+    };
+    model.insert({entry(1), entry(3)});
+    model.insert({entry(4), entry(2)});
+    QCOMPARE(model.rowAt(at(2.5)), 1);
+    QCOMPARE(model.entry(3).time, at(4));
+    QCOMPARE(model.rowAt(at(0.5)), -1);
   }
 
   void oneMessageIsNotCalledMessages() {

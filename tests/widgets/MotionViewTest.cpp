@@ -105,11 +105,11 @@ class MotionViewTest : public QObject {
   void aTakeOverThatIsImpossibleOrRefusedSaysWhy() {
     Bench bench;
     bench.push("red1/tables/solutions",
-               behavior("go-to-ball", "unavailable because nobody offers remote/motion"), 1);
+               behavior("go-to-ball", "unavailable because neither the robot nor another task provides motions that a person asks for (remote/motion)"), 1);
     auto view = bench.open<widgets::MotionView>();
     QVERIFY(!child<QToolButton>(*view, "motionTakeOver").isEnabled());
     QVERIFY(
-        child<QLabel>(*view, "motionState").text().contains(QStringLiteral("nobody offers remote/motion")));
+        child<QLabel>(*view, "motionState").text().contains(QStringLiteral("neither the robot nor another task provides motions that a person asks for (remote/motion)")));
     bench.push("red1/tables/solutions", behavior("go-to-ball"), 2);
     bench.tick(*view);
     click(child<QToolButton>(*view, "motionTakeOver"));

@@ -62,8 +62,8 @@ bool askAndSave(ColorFiles& files, QWidget* parent) {
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
   QMessageBox box(QMessageBox::Warning, translated("Colour samples"),
-                  translated("The samples %1 of the colour table were changed and not saved.")
-                      .arg(files.title().chopped(1)),
+                  files.file().empty() ? translated("The samples of the new color table were not saved yet.")
+                                       : translated("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
                   QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("unsavedSamples"));
   box.setInformativeText(translated("Save them?"));

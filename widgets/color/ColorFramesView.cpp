@@ -235,6 +235,7 @@ void ColorFramesView::showState() {
 
 void ColorFramesView::tick() {
   liveButton_->setVisible(!session().timeline().live());
+  finder_.model().setOrigin(session().timeline().origin());
   showState();
 }
 

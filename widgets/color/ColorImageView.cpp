@@ -317,7 +317,7 @@ void ColorImageView::showSending() {
 
 void ColorImageView::updateStatus() {
   const ColorFramePtr& frame = bench_.frame();
-  time_->setText(frame ? tr("%1 s").arg(robotlink::seconds(frame->time()), 0, 'f', 3) : tr("no image yet"));
+  time_->setText(frame ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(frame->time())), 0, 'f', 3) : tr("no image yet"));
   state_->setText(!frame                        ? QString()
                   : pinned_                     ? tr("frozen")
                   : session().timeline().live() ? tr("live")

@@ -4,6 +4,7 @@
 #include <QKeyEvent>
 #include <QSignalBlocker>
 
+#include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
 
@@ -43,7 +44,7 @@ void ColorStrip::refresh() {
     for (const CollectedFrame& collected : bench_.collected()) {
       auto* item =
           new QListWidgetItem(QPixmap::fromImage(collected.thumbnail),
-                              tr("%1 s").arg(robotlink::seconds(collected.frame->time()), 0, 'f', 2), this);
+                              tr("%1 s").arg(robotlink::seconds(bench_.session().timeline().sinceOrigin(collected.frame->time())), 0, 'f', 2), this);
       item->setToolTip(QString::fromStdString(collected.frame->place().name));
     }
     setCurrentRow(std::min(current, count() - 1));

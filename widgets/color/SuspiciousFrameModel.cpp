@@ -43,10 +43,15 @@ int SuspiciousFrameModel::columnCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : kColumns;
 }
 
+void SuspiciousFrameModel::setOrigin(robotlink::Instant time) {
+  if (std::exchange(origin_, time) == time || frames_.empty()) return;
+  Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
+}
+
 double SuspiciousFrameModel::value(const SuspiciousFrame& frame, int column) const {
   switch (column) {
     case kTime:
-      return robotlink::seconds(frame.time);
+      return robotlink::seconds(frame.time - origin_);
     case kScore:
       return frame.found.score;
     case kSpecks:

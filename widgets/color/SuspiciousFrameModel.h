@@ -20,6 +20,8 @@ class SuspiciousFrameModel final : public QAbstractTableModel {
   using QAbstractTableModel::QAbstractTableModel;
   void clear(colortool::ColorClasses classes);
   void add(std::vector<SuspiciousFrame> frames);
+  /// What is shown as 0 s.
+  void setOrigin(robotlink::Instant time);
   const SuspiciousFrame& frame(int row) const { return frames_[static_cast<std::size_t>(row)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -35,6 +37,7 @@ class SuspiciousFrameModel final : public QAbstractTableModel {
 
   colortool::ColorClasses classes_;
   std::vector<SuspiciousFrame> frames_;
+  robotlink::Instant origin_;
 };
 
 }  // namespace widgets

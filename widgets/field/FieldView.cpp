@@ -265,7 +265,7 @@ void FieldView::updateWanted() {
 
 void FieldView::updateStatus() {
   const auto& timeline = session().timeline();
-  const QString time = tr("%1 s").arg(robotlink::seconds(timeline.shown()), 0, 'f', 3);
+  const QString time = tr("%1 s").arg(robotlink::seconds(timeline.sinceOrigin(timeline.shown())), 0, 'f', 3);
   time_->setText(timeline.live() ? time : tr("%1  history").arg(time));
   const QTransform transform = canvas_->transform();
   zoom_->setText(tr("%1 px/m").arg(qRound(std::hypot(transform.m11(), transform.m12()))));

@@ -190,7 +190,7 @@ void ImageView::showMessage() {
 
 void ImageView::updateStatus() {
   canvas_->setFrozen(frozenAt_.has_value());
-  time_->setText(image_ ? tr("%1 s").arg(robotlink::seconds(imageTime_), 0, 'f', 3) : tr("no image yet"));
+  time_->setText(image_ ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(imageTime_)), 0, 'f', 3) : tr("no image yet"));
   state_->setText(image_ ? staleText() : QString());
   state_->setVisible(!state_->text().isEmpty());
   zoom_->setText(image_ ? tr("%1 %").arg(qRound(canvas_->zoom() * 100)) : QString());

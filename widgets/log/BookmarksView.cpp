@@ -9,6 +9,7 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 
@@ -109,7 +110,7 @@ void BookmarksView::tick() {
     for (const auto& bookmark : log->bookmarks->all()) rows.push_back({log->path, log->offset, bookmark});
   }
   // Whoever edits a text is not disturbed by what others change.
-  if (table_->indexWidget(table_->currentIndex()) == nullptr) model_.setRows(std::move(rows), logs_.replay().begin());
+  if (table_->indexWidget(table_->currentIndex()) == nullptr) model_.setRows(std::move(rows), session().timeline().origin());
   table_->setColumnHidden(BookmarkModel::kLog, logs_.logs().size() < 2);
   add_->setEnabled(there);
   remove_->setEnabled(table_->currentIndex().isValid());

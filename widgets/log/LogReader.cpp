@@ -18,7 +18,7 @@ using Stage = LogOverview::Stage;
 
 namespace {
 
-constexpr std::size_t kMostSaid = 5000;
+constexpr std::size_t kMostSaid = 5000, kMaxTexts = 50'000;
 /// What is read here is read once, but for thumbnails, which jump about.
 constexpr std::size_t kCacheBytes = 16U << 20U;
 
@@ -144,6 +144,7 @@ void LogReader::readBookmarks() {
 void LogReader::readTexts(LogOverview& overview) {
   std::vector<std::string> streams;
   std::uint64_t messages = 0, seen = 0;
+  auto texts = std::make_shared<std::vector<LogEntry>>();
   for (const auto& stream : overview.streams) {
     if (stream.type != "foxglove.Log") continue;
     streams.push_back(stream.path);
@@ -154,7 +155,9 @@ void LogReader::readTexts(LogOverview& overview) {
     while (const auto message = cursor.next()) {
       if (!tell(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages)))) return;
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
-      if (log == nullptr || log->level() < foxglove::Log::WARNING) continue;
+      if (log == nullptr) continue;
+      if (texts->size() < kMaxTexts) texts->push_back(logEntry(*message, *log));
+      if (log->level() < foxglove::Log::WARNING) continue;
       if (overview.said.size() < kMostSaid) {
         overview.said.push_back(logEntry(*message, *log));
       } else {
@@ -162,6 +165,7 @@ void LogReader::readTexts(LogOverview& overview) {
       }
     }
   }
+  overview.texts = std::move(texts);
   overview.stage = Stage::kSizes;
   overview.progress = 0;
   publish(overview);

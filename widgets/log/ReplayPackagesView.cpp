@@ -8,6 +8,7 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
+#include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/log/PackageSourceDelegate.h"
@@ -91,7 +92,7 @@ void ReplayPackagesView::connectSignals() {
 
 void ReplayPackagesView::tick() {
   const auto& status = logs_.replay().status();
-  model_.setStatus(status);
+  model_.setStatus(status, session().timeline().origin());
   showTasks();
   hint_->setHint(!logs_.replay().open()    ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
                  : model_.rowCount() == 0 ? tr("No program runs on this log.")

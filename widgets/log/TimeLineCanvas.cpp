@@ -70,11 +70,17 @@ void TimeLineCanvas::setExtent(Instant begin, Instant end) {
   lookAnew();
 }
 
+void TimeLineCanvas::setOrigin(Instant time) {
+  if (time == look_.origin) return;
+  look_.origin = time;
+  lookAnew();
+}
+
 void TimeLineCanvas::setShown(Instant time) {
   if (held_.drag == Drag::kScrub || time == look_.shown) return;
   look_.shown = time;
   if (follow_) keepShownInSight();
-  setAccessibleDescription(tr("Play head at %1 s").arg(timeText(time - look_.begin)));
+  setAccessibleDescription(tr("Play head at %1 s").arg(timeText(time - look_.origin)));
   viewport()->update();
 }
 

@@ -29,6 +29,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   const std::vector<TimeLineBand>& bands() const { return bands_; }
   /// Of all logs; the first one is fitted.
   void setExtent(robotlink::Instant begin, robotlink::Instant end);
+  /// What is shown as 0 s.
+  void setOrigin(robotlink::Instant time);
   void setShown(robotlink::Instant time);
   void setRange(std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range);
   void setSteppedStream(int band, const std::string& path);

@@ -38,7 +38,8 @@ struct TimeLineLook {
   TimeScale scale;      ///< its `left` is the gutter's right edge
   double scroll = 0;    ///< pixels that are scrolled away above the bands
   robotlink::Instant shown{};
-  robotlink::Instant begin{}, end{};  ///< of all logs
+  robotlink::Instant begin{}, end{};  ///< of all logs; equal: no log is open, and the ruler is empty
+  robotlink::Instant origin{};        ///< what the ruler shows as 0 s
   std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range;
   std::pair<int, std::uint64_t> bookmark{-1, 0};  ///< band and id of the chosen one
   std::pair<int, std::string> stream{-1, {}};     ///< band and path of the one whose messages are stepped

@@ -302,7 +302,7 @@ QLineEdit* TimeLineCanvas::openEditor(const char* name, const QRect& where, cons
 }
 
 QString TimeLineCanvas::timeToolTip(Instant time) const {
-  return tr("%1 s (time stamp %2 s)").arg(timeText(time - look_.begin), timeText(time.time_since_epoch()));
+  return tr("%1 s since the beginning (time stamp %2 s)").arg(timeText(time - look_.begin), timeText(time.time_since_epoch()));
 }
 
 QString TimeLineCanvas::bookmarkToolTip(const TimeLineBand& of, const logplayer::Bookmark& bookmark) const {
@@ -352,7 +352,7 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
       break;
     }
     lines << QStringLiteral("<b>%1 s %2</b> %3: %4")
-                 .arg(timeText(entry.time + of.offset - look_.begin), LogModel::levelName(entry.level), entry.source.toHtmlEscaped(), entry.text.toHtmlEscaped());
+                 .arg(timeText(entry.time + of.offset - look_.origin), LogModel::levelName(entry.level), entry.source.toHtmlEscaped(), entry.text.toHtmlEscaped());
   }
   return lines.isEmpty() ? tr("Warnings and errors in the log's messages") : lines.join(QStringLiteral("<br>"));
 }

@@ -38,9 +38,10 @@ struct Canvas {
 void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
   QPainter& painter = canvas.painter;
   painter.fillRect(QRectF(0, 0, canvas.look.size.width(), layout.ruler.height()), canvas.palette.color(QPalette::Window));
+  if (canvas.look.end <= canvas.look.begin) return;  // without a log there is no time
   const double label = painter.fontMetrics().horizontalAdvance(QStringLiteral("0000.0000")) + 16;
-  const AxisMarks marks = axisMarks(canvas.look.scale, label, canvas.look.begin),
-                  fine = axisMarks(canvas.look.scale, label / 6, canvas.look.begin);
+  const AxisMarks marks = axisMarks(canvas.look.scale, label, canvas.look.origin),
+                  fine = axisMarks(canvas.look.scale, label / 6, canvas.look.origin);
   painter.setClipRect(layout.ruler);
   painter.setPen(canvas.line());
   for (Instant time = fine.first; canvas.look.scale.x(time) < layout.ruler.right(); time += fine.step) {
@@ -53,7 +54,7 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
     painter.drawLine(QPointF(x, layout.ruler.bottom() - 10), QPointF(x, layout.ruler.bottom()));
     painter.setPen(canvas.palette.color(QPalette::WindowText));
     painter.drawText(QRectF(x + 3, 1, label, layout.ruler.height() - 8), Qt::AlignLeft | Qt::AlignVCenter,
-                     timeText(time - canvas.look.begin, marks.step));
+                     timeText(time - canvas.look.origin, marks.step));
   }
   painter.setClipping(false);
   painter.setPen(canvas.muted());

@@ -12,6 +12,7 @@
 #include <filesystem>
 
 #include "robotlink/session/CommandTable.h"
+#include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/log/LogBars.h"
@@ -206,6 +207,7 @@ void TimeLineView::tick() {
                       : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
   showBands();
   canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
+  canvas_->setOrigin(session().timeline().origin());
   canvas_->setShown(logs_.replay().shown());
   canvas_->setRange(logs_.replay().range());
   showSteppedStream();
@@ -248,8 +250,7 @@ void TimeLineView::showBands() {
 void TimeLineView::showRange() {
   const auto range = logs_.replay().range();
   const QString text = !range ? QString()
-                              : tr("%1 – %2 s (%3 s)").arg(timeText(range->first - logs_.replay().begin()),
-                                                            timeText(range->second - logs_.replay().begin()),
+                              : tr("%1 – %2 s (%3 s)").arg(logs_.replay().shownText(range->first), logs_.replay().shownText(range->second),
                                                             timeText(range->second - range->first));
   if (range_->text() != text) range_->setText(text);
   for (QAction* action : {loop_, clear_}) action->setEnabled(range.has_value());
@@ -278,7 +279,11 @@ void TimeLineView::showDamage() {
   std::vector<LogDamageBar::Damage> damages;
   for (const auto& log : logs_.logs()) {
     const QString& failure = log->overview->failure;
-    const QString& text = failure.isEmpty() ? log->overview->damage : failure;
+    QString text = failure.isEmpty() ? log->overview->damage : failure;
+    for (const auto& played : logs_.replay().status().logs()) {
+      // What went wrong while it was played is newer than what was found when it was opened.
+      if (failure.isEmpty() && played.path() == log->path && !played.damage().empty()) text = QString::fromStdString(played.damage());
+    }
     if (!text.isEmpty()) damages.push_back({log->path, text, failure.isEmpty() && !log->overview->converted});
   }
   damage_->setDamages(std::move(damages));

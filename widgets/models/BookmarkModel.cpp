@@ -7,9 +7,9 @@
 
 namespace widgets {
 
-void BookmarkModel::setRows(std::vector<Row> rows, robotlink::Instant begin) {
-  if (rows == rows_ && begin == begin_) return;
-  begin_ = begin;
+void BookmarkModel::setRows(std::vector<Row> rows, robotlink::Instant origin) {
+  if (rows == rows_ && origin == origin_) return;
+  origin_ = origin;
   const auto sameOne = [](const Row& a, const Row& b) { return a.log == b.log && a.bookmark.id == b.bookmark.id; };
   if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), sameOne)) {
     beginResetModel();
@@ -35,7 +35,7 @@ QVariant BookmarkModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole && role != Qt::EditRole && role != kSortRole) return {};
   switch (index.column()) {
     case kTime:
-      return timeText(at.bookmark.from + at.offset - begin_);
+      return timeText(at.bookmark.from + at.offset - origin_);
     case kLength:
       return length.count() > 0 ? timeText(length) : QStringLiteral("–");
     case kText:

@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// The bookmarks of all open logs as a table; their texts can be edited. Shows times since the begin of the time line. GUI
+/// The bookmarks of all open logs as a table; their texts can be edited. Shows times since the origin that views count from. GUI
 /// thread.
 class BookmarkModel final : public QAbstractTableModel {
   Q_OBJECT
@@ -25,7 +25,7 @@ class BookmarkModel final : public QAbstractTableModel {
   };
 
   using QAbstractTableModel::QAbstractTableModel;
-  void setRows(std::vector<Row> rows, robotlink::Instant begin);
+  void setRows(std::vector<Row> rows, robotlink::Instant origin);
   const Row& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -41,7 +41,7 @@ class BookmarkModel final : public QAbstractTableModel {
 
  private:
   std::vector<Row> rows_;
-  robotlink::Instant begin_{};  // of the time line
+  robotlink::Instant origin_{};
 };
 
 }  // namespace widgets

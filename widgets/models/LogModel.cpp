@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "widgets/models/Theme.h"
+#include "widgets/models/TimeScale.h"
 
 namespace widgets {
 
@@ -29,17 +30,45 @@ void LogModel::append(std::vector<LogEntry> entries) {
   endInsertRows();
 }
 
+void LogModel::insert(std::vector<LogEntry> entries) {
+  const auto earlier = [](const LogEntry& one, const LogEntry& other) { return one.time < other.time; };
+  std::stable_sort(entries.begin(), entries.end(), earlier);
+  if (entries_.empty() || entries.empty() || entries.front().time >= entries_.back().time) return append(std::move(entries));
+  for (LogEntry& entry : entries) {
+    if (entries_.size() >= capacity_) return;
+    const auto at = std::upper_bound(entries_.begin(), entries_.end(), entry, earlier);
+    const int row = static_cast<int>(at - entries_.begin());
+    beginInsertRows({}, row, row);
+    entries_.insert(at, std::move(entry));
+    endInsertRows();
+  }
+}
+
+void LogModel::setShown(robotlink::Instant time) {
+  const auto [from, to] = std::minmax(rowAt(std::exchange(shown_, time)), rowAt(time));
+  if (from != to) Q_EMIT dataChanged(index(from + 1, 0), index(to, kColumns - 1), {Qt::ForegroundRole});
+}
+
 void LogModel::clear() {
   beginResetModel();
   entries_.clear();
   endResetModel();
 }
 
-int LogModel::rowAt(robotlink::Instant time) const {
-  for (int row = static_cast<int>(entries_.size()) - 1; row >= 0; --row) {
-    if (entry(row).time <= time) return row;
+void LogModel::removePublished() {
+  if (std::none_of(entries_.begin(), entries_.end(), [](const LogEntry& said) { return said.logged; })) return clear();
+  for (int row = rowCount() - 1; row >= 0; --row) {
+    if (entry(row).logged) continue;
+    beginRemoveRows({}, row, row);
+    entries_.erase(entries_.begin() + row);
+    endRemoveRows();
   }
-  return -1;
+}
+
+int LogModel::rowAt(robotlink::Instant time) const {
+  const auto later = std::upper_bound(entries_.begin(), entries_.end(), time,
+                                      [](robotlink::Instant instant, const LogEntry& entry) { return instant < entry.time; });
+  return static_cast<int>(later - entries_.begin()) - 1;
 }
 
 QString LogModel::levelName(LogEntry::Level level) {
@@ -60,8 +89,9 @@ QString LogModel::levelName(LogEntry::Level level) {
   return tr("message");
 }
 
-QString LogModel::timeText(robotlink::Instant time) {
-  return QString::number(robotlink::seconds(time), 'f', 3);
+void LogModel::setOrigin(robotlink::Instant time) {
+  if (std::exchange(origin_, time) == time || entries_.empty()) return;
+  Q_EMIT dataChanged(index(0, kTime), index(rowCount() - 1, kTime));
 }
 
 int LogModel::rowCount(const QModelIndex& parent) const {
@@ -80,6 +110,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (role == Qt::ToolTipRole && index.column() == kText) return said.text;
   if (role == Qt::ForegroundRole) {
     const QPalette palette = QGuiApplication::palette();
+    if (said.time > shown_) return colorOf(Meaning::kMuted, palette);
     if (said.level >= LogEntry::Level::kError) return colorOf(Meaning::kBad, palette);
     if (said.level == LogEntry::Level::kWarning) return colorOf(Meaning::kWarning, palette);
     return said.level == LogEntry::Level::kDebug ? colorOf(Meaning::kMuted, palette) : QVariant();
@@ -87,7 +118,7 @@ QVariant LogModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   switch (index.column()) {
     case kTime:
-      return timeText(said.time);
+      return timeText(said.time - origin_);
     case kLevel:
       return levelName(said.level);
     case kRobot:

@@ -16,6 +16,7 @@ struct LogEntry {
   QString robot;
   QString source;  ///< "cognition/ball-percept"
   QString text;
+  bool logged = false;  ///< an open log holds it, whether or not it was played
 };
 
 /// The texts of all robots as a table: time, level, robot, source, text. Bounded: past `capacity` rows the
@@ -30,12 +31,19 @@ class LogModel final : public QAbstractTableModel {
   explicit LogModel(std::size_t capacity = 100'000, QObject* parent = nullptr);
 
   void append(std::vector<LogEntry> entries);
+  /// Each where its time belongs, behind those of the same time. For few of them, or for those that come after all others.
+  void insert(std::vector<LogEntry> entries);
+  /// Rows later than this are muted: a log holds them, but it was not yet played so far.
+  void setShown(robotlink::Instant time);
   void clear();
+  /// Removes what no log holds.
+  void removePublished();
   const LogEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
   /// The last row that is not later than `time`; -1 if there is none.
   int rowAt(robotlink::Instant time) const;
   static QString levelName(LogEntry::Level level);
-  static QString timeText(robotlink::Instant time);
+  /// What is shown as 0 s.
+  void setOrigin(robotlink::Instant time);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
@@ -45,6 +53,8 @@ class LogModel final : public QAbstractTableModel {
  private:
   std::size_t capacity_;
   std::deque<LogEntry> entries_;
+  robotlink::Instant origin_;
+  robotlink::Instant shown_ = robotlink::Instant::max();
 };
 
 }  // namespace widgets

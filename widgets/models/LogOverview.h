@@ -45,6 +45,7 @@ struct LogOverview {
   std::vector<Stream> streams = {};  ///< by path
   std::vector<LogEntry> said = {};   ///< warnings and errors, by time
   std::uint64_t saidLeftOut = 0;     ///< because there were too many
+  std::shared_ptr<const std::vector<LogEntry>> texts = {};  ///< all of them, by time, up to a bound; null until they were read
 
   const Stream* find(const std::string& path) const;
   /// Paths of the streams of images; cameras first.

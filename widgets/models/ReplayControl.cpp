@@ -6,6 +6,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
+#include "widgets/models/TimeScale.h"
 
 namespace widgets {
 
@@ -38,6 +39,7 @@ void ReplayControl::refresh() {
   const auto* message = stream != nullptr && !stream->messages.empty() ? &stream->messages.back() : nullptr;
   auto status = message != nullptr ? std::dynamic_pointer_cast<const robotcontrol::ReplayStatus>(message->value) : nullptr;
   status_ = status != nullptr && status->logs_size() > 0 ? std::move(status) : nullptr;
+  setOrigin();
   if (status_ == nullptr) {
     aim_.reset();
     jumping_ = false;
@@ -48,12 +50,24 @@ void ReplayControl::refresh() {
   if (!jumping_ && aim_) aim_.reset();
 }
 
+void ReplayControl::setShowsTimeStamps(bool on) {
+  showsTimeStamps_ = on;
+  setOrigin();
+}
+
+void ReplayControl::setOrigin() { session_.timeline().setOrigin(open() && !showsTimeStamps_ ? begin() : Instant()); }
+
+Instant ReplayControl::origin() const { return session_.timeline().origin(); }
+
+QString ReplayControl::shownText(Instant time) const { return timeText(time - origin()); }
+
 const robotcontrol::ReplayStatus& ReplayControl::status() const {
   return status_ != nullptr ? *status_ : robotcontrol::ReplayStatus::default_instance();
 }
 
 Instant ReplayControl::shown() const { return aim_.value_or(instant(status().time())); }
 Instant ReplayControl::begin() const { return instant(status().begin()); }
+Instant ReplayControl::start() const { return instant(std::max(status().start(), status().begin())); }
 Instant ReplayControl::end() const { return instant(status().end()); }
 
 std::optional<std::pair<Instant, Instant>> ReplayControl::range() const {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QObject>
+#include <QString>
 #include <memory>
 #include <optional>
 #include <string>
@@ -27,6 +28,7 @@ class ReplayControl final : public QObject {
   explicit ReplayControl(robotlink::Session& session, QObject* parent = nullptr);
   ~ReplayControl() override;
 
+  /// Also sets where the times that views show are counted from: see setShowsTimeStamps().
   void refresh();
   /// Is a log open?
   bool open() const { return status_ != nullptr; }
@@ -35,6 +37,8 @@ class ReplayControl final : public QObject {
   /// Where the play head stands: where it was last asked to jump to, as long as that is on its way, or what status() says.
   robotlink::Instant shown() const;
   robotlink::Instant begin() const;
+  /// Where the log is opened: its first image. Before it there is little to see.
+  robotlink::Instant start() const;
   robotlink::Instant end() const;
   /// Nothing if none is selected.
   std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range() const;
@@ -61,6 +65,14 @@ class ReplayControl final : public QObject {
   void choosePackage(const std::string& package, robotcontrol::ControlReplay::PackageSource source);
   void setOffset(const std::string& log, robotlink::Duration offset);
 
+  /// Whether views show times as the messages bear them; else, as long as a log is open, they count from its begin.
+  bool showsTimeStamps() const { return showsTimeStamps_; }
+  void setShowsTimeStamps(bool on);
+  /// The instant that views show as 0 s.
+  robotlink::Instant origin() const;
+  /// What views show for an instant, in seconds: "12.340".
+  QString shownText(robotlink::Instant time) const;
+
   /// The stream whose messages are stepped: chosen by a person, else that of the images.
   std::string steppedStream() const { return steppedStream_; }
   void setSteppedStream(const std::string& stream);
@@ -71,12 +83,14 @@ class ReplayControl final : public QObject {
   void steppedStreamChanged();
 
  private:
+  void setOrigin();
   void send(robotcontrol::ControlReplay control);
   void sendJump();
 
   robotlink::Session& session_;
   std::shared_ptr<const robotcontrol::ReplayStatus> status_;
   std::string steppedStream_;
+  bool showsTimeStamps_ = false;
   std::optional<robotlink::Instant> aim_;  // of a jump that was not yet answered
   bool jumping_ = false;                   // one is on its way
   bool newerAim_ = false;                  // and aim_ is another one

@@ -71,7 +71,7 @@ void press(ReplayKey key, ReplayControl& replay) {
     case ReplayKey::kMessageOn:
       return replay.stepMessages(1);
     case ReplayKey::kStart:
-      return replay.jumpTo(replay.begin());
+      return replay.jumpTo(replay.start());
     case ReplayKey::kEnd:
       return replay.jumpTo(replay.end());
     case ReplayKey::kRangeStart:

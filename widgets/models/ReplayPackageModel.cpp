@@ -20,8 +20,8 @@ bool differs(const robotcontrol::ReplayStatus::Difference& difference) {
 
 }  // namespace
 
-void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status) {
-  begin_ = status.begin();
+void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status, robotlink::Instant origin) {
+  const bool sameOrigin = std::exchange(origin_, origin) == origin;
   std::vector<Row> rows;
   for (const auto& package : status.packages()) {
     Row row{package, {}, {}};
@@ -39,7 +39,7 @@ void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status) {
     return;
   }
   for (std::size_t i = 0; i < rows.size(); ++i) {
-    if (rows[i].bytes == rows_[i].bytes) continue;
+    if (sameOrigin && rows[i].bytes == rows_[i].bytes) continue;
     rows_[i] = std::move(rows[i]);
     Q_EMIT dataChanged(index(static_cast<int>(i), 0), index(static_cast<int>(i), kColumns - 1));
   }
@@ -79,7 +79,7 @@ int ReplayPackageModel::rowCount(const QModelIndex& parent) const {
 
 int ReplayPackageModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
 
-QString ReplayPackageModel::sinceBegin(std::int64_t ns) const { return timeText(robotlink::Duration(ns - begin_)); }
+QString ReplayPackageModel::shownTime(std::int64_t ns) const { return timeText(robotlink::Instant(robotlink::Duration(ns)) - origin_); }
 
 QVariant ReplayPackageModel::text(const Row& row, int column) const {
   const auto& difference = row.difference;
@@ -102,7 +102,7 @@ QVariant ReplayPackageModel::text(const Row& row, int column) const {
       return lone > 0 ? tr("%1 + %2 alone").arg(difference.different()).arg(lone) : QString::number(difference.different());
     }
     case kFirst:
-      return differs(difference) ? sinceBegin(difference.first_time()) : none;
+      return differs(difference) ? shownTime(difference.first_time()) : none;
     default:
       if (difference.largest_field().empty()) return none;
       return QStringLiteral("%1: %2").arg(QString::fromStdString(difference.largest_field())).arg(difference.largest(), 0, 'g', 4);
@@ -142,7 +142,7 @@ QVariant ReplayPackageModel::toolTip(const Row& row, int column) const {
       return tr("Double click: go to the first difference");
     case kLargest:
       if (difference.largest_field().empty()) return {};
-      return tr("At %1 s. Double click: go there").arg(sinceBegin(difference.largest_time()));
+      return tr("At %1 s. Double click: go there").arg(shownTime(difference.largest_time()));
     default:
       return {};
   }

@@ -5,6 +5,7 @@
 #include <vector>
 
 #include "robotcontrol/Logging.pb.h"
+#include "robotlink/base/Clock.h"
 
 namespace widgets {
 
@@ -25,7 +26,8 @@ class ReplayPackageModel final : public QAbstractTableModel {
   using Source = robotcontrol::ControlReplay::PackageSource;
 
   using QAbstractTableModel::QAbstractTableModel;
-  void setStatus(const robotcontrol::ReplayStatus& status);
+  /// `origin`: what is shown as 0 s.
+  void setStatus(const robotcontrol::ReplayStatus& status, robotlink::Instant origin);
   QString packageName(int row) const;
   /// Whether this source is possible, and if not, why.
   bool allows(int row, Source source) const;
@@ -49,13 +51,13 @@ class ReplayPackageModel final : public QAbstractTableModel {
     std::string bytes;  // of both, to see what changed
   };
   QVariant text(const Row& row, int column) const;
-  QString sinceBegin(std::int64_t ns) const;
+  QString shownTime(std::int64_t ns) const;
   QVariant sortKey(const Row& row, int column) const;
   QVariant toolTip(const Row& row, int column) const;
   const Row& at(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
   std::vector<Row> rows_;
-  std::int64_t begin_ = 0;  // of the time line, ns
+  robotlink::Instant origin_{};  // what is shown as 0 s
 };
 
 }  // namespace widgets

@@ -135,7 +135,7 @@ TEST(PartialLayout, absentTasksAreShownWithTheirReasonAndCannotBeAsked) {
   Layout layout = toyLayout();
   removeTask(layout, "motion");
   std::erase_if(layout.processes, [](const Layout::Process& p) { return !p.debug && p.tasks.empty(); });
-  layout.absent.push_back({"motion", "motion", "nobody offers joints/states"});
+  layout.absent.push_back({"motion", "motion", "neither the robot nor another task provides joint angles (joints/states)"});
   const Errors errors = robot.load(layout);
   ASSERT_TRUE(errors.empty()) << describe(errors);
   robotcontrol::Request request;
@@ -157,11 +157,11 @@ TEST(PartialLayout, absentTasksAreShownWithTheirReasonAndCannotBeAsked) {
   EXPECT_EQ(row.process(), "motion");
   EXPECT_EQ(row.active(), "");
   ASSERT_EQ(row.solutions_size(), 1);
-  EXPECT_EQ(row.solutions(0).unavailable(), "unavailable because nobody offers joints/states");
+  EXPECT_EQ(row.solutions(0).unavailable(), "unavailable because neither the robot nor another task provides joint angles (joints/states)");
   EXPECT_GT(table->tasks_size(), 1);
   ASSERT_NE(result, nullptr);
   EXPECT_FALSE(result->accepted());
-  EXPECT_EQ(result->reason(), "task motion does not run because nobody offers joints/states");
+  EXPECT_EQ(result->reason(), "task motion does not run because neither the robot nor another task provides joint angles (joints/states)");
 }
 
 TEST(PartialLayout, recordedParametersCountMoreThanFilesAndUnknownOnesNothing) {

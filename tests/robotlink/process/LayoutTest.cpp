@@ -230,8 +230,8 @@ TEST(LayoutTest, anUnavailableSolutionSaysWhy) {
     return unavailability(layout, catalog(), platform(), task, solution);
   };
   EXPECT_EQ("", why("model", "filter"));
-  EXPECT_EQ("unavailable because nobody offers truth", why("model", "oracle"));
-  EXPECT_EQ("unavailable because nobody offers pose", why("behave", "deep"));
+  EXPECT_EQ("unavailable because neither the robot nor another task provides truth", why("model", "oracle"));
+  EXPECT_EQ("unavailable because neither the robot nor another task provides pose", why("behave", "deep"));
   EXPECT_EQ("unavailable because no process does the task locate", why("locate", "particles"));
   EXPECT_EQ("unavailable because task model has no such solution", why("model", "none"));
 }
@@ -240,7 +240,7 @@ TEST(LayoutTest, whatOnlyAnUnavailableSolutionYieldsIsNotOffered) {
   TaskCatalog tasks = catalog();
   tasks.tasks["see"].solutions.push_back({"truth", "", {"truth"}, {}, {"perfect"}});
   tasks.tasks["model"].solutions.push_back({"perfect", "", {"perfect"}, {}, {"model"}});
-  EXPECT_EQ("unavailable because nobody offers perfect",
+  EXPECT_EQ("unavailable because neither the robot nor another task provides perfect",
             unavailability(layoutOf(kGood), tasks, platform(), "model", "perfect"));
 }
 
