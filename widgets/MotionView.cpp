@@ -20,6 +20,7 @@
 #include "widgets/MotionButtons.h"
 #include "widgets/Requests.h"
 #include "widgets/SpeedPanel.h"
+#include "widgets/StopStyle.h"
 #include "widgets/WalkPad.h"
 #include "widgets/models/TypedStreams.h"
 
@@ -32,15 +33,6 @@ const ViewRegistration kRegistration{
      false, create<MotionView>}};
 
 constexpr int kTurnSteps = 100;
-
-/// Every look of the button says what a click does; red is never the only sign.
-constexpr char kStopStyle[] =
-    "QPushButton { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; "
-    "border-radius: 6px;"
-    " padding: 6px 14px; }"
-    "QPushButton:hover { background: #d83a3a; } QPushButton:pressed { background: #8e1b1b; }"
-    "QPushButton:checked { background: #ffd54f; color: #5d1212; border: 3px solid #c62828; }"
-    "QPushButton:focus { border-color: white; }";
 
 }  // namespace
 
@@ -75,16 +67,22 @@ void MotionView::createActions() {
                     tr("Stops the robot at its platform, whatever its program does; stays until released")});
   stop_->setCheckable(true);
   stop_->setMinimumSize(96, 44);
-  stop_->setStyleSheet(QString::fromLatin1(kStopStyle));
+  stop_->setStyleSheet(stopStyle(QStringLiteral("QPushButton")));
 }
 
 QWidget* MotionView::createTop() {
   auto* top = new QWidget(this);
+  robotName_ = new QLabel(top);
+  describe(*robotName_, {"motionRobot", tr("Robot that is steered"), tr("It is chosen in the toolbar")});
+  QFont bold = robotName_->font();
+  bold.setBold(true);
+  robotName_->setFont(bold);
   state_ = new QLabel(top);
   describe(*state_, {"motionState", tr("Who steers"), {}});
   state_->setWordWrap(true);
   auto* layout = new QHBoxLayout(top);
   layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(robotName_);
   layout->addWidget(take_);
   layout->addWidget(state_, 1);
   layout->addWidget(stop_);
@@ -160,6 +158,7 @@ void MotionView::followRobot() {
     commander_.setActive(false);
     const auto description = context().robots.find(robot);
     useRobot(description == context().robots.end() ? nullptr : description->second.get());
+    nameRobot();
   }
   const auto tables =
       latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
@@ -172,6 +171,14 @@ void MotionView::followRobot() {
   if (taken && !commander_.active()) walkPad_->setFocus();
   commander_.setActive(taken);
   commander_.setHead(head_->wish());
+}
+
+void MotionView::nameRobot() {
+  const QString name = QString::fromStdString(robot_);
+  robotName_->setText(name);
+  robotName_->setVisible(!name.isEmpty());
+  stop_->setToolTip(name.isEmpty() ? tr("Stops the robot at its platform, whatever its program does; stays until released")
+                                   : tr("Stops %1 at its platform, whatever its program does; stays until released").arg(name));
 }
 
 void MotionView::keepLimits() {
@@ -312,7 +319,7 @@ void MotionView::showStop() {
     stop_->setChecked(std::find(stopped.begin(), stopped.end(), robot_) != stopped.end());
   }
   stop_->setEnabled(!robot_.empty());
-  stop_->setText(stop_->isChecked() ? tr("STOPPED\nclick to release") : tr("STOP"));
+  stop_->setText(stopText(stop_->isChecked()));
 }
 
 void MotionView::showPad(const robotcontrol::MotionStatus* status) {

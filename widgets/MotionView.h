@@ -56,6 +56,7 @@ class MotionView final : public View {
   void followRobot();
   void useRobot(const robotlink::RobotDescription* description);
   void keepLimits();
+  void nameRobot();
   void switchMotors(bool on);
   void takeOver(bool take);
   void stop(bool engage);
@@ -81,6 +82,7 @@ class MotionView final : public View {
   QToolButton* take_ = nullptr;
   QToolButton* motors_ = nullptr;  // of robots on wheels
   QPushButton* stop_ = nullptr;
+  QLabel* robotName_ = nullptr;
   QLabel* state_ = nullptr;
   QLabel* gamepadState_ = nullptr;
   std::string robot_;

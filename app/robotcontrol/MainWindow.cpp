@@ -7,14 +7,15 @@
 #include <QJsonArray>
 #include <QLabel>
 #include <QMenu>
+#include <QScreen>
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
-#include <qtadvanceddocking/DockManager.h>
-#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/DockSpace.h"
+#include "app/robotcontrol/LayoutHistory.h"
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/LogToolBar.h"
 #include "app/robotcontrol/RecordingToolBar.h"
@@ -36,6 +37,14 @@ constexpr int kTickMs = 33;
 constexpr qint64 kKeepEveryMs = 5000;
 constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
+constexpr QSize kFirstSize(1600, 1000);
+constexpr QSize kFrame(16, 48);  // what a window manager may put around a window
+
+/// The offscreen plugin's screen is smaller than any real one, and pictures are taken there.
+QSize firstSize(const QScreen* screen) {
+  if (screen == nullptr || QGuiApplication::platformName() == QLatin1String("offscreen")) return kFirstSize;
+  return kFirstSize.boundedTo(screen->availableSize() - kFrame);
+}
 
 std::shared_ptr<const robotlink::FieldDescription> defaultField() {
   auto field = robotlink::FieldDescription::load(robotlink::resource("fields/2002.yaml"));
@@ -68,26 +77,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
-  docks_->closeAll();  // Views use the context, which goes before the widgets that are children of the window.
-}
-
-void MainWindow::createDocks() {
-  ads::CDockManager::setConfigFlags(ads::CDockManager::DefaultOpaqueConfig);
-  ads::CDockManager::setConfigFlag(ads::CDockManager::XmlCompressionEnabled, false);
-  ads::CDockManager::setConfigFlag(ads::CDockManager::AllTabsHaveCloseButton, true);
-  ads::CDockManager::setConfigFlag(ads::CDockManager::MiddleMouseButtonClosesTab, true);
-  auto* center = new QWidget(this);
-  auto* layout = new QVBoxLayout(center);
-  layout->setContentsMargins(0, 0, 0, 0);
-  layout->setSpacing(0);
-  dockManager_ = new ads::CDockManager(center);
-  dockManager_->setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colours.
-  layout->addWidget(dockManager_, 1);
-  setCentralWidget(center);
-  // Floated docks are windows of their own; what they do not want is for this one.
-  connect(dockManager_, &ads::CDockManager::floatingWidgetCreated, this,
-          [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
-  docks_ = new ViewDocks(*dockManager_, context_, this);
+  docks_->destroyAll();  // Views use the context, which goes before the widgets that are children of the window.
 }
 
 void MainWindow::createActions() {
@@ -138,6 +128,7 @@ void MainWindow::connectSignals() {
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
   tick_.start(kTickMs);
   sinceKept_.start();
+  sinceLooked_.start();
 }
 
 void MainWindow::onLoaded() {
@@ -168,23 +159,17 @@ void MainWindow::tick() {
   tickLogs();
   widgets::colorFiles(context_).tick();
   status_->refresh();
-  docks_->tick();
+  tickDocks();
   if (connectDialog_ != nullptr) connectDialog_->tick();
   if (sinceKept_.elapsed() < kKeepEveryMs) return;
   sinceKept_.restart();
   keepWindow();
 }
 
-void MainWindow::showPerspective(const QString& name) {
-  // Before the window is on the screen its views do not have their sizes.
-  if (isVisible()) perspectives_.keep(perspectives_.current(), *docks_);
-  perspectives_.show(name, *docks_);
-  fillPerspectiveMenu();
-}
-
 void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
-  resize(1600, 1000);
+  resize(firstSize(screen()));
+  create();  // so that floating docks can belong to it
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   lastSetup_ = SimulationSetupDialog::fromJson(window.value(QStringLiteral("simulation_setup")).toArray());
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
@@ -192,6 +177,7 @@ void MainWindow::restoreWindow() {
   robotMap_ = window.value(QStringLiteral("robot_map")).toString();
   logToolBar_->timeStampsAction()->setChecked(window.value(QStringLiteral("time_stamps")).toBool());
   perspectives_.show(perspectives_.current(), *docks_);
+  layouts_->forget();
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
   fillPerspectiveMenu();
@@ -210,11 +196,18 @@ void MainWindow::keepWindow() {
   if (const auto saved = perspectives_.save(); !saved) showErrors({saved.error()});
 }
 
-void MainWindow::closeEvent(QCloseEvent* event) {
-  if (!mayLoseColors()) return event->ignore();
+void MainWindow::keep() {
   widgets::openLogs(context_).saveBookmarks();
   keepWindow();
+}
+
+void MainWindow::closeEvent(QCloseEvent* event) {
+  if (!mayLoseColors()) return event->ignore();
+  keep();
+  tick_.stop();  // what it would keep from now on is without the floating docks
+  dockSpace_->hideFloats();
   QMainWindow::closeEvent(event);
+  Q_EMIT closed();
 }
 
 bool MainWindow::event(QEvent* event) {

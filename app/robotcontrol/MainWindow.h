@@ -5,6 +5,7 @@
 #include <QMainWindow>
 #include <QTimer>
 #include <filesystem>
+#include <functional>
 #include <memory>
 
 #include "app/robotcontrol/Appearance.h"
@@ -14,16 +15,17 @@
 #include "widgets/View.h"
 
 class QLabel;
-namespace ads {
-class CDockManager;
-}
+class QMenu;
 namespace widgets {
 class ConnectDialog;
+class EmptyHint;
 }
 
 namespace app {
 
 class CommandActions;
+class DockSpace;
+class LayoutHistory;
 class LogOpening;
 class LogToolBar;
 class OpeningBar;
@@ -51,8 +53,15 @@ class MainWindow : public QMainWindow {
   /// Errors of a file that could not be used, above the views until they are dismissed.
   void showErrors(const robotlink::Errors& errors);
   ViewDocks& docks() { return *docks_; }
+  /// What the user arranged and marked, in files; as when the window is closed, but without a question.
+  void keep();
+
+ Q_SIGNALS:
+  /// The user closed it, and the program ends: floating docks and dialogs go with it.
+  void closed();
 
  protected:
+  void showEvent(QShowEvent* event) override;
   void closeEvent(QCloseEvent* event) override;
   bool event(QEvent* event) override;
   /// What no view wanted: the keys that play a log.
@@ -63,6 +72,11 @@ class MainWindow : public QMainWindow {
 
  private:
   void createDocks();
+  void tickDocks();
+  /// Runs now, or as soon as no dock is being dragged or dropped.
+  void whenDocksRest(std::function<void()> change);
+  void resetPerspective();
+  void deletePerspective();
   void createActions();
   void createLogs();
   void addBookmarkCommand();
@@ -77,6 +91,7 @@ class MainWindow : public QMainWindow {
   void connectRobot();
   void createLogMenu();
   void createWindowMenu();
+  void createAppearanceMenu(QMenu& menu);
   void createHelpMenu();
   void fillPerspectiveMenu();
   void connectSignals();
@@ -100,8 +115,12 @@ class MainWindow : public QMainWindow {
   Appearance appearance_ = Appearance::kSystem;
   std::vector<robotlink::CommandTable::Value> lastSetup_;  // of SimulationSetupDialog
   CommandActions* actions_ = nullptr;
-  ads::CDockManager* dockManager_ = nullptr;
+  DockSpace* dockSpace_ = nullptr;
   ViewDocks* docks_ = nullptr;
+  LayoutHistory* layouts_ = nullptr;
+  QAction* undoLayout_ = nullptr;
+  QAction* redoLayout_ = nullptr;
+  widgets::EmptyHint* noViews_ = nullptr;
   SimulationToolBar* toolBar_ = nullptr;
   RecordingToolBar* recordingBar_ = nullptr;
   LogToolBar* logToolBar_ = nullptr;
@@ -117,6 +136,7 @@ class MainWindow : public QMainWindow {
   QMenu* perspectiveMenu_ = nullptr;
   QTimer tick_;
   QElapsedTimer sinceKept_;
+  QElapsedTimer sinceLooked_;  // at the layout
 };
 
 }  // namespace app

@@ -3,21 +3,21 @@
 #include <QActionGroup>
 #include <QApplication>
 #include <QFileDialog>
-#include <QInputDialog>
 #include <QMenu>
 #include <QMenuBar>
 #include <QMessageBox>
 #include <QPointer>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LogOpening.h"
+#include "app/robotcontrol/LayoutHistory.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/ViewMenu.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -54,6 +54,10 @@ void MainWindow::createMenus() {
   createLogMenu();
   createWindowMenu();
   createHelpMenu();
+  // Floating docks are windows of their own: the menus' keys are for them, too.
+  for (const QMenu* menu : menuBar()->findChildren<QMenu*>()) {
+    for (QAction* action : menu->actions()) action->setShortcutContext(Qt::ApplicationShortcut);
+  }
 }
 
 void MainWindow::createFileMenu() {
@@ -82,12 +86,7 @@ void MainWindow::addViewCommand() {
     if (docks == nullptr || widgets::ViewRegistry::find(id) == nullptr) {
       return robotlink::failure("view.unknown", "there is no view '" + id + "'", {}, {id});
     }
-    const auto open = docks->docks(QString::fromStdString(id));
-    if (open.empty()) {
-      docks->open(QString::fromStdString(id));
-    } else {
-      open.front()->setAsCurrentTab();
-    }
+    docks->open(QString::fromStdString(id));
     return {};
   };
   workbench_.commands().add({"view.show",
@@ -97,16 +96,8 @@ void MainWindow::addViewCommand() {
 }
 
 void MainWindow::createViewMenu() {
-  QMenu* menu = menuBar()->addMenu(tr("&View"));
-  menu->setObjectName(QStringLiteral("viewMenu"));
   addViewCommand();
-  for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
-    const QString id = QLatin1String(type.id);
-    QAction* action = menu->addAction(widgets::icon(type.icon), QCoreApplication::translate("View", type.title), this, [this, id] { docks_->open(id); });
-    action->setObjectName(QStringLiteral("view.") + id);
-    action->setToolTip(QCoreApplication::translate("View", type.help));
-  }
-  menu->setToolTipsVisible(true);
+  menuBar()->addMenu(new ViewMenu(*docks_, this));
 }
 
 void MainWindow::createRobotMenus() {
@@ -145,10 +136,22 @@ void MainWindow::createWindowMenu() {
   perspectiveMenu_->setObjectName(QStringLiteral("perspectiveMenu"));
   menu->addAction(tr("&Save perspective as…"), this, &MainWindow::savePerspectiveAs)
       ->setObjectName(QStringLiteral("savePerspective"));
-  menu->addAction(tr("&Reset perspective"), this, [this] { perspectives_.showShipped(perspectives_.current(), *docks_); })
-      ->setObjectName(QStringLiteral("resetPerspective"));
+  menu->addAction(tr("&Reset perspective"), this, &MainWindow::resetPerspective)->setObjectName(QStringLiteral("resetPerspective"));
   menu->addSeparator();
-  QMenu* appearance = menu->addMenu(tr("&Appearance"));
+  undoLayout_ = menu->addAction(widgets::icon("undo"), tr("&Undo layout change"), this,
+                                [this] { whenDocksRest([this] { layouts_->undo(); }); }, QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+  undoLayout_->setObjectName(QStringLiteral("undoLayout"));
+  redoLayout_ = menu->addAction(widgets::icon("redo"), tr("Re&do layout change"), this,
+                                [this] { whenDocksRest([this] { layouts_->redo(); }); });
+  redoLayout_->setObjectName(QStringLiteral("redoLayout"));
+  undoLayout_->setEnabled(false);
+  redoLayout_->setEnabled(false);
+  menu->addSeparator();
+  createAppearanceMenu(*menu);
+}
+
+void MainWindow::createAppearanceMenu(QMenu& menu) {
+  QMenu* appearance = menu.addMenu(tr("&Appearance"));
   auto* group = new QActionGroup(appearance);
   const std::pair<QString, Appearance> choices[] = {
       {tr("Like the &system"), Appearance::kSystem}, {tr("&Light"), Appearance::kLight}, {tr("&Dark"), Appearance::kDark}};
@@ -165,27 +168,6 @@ void MainWindow::createHelpMenu() {
   menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
       ->setObjectName(QStringLiteral("help.shortcuts"));
   menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)->setObjectName(QStringLiteral("help.about"));
-}
-
-void MainWindow::fillPerspectiveMenu() {
-  perspectiveMenu_->clear();
-  int number = 1;
-  for (const QString& name : perspectives_.names()) {
-    QAction* action = perspectiveMenu_->addAction(name, this, [this, name] { showPerspective(name); });
-    action->setObjectName(QStringLiteral("perspective.") + name);
-    action->setCheckable(true);
-    action->setChecked(name == perspectives_.current());
-    if (number <= 9) action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number++)));
-  }
-  perspectiveMenu_->addSeparator();
-  QAction* remove = perspectiveMenu_->addAction(tr("&Delete this perspective"), this, [this] {
-    const QString gone = perspectives_.current();
-    perspectives_.remove(gone);
-    perspectives_.show(QStringLiteral("Play"), *docks_);
-    fillPerspectiveMenu();
-  });
-  remove->setObjectName(QStringLiteral("deletePerspective"));
-  remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
 }
 
 void MainWindow::openScene() {
@@ -217,21 +199,13 @@ void MainWindow::savePicture() {
   showErrors({{"picture.save", "the picture could not be written; choose another place", {}, {file.toStdString(), 0, 0}}});
 }
 
-void MainWindow::savePerspectiveAs() {
-  bool accepted = false;
-  const QString name = QInputDialog::getText(this, tr("Save perspective"), tr("Name of the perspective:"), QLineEdit::Normal,
-                                             perspectives_.current(), &accepted).trimmed();
-  if (!accepted || name.isEmpty()) return;
-  perspectives_.keep(name, *docks_);
-  keepWindow();
-  fillPerspectiveMenu();
-}
-
 void MainWindow::setAppearance(Appearance appearance) {
   appearance_ = appearance;
   app::apply(appearance, *qApp);
   // Docks that are there keep the palette that they were made with: they are made anew.
-  if (!docks_->empty()) docks_->restore(docks_->save());
+  whenDocksRest([this] {
+    if (!docks_->empty()) docks_->restore(docks_->save());
+  });
   if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance))) action->setChecked(true);
 }
 

@@ -13,6 +13,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/Icon.h"
+#include "widgets/StopStyle.h"
 
 namespace app {
 namespace {
@@ -63,7 +64,7 @@ void SimulationToolBar::createActions() {
   start_->setCheckable(true);
   pause_->setCheckable(true);
 
-  stop_ = new QAction(widgets::icon("stop"), tr("STOP"), this);
+  stop_ = new QAction(widgets::icon("stop"), widgets::stopText(false), this);
   stop_->setObjectName(QStringLiteral("robot.stop"));
   stop_->setCheckable(true);
   stop_->setShortcuts({QKeySequence(QStringLiteral("Shift+Esc")), QKeySequence(Qt::Key_Pause)});
@@ -98,10 +99,8 @@ void SimulationToolBar::createBoxes() {
   auto* stop = new QToolButton(this);
   stop->setObjectName(QStringLiteral("stopButton"));
   stop->setDefaultAction(stop_);
-  stop->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
-  stop->setStyleSheet(QStringLiteral(
-      "QToolButton { font-weight: bold; padding: 3px 12px; border: 1px solid #b3261e; border-radius: 4px; }"
-      "QToolButton:checked { background: #c62828; color: white; }"));
+  stop->setToolButtonStyle(Qt::ToolButtonTextOnly);  // the icon's color would be the palette's
+  stop->setStyleSheet(widgets::stopStyle(QStringLiteral("QToolButton")));
   addWidget(stop);
 }
 
@@ -173,6 +172,7 @@ void SimulationToolBar::refresh() {
   start_->setChecked(status->running());
   pause_->setChecked(!status->running());
   stop_->setChecked(status->stopped_robots_size() > 0);
+  stop_->setText(widgets::stopText(stop_->isChecked()));
   refreshSpeed(status->requested_speed());
 }
 

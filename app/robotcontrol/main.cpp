@@ -4,9 +4,11 @@
 #include <QTimer>
 #include <cstdlib>
 #include <iostream>
+#include <string_view>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/QuitSignals.h"
 #include "robotlink/base/Resources.h"
 
 namespace {
@@ -156,10 +158,27 @@ class Script : public QObject {
   std::size_t next_ = 0;
 };
 
-/// Without a display Qt says of each window what it cannot do with it; nobody wants to know.
-void handleQtMessage(QtMsgType type, const QMessageLogContext&, const QString& text) {
+const char* wordFor(QtMsgType type) {
+  switch (type) {
+    case QtDebugMsg:
+    case QtInfoMsg:
+      return "Qt says";
+    case QtWarningMsg:
+      return "Qt warns";
+    case QtCriticalMsg:
+    case QtFatalMsg:
+      break;
+  }
+  return "Qt error";
+}
+
+/// What Qt has to complain about goes to the terminal. Without a display it says of each window what it cannot do with it; nobody wants
+/// to know.
+void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QString& text) {
   if (text.startsWith(QLatin1String("This plugin does not support"))) return;
-  std::cerr << text.toStdString() << "\n";
+  std::cerr << "robotcontrol: " << wordFor(type) << ": " << text.toStdString();
+  if (where.category != nullptr && std::string_view(where.category) != "default") std::cerr << " (" << where.category << ")";
+  std::cerr << std::endl;
   if (type == QtFatalMsg) std::abort();
 }
 
@@ -183,6 +202,12 @@ int run(const Arguments& arguments) {
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
     window.showPerspective(QString::fromStdString(perspective));
   }
+  QObject::connect(&window, &app::MainWindow::closed, &window, [] { QApplication::quit(); });
+  app::QuitSignals quitSignals;
+  QObject::connect(&quitSignals, &app::QuitSignals::received, &window, [&window] {
+    window.keep();
+    QApplication::quit();
+  });
   window.show();
   if (!load(workbench, arguments)) return kUsage;
   new Script(workbench, arguments, &window);

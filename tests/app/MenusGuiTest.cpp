@@ -176,7 +176,7 @@ class MenusGuiTest : public QObject {
 
   void aPerspectiveIsPutBackToWhatIsShipped() {
     Desk desk(home_);
-    desk.choose("view.image");
+    desk.choose("another.image");
     QCOMPARE(docks(desk, "image"), std::size_t{2});
     desk.choose("resetPerspective");
     QCOMPARE(docks(desk, "image"), std::size_t{1});

@@ -320,9 +320,20 @@ class MotionViewTest : public QObject {
     bench.push("simulation", status, 2);
     bench.tick(*view);
     QVERIFY(stop.isChecked());
-    QVERIFY(stop.text().contains(QStringLiteral("STOPPED")));
+    QCOMPARE(stop.text(), QStringLiteral("STOPPED: click to release"));
     click(stop);
     QVERIFY(!bench.requests.back().stop().engaged());
+  }
+
+  void theRobotThatIsSteeredIsNamed() {
+    Bench bench;
+    auto view = bench.open<widgets::MotionView>();
+    bench.tick(*view);
+    QCOMPARE(child<QLabel>(*view, "motionRobot").text(), QStringLiteral("red1"));
+    QVERIFY(child<QPushButton>(*view, "motionStop").toolTip().contains(QStringLiteral("red1")));
+    bench.session.selectRobot("blue1");
+    bench.tick(*view);
+    QCOMPARE(child<QLabel>(*view, "motionRobot").text(), QStringLiteral("blue1"));
   }
 
   void theTrueSpeedIsMeasuredInTheRobotsFrame() {

@@ -1,0 +1,44 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <qtadvanceddocking/DockManager.h>
+
+namespace app {
+
+/// The part of a window in which docks are arranged, together with the floating windows of the docks that were dragged out of it.
+///
+/// Floating windows belong to the main window: they stay above it, below its dialogs, and are iconified with it. The library's own way
+/// (it raises them whenever the main window is left) hides dialogs behind them, so it is switched off. GUI thread.
+class DockSpace : public ads::CDockManager {
+  Q_OBJECT
+ public:
+  explicit DockSpace(QWidget* parent);
+  ~DockSpace() override;
+
+  /// Lets go of all floating windows; what is in them goes with them. They are deleted when control returns to the event loop, since
+  /// one of them may be the cause of the call.
+  void releaseFloats();
+  /// The same for those that have no dock left.
+  void releaseEmptyFloats();
+  /// Gives each floating window the names of the views in front as its title.
+  void nameFloats();
+  /// Brings the floating windows in front of the main window.
+  void raiseFloats();
+  void hideFloats();
+
+  /// A dock is being dragged or dropped: nothing may be rearranged now.
+  bool busy() const;
+  bool hasVisibleDocks() const;
+  /// The area of the main window that covers most; null if all docks are closed or floating.
+  ads::CDockAreaWidget* largestArea() const;
+
+ protected:
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void release(ads::CFloatingDockContainer* floating);
+
+  bool dropping_ = false;
+};
+
+}  // namespace app

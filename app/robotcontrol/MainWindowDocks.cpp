@@ -1,0 +1,125 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How the main window arranges its docks: perspectives, what was done to the layout, and undoing it.
+#include <QApplication>
+#include <QInputDialog>
+#include <QMenu>
+#include <QTimer>
+#include <QVBoxLayout>
+#include <qtadvanceddocking/FloatingDockContainer.h>
+
+#include "app/robotcontrol/DockSpace.h"
+#include "app/robotcontrol/LayoutHistory.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "widgets/EmptyHint.h"
+
+namespace app {
+namespace {
+
+constexpr qint64 kLookEveryMs = 250;
+constexpr int kAskAgainMs = 50;
+
+}  // namespace
+
+void MainWindow::createDocks() {
+  ads::CDockManager::setConfigFlags(ads::CDockManager::DefaultOpaqueConfig);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::XmlCompressionEnabled, false);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::AllTabsHaveCloseButton, true);
+  ads::CDockManager::setConfigFlag(ads::CDockManager::MiddleMouseButtonClosesTab, true);
+  auto* center = new QWidget(this);
+  auto* layout = new QVBoxLayout(center);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  dockSpace_ = new DockSpace(center);
+  layout->addWidget(dockSpace_, 1);
+  setCentralWidget(center);
+  // Floated docks are windows of their own; what they do not want is for this one.
+  connect(dockSpace_, &ads::CDockManager::floatingWidgetCreated, this,
+          [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
+  docks_ = new ViewDocks(*dockSpace_, context_, this);
+  layouts_ = new LayoutHistory(*docks_, this);
+  noViews_ = new widgets::EmptyHint(dockSpace_);
+  noViews_->setObjectName(QStringLiteral("noViews"));
+}
+
+void MainWindow::tickDocks() {
+  docks_->tick();
+  dockSpace_->nameFloats();
+  if (sinceLooked_.elapsed() < kLookEveryMs || QApplication::mouseButtons() != Qt::NoButton || dockSpace_->busy()) return;
+  sinceLooked_.restart();
+  layouts_->look();
+  undoLayout_->setEnabled(layouts_->canUndo());
+  redoLayout_->setEnabled(layouts_->canRedo());
+  noViews_->setHint(dockSpace_->hasVisibleDocks() ? QString()
+                                                  : tr("No view is open here. The View menu opens one; Window > Undo layout change "
+                                                       "(%1) brings back what was closed last; Window > Reset perspective shows all "
+                                                       "views of %2 again.")
+                                                        .arg(undoLayout_->shortcut().toString(QKeySequence::NativeText),
+                                                             perspectives_.current()));
+}
+
+void MainWindow::whenDocksRest(std::function<void()> change) {
+  if (!dockSpace_->busy()) return change();
+  QTimer::singleShot(kAskAgainMs, this, [this, change = std::move(change)]() mutable { whenDocksRest(std::move(change)); });
+}
+
+void MainWindow::showPerspective(const QString& name) {
+  whenDocksRest([this, name] {
+    // Before the window is on the screen its views do not have their sizes.
+    if (isVisible()) perspectives_.keep(perspectives_.current(), *docks_);
+    perspectives_.show(name, *docks_);
+    layouts_->forget();
+    fillPerspectiveMenu();
+  });
+}
+
+void MainWindow::resetPerspective() {
+  whenDocksRest([this] {
+    layouts_->keepAll();
+    perspectives_.showShipped(perspectives_.current(), *docks_);
+  });
+}
+
+void MainWindow::deletePerspective() {
+  whenDocksRest([this] {
+    const QString gone = perspectives_.current();
+    perspectives_.remove(gone);
+    perspectives_.show(QStringLiteral("Play"), *docks_);
+    layouts_->forget();
+    fillPerspectiveMenu();
+  });
+}
+
+void MainWindow::fillPerspectiveMenu() {
+  perspectiveMenu_->clear();
+  int number = 1;
+  for (const QString& name : perspectives_.names()) {
+    QAction* action = perspectiveMenu_->addAction(name, this, [this, name] { showPerspective(name); });
+    action->setObjectName(QStringLiteral("perspective.") + name);
+    action->setCheckable(true);
+    action->setChecked(name == perspectives_.current());
+    if (number <= 9) action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number++)));
+    action->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks, too
+  }
+  perspectiveMenu_->addSeparator();
+  QAction* remove = perspectiveMenu_->addAction(tr("&Delete this perspective"), this, &MainWindow::deletePerspective);
+  remove->setObjectName(QStringLiteral("deletePerspective"));
+  remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
+}
+
+void MainWindow::savePerspectiveAs() {
+  bool accepted = false;
+  const QString name = QInputDialog::getText(this, tr("Save perspective"), tr("Name of the perspective:"), QLineEdit::Normal,
+                                             perspectives_.current(), &accepted).trimmed();
+  if (!accepted || name.isEmpty()) return;
+  perspectives_.keep(name, *docks_);
+  keepWindow();
+  fillPerspectiveMenu();
+}
+
+void MainWindow::showEvent(QShowEvent* event) {
+  QMainWindow::showEvent(event);
+  dockSpace_->raiseFloats();
+}
+
+}  // namespace app

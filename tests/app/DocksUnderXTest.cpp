@@ -1,0 +1,178 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Docks as a person moves them, by real mouse and keys under a window manager: dragged out, closed, restored, and quit with.
+#include <QCursor>
+#include <QProcess>
+#include <QRegularExpression>
+#include <QStatusBar>
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/DockWidgetTab.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
+
+#include "app/robotcontrol/DockSpace.h"
+#include "tests/app/Desk.h"
+#include "tests/app/XServer.h"
+
+namespace {
+
+QByteArray output(const QString& program, const QStringList& arguments) {
+  QProcess process;
+  process.start(program, arguments);
+  if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kWaitMs)) qFatal("%s hangs", qPrintable(program));
+  return process.readAllStandardOutput();
+}
+
+void xdotool(const QStringList& arguments) { output(QStringLiteral("xdotool"), arguments); }
+
+bool moveMouse(QPoint to) {
+  xdotool({QStringLiteral("mousemove"), QString::number(to.x()), QString::number(to.y())});
+  return QTest::qWaitFor([&] { return QCursor::pos() == to; });
+}
+
+bool click(QPoint at) {
+  const bool there = moveMouse(at);
+  xdotool({QStringLiteral("click"), QStringLiteral("1")});
+  return there;
+}
+
+bool drag(QPoint from, QPoint to) {
+  constexpr int kSteps = 8;
+  if (!moveMouse(from)) return false;
+  xdotool({QStringLiteral("mousedown"), QStringLiteral("1")});
+  bool there = true;
+  for (int step = 1; step <= kSteps; ++step) there = moveMouse(from + (to - from) * step / kSteps) && there;
+  xdotool({QStringLiteral("mouseup"), QStringLiteral("1")});
+  return there;
+}
+
+void press(const char* key) { xdotool({QStringLiteral("key"), QLatin1String(key)}); }
+
+/// The windows of all programs, the lowest first.
+QList<WId> stacking() {
+  const QString text = QString::fromLatin1(
+      output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_CLIENT_LIST_STACKING")}));
+  QList<WId> windows;
+  QRegularExpressionMatchIterator found = QRegularExpression(QStringLiteral("0x[0-9a-f]+")).globalMatch(text);
+  while (found.hasNext()) windows << found.next().captured().toULongLong(nullptr, 16);
+  return windows;
+}
+
+ads::CDockWidget& dock(Desk& desk, const char* id) {
+  const auto docks = desk.window.docks().docks(QLatin1String(id));
+  if (docks.empty()) qFatal("there is no dock for %s", id);
+  return *docks.front();
+}
+
+QPoint middle(const QWidget& widget) { return widget.mapToGlobal(widget.rect().center()); }
+
+/// Where the mouse takes a dock by its tab.
+QPoint handle(const ads::CDockWidget& dock) { return dock.tabWidget()->mapToGlobal(QPoint(20, dock.tabWidget()->height() / 2)); }
+
+bool dragOut(Desk& desk, const char* id, QPoint to) {
+  dock(desk, id).setAsCurrentTab();
+  return drag(handle(dock(desk, id)), to) && QTest::qWaitFor([&] { return dock(desk, id).isFloating(); });
+}
+
+bool exposed(Desk& desk) {
+  return QTest::qWaitForWindowActive(&desk.window) && QTest::qWaitFor([&] { return dock(desk, "scene").isVisible(); });
+}
+
+}  // namespace
+
+class DocksUnderXTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+    QTRY_VERIFY(output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_SUPPORTING_WM_CHECK")}).contains("window id"));
+  }
+  void init() { std::filesystem::remove_all(home_); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void aDockIsDraggedOutAndThePerspectiveIsChangedByItsKey() {
+    Desk desk(home_);
+    QVERIFY(exposed(desk));
+    for (int i = 0; i < 3; ++i) {
+      if (!dock(desk, "messages").isFloating()) QVERIFY(dragOut(desk, "messages", QPoint(1700, 900)));
+      QVERIFY(click(middle(*desk.window.statusBar())));
+      QVERIFY(QTest::qWaitForWindowActive(&desk.window));
+      press("ctrl+2");
+      QTRY_VERIFY(desk.find<QAction>("perspective.Log").isChecked());
+      press("ctrl+1");
+      QTRY_VERIFY(desk.find<QAction>("perspective.Play").isChecked());
+      QTRY_VERIFY(dock(desk, "messages").isVisible());
+      desk.window.tick();
+    }
+  }
+
+  void quittingWithTwoFloatingDocksEndsTheProgram() {
+    {
+      Desk desk(home_);
+      QVERIFY(exposed(desk));
+      QVERIFY(dragOut(desk, "messages", QPoint(1700, 900)));
+      QVERIFY(dragOut(desk, "image", QPoint(1500, 200)));
+      desk.window.close();
+      for (const QWidget* window : QApplication::topLevelWidgets()) QVERIFY2(!window->isVisible(), qPrintable(window->objectName()));
+    }
+    QProcess program;
+    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    program.start(QStringLiteral(ROBOTCONTROL), QStringList());
+    QTRY_COMPARE_WITH_TIMEOUT(stacking().size(), 3, kWaitMs);
+    press("ctrl+q");
+    QTRY_COMPARE_WITH_TIMEOUT(program.state(), QProcess::NotRunning, kWaitMs);
+    QCOMPARE(program.exitCode(), 0);
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+  }
+
+  void theFirstWindowFitsTheScreenAtAnyScale() {
+    QProcess program;
+    QProcessEnvironment environment = QProcessEnvironment::systemEnvironment();
+    environment.insert(QStringLiteral("QT_SCALE_FACTOR"), QStringLiteral("1.5"));
+    program.setProcessEnvironment(environment);
+    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    program.start(QStringLiteral(ROBOTCONTROL), QStringList());
+    QTRY_VERIFY_WITH_TIMEOUT(stacking().size() >= 1, kWaitMs);
+    const QString geometry = QString::fromLatin1(output(QStringLiteral("xdotool"), {QStringLiteral("getwindowgeometry"), QStringLiteral("--shell"),
+                                                                                   QString::number(stacking().first())}));
+    const auto number = [&](const char* name) {
+      return QRegularExpression(QLatin1String(name) + QStringLiteral("=(-?[0-9]+)")).match(geometry).captured(1).toInt();
+    };
+    QVERIFY2(number("WIDTH") > 1000 && number("X") + number("WIDTH") <= 1920, qPrintable(geometry));
+    QVERIFY2(number("HEIGHT") > 700 && number("Y") + number("HEIGHT") <= 1080, qPrintable(geometry));
+    program.terminate();
+    QTRY_COMPARE_WITH_TIMEOUT(program.state(), QProcess::NotRunning, kWaitMs);
+  }
+
+  void theProgramEndsProperlyWhenItIsTerminated() {
+    QProcess program;
+    program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    program.start(QStringLiteral(ROBOTCONTROL), QStringList());
+    QTRY_VERIFY_WITH_TIMEOUT(stacking().size() >= 1, kWaitMs);
+    program.terminate();
+    QTRY_COMPARE_WITH_TIMEOUT(program.state(), QProcess::NotRunning, kWaitMs);
+    QCOMPARE(program.exitStatus(), QProcess::NormalExit);
+    QVERIFY(std::filesystem::exists(home_ / "window.json"));
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+int main(int argc, char** argv) {
+  const QStringList missing = XServer::missing();
+  if (!missing.isEmpty()) {
+    std::printf("SKIPPED: dragging docks by real mouse events needs %s\n", qPrintable(missing.join(QStringLiteral(", "))));
+    return 0;
+  }
+  const auto server = XServer::start();
+  if (server == nullptr) {
+    std::fprintf(stderr, "Xvfb or openbox did not start\n");
+    return 1;
+  }
+  QApplication application(argc, argv);
+  DocksUnderXTest test;
+  return QTest::qExec(&test, argc, argv);
+}
+
+#include "DocksUnderXTest.moc"

@@ -1,0 +1,56 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QByteArray>
+#include <QProcess>
+#include <QStandardPaths>
+#include <QString>
+#include <QStringList>
+#include <cstdio>
+#include <memory>
+
+/// An X server of the test's own with a window manager, for what only they do: real mouse events, stacking of windows. Must be made
+/// before the application object, since its plugin connects to it.
+class XServer {
+ public:
+  /// What is missing on this machine; empty if nothing is.
+  static QStringList missing() {
+    QStringList names;
+    for (const char* name : {"Xvfb", "openbox", "xdotool", "xprop"}) {
+      if (QStandardPaths::findExecutable(QLatin1String(name)).isEmpty()) names << QLatin1String(name);
+    }
+    return names;
+  }
+
+  /// Null if the server does not come up.
+  static std::unique_ptr<XServer> start() {
+    auto server = std::unique_ptr<XServer>(new XServer);
+    server->server_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    server->server_.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
+                                                   QStringLiteral("0"), QStringLiteral("1920x1080x24"), QStringLiteral("-nolisten"),
+                                                   QStringLiteral("tcp")});
+    constexpr int kStartMs = 20000;
+    if (!server->server_.waitForReadyRead(kStartMs)) return nullptr;
+    const QByteArray number = server->server_.readLine().trimmed();
+    qputenv("DISPLAY", ":" + number);
+    qputenv("QT_QPA_PLATFORM", "xcb");
+    qunsetenv("WAYLAND_DISPLAY");
+    qunsetenv("QT_SCALE_FACTOR");
+    server->manager_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
+    server->manager_.start(QStringLiteral("openbox"), {QStringLiteral("--sm-disable")});
+    return server->manager_.waitForStarted(kStartMs) ? std::move(server) : nullptr;
+  }
+
+  ~XServer() {
+    for (QProcess* process : {&manager_, &server_}) {
+      process->terminate();
+      process->waitForFinished();
+    }
+  }
+
+ private:
+  XServer() = default;
+
+  QProcess server_;
+  QProcess manager_;
+};
