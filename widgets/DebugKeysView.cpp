@@ -28,6 +28,7 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
      false, create<DebugKeysView>}};
 
+constexpr int kMarginToSpare = 8;  // names come before numbers where the view is narrow
 
 }  // namespace
 
@@ -74,8 +75,8 @@ void DebugKeysView::createViews() {
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
   tree_->header()->setStretchLastSection(false);
   tree_->header()->setSectionResizeMode(KeyTreeModel::kName, QHeaderView::Stretch);
-  tree_->header()->resizeSection(KeyTreeModel::kMode, textWidth(*tree_, tr("every n-th.")));
-  tree_->header()->resizeSection(KeyTreeModel::kNumber, textWidth(*tree_, tr("1000 ms")));
+  tree_->header()->resizeSection(KeyTreeModel::kMode, textWidth(*tree_, tr("every n-th")) - kMarginToSpare);
+  tree_->header()->resizeSection(KeyTreeModel::kNumber, textWidth(*tree_, tr("100 ms")) - kMarginToSpare);
   hint_ = new EmptyHint(tree_);
   state_ = new QLabel(this);
   describe(*state_, {"keysState", tr("State of the debug keys"), {}});
@@ -147,7 +148,14 @@ void DebugKeysView::showState() {
     return model_.shownValue(key).kind != KeyValue::Kind::kOff;
   });
   allOff_->setEnabled(on > 0);
-  state_->setText(keys.empty() ? QString() : tr("%1 of %2 keys are on").arg(on).arg(keys.size()));
+  // Most keys have no number: its place is the names' then.
+  tree_->setColumnHidden(KeyTreeModel::kNumber, std::none_of(keys.begin(), keys.end(), [this](const KeyEntry& key) {
+    return hasNumber(model_.shownValue(key).kind);
+  }));
+  QStringList said;
+  if (!notice_.isEmpty()) said << notice_;
+  if (!keys.empty()) said << tr("%1 of %2 keys are on").arg(on).arg(keys.size());
+  state_->setText(said.join(QLatin1Char('\n')));
   if (session().selectedRobot().empty()) {
     hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   } else if (keys.empty()) {
@@ -165,10 +173,9 @@ void DebugKeysView::request(const QString& key, const KeyValue& value) {
   ask(session(), robot_, std::move(request), this, [this, key](bool accepted, const QString& reason) {
     if (accepted) return;
     model_.refuse(key.toStdString(), reason);
-    showState();
-    state_->setText(tr("%1 was refused: %2").arg(key, reason));
+    notify(tr("%1 was refused: %2").arg(key, reason));
   });
-  showState();
+  notify({});
 }
 
 void DebugKeysView::toggle(const QModelIndex& index) {

@@ -38,8 +38,12 @@ class DebugKeysView final : public View {
   void allOff();
   void request(const QString& key, const KeyValue& value);
   void showState();
+  /// Says something above the state until the next thing is done here.
+  void notify(const QString& notice);
 
   void listPresets();
+  /// The name of the shipped preset that is chosen; empty for the user's own.
+  QString shippedName() const;
   void loadPreset(const QString& name);
   void savePreset();
   void removePreset();
@@ -55,6 +59,7 @@ class DebugKeysView final : public View {
   QAction* allOff_ = nullptr;
   QAction* savePreset_ = nullptr;
   QAction* removePreset_ = nullptr;
+  QString notice_;
   std::string robot_;
   std::vector<const void*> shown_;  // the tables that are shown
 };

@@ -197,6 +197,9 @@ class DebugKeysViewTest : public QObject {
     bench.tick(*view);
     QTest::keyClicks(&child<QLineEdit>(*view, "keysPresetName"), QStringLiteral("ball only"));
     click(child<QToolButton>(*view, "keysSavePreset"));
+    bench.push("red1/tables/keys", someKeys(), 1.5);
+    bench.tick(*view);
+    QVERIFY(child<QLabel>(*view, "keysState").text().startsWith(QStringLiteral("Saved the preset ball only")));
     KeyTable others;
     addKey(others, "ball-percept/circle", KeyMode::ALWAYS, true);
     addKey(others, "ball-percept/edges", KeyMode::OFF, true);
@@ -204,7 +207,7 @@ class DebugKeysViewTest : public QObject {
     bench.push("red1/tables/keys", others, 2);
     auto again = bench.open<widgets::DebugKeysView>();
     auto& list = child<QComboBox>(*again, "keysPresets");
-    QCOMPARE(list.count(), 1);
+    QCOMPARE(list.itemText(0), QStringLiteral("ball only"));
     list.showPopup();
     list.view()->setCurrentIndex(list.model()->index(0, 0));
     QTest::keyClick(list.view(), Qt::Key_Return);
@@ -213,7 +216,48 @@ class DebugKeysViewTest : public QObject {
     QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::OFF);
     QCOMPARE(bench.requests[1].set_key().mode().kind(), KeyMode::ALWAYS);
     click(child<QToolButton>(*again, "keysRemovePreset"));
-    QCOMPARE(list.count(), 0);
+    QCOMPARE(list.findText(QStringLiteral("ball only")), -1);
+  }
+
+  void theShippedPresetIsInTheListAndCannotBeReplacedOrDeleted() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>();
+    KeyTable keys;
+    addKey(keys, "ball-percept/disc", KeyMode::OFF, true);
+    addKey(keys, "ball-percept/edges", KeyMode::ALWAYS, true);
+    bench.push("red1/tables/keys", keys, 1);
+    bench.tick(*view);
+    auto& list = child<QComboBox>(*view, "keysPresets");
+    auto& state = child<QLabel>(*view, "keysState");
+    const int shipped = list.findText(QStringLiteral("start (shipped)"));
+    QVERIFY(shipped >= 0);
+    list.showPopup();
+    list.view()->setCurrentIndex(list.model()->index(shipped, 0));
+    QTest::keyClick(list.view(), Qt::Key_Return);
+    QCOMPARE(bench.requests.size(), std::size_t{2});
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), KeyMode::ALWAYS);
+    QCOMPARE(bench.requests[1].set_key().mode().kind(), KeyMode::OFF);
+    click(child<QToolButton>(*view, "keysSavePreset"));
+    QVERIFY2(state.text().contains(QStringLiteral("Type another name")), qPrintable(state.text()));
+    click(child<QToolButton>(*view, "keysRemovePreset"));
+    QVERIFY2(state.text().contains(QStringLiteral("cannot be deleted")), qPrintable(state.text()));
+    QVERIFY(list.findText(QStringLiteral("start (shipped)")) >= 0);
+  }
+
+  void theColumnOfNumbersIsThereOnlyWhileAKeyHasOne() {
+    Bench bench;
+    auto view = bench.open<widgets::DebugKeysView>({300, 400});
+    KeyTable keys;
+    addKey(keys, "ball-model/position", KeyMode::ALWAYS, true);
+    bench.push("red1/tables/keys", keys, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "keysTree");
+    QVERIFY(tree.isColumnHidden(widgets::KeyTreeModel::kNumber));
+    keys.mutable_keys(0)->mutable_mode()->set_kind(KeyMode::EVERY_MS);
+    keys.mutable_keys(0)->mutable_mode()->set_n(200);
+    bench.push("red1/tables/keys", keys, 2);
+    bench.tick(*view);
+    QVERIFY(!tree.isColumnHidden(widgets::KeyTreeModel::kNumber));
   }
 
   void searchAndFilterAreKept() {
