@@ -28,11 +28,21 @@ constexpr std::size_t kMaxWaitingRequests = 1000;
 constexpr Duration kProcessTablePeriod = std::chrono::milliseconds(500);
 
 /// Empty if it can be set.
-std::string wrongWith(const robotcontrol::KeyMode& mode) {
+std::string wrongWith(const robotcontrol::SetKey& wish) {
   using robotcontrol::KeyMode;
+  const KeyMode& mode = wish.mode();
   if (!KeyMode::Kind_IsValid(mode.kind())) return "there is no such mode of a debug key";
   const bool needsNumber = mode.kind() == KeyMode::EVERY_N || mode.kind() == KeyMode::EVERY_MS;
-  return needsNumber && mode.n() == 0 ? "this mode of a debug key needs a number above 0" : "";
+  if (needsNumber && mode.n() == 0) return "this mode of a debug key needs a number above 0";
+  if (!packageOfKey(wish.name()).empty() || DebugKey::find(wish.name()) >= 0) return "";
+  std::vector<std::string> all;
+  for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
+  const std::string near = nearest(wish.name(), all);
+  return "there is no debug key '" + wish.name() + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?");
+}
+
+bool isFinite(const robotcontrol::Pose2& pose) {
+  return std::isfinite(pose.x()) && std::isfinite(pose.y()) && std::isfinite(pose.heading());
 }
 
 bool isFinite(const robotcontrol::ColorCorrection& c) {
@@ -76,13 +86,20 @@ struct DebugProcess::Implementation {
   void takeQueues();
   void takeRequested();
   void joinOwnKeys();
+  /// Who does what is asked of a process or for its task or package; a name that is empty or of no process: nobody.
+  struct Target {
+    std::string process;
+    std::string what;
+  };
   void takeRequests();
   void route(const Request& request);
+  std::optional<Target> targetOf(const Request& request) const;
+  std::string refusal(const Request& request) const;
   void setKey(const Request& request);
   void sendMotion(const Request& request);
   void sendColorTable(const Request& request);
   void sendGoal(const Request& request);
-  void sendTo(const std::string& name, const std::string& what, const Request& request);
+  std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
   /// `taken`: the checksum of what was handed over.
@@ -148,6 +165,30 @@ bool DebugProcess::request(const Request& request) {
   return implementation_->inbox.push(request);
 }
 
+std::string DebugProcess::refusal(const Request& request) const { return implementation_->refusal(request); }
+
+std::string DebugProcess::processAsked(const Request& request) const {
+  const auto target = implementation_->targetOf(request);
+  return target ? target->process : std::string();
+}
+
+void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
+                            robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const {
+  const Implementation& self = *implementation_;
+  JoinedTables joined;
+  robotcontrol::KeyTable own;
+  self.requested.fillKeys(own);
+  joined.setKeys(name(), std::move(own));
+  for (const auto& [process, tables] : ofProcesses) {
+    joined.setKeys(process, tables.first);
+    joined.setSolutions(process, tables.second);
+  }
+  joined.fillKeys(keys);
+  joined.fillSolutions(self.names, solutions);
+  addAbsentTasks(self.routes.absent, solutions);
+  self.fillProcesses(processes);
+}
+
 void DebugProcess::execute() {
   Implementation& self = *implementation_;
   self.debug.beginFrame(frameTime(), frames() + 1);
@@ -191,18 +232,15 @@ void DebugProcess::Implementation::takeRequests() {
 }
 
 void DebugProcess::Implementation::route(const Request& request) {
+  if (const std::string why = refusal(request); !why.empty()) return answer(request, why);
+  if (const auto target = targetOf(request)) {
+    const auto channel = std::find_if(channels.begin(), channels.end(),
+                                      [&](const auto& entry) { return entry->process() == target->process; });
+    return (*channel)->add(request);
+  }
   switch (request.what_case()) {
     case Request::kSetKey:
       return setKey(request);
-    case Request::kSelectSolution:
-      return sendTo(routes.processOf(request.select_solution().task()), request.select_solution().task(),
-                    request);
-    case Request::kGetParameters:
-      return sendTo(routes.processOf(request.get_parameters().task()), request.get_parameters().task(),
-                    request);
-    case Request::kSetParameters:
-      return sendTo(routes.processOf(request.set_parameters().task()), request.set_parameters().task(),
-                    request);
     case Request::kSendTables:
       sendToAll(request);
       processTableDue.reset();
@@ -215,39 +253,68 @@ void DebugProcess::Implementation::route(const Request& request) {
       return sendMotion(request);
     case Request::kSetColorTable:
       return sendColorTable(request);
-    case Request::kSetGoal:
-      return sendGoal(request);
     default:
-      return answer(request, "a robot's program cannot do this; ask its platform or the simulation");
+      return sendGoal(request);
+  }
+}
+
+/// Nothing: this process does it itself.
+std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(const Request& request) const {
+  const auto ofTask = [&](const std::string& task) { return Target{routes.processOf(task), task}; };
+  switch (request.what_case()) {
+    case Request::kSetKey: {
+      const std::string package = packageOfKey(request.set_key().name());
+      if (package.empty() || requested.has(package)) return std::nullopt;
+      const auto owner = routes.packages.find(package);
+      return Target{owner != routes.packages.end() ? owner->second : "", request.set_key().name()};
+    }
+    case Request::kSelectSolution:
+      return ofTask(request.select_solution().task());
+    case Request::kGetParameters:
+      return ofTask(request.get_parameters().task());
+    case Request::kSetParameters:
+      return ofTask(request.set_parameters().task());
+    default:
+      return std::nullopt;
+  }
+}
+
+/// Empty: it is done, or handed to the one who does it.
+std::string DebugProcess::Implementation::refusal(const Request& request) const {
+  if (request.has_set_key()) {
+    if (std::string wrong = wrongWith(request.set_key()); !wrong.empty()) return wrong;
+  }
+  if (const auto target = targetOf(request)) return whyNotBy(*target);
+  switch (request.what_case()) {
+    case Request::kSetKey:
+    case Request::kSendTables:
+    case Request::kRecordPackages:
+      return "";
+    case Request::kMotion:
+      return remoteMotion.connected() ? "" : "no task of this layout obeys remote motions";
+    case Request::kSetColorTable: {
+      std::string wrong = wrongWith(request.set_color_table().table());
+      return !wrong.empty() || colorTable.connected() ? wrong : "no task of this layout uses a colour table";
+    }
+    case Request::kSetGoal:
+      if (!isFinite(request.set_goal().pose_in_field())) return "the goal's pose has values that are no numbers";
+      return driveGoal.connected() ? "" : "no task of this layout drives to goals";
+    default:
+      return "a robot's program cannot do this; ask its platform or the simulation";
   }
 }
 
 void DebugProcess::Implementation::setKey(const Request& request) {
-  const std::string& name = request.set_key().name();
-  if (const std::string wrong = wrongWith(request.set_key().mode()); !wrong.empty())
-    return answer(request, wrong);
-  if (const std::string package = packageOfKey(name); !package.empty()) {
-    if (requested.show(package, request.set_key().mode())) {
-      joinOwnKeys();
-      tables.tellKeys();
-      return answer(request, "");
-    }
-    const auto owner = routes.packages.find(package);
-    return sendTo(owner != routes.packages.end() ? owner->second : "", name, request);
-  }
-  if (DebugKey::find(name) >= 0) {
+  if (requested.show(packageOfKey(request.set_key().name()), request.set_key().mode())) {
+    joinOwnKeys();
+    tables.tellKeys();
+  } else {
     sendToAll(request);
-    return answer(request, "");
   }
-  std::vector<std::string> all;
-  for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
-  const std::string near = nearest(name, all);
-  answer(request,
-         "there is no debug key '" + name + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?"));
+  answer(request, "");
 }
 
 void DebugProcess::Implementation::sendMotion(const Request& request) {
-  if (!remoteMotion.connected()) return answer(request, "no task of this layout obeys remote motions");
   auto motion = std::make_shared<robotcontrol::RemoteMotion>(request.motion());
   assign(*motion->mutable_timestamp(), process.frameTime());
   remoteMotion.send(std::move(motion));
@@ -257,32 +324,21 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
 /// A table without cells takes back the one that was set.
 void DebugProcess::Implementation::sendColorTable(const Request& request) {
   const robotcontrol::ColorTable& table = request.set_color_table().table();
-  if (const std::string wrong = wrongWith(table); !wrong.empty()) return answer(request, wrong);
-  if (!colorTable.connected()) return answer(request, "no task of this layout uses a colour table");
   colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
   answer(request, "", checksum(table));
 }
 
 void DebugProcess::Implementation::sendGoal(const Request& request) {
-  const robotcontrol::Pose2& pose = request.set_goal().pose_in_field();
-  if (!std::isfinite(pose.x()) || !std::isfinite(pose.y()) || !std::isfinite(pose.heading()))
-    return answer(request, "the goal's pose has values that are no numbers");
-  if (!driveGoal.connected()) return answer(request, "no task of this layout drives to goals");
   auto goal = std::make_shared<robotcontrol::DriveGoal>(request.set_goal());
   assign(*goal->mutable_timestamp(), process.frameTime());
   driveGoal.send(std::move(goal));
   answer(request, "");
 }
 
-/// `what`: the task or key that the request is about.
-void DebugProcess::Implementation::sendTo(const std::string& name, const std::string& what,
-                                          const Request& request) {
-  const auto channel = std::find_if(channels.begin(), channels.end(),
-                                    [&](const auto& entry) { return entry->process() == name; });
-  if (channel == channels.end()) return answer(request, whyNobodyHas(what));
-  const Process* target = watchedProcess(name);
-  if (target != nullptr && target->stopped()) return answer(request, stoppedText(*target));
-  (*channel)->add(request);
+std::string DebugProcess::Implementation::whyNotBy(const Target& target) const {
+  if (std::find(names.begin(), names.end(), target.process) == names.end()) return whyNobodyHas(target.what);
+  const Process* asked = watchedProcess(target.process);
+  return asked != nullptr && asked->stopped() ? stoppedText(*asked) : "";
 }
 
 std::string DebugProcess::Implementation::whyNobodyHas(const std::string& what) const {
@@ -357,7 +413,7 @@ void DebugProcess::Implementation::sendTables() {
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {
   for (const Process* watchedOne : watched) {
     auto& row = *to.add_processes();
-    describe(*watchedOne, row);
+    robotlink::describe(*watchedOne, row);
     if (const auto count = dropped.find(row.name()); count != dropped.end()) row.set_dropped(count->second);
     for (const auto& list : routes.processes) {
       if (list.process != row.name()) continue;

@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "robotlink/debugging/DebugRoutes.h"
@@ -11,8 +13,11 @@
 
 namespace robotcontrol {
 class DebugQueue;
+class KeyTable;
+class ProcessTable;
 class RemoteMotion;
 class Request;
+class SolutionTable;
 }  // namespace robotcontrol
 
 namespace robotlink {
@@ -47,6 +52,16 @@ class DebugProcess final : public Process {
   void offer(const PackagePtr& package);
   /// Hands a request in; any thread. False: too many wait, this one was dropped.
   bool request(const robotcontrol::Request& request);
+
+  // What it would say if it ran now. Only while no process of the program runs.
+  /// Why it would not do what is asked, or not hand it on; empty if it would. Whoever it is handed to may refuse it still.
+  std::string refusal(const robotcontrol::Request& request) const;
+  /// The process that is asked; empty: this one.
+  std::string processAsked(const robotcontrol::Request& request) const;
+  /// The tables of the whole program, joined from those of its other processes: their names with their tables.
+  using Tables = std::map<std::string, std::pair<robotcontrol::KeyTable, robotcontrol::SolutionTable>>;
+  void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys, robotcontrol::SolutionTable& solutions,
+                robotcontrol::ProcessTable& processes) const;
 
  protected:
   void execute() override;

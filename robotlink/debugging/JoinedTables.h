@@ -18,6 +18,9 @@ class JoinedTables {
   void notice(const robotcontrol::DebugQueue& queue);
   /// The keys of one process, known otherwise. Told with the next change.
   void setKeys(const std::string& process, robotcontrol::KeyTable keys) { keys_[process] = std::move(keys); }
+  void setSolutions(const std::string& process, robotcontrol::SolutionTable solutions) {
+    solutions_[process] = std::move(solutions);
+  }
   void tellKeys() { keysChanged_ = true; }
   bool takeKeysChanged() { return std::exchange(keysChanged_, false); }
   bool takeSolutionsChanged() { return std::exchange(solutionsChanged_, false); }

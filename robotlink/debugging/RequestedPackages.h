@@ -20,6 +20,7 @@ class RequestedPackages {
 
   /// The sender must outlive this. Before the process runs.
   void add(AnySender& sender);
+  bool has(const std::string& package) const { return packages_.contains(package); }
   /// False if there is none of that name.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
   /// Tells what came for this frame, with the times that images have. Whether a mode has run out.

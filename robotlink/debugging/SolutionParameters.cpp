@@ -81,6 +81,14 @@ SolutionParameters::SolutionParameters(SolutionParameters&&) noexcept = default;
 SolutionParameters& SolutionParameters::operator=(SolutionParameters&&) noexcept = default;
 SolutionParameters::~SolutionParameters() = default;
 
+SolutionParameters SolutionParameters::clone() const {
+  std::unique_ptr<pb::Message> copy(message_ ? message_->New() : nullptr);
+  if (copy) copy->CopyFrom(*message_);
+  SolutionParameters result(std::move(copy));
+  result.defaults_ = defaults_;
+  return result;
+}
+
 tl::expected<SolutionParameters, Errors> SolutionParameters::load(const SolutionDescription& solution,
                                                                   const std::filesystem::path& folder) {
   if (solution.parameters == nullptr) return SolutionParameters(nullptr);

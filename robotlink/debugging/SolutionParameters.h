@@ -32,6 +32,7 @@ class SolutionParameters {
   SolutionParameters(SolutionParameters&&) noexcept;
   SolutionParameters& operator=(SolutionParameters&&) noexcept;
   ~SolutionParameters();
+  SolutionParameters clone() const;
 
   /// Null if the solution has none.
   const google::protobuf::Message* message() const { return message_.get(); }

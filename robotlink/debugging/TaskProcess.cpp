@@ -56,6 +56,7 @@ struct TaskProcess::Implementation {
   void setKey(const Request& request);
   void setKey(int key, const robotcontrol::KeyMode& mode);
   Result<void> select(const std::string& task, const std::string& solution);
+  Result<TaskRunner*> selectable(const std::string& task, const std::string& solution) const;
   Result<void> getParameters(const std::string& task, const std::string& solution);
   Result<void> setParameters(const robotcontrol::SetParameters& wish);
   void answer(const Request& request, const Result<void>& result);
@@ -301,7 +302,7 @@ void TaskProcess::Implementation::setKey(int key, const robotcontrol::KeyMode& m
   if (debug.mode(key).kind() == robotcontrol::KeyMode::N_TIMES) limitedKeys.push_back(key);
 }
 
-Result<void> TaskProcess::Implementation::select(const std::string& task, const std::string& solution) {
+Result<TaskRunner*> TaskProcess::Implementation::selectable(const std::string& task, const std::string& solution) const {
   TaskRunner* found = runner(task);
   if (found == nullptr)
     return refused("solution.task", "process " + process.name() + " does not do task " + task);
@@ -310,9 +311,36 @@ Result<void> TaskProcess::Implementation::select(const std::string& task, const 
     if (!reason.empty())
       return refused("solution.unavailable", "solution " + solution + " of " + task + " is " + reason);
   }
-  auto selected = found->select(solution);
+  return found;
+}
+
+Result<void> TaskProcess::Implementation::select(const std::string& task, const std::string& solution) {
+  const auto found = selectable(task, solution);
+  if (!found) return tl::unexpected(found.error());
+  auto selected = (*found)->select(solution);
   if (selected) keysChanged = solutionsChanged = true;
   return selected;
+}
+
+Result<void> TaskProcess::trySolution(const std::string& task, const std::string& solution) const {
+  const auto found = implementation_->selectable(task, solution);
+  if (!found) return tl::unexpected(found.error());
+  return (*found)->trySolution(solution);
+}
+
+const SolutionParameters* TaskProcess::solutionParameters(const std::string& task, const std::string& solution) const {
+  const TaskRunner* found = implementation_->runner(task);
+  return found == nullptr ? nullptr : found->parameters(solution.empty() ? found->active() : solution);
+}
+
+void TaskProcess::describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,
+                           robotcontrol::SolutionTable& solutions) const {
+  const Implementation& self = *implementation_;
+  fillKeyTable(self.tasks, self.board, self.debug, keys, chosen);
+  fillSolutionTable(name(), self.tasks, self.setup.layout, self.catalog, self.setup.platform, solutions);
+  for (auto& task : *solutions.mutable_tasks()) {
+    if (const auto other = chosen.find(task.name()); other != chosen.end()) task.set_active(other->second);
+  }
 }
 
 Result<std::pair<TaskRunner*, SolutionParameters*>> TaskProcess::Implementation::parametersOf(

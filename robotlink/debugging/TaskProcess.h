@@ -45,6 +45,15 @@ class TaskProcess final : public Process {
   /// Which solution a task uses now. Only while the process does not run, or from its own thread.
   std::string activeSolution(const std::string& task) const;
 
+  // What it would do if it were asked, for those who must know before its next frame. Only while the process does not run.
+  /// Why a solution could not be switched to; nothing is switched.
+  Result<void> trySolution(const std::string& task, const std::string& solution) const;
+  /// Of a solution, or of the active one if it is empty. Null: there is no such task or solution.
+  const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
+  /// Its tables of keys and solutions, if tasks used these solutions instead of theirs.
+  void describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,
+                robotcontrol::SolutionTable& solutions) const;
+
  protected:
   void execute() override;
 

@@ -22,14 +22,17 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 
 }  // namespace
 
-/// What one solution's constructor is given.
+/// What one solution's constructor is given. One that is only made to see whether it can be tells its debug texts to a context
+/// of its own and sends nothing.
 class TaskRunner::Context final : public SolutionContext {
  public:
-  Context(TaskRunner& runner, const SolutionDescription& solution) : runner_(runner), solution_(solution) {}
+  enum class Use { kRun, kTrial };
+  Context(const TaskRunner& runner, const SolutionDescription& solution, DebugContext& debug, Use use)
+      : runner_(runner), solution_(solution), debug_(debug), use_(use) {}
 
   const RobotSetup& robot() const override { return runner_.environment_.robot; }
   const Clock& clock() const override { return runner_.environment_.clock; }
-  DebugContext& debug() override { return runner_.environment_.debug; }
+  DebugContext& debug() override { return debug_; }
 
  protected:
   const PackageSlot& inputSlot(const char* package) override {
@@ -40,7 +43,7 @@ class TaskRunner::Context final : public SolutionContext {
   }
   std::function<void(PackagePtr)> outputSend(const char* package) override {
     if (!contains(solution_.outputs, package)) undeclared(solution_, std::string("the output ") + package);
-    if (runner_.environment_.withheld.contains(package)) return [](const PackagePtr&) {};
+    if (use_ == Use::kTrial || runner_.environment_.withheld.contains(package)) return [](const PackagePtr&) {};
     PackageBoard& board = runner_.environment_.board;
     PackageBoard::Entry& entry = board.entry(package);
     return [&board, &entry](PackagePtr value) { board.send(entry, std::move(value)); };
@@ -52,8 +55,10 @@ class TaskRunner::Context final : public SolutionContext {
   }
 
  private:
-  TaskRunner& runner_;
+  const TaskRunner& runner_;
   const SolutionDescription& solution_;
+  DebugContext& debug_;
+  const Use use_;
 };
 
 TaskRunner::TaskRunner(std::string task, const Environment& environment)
@@ -71,6 +76,11 @@ TaskRunner::TaskRunner(std::string task, const Environment& environment)
 TaskRunner::~TaskRunner() = default;
 
 SolutionParameters* TaskRunner::parameters(const std::string& solution) {
+  const auto found = parameters_.find(solution);
+  return found == parameters_.end() ? nullptr : &found->second;
+}
+
+const SolutionParameters* TaskRunner::parameters(const std::string& solution) const {
   const auto found = parameters_.find(solution);
   return found == parameters_.end() ? nullptr : &found->second;
 }
@@ -118,29 +128,47 @@ Errors TaskRunner::filesOfNoSolution(const std::filesystem::path& folder) const 
   return errors;
 }
 
-Result<void> TaskRunner::select(const std::string& solution) {
+Result<const SolutionDescription*> TaskRunner::known(const std::string& solution) const {
   const SolutionDescription* description = SolutionRegistry::find(task_, solution);
-  if (description == nullptr) {
-    return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {},
-                   {task_, solution});
-  }
+  if (description != nullptr) return description;
+  return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {}, {task_, solution});
+}
+
+Result<std::unique_ptr<Solution>> TaskRunner::make(const SolutionDescription& solution, Context& context) const {
   const auto broken = [&](const std::string& why) {
-    return failure("solution.broken",
-                   "solution " + solution + " of task " + task_ + " could not be made: " + why, {},
-                   {task_, solution, why});
+    return failure("solution.broken", "solution " + solution.name + " of task " + task_ + " could not be made: " + why, {},
+                   {task_, solution.name, why});
   };
   try {
-    auto context = std::make_unique<Context>(*this, *description);
-    std::unique_ptr<Solution> made = description->create(*context);
+    std::unique_ptr<Solution> made = solution.create(context);
     if (!made) return broken("nothing was made");
-    solution_ = std::move(made);
-    context_ = std::move(context);
+    return made;
   } catch (const std::exception& exception) {
     return broken(exception.what());
   } catch (...) {
     return broken("an exception of unknown type");
   }
+}
+
+Result<void> TaskRunner::select(const std::string& solution) {
+  const auto description = known(solution);
+  if (!description) return tl::unexpected(description.error());
+  auto context = std::make_unique<Context>(*this, **description, environment_.debug, Context::Use::kRun);
+  auto made = make(**description, *context);
+  if (!made) return tl::unexpected(made.error());
+  solution_ = std::move(*made);
+  context_ = std::move(context);
   active_ = solution;
+  return {};
+}
+
+Result<void> TaskRunner::trySolution(const std::string& solution) const {
+  const auto description = known(solution);
+  if (!description) return tl::unexpected(description.error());
+  DebugContext unheard("", environment_.clock, {});
+  unheard.setRobot(environment_.robot.name);
+  Context context(*this, **description, unheard, Context::Use::kTrial);
+  if (const auto made = make(**description, context); !made) return tl::unexpected(made.error());
   return {};
 }
 

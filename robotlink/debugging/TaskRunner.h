@@ -35,11 +35,14 @@ class TaskRunner {
   const std::vector<const SolutionDescription*>& solutions() const { return solutions_; }
   /// Null if there is no such solution.
   SolutionParameters* parameters(const std::string& solution);
+  const SolutionParameters* parameters(const std::string& solution) const;
 
   Errors loadParameters(const ParameterSource& source);
   /// Makes a new object of the solution and only then destroys the one before; if its constructor throws,
   /// nothing changes.
   Result<void> select(const std::string& solution);
+  /// Whether select() would do it now: makes such an object, and destroys it without anybody having heard of it.
+  Result<void> trySolution(const std::string& solution) const;
   void execute();
 
  private:
@@ -50,6 +53,8 @@ class TaskRunner {
   };
   class Context;
 
+  Result<const SolutionDescription*> known(const std::string& solution) const;
+  Result<std::unique_ptr<Solution>> make(const SolutionDescription& solution, Context& context) const;
   void takeRecorded(const ParameterSource& source);
   void refreshInputs();
   Errors filesOfNoSolution(const std::filesystem::path& folder) const;

@@ -9,14 +9,16 @@ namespace robotlink {
 const DebugKey kTimingKey{"timing/tasks", "How long each task took, in real time"};
 
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
-                  robotcontrol::KeyTable& to) {
+                  robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen) {
   std::map<int, robotcontrol::KeyTable::Key> keys;  // by index
   keys[kTimingKey.index()].set_in_use(true);
   for (const auto& task : tasks) {
+    const auto other = chosen.find(task->task());
+    const std::string& active = other == chosen.end() ? task->active() : other->second;
     for (const SolutionDescription* solution : task->solutions()) {
       for (const int index : solution->keys) {
         keys[index].add_solutions(task->task() + "/" + solution->name);
-        if (solution->name == task->active()) keys[index].set_in_use(true);
+        if (solution->name == active) keys[index].set_in_use(true);
       }
     }
   }
@@ -46,7 +48,7 @@ std::string defaultSolution(const Layout& layout, const std::string& process, co
   for (const Layout::Process& candidate : layout.processes) {
     if (candidate.name != process) continue;
     for (const Layout::Task& known : candidate.tasks) {
-      if (known.task == task) return known.solution;
+      if (known.task == task) return known.ownSolution.empty() ? known.solution : known.ownSolution;
     }
   }
   return {};

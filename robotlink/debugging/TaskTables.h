@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -24,9 +25,9 @@ extern const DebugKey kTimingKey;
 using TaskRunners = std::vector<std::unique_ptr<TaskRunner>>;
 
 /// The keys of all solutions of a process's tasks, those of packages that it shows on request, and the
-/// stopwatches'.
+/// stopwatches'. `chosen`: solutions that tasks are to use from the next frame on, by task.
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
-                  robotcontrol::KeyTable& to);
+                  robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen = {});
 /// The key of one package that is shown on request.
 void fillPackageKey(const std::string& package, const robotcontrol::KeyMode& mode,
                     robotcontrol::KeyTable_Key& to);

@@ -20,6 +20,13 @@ struct Layout {
     std::string task;
     std::string solution;  ///< at the start
     FilePosition where;
+    std::string ownSolution = {};  ///< not in files: the layout's, if another one was chosen instead
+
+    /// Starts with another solution than the layout's own.
+    void choose(const std::string& chosen) {
+      if (ownSolution.empty()) ownSolution = solution;
+      solution = chosen;
+    }
   };
   struct Input {
     std::string package;

@@ -1,0 +1,136 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RequestPreview.h"
+
+#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Checksum.h"
+#include "robotlink/packages/Conversions.h"
+
+namespace robotlink {
+
+using robotcontrol::Request;
+
+namespace {
+
+std::string reasonOf(const Result<void>& result) { return result ? std::string() : result.error().text; }
+
+}  // namespace
+
+const TaskProcess* RequestPreview::processOf(const Request& request) const {
+  const std::string name = program_.debugProcess().processAsked(request);
+  for (const Process* process : program_.processes()) {
+    if (process->name() == name) return dynamic_cast<const TaskProcess*>(process);
+  }
+  return nullptr;
+}
+
+std::string RequestPreview::add(const Request& request) {
+  std::string refusal = program_.debugProcess().refusal(request);
+  if (!refusal.empty()) return refusal;
+  if (const TaskProcess* process = processOf(request)) refusal = addTo(*process, request);
+  if (refusal.empty() && request.has_set_key()) keys_[request.set_key().name()] = request.set_key().mode();
+  return refusal;
+}
+
+std::string RequestPreview::addTo(const TaskProcess& process, const Request& request) {
+  switch (request.what_case()) {
+    case Request::kSelectSolution:
+      return selectSolution(process, request.select_solution());
+    case Request::kSetParameters:
+      return setParameters(process, request.set_parameters());
+    case Request::kGetParameters: {
+      const auto& wish = request.get_parameters();
+      const std::string solution = solutionOf(process, wish.task(), wish.solution());
+      const SolutionParameters* known = process.solutionParameters(wish.task(), solution);
+      if (known == nullptr) return "task " + wish.task() + " has no solution '" + wish.solution() + "'";
+      if (known->message() != nullptr) return "";
+      return "solution " + wish.solution() + " of " + wish.task() + " has no parameters";
+    }
+    default:
+      return "";
+  }
+}
+
+std::string RequestPreview::selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& wish) {
+  std::string refusal = reasonOf(process.trySolution(wish.task(), wish.solution()));
+  if (refusal.empty()) solutions_[wish.task()] = wish.solution();
+  return refusal;
+}
+
+std::string RequestPreview::setParameters(const TaskProcess& process, const robotcontrol::SetParameters& wish) {
+  const std::string solution = solutionOf(process, wish.task(), wish.solution());
+  const SolutionParameters* known = process.solutionParameters(wish.task(), solution);
+  if (known == nullptr) return "task " + wish.task() + " has no solution '" + wish.solution() + "'";
+  const auto entry = parameters_.try_emplace({wish.task(), solution}, known->clone()).first;
+  return reasonOf(entry->second.set(wish.value()));
+}
+
+/// The one that is meant, the task's active one if it is empty.
+std::string RequestPreview::solutionOf(const TaskProcess& process, const std::string& task,
+                                       const std::string& solution) const {
+  if (!solution.empty()) return solution;
+  const auto chosen = solutions_.find(task);
+  return chosen != solutions_.end() ? chosen->second : process.activeSolution(task);
+}
+
+bool RequestPreview::answer(const Request& request) {
+  const std::string refusal = add(request);
+  if (refusal.empty()) {
+    tablesAsked_ |= request.has_send_tables() || request.has_set_key() || request.has_select_solution();
+    if (request.has_get_parameters() || request.has_set_parameters()) describeParameters(request);
+  }
+  auto& result = *message(streams::kResults).mutable_result();
+  result.set_id(request.id());
+  result.set_accepted(refusal.empty());
+  result.set_reason(refusal);
+  if (refusal.empty() && request.has_set_color_table()) result.set_checksum(checksum(request.set_color_table().table()));
+  return refusal.empty();
+}
+
+void RequestPreview::describeParameters(const Request& request) {
+  const TaskProcess& process = *processOf(request);
+  const std::string& task = request.has_get_parameters() ? request.get_parameters().task() : request.set_parameters().task();
+  const std::string solution = solutionOf(
+      process, task, request.has_get_parameters() ? request.get_parameters().solution() : request.set_parameters().solution());
+  auto& values = *message(streams::kParameters + (task + "/" + solution)).mutable_parameters();
+  values.set_task(task);
+  values.set_solution(solution);
+  const auto changed = parameters_.find({task, solution});
+  if (changed != parameters_.end()) {
+    changed->second.describe(values);
+  } else {
+    process.solutionParameters(task, solution)->describe(values);
+  }
+}
+
+void RequestPreview::describeTables() {
+  DebugProcess::Tables tables;
+  for (const Process* process : program_.processes()) {
+    const auto* tasks = dynamic_cast<const TaskProcess*>(process);
+    if (tasks == nullptr) continue;
+    auto& [keys, solutions] = tables[process->name()];
+    tasks->describe(solutions_, keys, solutions);
+  }
+  auto& keys = *message(streams::kKeys).mutable_keys();
+  auto& solutions = *message(streams::kSolutions).mutable_solutions();
+  program_.debugProcess().describe(tables, keys, solutions, *message(streams::kProcesses).mutable_processes());
+  for (auto& key : *keys.mutable_keys()) {
+    if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
+  }
+}
+
+robotcontrol::DebugMessage& RequestPreview::message(const std::string& path) {
+  if (!queue_) queue_ = std::make_shared<robotcontrol::DebugQueue>();
+  auto& added = *queue_->add_messages();
+  added.set_path(path);
+  return added;
+}
+
+std::shared_ptr<const robotcontrol::DebugQueue> RequestPreview::takeQueue(Instant now) {
+  if (std::exchange(tablesAsked_, false)) describeTables();
+  if (!queue_) return nullptr;
+  for (auto& message : *queue_->mutable_messages()) assign(*message.mutable_timestamp(), now);
+  return std::exchange(queue_, nullptr);
+}
+
+}  // namespace robotlink

@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RequestPreview.h"
+
+#include <gtest/gtest.h>
+
+#include "tests/robotlink/debugging/ToyRobot.h"
+
+using namespace robotlink;
+using namespace robotlink::testing;
+using robotcontrol::KeyMode;
+using robotcontrol::Request;
+
+namespace {
+
+Request select(const char* task, const char* solution) {
+  Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  return request;
+}
+
+Request getParameters(const char* task, const char* solution) {
+  Request request;
+  request.mutable_get_parameters()->set_task(task);
+  request.mutable_get_parameters()->set_solution(solution);
+  return request;
+}
+
+Request setParameters(const char* task, const char* solution, double x, const char* type = "robotcontrol.Velocity2") {
+  Request request;
+  auto& wish = *request.mutable_set_parameters();
+  wish.set_task(task);
+  wish.set_solution(solution);
+  robotcontrol::Velocity2 value;
+  value.set_x(x);
+  wish.mutable_value()->set_type(type);
+  wish.mutable_value()->set_data(value.SerializeAsString());
+  return request;
+}
+
+Request setKey(const char* key, KeyMode::Kind kind, unsigned n = 0) {
+  Request request;
+  request.mutable_set_key()->set_name(key);
+  request.mutable_set_key()->mutable_mode()->set_kind(kind);
+  request.mutable_set_key()->mutable_mode()->set_n(n);
+  return request;
+}
+
+Request colorTable(std::string cells) {
+  Request request;
+  request.mutable_set_color_table()->mutable_table()->set_cells(std::move(cells));
+  return request;
+}
+
+/// Every kind of request, with answers of every kind.
+std::vector<Request> manyRequests() {
+  std::vector<Request> all{select("behavior", "obey"),          select("behavior", "dance"),
+                           select("ball-percept", "broken"),    select("ball-percept", "untidy"),
+                           select("ball-model", "oracle"),      select("flying", "high"),
+                           getParameters("ball-percept", "region"), getParameters("ball-percept", ""),
+                           getParameters("motion", "walk"),     getParameters("ball-percept", "x"),
+                           setParameters("ball-percept", "region", 7), setParameters("ball-percept", "", 8),
+                           setParameters("ball-percept", "region", 7, "robotcontrol.Pose2"),
+                           setParameters("motion", "walk", 7),  setKey("ball-percept/dot", KeyMode::ALWAYS),
+                           setKey("ball-percept/dott", KeyMode::ALWAYS), setKey("ball-percept/dot", KeyMode::EVERY_N),
+                           setKey("package/models/ball", KeyMode::N_TIMES, 3), setKey("package/nothing", KeyMode::ALWAYS),
+                           setKey("package/oracle/classes", KeyMode::ALWAYS), colorTable("ten cells."), colorTable("")};
+  Request request;
+  request.mutable_send_tables();
+  all.push_back(request);
+  request.mutable_record_packages()->add_packages("models/ball");
+  all.push_back(request);
+  request.mutable_motion();
+  all.push_back(request);
+  request.mutable_set_goal();
+  all.push_back(request);
+  request.mutable_stop();
+  all.push_back(request);
+  return all;
+}
+
+const robotcontrol::DebugMessage* last(const robotcontrol::DebugQueue& queue, const std::string& path) {
+  const robotcontrol::DebugMessage* found = nullptr;
+  for (const auto& message : queue.messages()) {
+    if (message.path() == path) found = &message;
+  }
+  return found;
+}
+
+}  // namespace
+
+TEST(RequestPreview, givesTheAnswersThatTheProgramGivesWhenItRuns) {
+  ToyRobot robot;
+  robot.run(20);
+  for (const Request& request : manyRequests()) {
+    RequestPreview preview(*robot.program);
+    const bool accepted = preview.answer(request);
+    const auto queue = preview.takeQueue(robot.clock.now());
+    ASSERT_NE(queue, nullptr);
+    const auto real = robot.ask(request);
+    EXPECT_EQ(accepted, real.accepted()) << request.ShortDebugString();
+    const auto& foretold = last(*queue, "results")->result();
+    EXPECT_EQ(foretold.reason(), real.reason()) << request.ShortDebugString();
+    EXPECT_EQ(foretold.checksum(), real.checksum()) << request.ShortDebugString();
+    for (const auto& message : queue->messages()) EXPECT_TRUE(message.has_timestamp());
+  }
+}
+
+TEST(RequestPreview, eachRequestSeesWhatThoseBeforeItChange) {
+  ToyRobot robot;
+  RequestPreview preview(*robot.program);
+  EXPECT_TRUE(preview.answer(setParameters("ball-percept", "region", 7)));
+  EXPECT_TRUE(preview.answer(getParameters("ball-percept", "region")));
+  EXPECT_TRUE(preview.answer(select("behavior", "obey")));
+  EXPECT_TRUE(preview.answer(setKey("ball-percept/dot", KeyMode::EVERY_N, 4)));
+  const auto queue = preview.takeQueue(robot.clock.now());
+  robotcontrol::Velocity2 value;
+  value.ParseFromString(last(*queue, "parameters/ball-percept/region")->parameters().value().data());
+  EXPECT_EQ(value.x(), 7);
+  const auto& solutions = last(*queue, "tables/solutions")->solutions();
+  ASSERT_EQ(solutions.tasks_size(), 4);
+  EXPECT_EQ(solutions.tasks(2).active(), "obey");
+  EXPECT_EQ(solutions.tasks(2).default_solution(), "go");
+  for (const auto& key : last(*queue, "tables/keys")->keys().keys()) {
+    const bool chosen = key.name() == "ball-percept/dot";
+    EXPECT_EQ(key.mode().kind(), chosen ? KeyMode::EVERY_N : KeyMode::OFF) << key.name();
+  }
+  EXPECT_EQ(last(*queue, "tables/processes")->processes().processes_size(), 4) << "platform and processes";
+  EXPECT_EQ(preview.takeQueue(robot.clock.now()), nullptr) << "it was taken";
+}
+
+TEST(RequestPreview, changesNothingOfWhatTheProgramDoesAndTells) {
+  ToyRobot looked, other;
+  for (ToyRobot* robot : {&looked, &other}) {
+    robot->run(20);
+    for (const Request& request : manyRequests()) robot->program->debugProcess().request(request);
+  }
+  const int before = livingSolutions();
+  RequestPreview preview(*looked.program);
+  for (const Request& request : manyRequests()) preview.answer(request);
+  EXPECT_NE(preview.takeQueue(looked.clock.now()), nullptr);
+  EXPECT_EQ(livingSolutions(), before) << "what was made to see whether it can be is gone";
+  for (ToyRobot* robot : {&looked, &other}) robot->run(50);
+  EXPECT_EQ(looked.platform.requests(), other.platform.requests());
+  ASSERT_EQ(looked.heard.size(), other.heard.size());
+  for (std::size_t i = 0; i < looked.heard.size(); ++i) {
+    EXPECT_EQ(looked.heard[i].SerializeAsString(), other.heard[i].SerializeAsString()) << i;
+  }
+}
+
+TEST(RequestPreview, aProcessThatHasFailedRefusesWithItsReason) {
+  ToyRobot robot;
+  ASSERT_TRUE(robot.select("ball-model", "throwing").accepted());
+  robot.run(20);
+  RequestPreview preview(*robot.program);
+  EXPECT_EQ(preview.add(select("behavior", "obey")), robot.select("behavior", "obey").reason());
+  EXPECT_NE(preview.add(select("behavior", "obey")).find("no covariance"), std::string::npos);
+}
