@@ -2,6 +2,7 @@
 #include "app/core/PioneerFeed.h"
 
 #include "app/core/SceneMessages.h"
+#include "foxglove/Robot.pb.h"
 #include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -57,8 +58,18 @@ robotlink::Result<PlatformFeed::Answer> PioneerFeed::fulfil(const robotcontrol::
   return PioneerRun::isOfPlatform(request) ? Answer::kHere : Answer::kByProgram;
 }
 
+robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayout(file);
+  if (!errors.empty()) return errors;
+  for (const std::string& lost : run_->lostChoices()) {
+    outlet_.tellText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
+  }
+  return {};
+}
+
 LoadedPlatform PioneerFeed::describe() const {
   LoadedPlatform loaded;
+  loaded.lostChoices = run_->lostChoices();
   loaded.robots[run_->options().robot] = run_->description();
   loaded.field = run_->field();
   loaded.layout = run_->layout();

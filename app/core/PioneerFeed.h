@@ -21,7 +21,7 @@ class PioneerFeed final : public PlatformFeed {
   void step() override;
   /// STOP acts whatever the program does.
   robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
-  robotlink::Errors setLayout(const std::filesystem::path& file) override { return run_->setLayout(file); }
+  robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
 

@@ -29,7 +29,8 @@ std::filesystem::path descriptionFile(const std::string& kind) { return robotlin
 PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder)
     : options_(std::move(options)),
       listeners_(std::move(listeners)),
-      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
+      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr),
+      requests_(std::make_unique<ProgramRequests>(options_.robot)) {}
 
 PioneerRun::~PioneerRun() {
   stop();
@@ -78,6 +79,7 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> PioneerRun::makeProgram(cons
                                       {.folder = robotlink::resource("parameters/" + description_->name)});
   if (!program) return program;
   (*program)->debugProcess().setListener([this](auto queue) {
+    requests_->answered(*queue);
     if (tap_) tap_->add(options_.robot, queue);
     if (listeners_.queue) listeners_.queue(options_.robot, std::move(queue));
   });
@@ -96,7 +98,8 @@ void PioneerRun::start(std::unique_ptr<RobotProgram> program) {
     tap_->attach(options_.robot, *platform_, *program_, programSetup(*program_, *platform_, files));
     if (map_) tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map_, clock_.now())});
   }
-  for (const auto& request : wishes_.requests(options_.robot)) handIn(request);
+  lostChoices_ = requests_->begin(*program_);
+  handIn();
   for (robotlink::Process* process : program_->processes()) threads_->add(*process);
   threads_->start();
 }
@@ -125,7 +128,6 @@ Errors PioneerRun::setLayout(const std::filesystem::path& file) {
   if (!program) return program.error();
   stop();
   options_.layout = file;
-  wishes_.forgetSolutions();
   start(std::move(*program));
   return {};
 }
@@ -143,17 +145,20 @@ robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request
     return {};
   }
   if (request.has_control_drive()) return platform_->control(request.control_drive());
-  wishes_.note(request);
-  if (handIn(request)) return {};
+  if (requests_->ask(request) && handIn()) return {};
   return robotlink::failure("request.queue-full",
                             options_.robot + " does not take requests now: too many wait already", {}, {options_.robot});
 }
 
-/// False: too many wait, this one was dropped.
-bool PioneerRun::handIn(const robotcontrol::Request& request) {
-  if (!program_->debugProcess().request(request)) return false;
-  if (tap_) tap_->handedIn(request);
-  return true;
+/// False: too many wait, some were dropped.
+bool PioneerRun::handIn() {
+  bool taken = true;
+  for (const auto& request : requests_->take()) {
+    const bool accepted = program_->debugProcess().request(request);
+    if (accepted && tap_) tap_->handedIn(request);
+    taken = taken && accepted;
+  }
+  return taken;
 }
 
 }  // namespace app

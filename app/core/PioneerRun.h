@@ -8,7 +8,7 @@
 #include <string>
 
 #include "app/core/PioneerPlatform.h"
-#include "app/core/ProgramWishes.h"
+#include "app/core/ProgramRequests.h"
 #include "robotlink/process/ThreadExecutor.h"
 
 namespace logplayer {
@@ -59,7 +59,10 @@ class PioneerRun {
 
   void step();
   /// Starts the program anew in another layout while the robot stays connected. If that is not possible, all goes on as before.
+  /// What a person chose stays so where the layout has it.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// What of the choices the program that runs now cannot fulfill, a sentence each.
+  const std::vector<std::string>& lostChoices() const { return lostChoices_; }
   /// Hands a request to the program, or STOP and what concerns the base to the platform.
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// Whether the platform fulfils such a request itself.
@@ -81,7 +84,7 @@ class PioneerRun {
   void start(std::unique_ptr<robotlink::RobotProgram> program);
   void stop();
   void tellTrouble(const robotlink::Process& process, const std::string& text) const;
-  bool handIn(const robotcontrol::Request& request);
+  bool handIn();
 
   PioneerOptions options_;
   Listeners listeners_;
@@ -90,7 +93,8 @@ class PioneerRun {
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::shared_ptr<const robotlink::GroundMap> map_;
   std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
-  ProgramWishes wishes_;
+  std::unique_ptr<ProgramRequests> requests_;
+  std::vector<std::string> lostChoices_;
   std::unique_ptr<PioneerPlatform> platform_;
   std::unique_ptr<robotlink::RobotProgram> program_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;

@@ -28,6 +28,8 @@ struct LoadedPlatform {
   std::optional<RunOptions> simulation;
   std::optional<PioneerOptions> pioneer;  ///< a real robot
   std::vector<ReplayLog> logs;  ///< not empty: they are replayed
+  /// What a person chose for the programs before, and they cannot fulfill in this layout; a sentence each.
+  std::vector<std::string> lostChoices;
 
   /// For the window's title: "field2002", "game.mcap", "tcp://localhost:8101"; empty if nothing is loaded.
   std::string name() const;

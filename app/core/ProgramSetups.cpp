@@ -99,7 +99,7 @@ tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(const std::fil
   for (auto& process : layout->processes) {
     for (auto& task : process.tasks) {
       const auto chosen = solutions.find(task.task);
-      if (chosen != solutions.end()) task.solution = chosen->second;
+      if (chosen != solutions.end()) task.choose(chosen->second);
     }
   }
   return layout;

@@ -60,10 +60,6 @@ void ReplayFeed::goOnLike(const ReplayFeed& before) {
   playback_ = before.playback_;
   playback_.jumped(Clock::now(), place());
   run_->setStepProcess(before.run_->stepProcess());
-  for (const auto& [what, request] : before.chosen_) {
-    if (run_->request(request)) stale_ = true;
-    chosen_.insert_or_assign(what, request);
-  }
 }
 
 ReplayOptions ReplayFeed::options() const {
@@ -73,6 +69,7 @@ ReplayOptions ReplayFeed::options() const {
   for (const auto& package : status.packages()) {
     if (package.chosen()) options.packages[package.package()] = package.source();
   }
+  options.wishes = run_->wishes();
   return options;
 }
 
@@ -174,6 +171,7 @@ LoadedPlatform ReplayFeed::describe() const {
   loaded.field = run_->field();
   loaded.layout = run_->options().layout;
   loaded.logs = run_->options().logs;
+  loaded.lostChoices = run_->lostChoices();
   return loaded;
 }
 

@@ -74,8 +74,6 @@ class ReplayFeed final : public PlatformFeed {
   Outlet outlet_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
-  // What programs were asked for and keep: solutions, parameters, colour tables; each as it was asked for last.
-  std::map<std::string, robotcontrol::Request> chosen_;
   bool stale_ = false;  // a program was asked for something that it has not yet done with the log where it stands
   Clock::time_point lastStatus_;
 };

@@ -17,14 +17,6 @@ namespace {
 
 Instant instantOf(std::int64_t time) { return Instant(robotlink::Duration(time)); }
 
-/// What a request sets that a program keeps; empty: nothing. A later one for the same takes its place.
-std::string whatIsKept(const robotcontrol::Request& request) {
-  if (request.has_select_solution()) return request.robot() + " solution " + request.select_solution().task();
-  if (request.has_set_color_table()) return request.robot() + " color table";
-  if (!request.has_set_parameters()) return {};
-  return request.robot() + " parameters " + request.set_parameters().task() + "/" + request.set_parameters().solution();
-}
-
 }  // namespace
 
 Result<PlatformFeed::Answer> ReplayFeed::fulfil(const robotcontrol::Request& request) {
@@ -46,10 +38,6 @@ Result<void> ReplayFeed::askProgram(const robotcontrol::Request& request) {
   auto done = run_->request(request);
   if (!done || request.has_record_packages()) return done;
   stale_ = true;
-  if (const std::string kept = whatIsKept(request); !kept.empty()) {
-    auto& chosen = chosen_[kept] = request;
-    chosen.clear_id();  // It was answered then.
-  }
   return done;
 }
 

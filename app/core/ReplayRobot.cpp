@@ -85,13 +85,14 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   auto logged = loggedSetupAt(time);
   auto setup = readReplaySetup(logged ? &*logged : nullptr, logName_, choices_.layout);
   if (!setup) return setup.error();
+  const auto& solutions = choices_.wishes.solutions();
   for (auto& process : setup->layout.processes) {
     for (auto& task : process.tasks) {
-      const auto chosen = choices_.solutions.find(task.task);
-      if (chosen != choices_.solutions.end()) task.solution = chosen->second;
+      const auto chosen = solutions.find(task.task);
+      if (chosen != solutions.end()) task.choose(chosen->second);
     }
   }
-  for (const auto& [solution, values] : choices_.parameters) setup->parameters.recorded.push_back(values);
+  for (const auto& [solution, values] : choices_.wishes.parameters()) setup->parameters.recorded.push_back(values);
   if (setup->team.empty()) setup->team = teamOf(logName_);
   setup->map = loggedMapAt(time);
   setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
@@ -130,6 +131,20 @@ Errors ReplayRobot::playOnly(const Errors& why) {
   setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " + robotlink::describe(why));
   setup_ = std::make_shared<const ReplaySetup>(std::move(setup));
   return makeProgram();
+}
+
+std::vector<std::string> ReplayRobot::lostChoices() const {
+  std::vector<std::string> lost;
+  for (const auto& [task, solution] : choices_.wishes.solutions()) {
+    const auto uses = [&](const auto& process) {
+      return std::any_of(process.tasks.begin(), process.tasks.end(),
+                         [&](const auto& own) { return own.task == task && own.solution == solution; });
+    };
+    const auto& processes = setup_->layout.processes;
+    if (std::any_of(processes.begin(), processes.end(), uses)) continue;
+    lost.push_back(name_ + " could not keep solution " + solution + " of task " + task + ": no process of this layout has " + task);
+  }
+  return lost;
 }
 
 ReplayWishes ReplayRobot::wishes() const {
@@ -190,8 +205,9 @@ tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::program
   auto program = robotlink::RobotProgram::create(robot, plan.layout, made->platform, setup_->parameters);
   if (!program) return tl::unexpected(program.error());
   made->program = std::move(*program);
-  made->program->setKeys(choices_.keys);
-  std::set<std::string> recorded = choices_.recordedPackages;
+  made->program->setKeys(choices_.wishes.keys());
+  const auto& wished = choices_.wishes.recordedPackages();
+  std::set<std::string> recorded(wished.begin(), wished.end());
   if (choices_.tellPackages) {
     const auto yielded = made->program->yieldedPackages();
     recorded.insert(yielded.begin(), yielded.end());
@@ -254,7 +270,7 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
     const auto message = before(package, hasRequests() ? earlier : time);
     if (message) program_->program->debugProcess().offer(message->value);
   }
-  if (choices_.colorTable) program_->program->debugProcess().offer(choices_.colorTable);
+  if (const auto& table = choices_.wishes.colorTable()) program_->program->debugProcess().offer(table);
 }
 
 }  // namespace app

@@ -12,6 +12,7 @@
 
 #include "app/core/LoggedPaths.h"
 #include "app/core/PackageDifferences.h"
+#include "app/core/ProgramWishes.h"
 #include "app/core/ReplayPlan.h"
 #include "app/core/ReplaySetup.h"
 #include "logplayer/LogFile.h"
@@ -27,12 +28,8 @@ namespace app {
 /// What a person chose for a robot of a log; it outlives the programs that are made of it.
 struct ReplayChoices {
   std::filesystem::path layout;                  ///< empty: the log's
-  std::map<std::string, std::string> solutions;  ///< by task
+  ProgramWishes wishes;  ///< against the layout and the log
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
-  std::map<std::string, robotcontrol::KeyMode> keys;
-  std::map<std::pair<std::string, std::string>, robotcontrol::ParameterValues> parameters;  ///< by task and solution
-  std::shared_ptr<const robotcontrol::ColorTable> colorTable;  ///< null: the log's
-  std::set<std::string> recordedPackages;  ///< that are told whether or not their keys are on
   bool tellPackages = false;  ///< all are told so
 };
 
@@ -55,6 +52,8 @@ class ReplayRobot {
   /// What the program here is made of, as a log of it would tell.
   std::shared_ptr<const robotcontrol::ProgramSetup> ownSetup() const { return ownSetup_; }
   const ReplayChoices& choices() const { return choices_; }
+  /// What of them the program here cannot fulfill, a sentence each.
+  std::vector<std::string> lostChoices() const;
 
   /// Makes a new program as it is to be at a time, and gives it what the log holds before. If that is not possible, the one
   /// before goes on.

@@ -82,14 +82,14 @@ void ReplayRobot::takeRequest(const Request& request) {
   bool counts = false;
   if (request.has_select_solution()) {
     const std::string& task = request.select_solution().task();
-    counts = plan_.runs(task) && !choices_.solutions.contains(task);
+    counts = plan_.runs(task) && !choices_.wishes.solutions().contains(task);
   } else if (request.has_set_parameters()) {
     const auto& wish = request.set_parameters();
-    counts = plan_.runs(wish.task()) && !choices_.parameters.contains({wish.task(), wish.solution()});
+    counts = plan_.runs(wish.task()) && !choices_.wishes.parameters().contains({wish.task(), wish.solution()});
   } else if (request.has_motion() || request.has_set_goal()) {
     counts = true;
   } else if (request.has_set_color_table()) {
-    counts = choices_.colorTable == nullptr;
+    counts = choices_.wishes.colorTable() == nullptr;
   }
   if (!counts) return;
   due_.push_back(request);
@@ -152,37 +152,10 @@ bool ReplayRobot::isAvailable(const std::string& task, const std::string& soluti
 }
 
 void ReplayRobot::remember(const Request& request) {
-  if (request.has_set_key()) {
-    const auto& mode = request.set_key().mode();
-    // What was to happen n times has happened.
-    if (mode.kind() == robotcontrol::KeyMode::OFF || mode.kind() == robotcontrol::KeyMode::N_TIMES) {
-      choices_.keys.erase(request.set_key().name());
-    } else {
-      choices_.keys[request.set_key().name()] = mode;
-    }
-    return;
-  }
-  if (request.has_record_packages()) {
-    choices_.recordedPackages = {request.record_packages().packages().begin(),
-                                 request.record_packages().packages().end()};
-    return;
-  }
-  if (request.has_select_solution()) {
-    const auto& wish = request.select_solution();
-    if (!isAvailable(wish.task(), wish.solution())) return;
-    choices_.solutions[wish.task()] = wish.solution();
-  } else if (request.has_set_parameters()) {
-    const auto& wish = request.set_parameters();
-    auto& values = choices_.parameters[{wish.task(), wish.solution()}];
-    values.set_task(wish.task());
-    values.set_solution(wish.solution());
-    *values.mutable_value() = wish.value();
-  } else if (request.has_set_color_table()) {
-    choices_.colorTable = std::make_shared<const robotcontrol::ColorTable>(request.set_color_table().table());
-  } else {
-    return;
-  }
-  differences_.clear();
+  const auto& solution = request.select_solution();
+  if (request.has_select_solution() && !isAvailable(solution.task(), solution.solution())) return;
+  if (!choices_.wishes.note(request)) return;
+  if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
 }
 
 void ReplayRobot::noticeAnswers(const robotcontrol::DebugQueue& queue) {

@@ -107,8 +107,9 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     const std::string name = freeName(logName);
     ReplayChoices choices;
     choices.layout = options.layout;
-    choices.solutions = options.solutions;
-    choices.colorTable = colorTable;
+    if (const auto before = options.wishes.find(name); before != options.wishes.end()) choices.wishes = before->second;
+    for (const auto& [task, solution] : options.solutions) choices.wishes.chooseSolution(task, solution);
+    if (colorTable) choices.wishes.chooseColorTable(colorTable);
     choices.tellPackages = options.tellPackages;
     for (const std::string& prefix : {std::string("*/"), name + "/"}) {
       for (const auto& [package, choice] : options.packages) {
@@ -330,10 +331,7 @@ Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::Pack
 }
 
 Errors ReplayRun::setLayout(const std::filesystem::path& file) {
-  Errors errors = implementation_->changeChoices([&](const std::string&, ReplayChoices& choices) {
-    choices.layout = file;
-    choices.solutions.clear();
-  });
+  Errors errors = implementation_->changeChoices([&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
   if (errors.empty()) implementation_->options.layout = file;
   return errors;
 }
@@ -355,6 +353,24 @@ robotlink::Result<void> ReplayRun::request(const robotcontrol::Request& request)
                               {request.robot()});
   }
   return robot->request(request);
+}
+
+std::map<std::string, ProgramWishes> ReplayRun::wishes() const {
+  std::map<std::string, ProgramWishes> all;
+  for (const auto& source : implementation_->sources) {
+    for (const auto& robot : source->robots) all[robot->name()] = robot->choices().wishes;
+  }
+  return all;
+}
+
+std::vector<std::string> ReplayRun::lostChoices() const {
+  std::vector<std::string> all;
+  for (const auto& source : implementation_->sources) {
+    for (const auto& robot : source->robots) {
+      for (std::string& lost : robot->lostChoices()) all.push_back(std::move(lost));
+    }
+  }
+  return all;
 }
 
 bool ReplayRun::step() { return implementation_->step(); }

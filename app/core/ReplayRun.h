@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "app/core/ProgramWishes.h"
 #include "logplayer/LogFile.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
@@ -41,6 +42,7 @@ struct ReplayOptions {
   /// "compact".
   std::filesystem::path layout;
   std::map<std::string, std::string> solutions;  ///< task -> solution, instead of the layout's
+  std::map<std::string, ProgramWishes> wishes;   ///< what a person chose before for a robot, by its name
   /// By "<robot>/<package>", or "*/<package>" for all robots; what is not named is chosen by what the logs hold.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
   std::filesystem::path colorTable;  ///< .c64; empty: the one in the log
@@ -106,6 +108,10 @@ class ReplayRun {
   /// step process.
   void describe(robotcontrol::ReplayStatus& status) const;
   const ReplayOptions& options() const;
+  /// By the robot's name.
+  std::map<std::string, ProgramWishes> wishes() const;
+  /// What of these the programs that run now cannot fulfill, a sentence each.
+  std::vector<std::string> lostChoices() const;
   std::vector<std::string> robots() const;
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
   std::shared_ptr<const robotlink::FieldDescription> field() const;

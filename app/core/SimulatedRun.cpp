@@ -86,7 +86,7 @@ Errors SimulatedRun::describeRobots() {
       if (!read) return read.error();
       description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
     }
-    robots_.push_back({robot.name, description, nullptr, nullptr});
+    robots_.push_back({robot.name, description, nullptr, nullptr, std::make_shared<ProgramRequests>(robot.name)});
   }
   return {};
 }
@@ -134,11 +134,12 @@ tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot&
   auto program = robotlink::RobotProgram::create(
       setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});
   if (!program) return tl::unexpected(program.error());
-  (*program)->debugProcess().setListener([this, name = robot.name](auto queue) {
+  (*program)->debugProcess().setListener([this, name = robot.name, requests = robot.requests](auto queue) {
+    requests->answered(*queue);
     if (tap_) tap_->add(name, queue);
     if (listeners_.queue) listeners_.queue(name, std::move(queue));
   });
-  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.wishes};
+  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.requests};
 }
 
 void SimulatedRun::startPrograms(std::vector<Robot> robots) {
@@ -160,9 +161,11 @@ void SimulatedRun::startPrograms(std::vector<Robot> robots) {
         }});
   }
   if (tap_) recordWorld();
+  lostChoices_.clear();
   for (Robot& robot : robots_) {
     if (tap_) record(robot);
-    askAgain(robot);
+    for (std::string& lost : robot.requests->begin(*robot.program)) lostChoices_.push_back(std::move(lost));
+    if (threads_) handIn(robot);
     if (lockstep_) lockstep_->add(*robot.platform);
     for (robotlink::Process* process : robot.program->processes()) {
       if (lockstep_) lockstep_->add(*process);
@@ -211,6 +214,7 @@ void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::str
 }
 
 void SimulatedRun::step() {
+  for (Robot& robot : robots_) handIn(robot);
   if (tap_) tap_->askForPackages();
   if (ports_) ports_->serve({});
   if (lockstep_) {
@@ -276,9 +280,6 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   auto programs = makePrograms(layouts);
   if (!programs) return programs.error();
   options_.layouts = std::move(layouts);
-  for (Robot& robot : *programs) {
-    if (changed.contains(robot.description->name)) robot.wishes.forgetSolutions();
-  }
   startPrograms(std::move(*programs));
   return {};
 }
@@ -310,8 +311,7 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
       return {};
     }
     if (request.has_control_drive()) return robot.platform->control(request.control_drive());
-    robot.wishes.note(request);
-    if (robot.program && handIn(robot, request)) return {};
+    if (robot.requests->ask(request)) return {};
     return robotlink::failure("request.queue-full",
                               "robot " + robot.name + " does not take requests now: too many wait already", {},
                               {robot.name});
@@ -319,15 +319,20 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {}, {request.robot()});
 }
 
-/// False: too many wait, this one was dropped.
-bool SimulatedRun::handIn(Robot& robot, const robotcontrol::Request& request) {
-  if (!robot.program->debugProcess().request(request)) return false;
-  if (tap_) tap_->handedIn(request);
-  return true;
+void SimulatedRun::handIn(Robot& robot) {
+  robot.requests->ran();
+  for (const auto& request : robot.requests->take()) {
+    if (robot.program->debugProcess().request(request) && tap_) tap_->handedIn(request);
+  }
 }
 
-void SimulatedRun::askAgain(Robot& robot) {
-  for (const auto& request : robot.wishes.requests(robot.name)) handIn(robot, request);
+void SimulatedRun::tellAnswersToCome() {
+  if (!lockstep_ || !listeners_.queue) return;
+  for (Robot& robot : robots_) {
+    if (auto queue = robot.requests->answersToCome(*robot.program, world_->clock().now())) {
+      listeners_.queue(robot.name, std::move(queue));
+    }
+  }
 }
 
 std::vector<std::string> SimulatedRun::stoppedRobots() const {

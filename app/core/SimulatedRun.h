@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "app/core/ArcosPorts.h"
-#include "app/core/ProgramWishes.h"
+#include "app/core/ProgramRequests.h"
 #include "app/core/SimulatedPlatform.h"
 #include "app/core/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
@@ -76,12 +76,18 @@ class SimulatedRun {
 
   /// One step of the platforms, and of all processes that it lets run.
   void step();
-  /// World and programs as they were at the start, with another seed; debug keys and solutions stay as they were chosen.
+  /// While no step is made, in lockstep: tells the listener of queues what the programs will answer in their next frames to what
+  /// they were asked and have not answered, with the tables and parameters that follow from it. Neither the programs nor what is
+  /// recorded know of it, so that a run is the same however long it is paused.
+  void tellAnswersToCome();
+  /// World and programs as they were at the start, with another seed; what a person chose for the programs stays as it is.
   /// If the programs cannot be made anew, all goes on as before.
   robotlink::Errors reset(std::uint64_t seed);
-  /// Starts the programs anew in another layout, with its solutions, while the world stays as it is: those of the robots of
-  /// all kinds that can be run in it. If there are none, all goes on as before.
+  /// Starts the programs anew in another layout, while the world stays as it is: those of the robots of all kinds that can be
+  /// run in it. If there are none, all goes on as before. What a person chose stays so where the layout has it.
   robotlink::Errors setLayout(const std::filesystem::path& file);
+  /// What of the choices the programs that run now cannot fulfill, a sentence each.
+  const std::vector<std::string>& lostChoices() const { return lostChoices_; }
 
   SimulatedWorld& world() { return *world_; }
   const SimulatedWorld& world() const { return *world_; }
@@ -110,7 +116,7 @@ class SimulatedRun {
     std::shared_ptr<const robotlink::RobotDescription> description;
     std::unique_ptr<SimulatedPlatform> platform;
     std::unique_ptr<robotlink::RobotProgram> program;
-    ProgramWishes wishes = {};
+    std::shared_ptr<ProgramRequests> requests;  // of all its programs
   };
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
@@ -122,10 +128,9 @@ class SimulatedRun {
   tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
   void startPrograms(std::vector<Robot> robots);
   void record(Robot& robot);
-  bool handIn(Robot& robot, const robotcontrol::Request& request);
+  void handIn(Robot& robot);
   void recordWorld();
   void recordStep();
-  void askAgain(Robot& robot);
   void stopPrograms();
   void tellTrouble(const robotlink::Process& process, const std::string& text);
   void stepThreads();
@@ -137,6 +142,7 @@ class SimulatedRun {
   std::unique_ptr<ArcosPorts> ports_;  // null: there are none
   std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
   std::vector<Robot> robots_;
+  std::vector<std::string> lostChoices_;
   int stepsToTransforms_ = 0;
   std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;

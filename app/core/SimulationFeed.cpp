@@ -57,6 +57,7 @@ void SimulationFeed::begin() {
     tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""), foxglove::Log::INFO);
     if (!ports->warning().empty()) tellOfPorts(ports->warning(), foxglove::Log::WARNING);
   }
+  tellAnswers();
 }
 
 std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
@@ -76,6 +77,12 @@ void SimulationFeed::step() {
     publishTransforms();
   }
   if (single || real - lastStatus_ >= kStatusEvery) publishStatus();
+  tellAnswers();
+}
+
+/// While it is paused there are no frames in which the programs could answer.
+void SimulationFeed::tellAnswers() {
+  if (!running_ && stepsWanted_ == 0) run_->tellAnswersToCome();
 }
 
 LoadedPlatform SimulationFeed::describe() const {
@@ -84,6 +91,7 @@ LoadedPlatform SimulationFeed::describe() const {
   loaded.field = run_->field();
   loaded.layout = run_->layout();
   loaded.simulation = run_->options();
+  loaded.lostChoices = run_->lostChoices();
   return loaded;
 }
 
@@ -102,6 +110,7 @@ robotlink::Result<PlatformFeed::Answer> SimulationFeed::fulfil(const robotcontro
   } else {
     done = run_->request(request);
   }
+  tellAnswers();
   if (!done) return tl::unexpected(done.error());
   return request.robot().empty() || SimulatedRun::isOfPlatform(request) ? Answer::kHere : Answer::kByProgram;
 }
@@ -127,6 +136,21 @@ robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimul
       break;
   }
   return {};
+}
+
+robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayout(file);
+  if (errors.empty()) {
+    tellAnswers();
+    tellLostChoices();
+  }
+  return errors;
+}
+
+void SimulationFeed::tellLostChoices() {
+  for (const std::string& lost : run_->lostChoices()) {
+    outlet_.tellText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
+  }
 }
 
 robotlink::Result<void> SimulationFeed::reset() {

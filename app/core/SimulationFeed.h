@@ -31,9 +31,9 @@ class SimulationFeed final : public PlatformFeed {
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
   void step() override;
-  /// STOP acts even while the simulation is paused.
+  /// STOP acts even while the simulation is paused, and requests to programs are answered then, too.
   robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
-  robotlink::Errors setLayout(const std::filesystem::path& file) override { return run_->setLayout(file); }
+  robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
 
@@ -47,6 +47,8 @@ class SimulationFeed final : public PlatformFeed {
   void restartPace() { pace_.restart(Clock::now(), now()); }
   robotlink::Result<void> control(const robotcontrol::ControlSimulation& control);
   robotlink::Result<void> reset();
+  void tellAnswers();
+  void tellLostChoices();
   void publishScene();
   void publishTransforms();
 

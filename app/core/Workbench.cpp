@@ -170,6 +170,9 @@ void Workbench::takeIn(Outcome outcome) {
     for (const std::string& robot : robots) switchKeysOn(robot);
   }
   if (onLoaded_) onLoaded_(*loaded_);
+  robotlink::Errors lost;
+  for (const std::string& text : loaded_->lostChoices) lost.push_back({"choices.lost", text, {}, {}});
+  if (!lost.empty()) tell(lost);
 }
 
 void Workbench::switchKeysOn(const std::string& robot) {

@@ -11,6 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/base/Resources.h"
 #include "robotlink/session/QueueMessages.h"
 
 using namespace app;
@@ -32,6 +33,10 @@ class Ears {
               const std::lock_guard lock(mutex_);
               troubles_ += text + "\n";
             }};
+  }
+  void forget() {
+    const std::lock_guard lock(mutex_);
+    newest_.clear();
   }
   template <typename T>
   std::shared_ptr<const T> newest(const std::string& path) {
@@ -137,6 +142,32 @@ TEST_F(PioneerRunTest, anotherLayoutLeavesTheRobotConnected) {
   EXPECT_FALSE(run_->setLayout("no-such-layout.yaml").empty());
   run_->step();
   EXPECT_TRUE(connected());
+}
+
+TEST_F(PioneerRunTest, whatAPersonChoseIsKeptByAnotherLayoutOrSaidToBeLost) {
+  connect();
+  const auto driving = [&] {
+    const auto table = ears_.newest<robotcontrol::SolutionTable>("p3at1/tables/solutions");
+    for (int i = 0; table && i < table->tasks_size(); ++i) {
+      if (table->tasks(i).name() == "driving") return table->tasks(i).active();
+    }
+    return std::string();
+  };
+  ASSERT_TRUE(run_->setLayout(robotlink::resource("layouts/pioneer.yaml")).empty());
+  robotcontrol::Request request;
+  request.set_id(1);
+  request.set_robot("p3at1");
+  request.mutable_select_solution()->set_task("driving");
+  request.mutable_select_solution()->set_solution("wander");
+  ASSERT_TRUE(run_->request(request));
+  ASSERT_TRUE(playUntil([&] { return driving() == "wander"; }));
+  ASSERT_TRUE(run_->setLayout(robotlink::resource("layouts/pioneer-parallel.yaml")).empty());
+  EXPECT_TRUE(run_->lostChoices().empty());
+  ears_.forget();
+  EXPECT_TRUE(playUntil([&] { return driving() == "wander"; }));
+  ASSERT_TRUE(run_->setLayout(layout_).empty());
+  EXPECT_EQ(run_->lostChoices(), std::vector<std::string>{"p3at1 could not keep solution wander of task driving: "
+                                                          "no process of this layout has 'driving'"});
 }
 
 TEST_F(PioneerRunTest, whatIsWrongWithItIsSaidBeforeAnythingRuns) {

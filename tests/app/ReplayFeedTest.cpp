@@ -366,6 +366,35 @@ TEST_F(ReplayFeedTest, oneMoreLogIsAddedWhereOneStands) {
   EXPECT_EQ(newest("red1/frames/planner"), 20);
 }
 
+TEST_F(ReplayFeedTest, aSolutionThatWasChosenIsKeptByAnotherLayoutAndByOneMoreLog) {
+  const auto segmentation = [this] {
+    const auto* table = workbench.session().store().latestAs<robotcontrol::SolutionTable>("red1/tables/solutions",
+                                                                                          workbench.session().timeline().newest());
+    for (int i = 0; table != nullptr && i < table->tasks_size(); ++i) {
+      if (table->tasks(i).name() == "segmentation") return table->tasks(i).active() + ", not " + table->tasks(i).default_solution();
+    }
+    return std::string("no table");
+  };
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  request.mutable_select_solution()->set_task("segmentation");
+  request.mutable_select_solution()->set_solution("whole-image");
+  bool accepted = false;
+  workbench.session().request(request, [&](const auto& result) { accepted = result.accepted(); });
+  ASSERT_TRUE(waitFor([&] { return accepted; }));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(segmentation(), "whole-image, not scan-lines");
+  run("layout.open parallel");
+  ASSERT_TRUE(waitFor([this] { return !workbench.loading() && workbench.loaded()->layout.stem() == "parallel"; }));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(segmentation(), "whole-image, not scan-lines");
+  run("log.add \"" + logFile().string() + "\" 0.5");
+  ASSERT_TRUE(waitFor([this] { return !workbench.loading() && workbench.session().robots().size() == 2; }));
+  ASSERT_TRUE(settle());
+  EXPECT_EQ(segmentation(), "whole-image, not scan-lines");
+  EXPECT_EQ(errors, "");
+}
+
 TEST_F(ReplayFeedTest, aSimulationEndsTheLogAndALogTheSimulation) {
   run("simulation.open field2002");
   ASSERT_TRUE(waitFor([this] { return workbench.loaded()->simulation.has_value(); })) << errors;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulatedRun.h"
 
+#include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
@@ -93,6 +94,189 @@ TEST(SimulatedRun, whatIsAskedForIsToldAndGoesOnAfterAReset) {
   ears.messages.clear();
   play(*run, 0.5);
   EXPECT_TRUE(ears.heard("camera/image"));
+}
+
+namespace {
+
+robotcontrol::Request solutionRequest(const char* task, const char* solution) {
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  return request;
+}
+
+/// Parameters of the ball model "last-percept".
+std::unique_ptr<google::protobuf::Message> lastPercept() {
+  const auto* type = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName("robotcontrol.LastPerceptBallParameters");
+  return std::unique_ptr<google::protobuf::Message>(
+      google::protobuf::MessageFactory::generated_factory()->GetPrototype(type)->New());
+}
+
+robotcontrol::Request parameterRequest(double memory) {
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  auto& wish = *request.mutable_set_parameters();
+  wish.set_task("ball-model");
+  wish.set_solution("last-percept");
+  const auto value = lastPercept();
+  const auto* field = value->GetDescriptor()->FindFieldByName("memory");
+  value->GetReflection()->SetDouble(value.get(), field, memory);
+  wish.mutable_value()->set_type(value->GetDescriptor()->full_name());
+  wish.mutable_value()->set_data(value->SerializeAsString());
+  return request;
+}
+
+robotcontrol::Request tableRequest() {
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  auto& table = *request.mutable_set_color_table()->mutable_table();
+  table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
+  table.add_class_names("orange");
+  return request;
+}
+
+/// What a run tells of red1: its newest solution of a task, parameters of its ball model, and whether it has an own color table.
+struct Told {
+  std::map<std::string, std::string> solutions;
+  double memory = -1;  // s
+  bool ownTable = false;
+  std::string frames;  ///< all that its processes told, as bytes
+  std::map<std::uint64_t, bool> accepted;  ///< by id, first answers
+  SimulatedRun::Listeners listeners() {
+    return {[this](const std::string&, const auto& queue) {
+              if (!queue->process().empty()) frames += queue->SerializeAsString();
+              for (const auto& message : queue->messages()) hear(message);
+            },
+            {}};
+  }
+  void hear(const robotcontrol::DebugMessage& message) {
+    if (message.has_result()) accepted.emplace(message.result().id(), message.result().accepted());
+    for (const auto& task : message.solutions().tasks()) solutions[task.name()] = task.active();
+    if (message.path() == "parameters/ball-model/last-percept") {
+      const auto value = lastPercept();
+      value->ParseFromString(message.parameters().value().data());
+      memory = value->GetReflection()->GetDouble(*value, value->GetDescriptor()->FindFieldByName("memory"));
+    }
+    if (message.path() == "colors/table") ownTable = true;
+  }
+};
+
+/// Everything that a person can choose for a program.
+std::vector<robotcontrol::Request> choices() {
+  std::vector<robotcontrol::Request> all{solutionRequest("ball-model", "last-percept"), parameterRequest(0.125), tableRequest(),
+                                         keyRequest("package/colors/table")};
+  for (std::size_t i = 0; i < all.size(); ++i) all[i].set_id(i + 1);
+  return all;
+}
+
+}  // namespace
+
+TEST(SimulatedRun, requestsInAPauseAreAnsweredAtOnceAndTheRunIsTheSameAsWithoutThePause) {
+  Told paused, other;
+  const auto looked = makeRun(options(), paused.listeners()), unlooked = makeRun(options(), other.listeners());
+  for (const bool look : {true, false}) {
+    SimulatedRun& run = look ? *looked : *unlooked;
+    play(run, 0.5);
+    for (const auto& request : choices()) {
+      ASSERT_TRUE(run.request(request).has_value());
+      if (look) run.tellAnswersToCome();
+    }
+    if (look) run.tellAnswersToCome();
+    play(run, 0.008);  // In the middle of their way to the processes.
+    if (look) run.tellAnswersToCome();
+    play(run, 0.5);
+  }
+  for (std::uint64_t id = 1; id <= 4; ++id) EXPECT_TRUE(paused.accepted[id]) << id;
+  EXPECT_EQ(looked->world().digest(), unlooked->world().digest());
+  EXPECT_EQ(paused.frames.size(), other.frames.size());
+  EXPECT_TRUE(paused.frames == other.frames);
+}
+
+TEST(SimulatedRun, inAPauseTheTablesAndParametersFollowWhatWasAsked) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  run->tellAnswersToCome();
+  EXPECT_EQ(told.solutions["ball-model"], "filtered") << "known before the first step";
+  for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
+  run->tellAnswersToCome();
+  EXPECT_EQ(told.accepted.size(), 5U) << "the four, and what the run asks for itself";
+  EXPECT_EQ(told.solutions["ball-model"], "last-percept");
+  EXPECT_EQ(told.memory, 0.125);
+  EXPECT_EQ(run->world().clock().now(), robotlink::Instant{});
+}
+
+TEST(SimulatedRun, whatAPersonChoseSurvivesResetsAndOtherLayouts) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  play(*run, 0.2);
+  for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
+  play(*run, 0.5);
+  const auto expectAll = [&](const char* after) {
+    told = {};
+    play(*run, 0.5);
+    EXPECT_EQ(told.solutions["ball-model"], "last-percept") << after;
+    EXPECT_EQ(told.memory, 0.125) << after;
+    EXPECT_TRUE(told.ownTable) << after;
+    EXPECT_EQ(run->lostChoices(), std::vector<std::string>()) << after;
+  };
+  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("parallel")).empty());
+  expectAll("layout");
+  ASSERT_TRUE(run->reset(1).empty());
+  expectAll("reset");
+}
+
+TEST(SimulatedRun, choicesInAPauseSurviveAResetInTheSamePause) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  for (const auto& request : choices()) ASSERT_TRUE(run->request(request).has_value());
+  run->tellAnswersToCome();
+  ASSERT_TRUE(run->reset(1).empty());
+  play(*run, 0.5);
+  EXPECT_EQ(told.solutions["ball-model"], "last-percept");
+  EXPECT_EQ(told.memory, 0.125);
+}
+
+TEST(SimulatedRun, whatALayoutCannotFulfillIsSaidAndComesBackWithOneThatCan) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  ASSERT_TRUE(run->request(solutionRequest("self-localisation", "odometry")).has_value());
+  play(*run, 0.2);
+  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("perception")).empty());
+  ASSERT_EQ(run->lostChoices().size(), 1U);
+  EXPECT_EQ(run->lostChoices()[0], "red1 could not keep solution odometry of task self-localisation: "
+                                   "no process of this layout has 'self-localisation'");
+  play(*run, 0.2);
+  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("balanced")).empty());
+  EXPECT_TRUE(run->lostChoices().empty());
+  play(*run, 0.5);
+  EXPECT_EQ(told.solutions["self-localisation"], "odometry");
+}
+
+TEST(SimulatedRun, whatWasRefusedIsNotAskedForAgain) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  auto wrong = solutionRequest("ball-model", "telepathy");
+  wrong.set_id(77);
+  ASSERT_TRUE(run->request(wrong).has_value());
+  play(*run, 0.2);
+  EXPECT_EQ(told.accepted, (std::map<std::uint64_t, bool>{{77, false}, {told.accepted.rbegin()->first, true}}));
+  ASSERT_TRUE(run->reset(1).empty());
+  EXPECT_TRUE(run->lostChoices().empty());
+}
+
+TEST(SimulatedRun, inAPauseTheNewestValueOfOneThingTakesThePlaceOfThoseBefore) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  for (std::uint64_t id = 1; id <= 3000; ++id) {
+    auto request = parameterRequest(0.001 * static_cast<double>(id));
+    request.set_id(id);
+    ASSERT_TRUE(run->request(request).has_value()) << id;
+    run->tellAnswersToCome();
+  }
+  EXPECT_EQ(told.accepted.size(), 3001U);
+  play(*run, 0.5);
+  EXPECT_EQ(told.memory, 3);
 }
 
 TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {

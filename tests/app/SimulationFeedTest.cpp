@@ -117,3 +117,40 @@ TEST_F(SimulationFeedTest, whatCannotBeDoneIsRefusedWithAReason) {
   workbench.session().request(request, [&](const auto& result) { reason = result.reason(); });
   EXPECT_TRUE(waitFor([&] { return !reason.empty(); }));
 }
+
+TEST_F(SimulationFeedTest, aPausedRobotTellsItsTablesAndAnswersWhatItIsAsked) {
+  const auto* solutions = workbench.session().store().latest("red1/tables/solutions", workbench.session().timeline().newest());
+  const auto* keys = workbench.session().store().latest("red1/tables/keys", workbench.session().timeline().newest());
+  EXPECT_NE(solutions, nullptr) << "before the first step";
+  EXPECT_NE(keys, nullptr);
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  request.mutable_get_parameters()->set_task("ball-percept");
+  request.mutable_get_parameters()->set_solution("region");
+  bool accepted = false, seen = false;
+  workbench.session().request(request, [&](const auto& result) {
+    accepted = result.accepted();
+    seen = workbench.session().store().find("red1/parameters/ball-percept/region") != nullptr;
+  });
+  ASSERT_TRUE(waitFor([&] { return accepted; }));
+  EXPECT_TRUE(seen) << "who is answered sees the values";
+  request.mutable_get_parameters()->set_solution("telepathy");
+  std::string reason;
+  workbench.session().request(request, [&](const auto& result) { reason = result.reason(); });
+  ASSERT_TRUE(waitFor([&] { return !reason.empty(); }));
+  EXPECT_EQ(status()->steps(), 0U) << "and no time has passed";
+}
+
+TEST_F(SimulationFeedTest, whatALayoutCannotFulfillIsSaid) {
+  robotcontrol::Request request;
+  request.set_robot("red1");
+  request.mutable_select_solution()->set_task("self-localisation");
+  request.mutable_select_solution()->set_solution("odometry");
+  bool accepted = false;
+  workbench.session().request(request, [&](const auto& result) { accepted = result.accepted(); });
+  ASSERT_TRUE(waitFor([&] { return accepted; }));
+  run("layout.open perception");
+  ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
+  EXPECT_NE(robotlink::describe(errors).find("red1 could not keep solution odometry of task self-localisation"),
+            std::string::npos);
+}
