@@ -17,7 +17,7 @@ QString rateText(double rate) {
 }
 
 QColor portColor(const ProcessGraph::Port& port, const QPalette& palette) {
-  if (port.missedRate > 0) return colorOf(Meaning::kWarning, palette);
+  if (port.falls) return colorOf(Meaning::kWarning, palette);
   return port.rate > 0 ? colorOf(Meaning::kNote, palette) : colorOf(Meaning::kMuted, palette);
 }
 
@@ -57,9 +57,9 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
   const QRectF row = port.rect.adjusted(kMargin, 0, -kMargin, 0);
-  // Where packages were missed, that is what one wants to know; the rate stands at the sender and in the tool
-  // tip.
-  const bool lossy = !output && port.missed > 0;
+  // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in the
+  // tool tip.
+  const bool lossy = !output && port.falls;
   const QString figures = lossy ? ProcessGraphWidget::tr("%1 missed").arg(port.missed) : rateText(port.rate);
   const double width = painter.fontMetrics().horizontalAdvance(figures);
   const QRectF name = output ? row.adjusted(width + 6, 0, 0, 0) : row.adjusted(0, 0, -width - 6, 0);

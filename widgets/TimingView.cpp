@@ -11,6 +11,7 @@
 #include <QTableView>
 #include <QToolButton>
 
+#include "robotlink/debugging/Streams.h"
 #include "widgets/BarDelegate.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
@@ -21,7 +22,7 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"timing", QT_TRANSLATE_NOOP("View", "Timing"),
-     QT_TRANSLATE_NOOP("View", "Shows how long each task takes, and its share of its process."), "timing",
+     QT_TRANSLATE_NOOP("View", "Shows how long each task takes, and its share of its process's period."), "timing",
      false, create<TimingView>}};
 
 constexpr char kKey[] = "timing/tasks";
@@ -119,9 +120,26 @@ void TimingView::followRobot() {
   const std::string& robot = session().selectedRobot();
   if (robot == robot_) return;
   robot_ = robot;
+  program_.clear();
   cursors_.clear();
   reset();
   if (measure_->isChecked()) measure(true);
+}
+
+/// What another layout does not have any more; whether the program was another one.
+bool TimingView::forgetDead() {
+  const auto* table = session().store().latestAs<robotcontrol::ProcessTable>(robot_ + '/' + robotlink::streams::kProcesses,
+                                                                            session().timeline().newest());
+  if (table == nullptr || model_.rowCount() == 0) return false;
+  std::string program;
+  for (const auto& process : table->processes()) {
+    program += process.name() + ':';
+    for (const std::string& task : process.tasks()) program += task + ',';
+  }
+  if (program == program_) return false;
+  program_ = std::move(program);
+  model_.keepOnly(*table);
+  return true;
 }
 
 void TimingView::tick() {
@@ -133,12 +151,12 @@ void TimingView::tick() {
       for (const auto* message : cursors_[stream->path].take(*stream).messages) {
         const auto* times = dynamic_cast<const robotcontrol::StopwatchTimes*>(message->value.get());
         if (times == nullptr) continue;
-        model_.add(process, message->time, *times);
+        model_.add(process, message->frame, message->time, *times);
         added = true;
       }
     }
   }
-  if (added) model_.update();
+  if (forgetDead() || added) model_.update();
   if (model_.rowCount() > 0) return hint_->setHint({});
   hint_->setHint(
       robot_.empty() ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")

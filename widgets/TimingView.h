@@ -32,6 +32,7 @@ class TimingView final : public View {
   void createViews();
   void connectSignals();
   void followRobot();
+  bool forgetDead();
   void measure(bool on);
   void reset();
 
@@ -45,6 +46,7 @@ class TimingView final : public View {
   QAction* copy_ = nullptr;
   std::map<std::string, StreamCursor> cursors_;  // by stream
   std::string robot_;
+  std::string program_;  // its processes and their tasks
 };
 
 }  // namespace widgets

@@ -100,6 +100,32 @@ class ProcessesViewTest : public QObject {
     QCOMPARE(motion.missed(), quint64{12});
   }
 
+  void onlyAProcessThatDoesNotKeepUpWithWhatItWaitsForIsWarnedOf() {
+    // Joints come with 125 Hz and images with 25 Hz; cognition waits for both, motion for joints, the logger has a period.
+    const auto table = [](std::uint64_t n, std::uint64_t motionMisses) {
+      ProcessTable all;
+      addProcess(all, "platform", 5 * n);
+      addProcess(all, "cognition", n);
+      addProcess(all, "motion", 5 * n);
+      addProcess(all, "logger", n).set_period(0.04);
+      link(all, 0, 1, "camera/image", n, true);
+      link(all, 0, 1, "joints/states", 5 * n, true, 4 * n);
+      link(all, 0, 2, "joints/states", 5 * n, true, motionMisses);
+      link(all, 0, 3, "joints/states", 5 * n, true, 4 * n);
+      link(all, 1, 2, "behavior/motion", n, false, n / 2);
+      return all;
+    };
+    const auto falls = [](const ProcessTable& before, const ProcessTable& now) {
+      QStringList names;
+      for (const auto& node : widgets::processGraph(now, &before, std::chrono::seconds(2), {}).nodes) {
+        if (node.fallsBehind()) names << node.name;
+      }
+      return names;
+    };
+    QCOMPARE(falls(table(10, 0), table(60, 0)), QStringList());
+    QCOMPARE(falls(table(10, 0), table(60, 50)), QStringList{QStringLiteral("motion")});
+  }
+
   void theTableAndTheGraphChooseTheSameProcess() {
     Bench bench;
     auto view = bench.open<widgets::ProcessesView>({900, 600});

@@ -63,8 +63,62 @@ class TimingViewTest : public QObject {
     QCOMPARE(cell(table, ball, Model::kMinimum), QStringLiteral("1.000"));
     QCOMPARE(cell(table, ball, Model::kMaximum), QStringLiteral("3.000"));
     QCOMPARE(cell(table, ball, Model::kRate), QStringLiteral("25.0"));
-    QCOMPARE(cell(table, ball, Model::kShare), QStringLiteral("33.3 %"));
+    QCOMPARE(cell(table, ball, Model::kShare), QStringLiteral("5.00 %"));
     QCOMPARE(cell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
+  }
+
+  void theRateIsThatOfTheLastSecondsThoughTimesWereNotToldOrTheClockWentBack() {
+    using Model = widgets::TimingModel;
+    Model model;
+    const auto at = [](double time) { return robotlink::Instant(robotlink::fromSeconds(time)); };
+    const auto rate = [&] {
+      model.update();
+      return model.index(0, Model::kRate).data().toString();
+    };
+    // 10 Hz at first; then nobody measures for ten seconds; then 25 Hz, of which every second frame is told.
+    for (std::uint64_t i = 1; i <= 10; ++i) model.add("cognition", i, at(0.1 * double(i)), times(0.001, 0.002));
+    QCOMPARE(rate(), QStringLiteral("10.0"));
+    for (std::uint64_t i = 0; i < 100; i += 2) model.add("cognition", 110 + i, at(11 + 0.04 * double(i)), times(0.001, 0.002));
+    QCOMPARE(rate(), QStringLiteral("25.0"));
+    // The simulation is reset.
+    for (std::uint64_t i = 1; i <= 5; ++i) model.add("cognition", i, at(0.04 * double(i)), times(0.001, 0.002));
+    QCOMPARE(rate(), QStringLiteral("25.0"));
+  }
+
+  void aSolutionThatDoesNotRunAnyMoreHasNoRateAndNoShare() {
+    using Model = widgets::TimingModel;
+    Model model;
+    const auto at = [](double time) { return robotlink::Instant(robotlink::fromSeconds(time)); };
+    model.add("cognition", 1, at(1), times(0.001, 0.002));
+    model.add("cognition", 2, at(1.04), times(0.001, 0.002));
+    robotcontrol::StopwatchTimes other = times(0.001, 0.002);
+    other.mutable_entries(0)->set_solution("oracle");
+    model.add("cognition", 3, at(1.08), other);
+    model.update();
+    QCOMPARE(model.index(0, Model::kSolution).data().toString(), QStringLiteral("scan-lines"));
+    QCOMPARE(model.index(0, Model::kRate).data().toString(), QString());
+    QCOMPARE(model.index(0, Model::kShare).data().toString(), QString());
+    QCOMPARE(model.index(1, Model::kRate).data().toString(), QStringLiteral("25.0"));
+  }
+
+  void whatAnotherLayoutDoesNotHaveIsNotListedAnyMore() {
+    Bench bench;
+    auto view = bench.open<widgets::TimingView>();
+    auto& table = child<QTableView>(*view, "timingTable");
+    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    bench.push("red1/stopwatches/cognition", times(0.001, 0.002), 1);
+    bench.push("red1/stopwatches/sensing", times(0.001, 0.002), 1);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 6);
+    robotcontrol::ProcessTable program;
+    auto& process = *program.add_processes();
+    process.set_name("cognition");
+    process.add_tasks("pose");
+    bench.push("red1/tables/processes", program, 2);
+    bench.tick(*view);
+    QCOMPARE(table.model()->rowCount(), 2);
+    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess), QStringLiteral("cognition"));
+    QCOMPARE(cell(table, QStringLiteral("frame"), widgets::TimingModel::kProcess), QStringLiteral("cognition"));
   }
 
   void asksForTimesAndStopsAskingOnWish() {
@@ -91,7 +145,7 @@ class TimingViewTest : public QObject {
     QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMaximum), QStringLiteral("3.000"));
     click(child<QToolButton>(*view, "timingCopy"));
     QVERIFY(QApplication::clipboard()->text().contains(
-        QStringLiteral("cognition,pose,particles,3,3,3,3,0,0.75")));
+        QStringLiteral("cognition,pose,particles,3,3,3,3,0,0")));
   }
 
   void aClickOnAHeaderSorts() {

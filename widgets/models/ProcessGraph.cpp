@@ -2,6 +2,7 @@
 #include "widgets/models/ProcessGraph.h"
 
 #include <algorithm>
+#include <limits>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "widgets/models/GraphLayout.h"
@@ -55,6 +56,21 @@ std::vector<ProcessGraph::Port> portsOf(const Ports& now, const Ports* before, r
   return ports;
 }
 
+/// Hz, sent to an input.
+double offeredRate(const ProcessGraph::Port& input) { return input.rate + input.missedRate; }
+
+/// Finds the inputs of which a process is meant to read every package and does not.
+void findFalling(ProcessGraph::Node& node) {
+  constexpr double kTolerance = 0.98;
+  double meant = node.period > 0 ? 1 / node.period : std::numeric_limits<double>::infinity();
+  for (const auto& input : node.inputs) {
+    if (input.blocking && offeredRate(input) > 0) meant = std::min(meant, offeredRate(input));
+  }
+  for (auto& input : node.inputs) {
+    input.falls = input.blocking && input.missedRate > 0 && meant >= kTolerance * offeredRate(input);
+  }
+}
+
 ProcessGraph::Node nodeOf(const ProcessTable::Process& from, const ProcessTable::Process* before,
                           robotlink::Duration elapsed, const ProcessGraph::Options& options) {
   ProcessGraph::Node node;
@@ -70,6 +86,7 @@ ProcessGraph::Node nodeOf(const ProcessTable::Process& from, const ProcessTable:
   node.inputs =
       portsOf(from.receivers(), before != nullptr ? &before->receivers() : nullptr, elapsed, options);
   node.outputs = portsOf(from.senders(), before != nullptr ? &before->senders() : nullptr, elapsed, options);
+  findFalling(node);
   return node;
 }
 
@@ -82,6 +99,7 @@ int outputOf(ProcessGraph::Node& node, const ProcessGraph::Port& input) {
   port.peer.clear();
   port.missed = 0;
   port.missedRate = 0;
+  port.falls = false;
   node.outputs.push_back(port);
   return static_cast<int>(node.outputs.size()) - 1;
 }
@@ -109,6 +127,10 @@ quint64 ProcessGraph::Node::missed() const {
   quint64 sum = 0;
   for (const Port& port : inputs) sum += port.missed;
   return sum;
+}
+
+bool ProcessGraph::Node::fallsBehind() const {
+  return std::any_of(inputs.begin(), inputs.end(), [](const Port& input) { return input.falls; });
 }
 
 int ProcessGraph::find(const QString& name) const {

@@ -34,10 +34,14 @@ QVariant ProcessTableModel::data(const QModelIndex& index, int role) const {
   const bool number = index.column() >= kRate && index.column() <= kDropped;
   if (role == Qt::TextAlignmentRole && number) return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole && index.column() == kState) return node.state;
+  if (role == Qt::ToolTipRole && index.column() == kMissed && node.missed() > 0) {
+    return node.fallsBehind() ? tr("The process does not keep up: it waits for each package, and loses some")
+                              : tr("Replaced by newer ones before they were read, as the layout means it");
+  }
   if (role == Qt::ForegroundRole) {
     if (node.failed) return colorOf(Meaning::kBad, QGuiApplication::palette());
     const bool lost =
-        (index.column() == kMissed && node.missed() > 0) || (index.column() == kDropped && node.dropped > 0);
+        (index.column() == kMissed && node.fallsBehind()) || (index.column() == kDropped && node.dropped > 0);
     return lost ? colorOf(Meaning::kWarning, QGuiApplication::palette()) : QVariant();
   }
   if (role != Qt::DisplayRole) return {};

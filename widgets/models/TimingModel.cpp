@@ -7,6 +7,34 @@
 #include "robotcontrol/Debugging.pb.h"
 
 namespace widgets {
+namespace {
+
+constexpr robotlink::Duration kRateOver = std::chrono::seconds(2);
+
+bool has(const robotcontrol::ProcessTable& program, const std::string& process, const std::string& task) {
+  for (const auto& known : program.processes()) {
+    if (known.name() != process) continue;
+    return task.empty() || std::find(known.tasks().begin(), known.tasks().end(), task) != known.tasks().end();
+  }
+  return false;
+}
+
+}  // namespace
+
+void TimingModel::Frames::add(Frame frame) {
+  if (frame.number == 0) frame.number = recent.empty() ? 1 : recent.back().number + 1;
+  // A clock or a count that went back begins anew: a reset, a jump, another program.
+  if (!recent.empty() && (frame.time < recent.back().time || frame.number <= recent.back().number)) recent.clear();
+  recent.push_back(frame);
+  while (recent.size() > 2 && recent[1].time <= frame.time - kRateOver) recent.pop_front();
+}
+
+/// By the frames' numbers, so that it does not matter if not all were told.
+double TimingModel::Frames::rate() const {
+  if (recent.size() < 2) return 0;
+  const double elapsed = robotlink::seconds(recent.back().time - recent.front().time);
+  return elapsed > 0 ? static_cast<double>(recent.back().number - recent.front().number) / elapsed : 0;
+}
 
 TimingModel::Row& TimingModel::rowFor(const std::string& process, const std::string& task,
                                       const std::string& solution) {
@@ -20,14 +48,14 @@ TimingModel::Row& TimingModel::rowFor(const std::string& process, const std::str
   return added;
 }
 
-void TimingModel::add(const std::string& process, robotlink::Instant time,
+void TimingModel::add(const std::string& process, std::uint64_t frame, robotlink::Instant time,
                       const robotcontrol::StopwatchTimes& times) {
+  frames_[process].add({time, frame});
   for (const auto& entry : times.entries()) {
     Row& row = rowFor(process, entry.task(), entry.solution());
     const double seconds = entry.seconds();
     row.minimum = row.count == 0 ? seconds : std::min(row.minimum, seconds);
     row.maximum = row.count == 0 ? seconds : std::max(row.maximum, seconds);
-    if (row.count == 0 || time < row.latest) row.first = time;  // a clock that went back begins anew
     row.sum += seconds;
     row.last = seconds;
     row.latest = time;
@@ -48,35 +76,45 @@ void TimingModel::update() {
 void TimingModel::reset() {
   beginResetModel();
   rows_.clear();
+  frames_.clear();
   shown_ = 0;
   endResetModel();
 }
 
-double TimingModel::frameSum(const std::string& process) const {
-  double sum = 0;
-  for (const Row& row : rows_) {
-    if (row.process == process && row.task.empty()) sum += row.sum;
+void TimingModel::keepOnly(const robotcontrol::ProcessTable& program) {
+  for (std::size_t i = rows_.size(); i-- > 0;) {
+    if (has(program, rows_[i].process, rows_[i].task)) continue;
+    const int row = static_cast<int>(i);
+    if (row < shown_) beginRemoveRows({}, row, row);
+    if (rows_[i].task.empty()) frames_.erase(rows_[i].process);
+    rows_.erase(rows_.begin() + row);
+    if (row >= shown_) continue;
+    --shown_;
+    endRemoveRows();
   }
-  return sum;
+}
+
+double TimingModel::rateOf(const Row& row) const {
+  const auto found = frames_.find(row.process);
+  if (found == frames_.end() || found->second.recent.empty() || found->second.recent.back().time != row.latest) return 0;
+  return found->second.rate();
 }
 
 double TimingModel::number(const Row& row, int column) const {
-  const double elapsed = robotlink::seconds(row.latest - row.first);
+  const double mean = row.count > 0 ? row.sum / static_cast<double>(row.count) : 0;
   switch (column) {
     case kLast:
       return row.last * 1000;
     case kMean:
-      return row.count > 0 ? row.sum / static_cast<double>(row.count) * 1000 : 0;
+      return mean * 1000;
     case kMinimum:
       return row.minimum * 1000;
     case kMaximum:
       return row.maximum * 1000;
     case kRate:
-      return elapsed > 0 ? static_cast<double>(row.count - 1) / elapsed : 0;
-    case kShare: {
-      const double whole = frameSum(row.process);
-      return whole > 0 ? row.sum / whole : 0;
-    }
+      return rateOf(row);
+    case kShare:
+      return mean * rateOf(row);
     default:
       return 0;
   }
@@ -110,18 +148,22 @@ QVariant TimingModel::data(const QModelIndex& index, int role) const {
     case kSolution:
       return QString::fromStdString(row.solution);
     case kShare:
-      return tr("%1 %").arg(number(row, kShare) * 100, 0, 'f', 1);
+      return rateOf(row) > 0 ? tr("%1 %").arg(number(row, kShare) * 100, 0, 'f', 2) : QString();
     case kRate:
-      return QString::number(number(row, kRate), 'f', 1);
+      return rateOf(row) > 0 ? QString::number(rateOf(row), 'f', 1) : QString();
     default:
       return QString::number(number(row, index.column()), 'f', 3);
   }
 }
 
 QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int role) const {
-  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  if (orientation != Qt::Horizontal) return {};
+  if (role == Qt::ToolTipRole && section == kShare) {
+    return tr("Mean time of the task, as a share of the time from one frame of its process to the next");
+  }
+  if (role != Qt::DisplayRole) return {};
   const QString titles[] = {tr("Process"),  tr("Task"),     tr("Solution"), tr("Last ms"), tr("Mean ms"),
-                            tr("Min ms"), tr("Max ms"), tr("Hz"),       tr("Share")};
+                            tr("Min ms"), tr("Max ms"), tr("Hz"),       tr("Share of period")};
   return titles[section];
 }
 
