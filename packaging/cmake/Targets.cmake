@@ -75,10 +75,17 @@ endfunction()
 
 # robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
 # One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
+# What a test labelled slow does is bounded by the test itself: by simulated time, inputs or bytes. On a machine that does other
+# things, too, it may take as long as it takes; this limit, in seconds, ends what hangs.
+set(ROBOTCONTROL_SLOW_TIMEOUT 3600)
+
 function(robotcontrol_test name)
   cmake_parse_arguments(ARG "QT" "TIMEOUT" "SOURCES;LIBS;LABELS" ${ARGN})
   if(NOT ARG_TIMEOUT)
     set(ARG_TIMEOUT 60)
+  endif()
+  if("slow" IN_LIST ARG_LABELS)
+    set(ARG_TIMEOUT ${ROBOTCONTROL_SLOW_TIMEOUT})
   endif()
   if(ROBOTCONTROL_SANITIZE)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")  # what sanitizers cost at most, on a machine that does other things, too

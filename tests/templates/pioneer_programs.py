@@ -17,6 +17,7 @@ sys.dont_write_bytecode = True  # the source folder stays as it is
 import simulator  # noqa: E402
 
 OPTIONS = argparse.Namespace()
+HANGS = 900  # s of real time; a busy machine is slow, but it comes to an end
 DRIVE = None
 
 
@@ -85,7 +86,7 @@ class Programs(ProgramsTestCase):
                                                  text=True)
             said = {}
             for name, process in running.items():
-                output, errors = process.communicate(timeout=60)
+                output, errors = process.communicate(timeout=HANGS)
                 self.assertEqual(process.returncode, 0, f"{name}: {output}{errors}")
                 said[name] = output
             ends = {name: [simulator.true_pose(DRIVE, url) for url in urls[name]] for name in self.PLACES}
@@ -126,7 +127,7 @@ class Ada(ProgramsTestCase):
             subprocess.run(["gnatmake", "-q", "-gnatwae", source], cwd=folder, check=True)
             start = (18, -12, 0)
             simulator.put(DRIVE, simulation.url(), *start)
-            done = subprocess.run([os.path.join(folder, "drive"), simulation.url(), "8.0"], text=True, capture_output=True, timeout=60)
+            done = subprocess.run([os.path.join(folder, "drive"), simulation.url(), "8.0"], text=True, capture_output=True, timeout=HANGS)
             self.assertEqual(done.returncode, 0, done.stdout + done.stderr)
             self.assertRegex(done.stdout, r"connected\nat -?\s*\d+ mm, .* after (7|8)\d states")
             self.assert_turned_before_the_wall("Ada", start, simulator.true_pose(DRIVE, simulation.url()))
@@ -143,7 +144,7 @@ class SameProgram(unittest.TestCase):
                 simulator.put(DRIVE, simulation.url(), 1, 2, 30)
                 line = simulator.SerialBridge(simulation.url()) if serial else None
                 done = subprocess.run([program("follow_path"), line.url if line else simulation.url(), "1.0"], text=True,
-                                      capture_output=True, timeout=60)
+                                      capture_output=True, timeout=HANGS)
                 self.assertEqual(done.returncode, 0, done.stderr)
                 if line:
                     self.assertGreater(line.carried[0], 1000)

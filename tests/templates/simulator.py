@@ -43,7 +43,7 @@ class Simulator:
         self.process = subprocess.Popen(
             [robotctl, "sim", scene, "--robot", "p3at", "--robots", str(robots), "--arcos", str(self.port), "--json", *options],
             stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-        deadline = time.monotonic() + 20
+        deadline = time.monotonic() + 120
         while True:
             try:
                 socket.create_connection(("127.0.0.1", self.port), timeout=1).close()
@@ -68,7 +68,7 @@ class Simulator:
     def figures(self):
         """Ends the simulation, and returns what it counted."""
         self.process.send_signal(signal.SIGINT)
-        output, errors = self.process.communicate(timeout=20)
+        output, errors = self.process.communicate(timeout=120)
         try:
             return json.loads(output)
         except ValueError:
