@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <string>
 
 #include "robotlink/base/Error.h"
@@ -23,5 +24,8 @@ void addRunCommand(CLI::App& app, int& status);
 
 /// Prints all errors on stderr, one a line; kFailed.
 int printErrors(const robotlink::Errors& errors);
+
+/// Runs what needs the folder `resources`, unless that is not to be found, which it says; an ExitStatus.
+int withResources(const std::function<int()>& command);
 
 }  // namespace app

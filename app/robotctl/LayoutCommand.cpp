@@ -57,7 +57,7 @@ void addLayoutCommand(CLI::App& app, int& status) {
     CLI::App* command = layout->add_subcommand(name, help);
     command->add_option("file", arguments->file, "A layout file")->required();
     command->add_option("--robot", arguments->robot, "The kind of robot that it is put on")->capture_default_str();
-    command->callback([arguments, run, &status] { status = run(*arguments); });
+    command->callback([arguments, run, &status] { status = withResources([&] { return run(*arguments); }); });
   };
   add("check", "Says whether a layout can be run, or why not, with file, line and column", check);
   add("graph", "Prints the graph of processes and packages as Graphviz text", graph);

@@ -120,7 +120,7 @@ void addLogImportCommands(CLI::App& log, int& status) {
                    "A .c64 colour table that goes into the log as the one in force")
       ->check(CLI::ExistingFile);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
-  command->callback([arguments, &status] { status = import(*arguments); });
+  command->callback([arguments, &status] { status = withResources([&] { return import(*arguments); }); });
 
   auto wanted = std::make_shared<ImportArguments>();
   command = add(log, "repair", "Writes what can be read of a damaged log into a new, complete one", wanted);

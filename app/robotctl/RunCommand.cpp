@@ -301,7 +301,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")->check(CLI::Range(0.0, 1e6));
   command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");
   command->add_flag("--texts", robot.texts, "Robots: prints the program's text messages on stderr");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] { status = withResources([&] { return run(*arguments); }); });
 }
 
 }  // namespace app

@@ -4,12 +4,18 @@
 #include <iostream>
 
 #include "app/robotctl/Commands.h"
+#include "robotlink/base/Resources.h"
 
 namespace app {
 
 int printErrors(const robotlink::Errors& errors) {
   std::cerr << robotlink::describe(errors) << "\n";
   return kFailed;
+}
+
+int withResources(const std::function<int()>& command) {
+  const auto found = robotlink::checkResources();
+  return found ? command() : printErrors({found.error()});
 }
 
 namespace {

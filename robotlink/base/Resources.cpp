@@ -28,9 +28,24 @@ fs::path resourceDirectory() {
   const fs::path installed = program.parent_path() / "../share/robotcontrol";
   if (isResourceDirectory(installed)) return fs::weakly_canonical(installed, error);
   for (fs::path folder = program.parent_path(); folder != folder.parent_path(); folder = folder.parent_path()) {
-    if (isResourceDirectory(folder / "resources")) return folder / "resources";
+    if (isResourceDirectory(folder / "resources")) return fs::weakly_canonical(folder / "resources", error);
   }
   return {};
+}
+
+Result<void> checkResources() {
+  const fs::path found = resourceDirectory();
+  if (isResourceDirectory(found)) return {};
+  if (const char* chosen = environment("ROBOTCONTROL_RESOURCES")) {
+    return failure("resources.wrong", std::string("the variable ROBOTCONTROL_RESOURCES names the folder '") + chosen +
+                                          "', but there are no folders 'robots' and 'layouts' in it; let it name the folder "
+                                          "'resources' of RobotControl, or unset it");
+  }
+  std::error_code error;
+  const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
+  return failure("resources.none", "RobotControl's own files were not found: there is no folder 'resources' in or above '" +
+                                       folder.string() + "', and no '" + (folder / "../share/robotcontrol").lexically_normal().string() +
+                                       "'; let the variable ROBOTCONTROL_RESOURCES name that folder");
 }
 
 fs::path resource(const fs::path& relative) { return resourceDirectory() / relative; }
