@@ -95,21 +95,37 @@ Draft readMapScene(const fs::path& file, Errors& errors) {
   return draft;
 }
 
-void putRobots(Draft& draft, const RobotsToAdd& robots, const fs::path& file, const SdfSpec& spec,
-               Errors& errors) {
-  const auto model = draft.files.addModel(robots.model, file, spec, errors);
-  if (!model || !errors.empty()) return;
-  const auto type =
-      readSdfModel(draft.files.models.at(*model), model->string(), draft.files.palette, spec, errors);
-  if (!errors.empty()) return;
-  if (type->robot.empty() || type->isStatic) {
-    errors.push_back({"scene.no-robot",
-                      "'" + robots.model + "' is no robot that could be added",
-                      {robots.model},
-                      {file.string(), 0, 0}});
-    return;
+/// The first of the world's own models that fits; null if there is none.
+template <typename Fits>
+const ModelInstance* firstModel(const WorldDescription& world, Fits fits) {
+  const auto found = std::ranges::find_if(world.models, [&](const ModelInstance& model) { return fits(*model.type); });
+  return found == world.models.end() ? nullptr : &*found;
+}
+
+/// Reads the model of the robots that are to be added; null, with errors noted, if there is no such robot.
+std::shared_ptr<const ModelDescription> readRobot(Draft& draft, const std::string& name, const fs::path& file,
+                                                  const SdfSpec& spec, Errors& errors) {
+  const auto model = draft.files.addModel(name, file, spec, errors);
+  if (!model || !errors.empty()) return nullptr;
+  auto type = readSdfModel(draft.files.models.at(*model), model->string(), draft.files.palette, spec, errors);
+  if (!errors.empty()) return nullptr;
+  if (!type->robot.empty() && !type->isStatic) return type;
+  errors.push_back(
+      {"scene.no-robot", "'" + name + "' is no robot that could be added", {name}, {file.string(), 0, 0}});
+  return nullptr;
+}
+
+void putRobots(Draft& draft, RobotsToAdd robots, const fs::path& file, const SdfSpec& spec, Errors& errors) {
+  std::shared_ptr<const ModelDescription> type;
+  if (robots.model.empty()) {
+    const auto* own =
+        firstModel(draft.world, [](const ModelDescription& model) { return !model.robot.empty() && !model.isStatic; });
+    if (own != nullptr) type = own->type;
+    robots.model = own != nullptr ? own->type->name : RobotsToAdd{}.model;
   }
-  const auto added = addRobots(draft.world, draft.map.get(), type, robots, file.string());
+  if (!type) type = readRobot(draft, robots.model, file, spec, errors);
+  if (!type) return;
+  const auto added = addRobots(draft.world, draft.map.get(), type, robots, draft.files.palette, file.string());
   if (!added) errors.push_back(added.error());
 }
 
@@ -141,6 +157,10 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   implementation.groundMap = std::move(draft.map);
   for (const ModelInstance& model : implementation.world.models) {
     if (!model.type->robot.empty()) implementation.robots.push_back({model.name, model.type->robot});
+    if (model.type->isBall) implementation.balls.push_back(model.name);
+  }
+  if (const auto* field = firstModel(implementation.world, [](const auto& model) { return !model.field.empty(); })) {
+    implementation.field = field->type->field;
   }
   implementation.renderScene = buildRenderScene(implementation.world);
   return scene;
@@ -151,6 +171,12 @@ const fs::path& Scene::file() const {
 }
 const std::vector<Scene::Robot>& Scene::robots() const {
   return implementation_->robots;
+}
+const std::string& Scene::field() const {
+  return implementation_->field;
+}
+const std::vector<std::string>& Scene::balls() const {
+  return implementation_->balls;
 }
 std::shared_ptr<const robotlink::GroundMap> Scene::groundMap() const {
   return implementation_->groundMap;

@@ -12,6 +12,8 @@ namespace simcore {
 struct Scene::Implementation {
   std::filesystem::path file;
   std::vector<Robot> robots;
+  std::vector<std::string> balls;
+  std::string field;
   WorldDescription world;
   std::shared_ptr<const RenderScene> renderScene;
   std::shared_ptr<const robotlink::GroundMap> groundMap;  ///< null: the world comes from no map

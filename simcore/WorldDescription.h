@@ -106,17 +106,25 @@ struct SensorDescription {
   RangeGeometry range;                                      ///< sonar, laser
 };
 
+/// Where a robot of a team stands at the start, on a field.
+struct HomeDescription {
+  std::string team;  ///< empty: of any
+  robotlink::Pose2 place;  ///< in the model
+};
+
 /// What a model file describes. Parsed once and shared by all models that include it.
 struct ModelDescription {
   std::string file;
   std::string name;
   std::string robot;  ///< which resources/robots/<robot>.yaml; empty if the model is no robot
+  std::string field;  ///< which resources/fields/<field>.yaml the model shows; empty if it is no field
   bool isStatic = false;
   bool isBall = false;
   std::vector<LinkDescription> links;
   std::vector<JointDescription> joints;
   std::vector<SensorDescription> sensors;
   std::optional<DriveDescription> drive;
+  std::vector<HomeDescription> homes;
 };
 
 struct ModelInstance {

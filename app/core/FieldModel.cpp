@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 
 #include <cmath>
+#include <utility>
 
 namespace app {
 namespace {
@@ -23,15 +24,17 @@ struct Pose {
 /// Writes solids and pictures one after another into one static link.
 class ModelWriter {
  public:
-  explicit ModelWriter(const FieldDescription& field) : field_(field) {}
+  ModelWriter(const FieldDescription& field, const std::string& name) : field_(field), name_(name) {}
 
   std::string write() {
     text_ =
         "<?xml version=\"1.0\"?>\n<!-- SPDX-License-Identifier: GPL-3.0-or-later -->\n"
         "<!-- Generated from a field's description in resources/fields: change that, not this file. -->\n"
         "<sdf version=\"1.9\" xmlns:robotcontrol=\"urn:robotcontrol:sdf\">\n"
-        "  <model name=\"field\">\n    <static>true</static>\n";
+        "  <model name=\"field\">\n    <static>true</static>\n    <robotcontrol:field>" +
+        name_ + "</robotcontrol:field>\n";
     palette();
+    homes();
     text_ += "    <link name=\"field\">\n";
     ground();
     lines();
@@ -81,6 +84,17 @@ class ModelWriter {
                            rgb.r, rgb.g, rgb.b);
     }
     text_ += "    </robotcontrol:palette>\n";
+  }
+
+  /// The other team stands opposite.
+  void homes() {
+    for (const auto& [team, turn] : {std::pair("red", 0.0), std::pair("blue", kPi)}) {
+      for (const robotlink::Pose2& place : field_.kickOff) {
+        const robotlink::Pose2 home = robotlink::Pose2{0, 0, turn} * place;
+        text_ += fmt::format("    <robotcontrol:home team=\"{}\">{:.6g} {:.6g} {:.6g}</robotcontrol:home>\n", team,
+                             tidy(home.x), tidy(home.y), tidy(home.heading));
+      }
+    }
   }
 
   void ground() {
@@ -210,13 +224,14 @@ class ModelWriter {
   }
 
   const FieldDescription& field_;
+  const std::string& name_;
   std::string text_;
 };
 
 }  // namespace
 
-std::string fieldModelSdf(const FieldDescription& field) {
-  return ModelWriter(field).write();
+std::string fieldModelSdf(const FieldDescription& field, const std::string& name) {
+  return ModelWriter(field, name).write();
 }
 
 }  // namespace app

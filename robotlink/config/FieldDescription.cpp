@@ -2,6 +2,7 @@
 #include "robotlink/config/FieldDescription.h"
 
 #include <algorithm>
+#include <cmath>
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/YamlReader.h"
@@ -93,6 +94,21 @@ void readBeacons(const YamlNode& root, FieldDescription& field) {
   }
 }
 
+void readKickOff(const YamlNode& root, FieldDescription& field) {
+  const YamlNode places = root.optionalChild("kick_off");
+  if (places.empty()) return;
+  for (const YamlNode& place : places.items()) {
+    const auto numbers = place.as<std::vector<double>>();
+    const bool inOwnHalf = numbers.size() == 2 && numbers[0] < 0 && numbers[0] > -0.5 * field.length &&
+                           std::abs(numbers[1]) < 0.5 * field.width;
+    if (inOwnHalf) {
+      field.kickOff.push_back({numbers[0], numbers[1], 0});
+    } else {
+      place.fail("field.kick-off", "a place at the kick-off is [x, y] in the half of the team that plays towards +x, where x is negative");
+    }
+  }
+}
+
 tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
   const YamlNode root = yaml.root();
   FieldDescription field;
@@ -104,6 +120,7 @@ tl::expected<FieldDescription, Errors> readField(YamlReader& yaml) {
   readLines(root.child("lines"), field);
   readGoals(root, field);
   readBeacons(root, field);
+  readKickOff(root, field);
   const YamlNode ball = root.child("ball");
   field.ballRadius = lengthOf(ball, "radius");
   field.ballMass = ball.numberIn("mass", 1e-4, 100);

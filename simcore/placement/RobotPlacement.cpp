@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <deque>
 #include <optional>
 
 #include "simcore/ModelGeometry.h"
@@ -131,18 +132,15 @@ void markForbidden(const Place& place, ClearanceGrid& grid) {
 /// Where robots stand one after the other.
 class Placer {
  public:
-  Placer(const ClearanceGrid& grid, const ModelExtent& extent, const GroundMap* map, std::uint64_t seed)
-      : grid_(grid),
-        radius_(extent.radius + kRoom),
-        homes_(homesOf(map)),
-        space_(grid, radius_, startOf(homes_)),
-        random_(seed, kPlaceStream) {}
+  /// `start`: a place that all others can be reached from, if there is one.
+  Placer(const ClearanceGrid& grid, const ModelExtent& extent, std::optional<Vector2> start, std::uint64_t seed)
+      : grid_(grid), radius_(extent.radius + kRoom), space_(grid, radius_, start), random_(seed, kPlaceStream) {}
 
-  bool hasRoom() const { return !space_.empty(); }
-
-  std::optional<Pose2> next() {
-    while (nextHome_ < homes_.size()) {
-      const Pose2 home = homes_[nextHome_++];
+  /// At the first of the homes that is free, else anywhere; homes that were looked at are dropped.
+  std::optional<Pose2> next(std::deque<Pose2>& homes) {
+    while (!homes.empty()) {
+      const Pose2 home = homes.front();
+      homes.pop_front();
       if (const auto place = placeAt(home.translation())) return take({place->x(), place->y(), home.heading});
     }
     const auto place = space_.pick(taken_, 2 * radius_, random_);
@@ -151,18 +149,6 @@ class Placer {
   }
 
  private:
-  static std::vector<Pose2> homesOf(const GroundMap* map) {
-    std::vector<Pose2> homes;
-    if (map == nullptr) return homes;
-    for (const Place& place : map->places) {
-      if (place.kind == Place::Kind::kHome) homes.push_back(place.pose);
-    }
-    return homes;
-  }
-  static std::optional<Vector2> startOf(const std::vector<Pose2>& homes) {
-    return homes.empty() ? std::nullopt : std::optional(homes.front().translation());
-  }
-
   /// The place itself where a robot fits there, else the free one next to it; none if another stands there.
   std::optional<Vector2> placeAt(const Vector2& point) const {
     const auto cell = grid_.cellAt(point);
@@ -182,12 +168,62 @@ class Placer {
 
   const ClearanceGrid& grid_;
   double radius_;
-  std::vector<Pose2> homes_;
   FreeSpace space_;
   robotlink::Random random_;
   std::vector<Vector2> taken_;
-  std::size_t nextHome_ = 0;
 };
+
+/// Of a team's robots on a field.
+std::deque<Pose2> homesOf(const WorldDescription& world, const std::string& team) {
+  std::deque<Pose2> homes;
+  for (const ModelInstance& model : world.models) {
+    for (const HomeDescription& home : model.type->homes) {
+      if (home.team.empty() || home.team == team) homes.push_back(robotlink::groundPose(model.poseInWorld) * home.place);
+    }
+  }
+  return homes;
+}
+
+std::deque<Pose2> homesOf(const GroundMap& map) {
+  std::deque<Pose2> homes;
+  for (const Place& place : map.places) {
+    if (place.kind == Place::Kind::kHome) homes.push_back(place.pose);
+  }
+  return homes;
+}
+
+/// Robots with something in common: how they are called, what they wear, and where they stand first.
+struct Group {
+  std::string prefix;
+  std::string color;  ///< of the palette; empty: none
+  std::deque<Pose2> homes;
+  int robots = 0;
+  int lastNumber = 0;
+};
+
+bool wearsTeamColor(const ModelDescription& type) {
+  return std::ranges::any_of(type.links, [](const LinkDescription& link) {
+    return std::ranges::any_of(link.visuals, &VisualDescription::teamColor);
+  });
+}
+
+/// One for each team, or one for all.
+std::vector<Group> groupsOf(const WorldDescription& world, const GroundMap* map, const ModelDescription& type,
+                            const RobotsToAdd& robots) {
+  std::vector<Group> groups;
+  if (wearsTeamColor(type)) {
+    for (const std::string& team : robots.teams) {
+      Group& group = groups.emplace_back(Group{team, team, homesOf(world, team)});
+      group.robots = static_cast<int>(std::ranges::count(world.models, team, &ModelInstance::teamColorName));
+    }
+  }
+  if (groups.empty()) {
+    const std::string& prefix = robots.namePrefix.empty() ? robots.model : robots.namePrefix;
+    groups.push_back({prefix, {}, homesOf(world, {})});
+  }
+  if (map != nullptr) groups.front().homes = homesOf(*map);
+  return groups;
+}
 
 std::string freeName(const WorldDescription& world, const std::string& prefix, int& number) {
   std::string name;
@@ -197,11 +233,34 @@ std::string freeName(const WorldDescription& world, const std::string& prefix, i
   return name;
 }
 
+ModelInstance robotAt(const Pose2& place, double height, const std::shared_ptr<const ModelDescription>& type,
+                      const std::string& file) {
+  ModelInstance model;
+  model.type = type;
+  model.poseInWorld =
+      Eigen::Translation3d(place.x, place.y, height) * Eigen::AngleAxisd(place.heading, Vector3::UnitZ());
+  model.where = {file, 0, 0};
+  return model;
+}
+
+/// In the team's color, if there is a team.
+robotlink::Result<void> dress(ModelInstance& robot, const std::string& color, const Palette& palette) {
+  if (color.empty()) return {};
+  const auto found = palette.find(color);
+  if (found == palette.end()) {
+    return robotlink::failure("scene.color", "no palette of the scene has the color '" + color + "' of a team",
+                              robot.where, {color});
+  }
+  robot.teamColorName = color;
+  robot.teamColor = found->second;
+  return {};
+}
+
 }  // namespace
 
 robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
                                   const std::shared_ptr<const ModelDescription>& type,
-                                  const RobotsToAdd& robots, const std::string& file) {
+                                  const RobotsToAdd& robots, const Palette& palette, const std::string& file) {
   const Surroundings around(world);
   if (!around.floor) {
     return robotlink::failure("scene.no-floor",
@@ -215,23 +274,23 @@ robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
     for (const Place& place : map->places) markForbidden(place, grid);
   }
   grid.findClearances();
-  Placer placer(grid, extent, map, robots.seed);
-  const std::string prefix = robots.namePrefix.empty() ? robots.model : robots.namePrefix;
-  for (int i = 0, number = 0; i < robots.count; ++i) {
-    const auto place = placer.next();
+  std::vector<Group> groups = groupsOf(world, map, *type, robots);
+  const std::deque<Pose2>& homes = groups.front().homes;
+  Placer placer(grid, extent, homes.empty() ? std::nullopt : std::optional(homes.front().translation()), robots.seed);
+  for (int i = 0; i < robots.count; ++i) {
+    Group& group = *std::ranges::min_element(groups, {}, &Group::robots);
+    const auto place = placer.next(group.homes);
     if (!place) {
       return robotlink::failure("scene.no-room",
                                 "there is room for " + std::to_string(i) + " of the " +
                                     std::to_string(robots.count) + " robots: add fewer of them",
                                 {file, 0, 0}, {std::to_string(i), std::to_string(robots.count)});
     }
-    ModelInstance model;
-    model.name = freeName(world, prefix, number);
-    model.type = type;
-    model.poseInWorld = Eigen::Translation3d(place->x, place->y, *around.floor - extent.low) *
-                        Eigen::AngleAxisd(place->heading, Vector3::UnitZ());
-    model.where = {file, 0, 0};
+    ModelInstance model = robotAt(*place, *around.floor - extent.low, type, file);
+    model.name = freeName(world, group.prefix, group.lastNumber);
+    if (auto dressed = dress(model, group.color, palette); !dressed) return dressed;
     world.models.push_back(std::move(model));
+    ++group.robots;
   }
   return {};
 }

@@ -5,13 +5,14 @@
 #include "robotlink/base/GroundMap.h"
 #include "simcore/Scene.h"
 #include "simcore/WorldDescription.h"
+#include "simcore/sdf/SdfReader.h"
 
 namespace simcore {
 
 /// Puts robots of a type into a world, as Scene::load says; `map` is the one that the world was made from, or
-/// null. `file` is the scene's, which errors carry.
+/// null. `palette` has the teams' colors. `file` is the scene's, which errors carry.
 robotlink::Result<void> addRobots(WorldDescription& world, const robotlink::GroundMap* map,
                                   const std::shared_ptr<const ModelDescription>& type,
-                                  const RobotsToAdd& robots, const std::string& file);
+                                  const RobotsToAdd& robots, const Palette& palette, const std::string& file);
 
 }  // namespace simcore

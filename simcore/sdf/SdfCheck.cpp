@@ -31,6 +31,8 @@ struct OwnElement {
 constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:robot", {"model", ""}, 0},
     {"robotcontrol:ball", {"model", ""}, 0},
+    {"robotcontrol:field", {"model", ""}, 0},
+    {"robotcontrol:home", {"model", ""}, 3},
     {"robotcontrol:palette", {"model", "world"}, 0},
     {"robotcontrol:color", {"visual", "robotcontrol:palette"}, 0},
     {"robotcontrol:servo", {"joint", ""}, 0},
@@ -166,8 +168,10 @@ class Checker {
                   "<" + name + "> has no meaning in <" + std::string(parent) + ">");
     }
     const std::vector<std::string> values = words(element);
-    if (known->numbers > 0 && (values.size() != 1 || !isFiniteNumber(values[0]))) {
-      fail(element, "scene.value", "<" + name + "> must be one finite number");
+    const auto numbers = static_cast<std::size_t>(known->numbers);
+    if (numbers > 0 && (values.size() != numbers || !std::ranges::all_of(values, isFiniteNumber))) {
+      const std::string count = numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";
+      fail(element, "scene.value", "<" + name + "> must be " + count);
     }
     check(element, nullptr);
   }

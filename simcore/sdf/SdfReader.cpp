@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <sstream>
 
 #include "simcore/sdf/SdfConversion.h"
 #include "simcore/sdf/SdfSpecImplementation.h"
@@ -119,6 +120,20 @@ void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const 
   model.joints = std::move(ordered);
 }
 
+/// What a field says of the places where robots start.
+void readHomes(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context) {
+  for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
+    if (child->GetName() != "robotcontrol:home") continue;
+    HomeDescription home;
+    if (child->HasAttribute("team")) home.team = child->Get<std::string>("team");
+    std::istringstream(child->Get<std::string>()) >> home.place.x >> home.place.y >> home.place.heading;
+    home.place.x = context.within(home.place.x, -1000, 1000, "a place", child);
+    home.place.y = context.within(home.place.y, -1000, 1000, "a place", child);
+    home.place.heading = robotlink::normalizedAngle(home.place.heading);
+    model.homes.push_back(std::move(home));
+  }
+}
+
 ModelDescription readModel(const sdf::Model& source, const SdfContext& context) {
   ModelDescription model;
   const sdf::ElementPtr element = source.Element();
@@ -128,6 +143,9 @@ ModelDescription readModel(const sdf::Model& source, const SdfContext& context) 
   model.isBall = element->HasElement("robotcontrol:ball") && element->Get<bool>("robotcontrol:ball");
   if (element->HasElement("robotcontrol:robot"))
     model.robot = element->Get<std::string>("robotcontrol:robot");
+  if (element->HasElement("robotcontrol:field"))
+    model.field = element->Get<std::string>("robotcontrol:field");
+  readHomes(element, model, context);
   if (source.ModelCount() > 0) {
     context.fail(element, "scene.nested", "models inside models are not known");
   }

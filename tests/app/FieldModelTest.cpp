@@ -22,7 +22,7 @@ robotlink::FieldDescription field() {
 }
 
 TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
-  const std::string generated = fieldModelSdf(field());
+  const std::string generated = fieldModelSdf(field(), "2002");
   if (std::getenv("ROBOTCONTROL_REGENERATE") != nullptr) {
     ASSERT_TRUE(robotlink::writeFileAtomically(kModel, generated));
   }
@@ -34,25 +34,25 @@ TEST(FieldModel, theShippedModelIsTheOneGeneratedFromTheField) {
 TEST(FieldModel, aFieldWithoutWallsHasLinesAroundItInstead) {
   const auto open = robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2009.yaml");
   ASSERT_TRUE(open);
-  const std::string text = fieldModelSdf(*open);
+  const std::string text = fieldModelSdf(*open, "2009");
   EXPECT_THAT(text, AllOf(HasSubstr("line_touch_left"), HasSubstr("line_own_end"), HasSubstr("goal_blue_back")));
   EXPECT_THAT(text, Not(HasSubstr("wall_")));
   EXPECT_THAT(text, Not(HasSubstr("corner_")));
-  EXPECT_THAT(fieldModelSdf(field()), Not(HasSubstr("line_touch")));
+  EXPECT_THAT(fieldModelSdf(field(), "2002"), Not(HasSubstr("line_touch")));
 }
 
 TEST(FieldModel, aChangedFieldChangesTheModel) {
   robotlink::FieldDescription changed = field();
   changed.beacons[0].topColor = "orange";
   changed.wallHeight = 0.123;
-  const std::string text = fieldModelSdf(changed);
+  const std::string text = fieldModelSdf(changed, "2002");
   EXPECT_THAT(text, HasSubstr(" 0.123</size>"));
-  EXPECT_NE(text, fieldModelSdf(field()));
+  EXPECT_NE(text, fieldModelSdf(field(), "2002"));
 }
 
 TEST(FieldModel, linesCannotBeTouched) {
-  EXPECT_THAT(fieldModelSdf(field()), HasSubstr("visual name=\"line_halfway\""));
-  EXPECT_THAT(fieldModelSdf(field()), Not(HasSubstr("collision name=\"line_")));
+  EXPECT_THAT(fieldModelSdf(field(), "2002"), HasSubstr("visual name=\"line_halfway\""));
+  EXPECT_THAT(fieldModelSdf(field(), "2002"), Not(HasSubstr("collision name=\"line_")));
 }
 
 }  // namespace

@@ -4,6 +4,8 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
+#include <span>
+
 #include "SceneFixture.h"
 #include "simcore/maps/MapWorld.h"
 
@@ -47,7 +49,7 @@ robotlink::Result<std::vector<ModelInstance>> placed(const std::string& text, co
   const GroundMap map = parsed(text);
   WorldDescription world = mapWorld(map, "house.map").value();
   const std::size_t before = world.models.size();
-  const auto added = addRobots(world, &map, bucket(), robots, "house.map");
+  const auto added = addRobots(world, &map, bucket(), robots, {}, "house.map");
   if (!added) return tl::unexpected(added.error());
   return std::vector<ModelInstance>(world.models.begin() + static_cast<std::ptrdiff_t>(before),
                                     world.models.end());
@@ -111,7 +113,7 @@ TEST(RobotPlacement, namesAreNumberedAndNeverTaken) {
   const GroundMap map = parsed(kHouse);
   WorldDescription world = mapWorld(map, "house.map").value();
   world.models[0].name = "rover1";
-  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 2, .namePrefix = "rover"}, "house.map"));
+  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 2, .namePrefix = "rover"}, {}, "house.map"));
   EXPECT_EQ(world.models.at(world.models.size() - 2).name, "rover2");
   EXPECT_EQ(world.models.back().name, "rover3");
 }
@@ -175,11 +177,39 @@ TEST(RobotPlacement, tooManyRobotsAreRefusedWithTheNumberThatFits) {
               testing::MatchesRegex("house.map: there is room for [0-9]+ of the 500 robots: .*"));
 }
 
+TEST(RobotPlacement, robotsOfTeamsAreSharedOutAndStandAtTheTeamsHomes) {
+  WorldDescription world = mapWorld(parsed(kHouse), "house.map").value();
+  auto field = std::make_shared<ModelDescription>();
+  field->isStatic = true;
+  field->homes = {{"red", {1.5, 1.5, 0}}, {"blue", {6, 5, 1}}, {"red", {1.5, 5, 0}}};
+  ModelInstance& standing = world.models.emplace_back();
+  standing.type = field;
+  const auto robot = std::make_shared<ModelDescription>(*bucket());
+  robot->links[0].visuals.emplace_back().teamColor = true;
+  ModelInstance& first = world.models.emplace_back();
+  first.name = first.teamColorName = "red";
+  first.type = std::make_shared<ModelDescription>();
+  const Palette palette{{"red", {200, 0, 0}}, {"blue", {0, 0, 200}}};
+  const std::size_t before = world.models.size();
+  ASSERT_TRUE(addRobots(world, nullptr, robot, {.count = 3, .teams = {"red", "blue"}}, palette, "field.sdf"));
+  const auto added = std::span(world.models).subspan(before);
+  EXPECT_EQ(added[0].name, "blue1") << "the red team has one already";
+  EXPECT_EQ(added[1].name, "red1");
+  EXPECT_EQ(added[2].name, "blue2");
+  EXPECT_EQ(added[0].teamColor->b, 200);
+  EXPECT_NEAR(robotlink::groundPose(added[0].poseInWorld).x, 6, 1e-6);
+  EXPECT_NEAR(robotlink::groundPose(added[0].poseInWorld).heading, 1, 1e-6);
+  EXPECT_NEAR(robotlink::groundPose(added[1].poseInWorld).y, 1.5, 1e-6);
+  const auto refused = addRobots(world, nullptr, robot, {.count = 1, .teams = {"green"}}, palette, "field.sdf");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().describe(), testing::HasSubstr("no palette of the scene has the color 'green' of a team"));
+}
+
 TEST(RobotPlacement, whatStandsOnTheFloorIsMissed) {
   const GroundMap map = parsed(kHouse);
   WorldDescription world = mapWorld(map, "house.map").value();
-  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 3}, "house.map"));
-  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 3, .seed = 2}, "house.map"));
+  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 3}, {}, "house.map"));
+  ASSERT_TRUE(addRobots(world, &map, bucket(), {.count = 3, .seed = 2}, {}, "house.map"));
   std::vector<Pose2> places;
   for (std::size_t i = 2; i < world.models.size(); ++i)
     places.push_back(robotlink::groundPose(world.models[i].poseInWorld));

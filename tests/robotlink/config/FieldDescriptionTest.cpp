@@ -44,6 +44,16 @@ TEST(FieldDescription, theFieldOf2002HasItsMeasures) {
   EXPECT_EQ(field->color("mauve"), nullptr);
 }
 
+TEST(FieldDescription, placesOfTheKickOffLieInTheOwnHalf) {
+  const auto field = FieldDescription::load(kFile);
+  ASSERT_TRUE(field);
+  ASSERT_EQ(field->kickOff.size(), 4U);
+  EXPECT_EQ(field->kickOff[0], (Pose2{-0.8, 0, 0}));
+  const std::string wrong = errorsOf(withReplaced("[[-0.8, 0.0]", "[[0.8, 0.0]"));
+  EXPECT_THAT(wrong, HasSubstr("field.yaml:23"));
+  EXPECT_THAT(wrong, HasSubstr("in the half of the team that plays towards +x"));
+}
+
 TEST(FieldDescription, theFieldOf2002IsSymmetric) {
   const auto field = FieldDescription::load(kFile);
   ASSERT_TRUE(field);

@@ -49,7 +49,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   const GroundMap::Bounds bounds = map->bounds();
   if ((bounds.high - bounds.low).norm() > 30) return 0;
   const std::size_t before = world->models.size();
-  if (!addRobots(*world, &*map, bucket(), {.count = 3}, "fuzz.map")) return 0;
+  if (!addRobots(*world, &*map, bucket(), {.count = 3}, {}, "fuzz.map")) return 0;
   require(world->models.size() == before + 3, "all robots are there");
   for (std::size_t i = before; i < world->models.size(); ++i) {
     require(world->models[i].poseInWorld.matrix().allFinite(), "robots are somewhere");
