@@ -51,7 +51,9 @@ BallTrials::Trial playOne(SimulatedRun& run, const BallTrials& trials, BallTrial
 }  // namespace
 
 tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play() const {
-  auto made = SimulatedRun::create(run, {});
+  RunOptions options = run;
+  options.kickOffs = false;  // Each trial begins with a placed ball, and ends soon after the first touch.
+  auto made = SimulatedRun::create(std::move(options), {});
   if (!made) return tl::unexpected(made.error());
   SimulatedRun& simulated = **made;
   if (simulated.robots().empty()) {

@@ -88,14 +88,19 @@ void Outlet::tellError(const std::string& robot, const std::string& source, robo
   tellText(robot, source, time, foxglove::Log::ERROR, text);
 }
 
-void Outlet::tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
-                      const std::string& text) {
+robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                                     const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
   log->set_level(static_cast<foxglove::Log::Level>(level));
   log->set_name(source);
   log->set_message(text);
   robotlink::assign(*log->mutable_timestamp(), time);
-  tell({robot + "/" + robotlink::streams::kLog, time, std::move(log)});
+  return {robot + "/" + robotlink::streams::kLog, time, std::move(log)};
+}
+
+void Outlet::tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                      const std::string& text) {
+  tell(textMessage(robot, source, time, level, text));
 }
 
 void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text) {

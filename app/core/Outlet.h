@@ -22,6 +22,10 @@ class Session;
 
 namespace app {
 
+/// A text in a robot's log. `level`: a foxglove::Log::Level.
+robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
+                                     const std::string& text);
+
 /// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back: a run tells things
 /// while it is being made, when the session still belongs to another one that goes on if that fails.
 ///

@@ -4,10 +4,12 @@
 #include <algorithm>
 #include <set>
 
+#include "app/core/Outlet.h"
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
 #include "app/core/SceneMessages.h"
 #include "foxglove/Geometry.pb.h"
+#include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -22,7 +24,8 @@ using robotlink::Errors;
 
 namespace {
 
-const std::filesystem::path kFieldFile = "fields/2002.yaml";
+// Robots know a field even where there is none.
+const std::string kField = "2002";
 
 /// Every so many steps it is recorded where all bodies are: about 30 times a second.
 constexpr int kTransformsEvery = 4;
@@ -30,6 +33,11 @@ constexpr int kTransformsEvery = 4;
 std::filesystem::path descriptionFile(const std::string& name) { return robotlink::resource("robots/" + name + ".yaml"); }
 
 }  // namespace
+
+std::vector<std::string> teamsNamed(const std::string& name) {
+  if (name == "red" || name == "blue") return {name};
+  return {"red", "blue"};
+}
 
 SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder)
     : options_(std::move(options)),
@@ -46,9 +54,6 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
 }
 
 Errors SimulatedRun::load() {
-  auto field = robotlink::FieldDescription::load(robotlink::resource(kFieldFile));
-  if (!field) return field.error();
-  field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
   if (!options_.robots && options_.scene.extension() == ".map") added.count = 1;
   auto scene = simcore::Scene::load(options_.scene, added);
@@ -56,6 +61,10 @@ Errors SimulatedRun::load() {
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};
   world_ = std::move(*world);
+  auto field = robotlink::FieldDescription::load(fieldFile());
+  if (!field) return field.error();
+  field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
+  if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
   if (!options_.layout.empty()) {
@@ -67,6 +76,12 @@ Errors SimulatedRun::load() {
   if (tap_) tap_->restart();
   startPrograms(std::move(*programs));
   return {};
+}
+
+std::filesystem::path SimulatedRun::fieldFile() const {
+  // A name, not a path to somewhere else.
+  const std::filesystem::path name = world_->simulation().scene().field();
+  return robotlink::resource("fields/" + (name.empty() ? kField : name.filename().string()) + ".yaml");
 }
 
 robotlink::Result<void> SimulatedRun::openPorts() {
@@ -186,7 +201,7 @@ void SimulatedRun::stopPrograms() {
 }
 
 void SimulatedRun::record(Robot& robot) {
-  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name), robotlink::resource(kFieldFile),
+  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name), fieldFile(),
                            options_.executor == ExecutorKind::kLockstep ? "lockstep" : "threads"};
   tap_->attach(robot.name, *robot.platform, *robot.program, programSetup(*robot.program, *robot.platform, files));
 }
@@ -223,7 +238,18 @@ void SimulatedRun::step() {
     stepThreads();
   }
   if (ports_) ports_->deliver();
+  if (kickOff_) watchGame();
   if (tap_) recordStep();
+}
+
+void SimulatedRun::watchGame() {
+  const auto text = kickOff_->step();
+  if (!text) return;
+  if (listeners_.game) listeners_.game(world_->clock().now(), *text);
+  // The game belongs to no robot; a log keeps texts with one.
+  if (tap_ && !robots_.empty()) {
+    tap_->world(textMessage(robots_.front().name, "game", world_->clock().now(), foxglove::Log::INFO, *text));
+  }
 }
 
 void SimulatedRun::stepThreads() {
@@ -241,6 +267,7 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
   if (auto tried = makePrograms(options_.layouts); !tried) return tried.error();
   stopPrograms();  // Their processes must not read a clock that jumps.
   world_->reset(seed);
+  if (kickOff_) kickOff_->restart();
   options_.world.seed = seed;
   auto programs = makePrograms(options_.layouts);
   if (!programs) return programs.error();

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "app/core/ArcosPorts.h"
+#include "app/core/KickOff.h"
 #include "app/core/ProgramRequests.h"
 #include "app/core/SimulatedPlatform.h"
 #include "app/core/SimulatedWorld.h"
@@ -49,8 +50,13 @@ struct RunOptions {
   std::optional<ArcosPorts::Options> ports = {};
   ExecutorKind executor = ExecutorKind::kLockstep;
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
+  /// After a goal the ball comes back to the middle and the robots to their places; see KickOff.
+  bool kickOffs = true;
   bool classImages = false;  ///< the true classes are sent with all images, whether or not somebody asks for them
 };
+
+/// The teams that robots can be added to: "both", "red" or "blue".
+std::vector<std::string> teamsNamed(const std::string& name);
 
 /// A simulated world with the programs of all its robots, stepped by its caller.
 ///
@@ -67,6 +73,8 @@ class SimulatedRun {
         labelled = {};
     /// What programs outside did at the robots' ports, a line each.
     std::function<void(const std::string& text)> ports = {};
+    /// A goal, a kick-off: a sentence each.
+    std::function<void(robotlink::Instant time, const std::string& text)> game = {};
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
@@ -95,6 +103,8 @@ class SimulatedRun {
   std::vector<std::string> robots() const;
   std::shared_ptr<const robotlink::RobotDescription> description(const std::string& robot) const;
   std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
+  /// Null: this is no game on a field, or nobody brings the ball back.
+  const KickOff* game() const { return kickOff_.get(); }
   /// The file of the layout in which the first robot's program runs.
   std::filesystem::path layout() const;
 
@@ -134,11 +144,14 @@ class SimulatedRun {
   void stopPrograms();
   void tellTrouble(const robotlink::Process& process, const std::string& text);
   void stepThreads();
+  void watchGame();
+  std::filesystem::path fieldFile() const;
 
   RunOptions options_;
   Listeners listeners_;
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<SimulatedWorld> world_;
+  std::unique_ptr<KickOff> kickOff_;   // null: see game()
   std::unique_ptr<ArcosPorts> ports_;  // null: there are none
   std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
   std::vector<Robot> robots_;

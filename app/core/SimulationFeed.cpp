@@ -36,11 +36,16 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
             outlet_.tellTrouble(robot, process, text);
           },
           {},
-          [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); }};
+          [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); },
+          [this](robotlink::Instant, const std::string& text) { tellOfGame(text); }};
 }
 
 void SimulationFeed::tellOfPorts(const std::string& text, int level) {
-  if (run_) outlet_.tellText(run_->robots().front(), "ports", now(), level, text);
+  if (run_ && !run_->robots().empty()) outlet_.tellText(run_->robots().front(), "ports", now(), level, text);
+}
+
+void SimulationFeed::tellOfGame(const std::string& text) {
+  if (run_ && !run_->robots().empty()) outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
 void SimulationFeed::goOnLike(const SimulationFeed& before) {

@@ -249,11 +249,12 @@ void Workbench::addSimulationCommands() {
   commands_.add({"simulation.setup",
                  "Opens a scene or a map with robots put into it",
                  {{"scene", CommandTable::Type::kText, "an SDFormat file, a map (.map), or the name of a shipped scene"},
-                  {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at"},
+                  {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at or ers210"},
                   {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
                   {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
                   {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
-                  {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"}},
+                  {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"},
+                  {"teams", CommandTable::Type::kText, "that robots of the kind ers210 play in: both, red or blue"}},
                  [this](const Values& values) { return setUp(values); }});
 }
 
@@ -265,11 +266,16 @@ robotlink::Result<void> Workbench::setUp(const Values& values) {
   if (!(port >= 0 && port + robots <= 65536)) {
     return robotlink::failure("simulation.setup", "the ports must be between 1 and 65535; 0 opens none");
   }
+  const auto& teams = std::get<std::string>(values[6]);
+  if (teams != "both" && teams != "red" && teams != "blue") {
+    return robotlink::failure("simulation.setup", "the teams must be both, red or blue, not '" + teams + "'");
+  }
   RunOptions options = lastSimulation_;
   options.scene = sceneNamed(std::get<std::string>(values[0]));
   options.robots = simcore::RobotsToAdd{.model = std::get<std::string>(values[1]),
                                         .count = static_cast<int>(robots),
-                                        .seed = options.world.seed};
+                                        .seed = options.world.seed,
+                                        .teams = teamsNamed(teams)};
   options.world.kinematic = std::get<bool>(values[3]);
   options.ports.reset();
   if (port > 0) {
