@@ -4,6 +4,7 @@
 #include <QCheckBox>
 #include <QComboBox>
 #include <QDialogButtonBox>
+#include <QFile>
 #include <QFileDialog>
 #include <QFileInfo>
 #include <QFormLayout>
@@ -13,6 +14,7 @@
 #include <QSpinBox>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <algorithm>
 
 #include "app/core/Workbench.h"
 #include "widgets/Icon.h"
@@ -28,6 +30,18 @@ T last(const SimulationSetupDialog::Arguments& arguments, std::size_t index, T f
   if (index >= arguments.size()) return fallback;
   const T* value = std::get_if<T>(&arguments[index]);
   return value != nullptr ? *value : fallback;
+}
+
+/// The kind of robots that a scene's text names; empty: none.
+QString kindIn(const QString& scene) {
+  QFile file(QString::fromStdString(Workbench::sceneNamed(scene.trimmed().toStdString()).string()));
+  constexpr qint64 kEnough = 1 << 20;
+  if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly)) return {};
+  const QByteArray text = file.read(kEnough);
+  for (const char* kind : {"ers210", "p3at"}) {
+    if (text.contains(QByteArray("model://") + kind)) return QLatin1String(kind);
+  }
+  return {};
 }
 
 bool isMap(const QString& file) { return file.endsWith(QLatin1String(".map"), Qt::CaseInsensitive); }
@@ -72,7 +86,7 @@ void SimulationSetupDialog::createWorld() {
   row->addWidget(browse);
   layout()->addWidget(group);
   connect(browse, &QToolButton::clicked, this, &SimulationSetupDialog::chooseFile);
-  connect(scene_, &QComboBox::currentTextChanged, this, [this] { update(); });
+  connect(scene_, &QComboBox::currentTextChanged, this, &SimulationSetupDialog::followScene);
 }
 
 void SimulationSetupDialog::createRobots() {
@@ -81,20 +95,29 @@ void SimulationSetupDialog::createRobots() {
   kind_ = new QComboBox(group);
   kind_->setObjectName(QStringLiteral("setupKind"));
   kind_->addItem(tr("Pioneer 3-AT"), QStringLiteral("p3at"));
+  kind_->addItem(tr("ERS-210"), QStringLiteral("ers210"));
   kind_->setToolTip(tr("What kind of robots are put into the world, beside those that it has"));
   robots_ = new QSpinBox(group);
   robots_->setObjectName(QStringLiteral("setupRobots"));
   robots_->setRange(0, kMostRobots);
   robots_->setSpecialValueText(tr("none"));
-  robots_->setToolTip(tr("At the map's home first, then where there is room"));
+  robots_->setToolTip(tr("At the home of a map or the places of the kick-off first, then where there is room"));
+  teams_ = new QComboBox(group);
+  teams_->setObjectName(QStringLiteral("setupTeams"));
+  teams_->addItem(tr("Both, as many in each"), QStringLiteral("both"));
+  teams_->addItem(tr("Red"), QStringLiteral("red"));
+  teams_->addItem(tr("Blue"), QStringLiteral("blue"));
+  teams_->setToolTip(tr("In which team the added robots play; the red one plays to the sky-blue goal"));
   kinematic_ = new QCheckBox(tr("Moved by their odometry, without forces"), group);
   kinematic_->setObjectName(QStringLiteral("setupKinematic"));
   kinematic_->setToolTip(tr("Cheaper, for many robots: nothing slips, and what is in the way stops them"));
   form->addRow(tr("Kind:"), kind_);
-  form->addRow(tr("Number:"), robots_);
+  form->addRow(tr("Add:"), robots_);
+  form->addRow(tr("Teams:"), teams_);
   form->addRow(QString(), kinematic_);
   layout()->addWidget(group);
   connect(robots_, QOverload<int>::of(&QSpinBox::valueChanged), this, [this] { update(); });
+  connect(kind_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] { update(); });
 }
 
 void SimulationSetupDialog::createPorts() {
@@ -122,7 +145,11 @@ void SimulationSetupDialog::createPorts() {
 void SimulationSetupDialog::restore(const Arguments& arguments) {
   const auto scene = last<std::string>(arguments, 0, {});
   if (!scene.empty()) scene_->setEditText(QString::fromStdString(scene));
+  followScene();
+  const int kind = kind_->findData(QString::fromStdString(last<std::string>(arguments, 1, {})));
+  if (kind >= 0) kind_->setCurrentIndex(kind);
   robots_->setValue(static_cast<int>(last<double>(arguments, 2, 0)));
+  teams_->setCurrentIndex(std::max(0, teams_->findData(QString::fromStdString(last<std::string>(arguments, 6, {})))));
   kinematic_->setChecked(last<bool>(arguments, 3, false));
   const int port = static_cast<int>(last<double>(arguments, 4, 0));
   ports_->setChecked(port > 0);
@@ -138,9 +165,18 @@ void SimulationSetupDialog::chooseFile() {
   if (isMap(file) && robots_->value() == 0) robots_->setValue(1);
 }
 
+/// More of the kind that a scene has are wanted rather than others.
+void SimulationSetupDialog::followScene() {
+  const int kind = kind_ != nullptr ? kind_->findData(isMap(scene_->currentText()) ? QStringLiteral("p3at") : kindIn(scene_->currentText())) : -1;
+  if (kind >= 0) kind_->setCurrentIndex(kind);
+  update();
+}
+
 void SimulationSetupDialog::update() {
   const bool adds = robots_->value() > 0;
+  const bool wheels = kind_->currentData() == QLatin1String("p3at");
   kind_->setEnabled(adds);
+  teams_->setEnabled(adds && !wheels);
   port_->setEnabled(ports_->isChecked());
   network_->setEnabled(ports_->isChecked());
   buttons_->button(QDialogButtonBox::Open)->setEnabled(!scene_->currentText().trimmed().isEmpty());
@@ -178,7 +214,8 @@ SimulationSetupDialog::Arguments SimulationSetupDialog::arguments() const {
           static_cast<double>(robots_->value()),
           kinematic_->isChecked(),
           ports_->isChecked() ? static_cast<double>(port_->value()) : 0.0,
-          ports_->isChecked() && network_->isChecked()};
+          ports_->isChecked() && network_->isChecked(),
+          teams_->currentData().toString().toStdString()};
 }
 
 }  // namespace app

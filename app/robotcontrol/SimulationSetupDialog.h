@@ -37,11 +37,13 @@ class SimulationSetupDialog final : public QDialog {
   void createPorts();
   void restore(const Arguments& last);
   void chooseFile();
+  void followScene();
   void update();
 
   QComboBox* scene_ = nullptr;
   QComboBox* kind_ = nullptr;
   QSpinBox* robots_ = nullptr;
+  QComboBox* teams_ = nullptr;
   QCheckBox* kinematic_ = nullptr;
   QCheckBox* ports_ = nullptr;
   QSpinBox* port_ = nullptr;

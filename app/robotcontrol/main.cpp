@@ -19,6 +19,8 @@ struct Arguments {
   std::vector<std::string> files;
   std::string layout;
   std::string map;
+  std::string robot;  ///< model of those that are put into the world; empty: see simcore::RobotsToAdd
+  std::string teams = "both";
   int robots = -1;  ///< put into the world; negative: one into a map, none elsewhere
   bool kinematic = false;
   int port = 0;  ///< of the first robot; 0: none
@@ -36,14 +38,18 @@ void define(CLI::App& app, Arguments& arguments) {
                  "A world (.sdf, .world) or the map of a building (.map) to simulate; or log files to open on one time line; or a "
                  "Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the field of 2002 if none is given");
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
-  app.add_option("--robots", arguments.robots, "Simulated Pioneers that are put into the world (a map: 1)")->check(CLI::Range(0, 100));
+  app.add_option("--robots", arguments.robots, "Simulated robots that are put into the world (a map: 1)")->check(CLI::Range(0, 100));
+  app.add_option("--robot", arguments.robot, "Their model: ers210, p3at (those of the world, if it has any; else p3at)");
+  app.add_option("--teams", arguments.teams, "The teams that they play in, if they do: both, red or blue")
+      ->check(CLI::IsMember({"both", "red", "blue"}))
+      ->capture_default_str();
   app.add_flag("--kinematic", arguments.kinematic, "Simulated Pioneers are moved by their odometry, without forces");
   app.add_option("--arcos", arguments.port, "Programs find the first simulated Pioneer at this TCP port, the next at the next one")
       ->check(CLI::Range(1, 65435));
   app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
-  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; for a map or a Pioneer Drive, unless you say so");
+  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; for a map or a Pioneer Drive, for logs Log, unless you say so");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
@@ -74,9 +80,10 @@ bool opensLogs(const Arguments& arguments) {
   return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
 }
 
-/// Empty: the one that was shown last. Who opens a map or a Pioneer wants to see what belongs to it.
+/// Empty: the one that was shown last. Who opens a map, a Pioneer or a log wants to see what belongs to it.
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
+  if (opensLogs(arguments)) return "Log";
   const bool map = std::filesystem::path(arguments.files.front()).extension() == ".map";
   return map || connectsRobot(arguments) ? "Drive" : "";
 }
@@ -87,7 +94,10 @@ app::RunOptions simulationOf(const Arguments& arguments) {
   if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
   options.world.seed = arguments.seed;
   options.world.kinematic = arguments.kinematic;
-  if (arguments.robots >= 0) options.robots = simcore::RobotsToAdd{.count = arguments.robots, .seed = arguments.seed};
+  if (arguments.robots >= 0) {
+    options.robots = simcore::RobotsToAdd{
+        .model = arguments.robot, .count = arguments.robots, .seed = arguments.seed, .teams = app::teamsNamed(arguments.teams)};
+  }
   if (arguments.port > 0) {
     options.ports.emplace();
     options.ports->firstPort = static_cast<std::uint16_t>(arguments.port);
@@ -233,6 +243,10 @@ int start(int argc, char** argv) {
   } catch (const CLI::ParseError& error) {
     parser.exit(error);
     return kUsage;
+  }
+  if (const auto found = robotlink::checkResources(); !found) {
+    std::cerr << "robotcontrol: " << found.error().describe() << "\n";
+    return kFailed;
   }
   if (!hasDisplay()) {
     if (arguments.screenshot.empty()) {

@@ -2,78 +2,23 @@
 #include "app/robotctl/ArcosOptions.h"
 
 #include <CLI/CLI.hpp>
-#include <iomanip>
 #include <iostream>
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/ContactFigures.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/SimFigures.h"
 
 namespace app {
-namespace {
-
-using nlohmann::json;
-
-json robotFigures(const ArcosSimulation& simulation, std::size_t index) {
-  const auto line = simulation.ports().ports().statistics(index);
-  json figures = contactFigures(simulation.world(), simulation.world().pioneers()[index]->robot());
-  figures["url"] = simulation.ports().url(index);
-  figures["clients"] = line.clients;
-  figures["refused_clients"] = line.refused;
-  figures["packets_received"] = line.received.packets;
-  figures["checksum_errors"] = line.received.checksumErrors;
-  figures["skipped_bytes"] = line.received.skippedBytes;
-  figures["packets_sent"] = line.sentPackets;
-  figures["packets_dropped"] = line.droppedPackets;
-  return figures;
-}
-
-json figuresOf(const ArcosSimulation& simulation, double realSeconds) {
-  const SimulatedWorld& world = simulation.world();
-  const auto& costs = world.costs();
-  const double simulated = robotlink::seconds(world.clock().now());
-  const double steps = std::max<double>(1, static_cast<double>(costs.steps));
-  json figures;
-  figures["scene"] = simulation.options().scene.string();
-  figures["seed"] = world.options().seed;
-  figures["kinematic"] = world.options().kinematic;
-  figures["simulated_seconds"] = simulated;
-  figures["real_seconds"] = realSeconds;
-  figures["real_time_factor"] = realSeconds > 0 ? simulated / realSeconds : 0;
-  figures["steps"] = costs.steps;
-  figures["ms_per_step"] = robotlink::seconds(costs.physics) * 1000 / steps;
-  figures["ms_per_step_of_controllers"] = robotlink::seconds(costs.pioneers) * 1000 / steps;
-  figures["latest_step_seconds"] = robotlink::seconds(simulation.punctuality().latest);
-  figures["real_time_lost_seconds"] = robotlink::seconds(simulation.punctuality().lost);
-  std::uint64_t contacts = 0;
-  for (std::size_t i = 0; i < world.pioneers().size(); ++i) {
-    figures["robots"].push_back(robotFigures(simulation, i));
-    contacts += figures["robots"].back()["contacts"].get<std::uint64_t>();
-  }
-  figures["contacts"] = contacts;
-  return figures;
-}
-
-void printFigures(const json& figures) {
-  for (const auto& [name, value] : figures.items()) {
-    if (value.is_array()) continue;
-    std::cout << std::left << std::setw(28) << name
-              << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
-  }
-  for (const auto& robot : figures["robots"]) {
-    std::cout << robot["name"].get<std::string>() << ": touched something " << robot["contacts"]
-              << " times for " << robot["contact_seconds"] << " s altogether, " << robot["clients"]
-              << " clients\n";
-  }
-}
-
-}  // namespace
 
 void ArcosOptions::addTo(CLI::App& command) {
-  command.add_option("--robot", robot, "The model of the robots that --robots adds")->capture_default_str();
+  command.add_option("--robot", robot,
+                     "The model of the robots that --robots adds: ers210, p3at (those of the scene, if it has any; else p3at)");
   robots_ = command.add_option("--robots", robots, "How many robots to add to the scene (to a map: 1)")
                 ->check(CLI::Range(0, 1000));
+  command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")
+      ->check(CLI::IsMember({"both", "red", "blue"}))
+      ->capture_default_str();
   arcos_ =
       command
           .add_option(
@@ -102,9 +47,11 @@ bool ArcosOptions::given() const {
 simcore::RobotsToAdd ArcosOptions::robotsFor(const std::filesystem::path& scene, std::uint64_t seed) const {
   const bool asked = robots_ != nullptr && robots_->count() > 0;
   simcore::RobotsToAdd add;
-  add.model = robot;
+  // Only Pioneers speak ARCOS.
+  add.model = robot.empty() && given() ? simcore::RobotsToAdd{}.model : robot;
   add.count = asked ? robots : scene.extension() == ".map" ? 1 : 0;
   add.seed = seed;
+  add.teams = teamsNamed(teams);
   return add;
 }
 
@@ -137,12 +84,8 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
       run.seconds ? robotlink::Instant(robotlink::fromSeconds(*run.seconds)) : robotlink::Instant::max();
   (*simulation)->run(end, &Interrupt::noted);
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
-  const json figures = figuresOf(**simulation, real);
-  if (run.asJson) {
-    std::cout << figures.dump(2) << "\n";
-  } else {
-    printFigures(figures);
-  }
+  const nlohmann::json figures = figuresOf(**simulation, real);
+  std::cout << (run.asJson ? figures.dump(2) + "\n" : figuresText(figures));
   return ports.exitRequest().value_or(0) == 0 ? kDone : kFailed;
 }
 

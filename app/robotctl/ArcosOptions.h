@@ -15,9 +15,10 @@ class Option;
 
 namespace app {
 
-/// The options of `robotctl sim` that put Pioneers into a world and open them to programs by ARCOS.
+/// The options of `robotctl sim` that put robots into a world and open Pioneers to programs by ARCOS.
 struct ArcosOptions {
-  std::string robot = "p3at";
+  std::string robot;  ///< empty: see simcore::RobotsToAdd
+  std::string teams = "both";
   int robots = 0;
   bool kinematic = false;
   bool allSonars = false;

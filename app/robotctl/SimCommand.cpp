@@ -1,4 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <fmt/format.h>
+
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
@@ -15,8 +17,8 @@
 #include "app/robotctl/ArcosOptions.h"
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
-#include "app/robotctl/ContactFigures.h"
 #include "app/robotctl/RecordOptions.h"
+#include "app/robotctl/SimFigures.h"
 #include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
 
@@ -46,16 +48,6 @@ struct SimArguments {
   RecordOptions record;
 };
 
-std::string hex(std::uint64_t value) {
-  std::ostringstream text;
-  text << std::hex << std::setw(16) << std::setfill('0') << value;
-  return text.str();
-}
-
-double milliseconds(robotlink::Duration total, std::uint64_t count) {
-  return count == 0 ? 0 : robotlink::seconds(total) * 1000 / static_cast<double>(count);
-}
-
 /// "task=solution" pairs into the options; false and a message if one is none.
 bool takeSolutions(SimArguments& arguments) {
   for (const std::string& text : arguments.solutions) {
@@ -83,6 +75,7 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
   };
   if (arguments.texts) {
     listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
+    listeners.game = [](robotlink::Instant time, const std::string& text) { printText(time, "game", text); };
   }
   if (images != nullptr) {
     listeners.labelled = [images](const std::string& robot, const auto& image, const auto& classes) {
@@ -90,35 +83,6 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
     };
   }
   return listeners;
-}
-
-json figuresOf(SimulatedRun& run, double realSeconds) {
-  const SimulatedWorld& world = run.world();
-  const auto& costs = world.costs();
-  const double simulated = robotlink::seconds(world.clock().now());
-  json figures;
-  figures["scene"] = run.options().scene.string();
-  figures["layout"] = run.layout().string();
-  figures["seed"] = world.options().seed;
-  figures["robots"] = run.robots().size();
-  figures["simulated_seconds"] = simulated;
-  figures["real_seconds"] = realSeconds;
-  figures["real_time_factor"] = realSeconds > 0 ? simulated / realSeconds : 0;
-  figures["steps"] = costs.steps;
-  figures["images"] = costs.images;
-  figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
-  figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
-  for (const auto& pioneer : world.pioneers()) figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
-  figures["ball_contacts"] = world.simulation().ballContacts();
-  figures["digest"] = hex(world.digest());
-  return figures;
-}
-
-void printFigures(const json& figures) {
-  for (const auto& [name, value] : figures.items()) {
-    std::cout << std::left << std::setw(20) << name << (value.is_string() ? value.get<std::string>() : value.dump())
-              << "\n";
-  }
 }
 
 /// Steps to the end. A recording waits for the disk, and the run for the recording: nothing is in a hurry here.
@@ -166,10 +130,8 @@ int runOnce(const SimArguments& arguments) {
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";
-  } else if (arguments.asJson) {
-    std::cout << figures.dump(2) << "\n";
   } else {
-    printFigures(figures);
+    std::cout << (arguments.asJson ? figures.dump(2) + "\n" : figuresText(figures));
   }
   return status;
 }
@@ -192,7 +154,7 @@ int runTrials(const SimArguments& arguments) {
   trials.seconds = arguments.seconds;
   trials.onTrial = [&](const BallTrials::Trial& trial) {
     std::cerr << "seed " << trial.seed << ": "
-              << (trial.touched ? "touched after " + std::to_string(trial.touchedAfter) + " s" : "not touched")
+              << (trial.touched ? fmt::format("touched after {:.1f} s", trial.touchedAfter) : "not touched")
               << (trial.fell ? ", fell" : "") << "\n";
   };
   const auto results = trials.play();
@@ -287,7 +249,7 @@ void addSimCommand(CLI::App& app, int& status) {
   sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
   sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
   sim->callback([arguments, seconds, speed, &status] {
-    status = runSim(*arguments, seconds->count() > 0, speed->count() > 0);
+    status = withResources([&] { return runSim(*arguments, seconds->count() > 0, speed->count() > 0); });
   });
 }
 

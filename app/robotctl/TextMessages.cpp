@@ -8,13 +8,16 @@
 
 namespace app {
 
+void printText(robotlink::Instant time, const std::string& source, const std::string& text) {
+  std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(time) << "  " << source << ": " << text << "\n";
+}
+
 void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue) {
   for (const auto& message : queue.messages()) {
     if (!message.has_text()) continue;
     const auto& stamp = message.timestamp();
-    std::cerr << std::fixed << std::setprecision(3)
-              << static_cast<double>(stamp.seconds()) + 1e-9 * stamp.nanos() << "  " << robot << "/"
-              << message.text().name() << ": " << message.text().message() << "\n";
+    const robotlink::Instant time(std::chrono::seconds(stamp.seconds()) + std::chrono::nanoseconds(stamp.nanos()));
+    printText(time, robot + "/" + message.text().name(), message.text().message());
   }
 }
 

@@ -3,12 +3,16 @@
 
 #include <string>
 
+#include "robotlink/base/Clock.h"
+
 namespace robotcontrol {
 class DebugQueue;
 }
 
 namespace app {
 
+/// Prints one line on stderr: what was said when, and by whom.
+void printText(robotlink::Instant time, const std::string& source, const std::string& text);
 /// Prints the text messages of a debug queue on stderr, one a line, with their times.
 void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue);
 

@@ -77,7 +77,7 @@ class PioneersGuiTest : public QObject {
     client.join();
     // The same once more, at the same ports; what was chosen is there again.
     QVERIFY(desk.workbench.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 2.0, true,
-                                                               static_cast<double>(port), false}));
+                                                               static_cast<double>(port), false, std::string("both")}));
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 3, kWaitMs);
     DialogAnswer again([port](QDialog& dialog) {
       QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->currentText(), QStringLiteral("pioneer"));
@@ -86,6 +86,27 @@ class PioneersGuiTest : public QObject {
     });
     desk.choose("file.simulate");
     QVERIFY(again.asked());
+  }
+
+  void ersRobotsOfTwoTeamsAreAddedToAField() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    DialogAnswer setUp([](QDialog& dialog) {
+      auto* kind = dialog.findChild<QComboBox*>(QStringLiteral("setupKind"));
+      auto* teams = dialog.findChild<QComboBox*>(QStringLiteral("setupTeams"));
+      dialog.findChild<QSpinBox*>(QStringLiteral("setupRobots"))->setValue(3);
+      dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->setEditText(QStringLiteral("pioneer"));
+      QCOMPARE(kind->currentText(), QStringLiteral("Pioneer 3-AT"));
+      QVERIFY(!teams->isEnabled());
+      dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->setEditText(QStringLiteral("field2002"));
+      QCOMPARE(kind->currentText(), QStringLiteral("ERS-210"));  // more of those that the scene has
+      QVERIFY(teams->isEnabled());
+      DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
+    });
+    desk.choose("file.simulate");
+    QVERIFY(setUp.asked());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 4, kWaitMs);
+    QCOMPARE(desk.workbench.session().robots(), (std::vector<std::string>{"blue1", "blue2", "red1", "red2"}));
   }
 
   void aViewIsBroughtToTheFrontByACommand() {

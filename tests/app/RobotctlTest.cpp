@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The program as its users call it.
+#include <gmock/gmock.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
 
@@ -17,10 +18,9 @@ struct Outcome {
   std::string text;  ///< stdout and stderr
 };
 
-Outcome robotctl(const std::string& arguments) {
-  const std::string command = std::string(ROBOTCTL) + " " + arguments + " 2>&1";
+Outcome run(const std::string& command) {
   Outcome outcome;
-  FILE* pipe = ::popen(command.c_str(), "r");
+  FILE* pipe = ::popen((command + " 2>&1").c_str(), "r");
   if (pipe == nullptr) return outcome;
   std::array<char, 4096> buffer{};
   while (const std::size_t count = std::fread(buffer.data(), 1, buffer.size(), pipe)) {
@@ -28,6 +28,10 @@ Outcome robotctl(const std::string& arguments) {
   }
   outcome.status = WEXITSTATUS(::pclose(pipe));
   return outcome;
+}
+
+Outcome robotctl(const std::string& arguments, const std::string& environment = {}) {
+  return run(environment + ROBOTCTL + " " + arguments);
 }
 
 const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf";
@@ -57,6 +61,43 @@ TEST(Robotctl, simPrintsItsFiguresAsOneJsonObject) {
     EXPECT_GT(figures.at(name).get<double>(), 0);
   EXPECT_TRUE(figures.contains("ball_contacts"));
   EXPECT_TRUE(figures.contains("digest"));
+}
+
+TEST(Robotctl, simPrintsItsFiguresForPeopleRoundedAndWithUnits) {
+  const Outcome outcome = robotctl("sim " + kScene + " --seconds 1 --seed 5");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_THAT(outcome.text, testing::HasSubstr("scene       field2002.sdf, seed 5\n"));
+  EXPECT_THAT(outcome.text, testing::HasSubstr("robots      1, in the layout compact\n"));
+  EXPECT_THAT(outcome.text, testing::ContainsRegex("time        1\\.00 s simulated in [0-9.]+ m?s: [0-9.]+ times real time"));
+  EXPECT_THAT(outcome.text, testing::ContainsRegex("physics     250 steps, [0-9.]+ ms each"));
+  EXPECT_THAT(outcome.text, testing::ContainsRegex("images      25, [0-9.]+ ms each"));
+  EXPECT_THAT(outcome.text, testing::HasSubstr("goals       red 0, blue 0\n"));
+  EXPECT_THAT(outcome.text, testing::Not(testing::HasSubstr("_"))) << "names are for programs";
+  EXPECT_THAT(outcome.text, testing::Not(testing::ContainsRegex("[0-9]\\.[0-9][0-9][0-9][0-9]")));
+}
+
+TEST(Robotctl, robotsAreAddedToAGame) {
+  const Outcome outcome = robotctl("sim " + kScene + " --seconds 0.2 --json --robots 3");
+  ASSERT_EQ(outcome.status, 0) << outcome.text;
+  EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 4);
+  EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 --robots 2 --teams green").status, 2);
+  const Outcome house = robotctl("sim " ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map --seconds 0.1 --json --robot ers210 --robots 2");
+  EXPECT_EQ(house.status, 0) << house.text;
+}
+
+TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
+  const Outcome wrong = robotctl("sim " + kScene, "ROBOTCONTROL_RESOURCES=/no/such/folder ");
+  EXPECT_EQ(wrong.status, 1);
+  EXPECT_THAT(wrong.text, testing::HasSubstr("ROBOTCONTROL_RESOURCES names the folder '/no/such/folder'"));
+  // The program alone, as after a bad installation.
+  const auto folder = std::filesystem::path(testing::TempDir()) / "alone";
+  std::filesystem::create_directories(folder);
+  std::filesystem::copy_file(ROBOTCTL, folder / "robotctl", std::filesystem::copy_options::overwrite_existing);
+  const Outcome none = run((folder / "robotctl").string() + " sim " + kScene);
+  EXPECT_EQ(none.status, 1);
+  EXPECT_THAT(none.text, testing::HasSubstr("no folder 'resources' in or above '" + std::filesystem::canonical(folder).string() + "'"));
+  EXPECT_THAT(none.text, testing::HasSubstr("ROBOTCONTROL_RESOURCES"));
+  std::filesystem::remove_all(folder);
 }
 
 TEST(Robotctl, theDigestIsTheSameEveryTimeAndAnotherForAnotherSeed) {
