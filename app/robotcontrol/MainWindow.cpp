@@ -11,6 +11,7 @@
 #include <QStatusBar>
 #include <QToolButton>
 #include <QVBoxLayout>
+#include <utility>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
@@ -141,6 +142,16 @@ void MainWindow::onLoaded() {
   simulationMenu_->menuAction()->setVisible(loaded->logs.empty());
   const QString name = QString::fromStdString(loaded->name());
   setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
+  showWhatBelongsTo(*loaded);
+}
+
+/// Who opens a log in the perspective for games wants to see that for logs; who has chosen another one stays there. What is loaded
+/// at the start has no say: the window is as it was left.
+void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
+  const QString beginning = Perspectives::beginningWith(loaded);
+  if (beginning.isEmpty()) return;
+  const QString before = std::exchange(beginning_, beginning);
+  if (!before.isEmpty() && before != beginning && perspectives_.current() == before) showPerspective(beginning);
 }
 
 void MainWindow::showErrors(const robotlink::Errors& errors) {

@@ -34,6 +34,7 @@ class SimulationToolBar;
 class StatusLine;
 class ViewDocks;
 class Workbench;
+struct LoadedPlatform;
 
 /// The workbench's window: docks with views, toolbars, menus, status line; and the 30 Hz tick that all of them live by.
 ///
@@ -108,10 +109,12 @@ class MainWindow : public QMainWindow {
   void showShortcuts();
   void showAbout();
   void onLoaded();
+  void showWhatBelongsTo(const LoadedPlatform& loaded);
 
   Workbench& workbench_;
   widgets::ViewContext context_;
   Perspectives perspectives_;
+  QString beginning_;  // where people begin with what was loaded last; empty: nothing was
   Appearance appearance_ = Appearance::kSystem;
   std::vector<robotlink::CommandTable::Value> lastSetup_;  // of SimulationSetupDialog
   CommandActions* actions_ = nullptr;

@@ -6,9 +6,12 @@
 #include <qtadvanceddocking/DockManager.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
+#include <algorithm>
 
+#include "app/core/PlatformFeed.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/RobotDescription.h"
 
 namespace app {
 namespace {
@@ -136,6 +139,14 @@ const Shipped* shipped(const QString& name) {
 
 Perspectives::Perspectives(std::filesystem::path file) : file_(std::move(file)), current_(QStringLiteral("Play")) {
   load();
+}
+
+QString Perspectives::beginningWith(const LoadedPlatform& loaded) {
+  if (!loaded.logs.empty()) return QStringLiteral("Log");
+  if (loaded.robots.empty()) return {};
+  const bool wheels = std::all_of(loaded.robots.begin(), loaded.robots.end(),
+                                  [](const auto& robot) { return robot.second && robot.second->drive; });
+  return wheels ? QStringLiteral("Drive") : QStringLiteral("Play");
 }
 
 void Perspectives::load() {

@@ -10,6 +10,7 @@
 namespace app {
 
 class ViewDocks;
+struct LoadedPlatform;
 
 /// Named window layouts, in a text file of the user's: what he made of the shipped ones, and his own. The shipped ones (Play,
 /// Motion, Processes, Drive, ...) can always be had again. GUI thread.
@@ -18,6 +19,10 @@ class ViewDocks;
 class Perspectives {
  public:
   explicit Perspectives(std::filesystem::path file);
+
+  /// The shipped one in which people begin with what is loaded: Log for logs, Drive for robots on wheels, Play for others; empty
+  /// for nothing.
+  static QString beginningWith(const LoadedPlatform& loaded);
 
   /// What was wrong with the file, if anything.
   const robotlink::Errors& problems() const { return problems_; }

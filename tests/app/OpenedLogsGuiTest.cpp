@@ -42,6 +42,22 @@ class OpenedLogsGuiTest : public QObject {
     QVERIFY(!desk.find<QToolBar>("logToolBar").isVisible());
   }
 
+  void whoOpensALogSeesItsPerspectiveUnlessHeChoseAnother() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto shows = [&](const char* view) { return desk.window.docks().docks(QLatin1String(view)).size() == 1; };
+    QVERIFY(shows("scene") && !shows("time-line"));
+    open(desk, "first.mcap");
+    QVERIFY(shows("time-line") && shows("replay-packages") && !shows("scene"));
+    QVERIFY(desk.workbench.commands().run("simulation.open", {std::string("house")}));
+    QTRY_VERIFY_WITH_TIMEOUT(shows("radar") && !shows("time-line"), kWaitMs);
+    QVERIFY(desk.workbench.commands().run("simulation.open", {std::string("field2002")}));
+    QTRY_VERIFY_WITH_TIMEOUT(shows("scene"), kWaitMs);
+    desk.window.showPerspective(QStringLiteral("Colour"));
+    open(desk, "second.mcap");
+    QVERIFY(shows("color-image") && !shows("replay-packages"));
+  }
+
   void aSecondLogIsAddedByItsFile() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
