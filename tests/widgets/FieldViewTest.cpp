@@ -64,6 +64,42 @@ class FieldViewTest : public QObject {
  private Q_SLOTS:
   void initTestCase() { failAtWarnings(); }
 
+  void aClickSelectsARobotAndMovesNothing() {
+    Shown s;
+    s.world.session.setRobots({"blue1", "red1"});
+    s.world.session.selectRobot("blue1");
+    s.placeThings();
+    moveMouse(*s.canvas, s.at(-1, 0.5));
+    QTest::mousePress(s.canvas, Qt::LeftButton, {}, s.at(-1, 0.5));
+    moveMouse(*s.canvas, s.at(-1, 0.5) + QPoint(2, 1), Qt::LeftButton);
+    s.view.tick();
+    QTest::mouseRelease(s.canvas, Qt::LeftButton, {}, s.at(-1, 0.5) + QPoint(2, 1));
+    QCOMPARE(s.world.session.selectedRobot(), std::string("red1"));
+    QVERIFY(s.world.requests.empty());
+    QTest::mouseClick(s.canvas, Qt::LeftButton, {}, s.at(1, 1));  // nobody stands there
+    QCOMPARE(s.world.session.selectedRobot(), std::string("red1"));
+  }
+
+  void onlyTheSelectedRobotsBeliefsAreShown() {
+    Shown s;
+    s.world.session.setRobots({"blue1", "red1"});
+    s.placeThings();
+    s.world.session.selectRobot("blue1");
+    s.step();
+    const QImage without = s.picture();
+    s.world.pushEstimates({0.8, 0.9, 0}, {0.3, 0});
+    s.step();
+    const QRect around(s.at(0.8, 0.9) - QPoint(20, 20), QSize(40, 40));
+    QVERIFY(s.picture().copy(around) == without.copy(around));
+    s.world.session.selectRobot("red1");
+    s.step();
+    QVERIFY(s.picture().copy(around) != without.copy(around));
+    child<RobotChoice>(s.view, "fieldRobot")->setChoice(QStringLiteral("*"));
+    s.world.session.selectRobot("blue1");
+    s.step();
+    QVERIFY(s.picture().copy(around) != without.copy(around));
+  }
+
   void theFieldHasItsColours() {
     Shown s;
     QVERIFY(isNear(s.colorAt(1.2, 0.9), s.named("green"), 2));

@@ -24,6 +24,7 @@ using robotlink::Vector2;
 constexpr double kGrabTolerance = 6;  // pixels around a figure
 constexpr double kPanStep = 30;       // pixels for an arrow key
 constexpr double kPlaceTolerance = 9;
+constexpr int kClickSlack = 4;  // pixels that a hand moves while it clicks
 constexpr double kTurnStep = robotlink::radians(15);
 
 }  // namespace
@@ -37,7 +38,7 @@ FieldCanvas::FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> fiel
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 80);
   setToolTip(
-      tr("Wheel: zoom; drag: move the picture; drag a robot or the ball (Shift: always): place it, wheel: "
+      tr("Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: always): place it, wheel: "
          "turn it; Control and click: send the robot there; arrows: move; F: fit; R: turn"));
   setToolTipDuration(4000);
 }
@@ -187,7 +188,8 @@ void FieldCanvas::updatePlace(const QPointF& at) {
 
 void FieldCanvas::mousePressEvent(QMouseEvent* event) {
   if (event->button() == Qt::RightButton) return QWidget::mousePressEvent(event);
-  last_ = event->localPos();
+  last_ = pressed_ = event->localPos();
+  moved_ = false;
   const std::string model =
       event->button() == Qt::LeftButton ? modelAt(last_, event->modifiers()) : std::string();
   const Vector2 ground = groundAt(transform(), last_);
@@ -206,10 +208,12 @@ void FieldCanvas::mousePressEvent(QMouseEvent* event) {
 
 void FieldCanvas::mouseMoveEvent(QMouseEvent* event) {
   const QPointF at = event->localPos();
+  moved_ = moved_ || (at - pressed_).manhattanLength() >= kClickSlack;
   if (mode_ == Mode::kPanning) panBy(at - last_);
   last_ = at;
   const Vector2 ground = groundAt(transform(), at);
-  if (mode_ == Mode::kDragging) Q_EMIT dragMoved(ground.x(), ground.y());
+  // A click does not move what it selects.
+  if (mode_ == Mode::kDragging && moved_) Q_EMIT dragMoved(ground.x(), ground.y());
   if (mode_ == Mode::kAiming) Q_EMIT aimMoved(ground.x(), ground.y());
   if (mode_ == Mode::kIdle) {
     updateHighlight(at, event->modifiers());
@@ -223,11 +227,18 @@ void FieldCanvas::mouseMoveEvent(QMouseEvent* event) {
 
 void FieldCanvas::mouseReleaseEvent(QMouseEvent* event) {
   if (mode_ == Mode::kDragging) Q_EMIT dragEnded();
+  if (event->button() == Qt::LeftButton && mode_ != Mode::kAiming && !moved_) click(event->localPos());
   if (mode_ == Mode::kAiming) Q_EMIT aimEnded();
   mode_ = Mode::kIdle;
   figures_.highlighted.clear();
   unsetCursor();
   updateHighlight(event->localPos(), event->modifiers());
+}
+
+void FieldCanvas::click(const QPointF& at) {
+  const double tolerance = kGrabTolerance / shownScale(viewport_, extent(), size());
+  const std::string robot = robotAt(figures_, groundAt(transform(), at), tolerance);
+  if (!robot.empty()) Q_EMIT robotClicked(QString::fromStdString(robot));
 }
 
 void FieldCanvas::wheelEvent(QWheelEvent* event) {

@@ -67,6 +67,8 @@ class FieldCanvas final : public QWidget {
   void dragMoved(double x, double y);
   void dragTurned(double angle);
   void dragEnded();
+  /// Pressed and released without being moved.
+  void robotClicked(const QString& robot);
   /// `place`: the one of the map that was pressed; -1: none.
   void aimStarted(double x, double y, int place);
   void aimMoved(double x, double y);
@@ -92,6 +94,7 @@ class FieldCanvas final : public QWidget {
   std::string modelAt(const QPointF& at, Qt::KeyboardModifiers modifiers) const;
   void updateHighlight(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void panBy(const QPointF& by);
+  void click(const QPointF& at);
 
   std::shared_ptr<const robotlink::FieldDescription> field_;
   std::unique_ptr<MapGround> map_;
@@ -106,7 +109,8 @@ class FieldCanvas final : public QWidget {
   bool moveAlways_ = true;
   FieldViewport viewport_;
   Mode mode_ = Mode::kIdle;
-  QPointF last_;
+  QPointF last_, pressed_;
+  bool moved_ = false;  // since the press, and farther than a hand moves while it clicks
 };
 
 }  // namespace widgets

@@ -186,6 +186,14 @@ void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransfor
   }
 }
 
+/// Whether the figure of a robot at a pose is at a place.
+bool covers(const Pose2& pose, const Vector2& body, const Vector2& place, double tolerance) {
+  const Vector2 inRobot = pose.inverse() * place;
+  const bool wheels = body.x() > 0;
+  const double x = wheels ? body.x() / 2 : 0.56 * kLength, y = wheels ? body.y() / 2 : kWidth / 2;
+  return std::abs(inRobot.x() + (wheels ? 0 : 0.06 * kLength)) < x + tolerance && std::abs(inRobot.y()) < y + tolerance;
+}
+
 }  // namespace
 
 void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget,
@@ -255,15 +263,17 @@ void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette&) {
   painter.restore();
 }
 
+std::string robotAt(const FieldFigures& figures, const Vector2& place, double tolerance) {
+  for (const RobotBelief& belief : figures.robots) {
+    const auto pose = belief.pose();
+    if (pose && covers(*pose, belief.body, place, tolerance)) return belief.robot;
+  }
+  return {};
+}
+
 std::string figureAt(const FieldFigures& figures, const Vector2& place, double tolerance) {
   for (const RobotBelief& belief : figures.robots) {
-    if (!belief.truth) continue;
-    const Vector2 inRobot = belief.truth->inverse() * place;
-    const bool wheels = belief.body.x() > 0;
-    const double x = wheels ? belief.body.x() / 2 : 0.56 * kLength, y = wheels ? belief.body.y() / 2 : kWidth / 2;
-    const bool inside = std::abs(inRobot.x() + (wheels ? 0 : 0.06 * kLength)) < x + tolerance &&
-                        std::abs(inRobot.y()) < y + tolerance;
-    if (inside) return belief.robot;
+    if (belief.truth && covers(*belief.truth, belief.body, place, tolerance)) return belief.robot;
   }
   if (figures.ball && (*figures.ball - place).norm() < figures.ballRadius + tolerance) return "ball";
   return {};

@@ -47,6 +47,9 @@ void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures
 /// The key to the two ways of drawing, in the lower left corner of `widget`.
 void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette& palette);
 
+/// The robot whose figure is at a place: the true one, or the estimated one where only that is known. Empty: none.
+std::string robotAt(const FieldFigures& figures, const robotlink::Vector2& place, double tolerance);
+
 /// The name of the model whose figure (the true one) is at a place: robots before the ball. Empty: none.
 std::string figureAt(const FieldFigures& figures, const robotlink::Vector2& place, double tolerance);
 

@@ -108,6 +108,7 @@ void FieldView::createViews() {
 QWidget* FieldView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   robots_ = new RobotChoice("fieldRobot", row->parentWidget());
+  robots_->setToolTip(tr("Whose drawings are shown, and where it believes that it and the ball are"));
   row->addWidget(robots_);
   row->addStretch(1);
   addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_});
@@ -136,6 +137,10 @@ void FieldView::connectSignals() {
   connect(showTrails_, &QAction::toggled, this, &FieldView::tick);
   connect(drawings_, &DrawingsModel::shownChanged, this, &FieldView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, &FieldView::tick);
+  connect(canvas_, &FieldCanvas::robotClicked, this, [this](const QString& robot) {
+    session().selectRobot(robot.toStdString());
+    tick();
+  });
   connect(canvas_, &FieldCanvas::viewportChanged, this, &FieldView::updateStatus);
   connect(canvas_, &FieldCanvas::cursorMoved, this, [this](double x, double y, bool inside) {
     cursor_->setText(inside ? tr("x %1 m  y %2 m").arg(x, 0, 'f', 3).arg(y, 0, 'f', 3) : QString());
@@ -225,6 +230,13 @@ void FieldView::updateGoals(const std::vector<RobotBelief>& beliefs) {
 FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   FieldFigures figures;
   figures.robots = beliefs;
+  const std::vector<std::string> chosen = robots_->robots(session());
+  for (RobotBelief& belief : figures.robots) {
+    if (std::ranges::find(chosen, belief.robot) != chosen.end()) continue;
+    belief.ball.reset();
+    // A real robot that is not chosen still stands somewhere.
+    if (belief.truth) belief.estimate.reset();
+  }
   figures.onMap = canvas_->map() != nullptr;
   figures.trails = trails_.places();
   if (const auto ball = scene_.modelPose(kBall)) figures.ball = ball->translation().head<2>();
