@@ -30,7 +30,8 @@ std::optional<Instant> timeOf(const DebugMessage& message) {
 }
 
 // A package as the type it was; as it came if that is not known here or its bytes do not make one.
-PackagePtr unpacked(const QueuePtr& queue, const robotcontrol::PackageCopy& copy) {
+template <typename Part>
+PackagePtr unpacked(const robotcontrol::PackageCopy& copy, const Part& part) {
   const auto* descriptor =
       google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(copy.type());
   const Message* prototype =
@@ -39,12 +40,17 @@ PackagePtr unpacked(const QueuePtr& queue, const robotcontrol::PackageCopy& copy
     const std::shared_ptr<Message> package(prototype->New());
     if (package->ParseFromString(copy.data())) return package;
   }
-  return {queue, &copy};
+  return part(copy);
 }
 
-// Shares the queue's memory: nothing is copied.
-PackagePtr contents(const QueuePtr& queue, const DebugMessage& message) {
-  const auto part = [&](const Message& value) { return PackagePtr(queue, &value); };
+// `shares`: nothing is copied, and the queue stays as long as what it holds.
+PackagePtr contents(const QueuePtr& queue, const DebugMessage& message, bool shares) {
+  const auto part = [&](const Message& value) {
+    if (shares) return PackagePtr(queue, &value);
+    const std::shared_ptr<Message> copy(value.New());
+    copy->CopyFrom(value);
+    return PackagePtr(copy);
+  };
   switch (message.content_case()) {
     case DebugMessage::kText:
       return part(message.text());
@@ -59,7 +65,7 @@ PackagePtr contents(const QueuePtr& queue, const DebugMessage& message) {
     case DebugMessage::kStopwatches:
       return part(message.stopwatches());
     case DebugMessage::kPackage:
-      return unpacked(queue, message.package());
+      return unpacked(message.package(), part);
     case DebugMessage::kFrame:
       return part(message.frame());
     case DebugMessage::kKeys:
@@ -77,10 +83,26 @@ PackagePtr contents(const QueuePtr& queue, const DebugMessage& message) {
   return nullptr;
 }
 
+// Whether what a reader keeps of a queue is so much of it that it may keep it as a whole.
+bool isWorthKeeping(const DebugQueue& queue, QueueReader reader) {
+  constexpr std::size_t kLittle = 2048;
+  std::size_t bytes = 0, useless = 0;
+  for (const DebugMessage& message : queue.messages()) {
+    const std::size_t size = message.ByteSizeLong();
+    bytes += size;
+    const bool unread = message.only_recorded() && reader == QueueReader::kViews;
+    if (unread || message.has_package() || message.has_result()) useless += size;
+  }
+  return useless <= kLittle || useless * 8 <= bytes;
+}
+
 }  // namespace
 
 QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instant lastTime,
                          QueueReader reader) {
+  // The place of a message in the queue: its object, its path, its time.
+  constexpr std::size_t kPlace = 192;
+  const bool shares = isWorthKeeping(*queue, reader);
   QueueMessages result;
   result.messages.reserve(static_cast<std::size_t>(queue->messages_size()));
   std::size_t frameBegin = 0;
@@ -92,14 +114,14 @@ QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instan
       continue;
     }
     PackagePtr value =
-        message.path().empty() || message.path().size() > kMaxPath ? nullptr : contents(queue, message);
+        message.path().empty() || message.path().size() > kMaxPath ? nullptr : contents(queue, message, shares);
     if (!value) {
       ++result.senseless;
       continue;
     }
     StreamMessage& added = result.messages.emplace_back(
         StreamMessage{robot + "/" + message.path(), lastTime, std::move(value), queue->process()});
-    added.bytes = sizeOf(added);
+    added.bytes = sizeOf(added) + (shares ? kPlace : 0);
     if (!message.has_frame()) continue;
     // It ends its frame: all since the last one belong to it.
     for (; frameBegin < result.messages.size(); ++frameBegin) {
