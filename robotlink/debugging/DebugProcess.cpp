@@ -165,7 +165,9 @@ bool DebugProcess::request(const Request& request) {
   return implementation_->inbox.push(request);
 }
 
-std::string DebugProcess::refusal(const Request& request) const { return implementation_->refusal(request); }
+std::string DebugProcess::refusal(const Request& request) const {
+  return stopped() ? implementation_->stoppedText(*this) : implementation_->refusal(request);
+}
 
 std::string DebugProcess::processAsked(const Request& request) const {
   const auto target = implementation_->targetOf(request);
