@@ -19,6 +19,7 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/PlotCanvas.h"
 #include "widgets/Requests.h"
+#include "widgets/log/OpenLogs.h"
 
 namespace widgets {
 namespace {
@@ -31,6 +32,13 @@ const ViewRegistration kRegistration{
 constexpr int kTicks = 6;                               // of so many ticks (at 30 Hz)...
 constexpr int kDrawn = 5;                               // ...at most so many draw: 25 Hz
 constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
+
+/// Whether a stream is a package that an open log holds and that is not recomputed.
+bool isAsLogged(const robotcontrol::ReplayStatus& status, const std::string& stream) {
+  return std::any_of(status.packages().begin(), status.packages().end(), [&](const auto& package) {
+    return package.package() == stream && package.logged() && package.source() == robotcontrol::ControlReplay::AS_LOGGED;
+  });
+}
 
 }  // namespace
 
@@ -202,6 +210,7 @@ void PlotsView::requestMissing() {
   for (auto& curve : curves_.curves()) {
     if (curve->requested) continue;
     const PlotSource& source = curve->series.source();
+    if (isAsLogged(openLogs(context()).replay().status(), source.stream)) continue;  // it comes without being asked for
     const std::string key = keyFor(session().store(), source, session().timeline().newest());
     if (key.empty()) continue;
     curve->requested = true;

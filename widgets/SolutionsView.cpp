@@ -88,6 +88,7 @@ void SolutionsView::connectSignals() {
   connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
           &SolutionsView::showCurrent);
   connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
+  connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
   connect(showParameters_, &QAction::toggled, this, [this](bool on) {
     parameters_->setVisible(on);
     if (on) splitter_->setSizes({splitter_->height() * 3 / 5, splitter_->height() * 2 / 5});

@@ -25,7 +25,8 @@ bool ReplayRobot::computes() const {
 std::vector<std::string> ReplayRobot::neededStreams() const {
   std::vector<std::string> needed;
   for (const std::string& path : streams_) {
-    const bool needs = plan_.isAsLogged(path) || path.starts_with(streams::kFrames) || path == streams::kRequests ||
+    // What is recomputed is read, too, to be compared.
+    const bool needs = logged_.contains(path) || path.starts_with(streams::kFrames) || path == streams::kRequests ||
                        path == streams::kProgram || robotlink::isDebugPackage(path);
     if (needs) needed.push_back(logName_ + "/" + path);
   }

@@ -407,6 +407,21 @@ TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   EXPECT_EQ(replay.countOn("scene"), 3U) << "and at each jump";
 }
 
+TEST_F(ReplayRunTest, afterAJumpTheLoggedPackageIsThereToBeComparedWith) {
+  ReplayOptions options = replayOf({ReplayLog{file()}});
+  options.packages["*/percepts/regions"] = ControlReplay::RECOMPUTED;
+  Replay replay(options);
+  ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
+  const auto instant = replay.run->messageTime(kRegions, 10);
+  ASSERT_TRUE(instant);
+  ASSERT_TRUE(replay.run->jump(*instant).empty());
+  const auto status = replay.status();
+  ASSERT_EQ(status.differences_size(), 1);
+  EXPECT_EQ(status.differences(0).compared(), 1U);
+  EXPECT_EQ(status.differences(0).only_recomputed(), 0U);
+  EXPECT_EQ(status.differences(0).only_logged(), 0U);
+}
+
 TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
   const auto folder = logplayer::TemporaryFolder::make();
   const auto later = folder->path() / "later.mcap";

@@ -6,6 +6,7 @@
 #include <QDropEvent>
 #include <QFile>
 #include <QImage>
+#include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
 #include <QMimeData>
@@ -14,7 +15,7 @@
 #include <QTreeView>
 
 #include "robotcontrol/Motion.pb.h"
-#include "tests/widgets/Bench.h"
+#include "tests/widgets/LogBench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/PlotCanvas.h"
 
@@ -121,6 +122,27 @@ class PlotsViewTest : public QObject {
     QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
     QCOMPARE(bench.requests[0].set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
     QVERIFY(child<QLabel>(*view, "plotsState").text().contains(QStringLiteral("package/motion/status")));
+  }
+
+  void whatALogHoldsIsNotAskedFor() {
+    LogBench bench;
+    auto& package = *bench.status.add_packages();
+    package.set_package("nao/motion/status");
+    package.set_logged(true);
+    package.set_source(robotcontrol::ControlReplay::AS_LOGGED);
+    bench.openLog("/logs/game.mcap");
+    auto view = bench.openView<widgets::PlotsView>();
+    view->restoreState({{QStringLiteral("curves"), QJsonArray{QStringLiteral("nao/motion/status: velocity.x")}}});
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("package/motion/status");
+    bench.push("nao/tables/keys", keys, 11);
+    bench.tick(*view);
+    QVERIFY(bench.requests.empty());
+    bench.status.mutable_packages(0)->set_source(robotcontrol::ControlReplay::RECOMPUTED);
+    bench.tell();
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
   }
 
   void aValueIsDroppedIntoThePlot() {
