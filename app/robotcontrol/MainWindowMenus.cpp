@@ -112,7 +112,7 @@ void MainWindow::createRobotMenus() {
   QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
-  QAction* none = robot->addAction(tr("&Without colour table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
+  QAction* none = robot->addAction(tr("Use the tr("&Without colour table")built-in color table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));
   none->setToolTip(tr("The selected robot's program finds colours as it does without a table"));
   robot->setToolTipsVisible(true);
