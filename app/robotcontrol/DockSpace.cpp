@@ -2,7 +2,9 @@
 #include "app/robotcontrol/DockSpace.h"
 
 #include <QEvent>
+#include <QPointer>
 #include <QScopedValueRollback>
+#include <QTimer>
 #include <qtadvanceddocking/DockAreaTitleBar.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockOverlay.h>
@@ -10,6 +12,7 @@
 #include <qtadvanceddocking/DockWidgetTab.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
+#include <vector>
 
 #include "widgets/Icon.h"
 
@@ -59,7 +62,12 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
   connect(this, &ads::CDockManager::dockAreaCreated, this, [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,
-          [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
+          [this](ads::CFloatingDockContainer* floating) {
+            floating->installEventFilter(this);
+            // Only windows of this kind are tied to their parent on X.
+            floating->setWindowFlags(Qt::Dialog | Qt::CustomizeWindowHint | Qt::WindowTitleHint | Qt::WindowCloseButtonHint |
+                                     Qt::WindowMaximizeButtonHint);
+          });
 }
 
 DockSpace::~DockSpace() {
@@ -93,10 +101,24 @@ void DockSpace::nameFloats() {
   }
 }
 
-void DockSpace::raiseFloats() {
+void DockSpace::reopenFloats() {
+  std::vector<QPointer<ads::CDockWidget>> docks;
   for (ads::CFloatingDockContainer* floating : floatingWidgets()) {
-    if (floating->isVisible()) floating->raise();
+    if (!floating->isVisible()) continue;
+    for (const ads::CDockAreaWidget* area : floating->dockContainer()->openedDockAreas()) {
+      for (ads::CDockWidget* dock : area->openedDockWidgets()) {
+        if (dock != area->currentDockWidget()) docks.emplace_back(dock);
+      }
+      docks.emplace_back(area->currentDockWidget());  // the last one will be in front
+    }
+    floating->hide();
   }
+  if (docks.empty()) return;
+  QTimer::singleShot(0, this, [docks] {
+    for (const auto& dock : docks) {
+      if (dock) dock->toggleView(true);
+    }
+  });
 }
 
 void DockSpace::hideFloats() {

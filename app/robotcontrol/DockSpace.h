@@ -22,8 +22,8 @@ class DockSpace : public ads::CDockManager {
   void releaseEmptyFloats();
   /// Gives each floating window the names of the views in front as its title.
   void nameFloats();
-  /// Brings the floating windows in front of the main window.
-  void raiseFloats();
+  /// Shows the floating windows anew, as soon as the main window is on the screen: window managers tie them to it only then.
+  void reopenFloats();
   void hideFloats();
 
   /// A dock is being dragged or dropped: nothing may be rearranged now.

@@ -3,6 +3,7 @@
 #include <QApplication>
 #include <QInputDialog>
 #include <QMenu>
+#include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
 #include <qtadvanceddocking/FloatingDockContainer.h>
@@ -119,7 +120,7 @@ void MainWindow::savePerspectiveAs() {
 
 void MainWindow::showEvent(QShowEvent* event) {
   QMainWindow::showEvent(event);
-  dockSpace_->raiseFloats();
+  if (!event->spontaneous()) dockSpace_->reopenFloats();
 }
 
 }  // namespace app

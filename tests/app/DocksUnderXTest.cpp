@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Docks as a person moves them, by real mouse and keys under a window manager: dragged out, closed, restored, and quit with.
 #include <QCursor>
+#include <QMessageBox>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStatusBar>
@@ -57,6 +58,11 @@ QList<WId> stacking() {
   return windows;
 }
 
+bool isAbove(const QWidget& upper, const QWidget& lower) {
+  const QList<WId> windows = stacking();
+  return windows.indexOf(lower.winId()) >= 0 && windows.indexOf(upper.winId()) > windows.indexOf(lower.winId());
+}
+
 ads::CDockWidget& dock(Desk& desk, const char* id) {
   const auto docks = desk.window.docks().docks(QLatin1String(id));
   if (docks.empty()) qFatal("there is no dock for %s", id);
@@ -104,6 +110,46 @@ class DocksUnderXTest : public QObject {
       QTRY_VERIFY(dock(desk, "messages").isVisible());
       desk.window.tick();
     }
+  }
+
+  void aDockIsDraggedOutAndPutBackIntoTheMiddleOfAnArea() {
+    Desk desk(home_);
+    QVERIFY(exposed(desk));
+    QVERIFY(dragOut(desk, "messages", QPoint(1700, 900)));
+    auto* floating = dock(desk, "messages").floatingDockContainer();
+    QVERIFY(floating != nullptr);
+    QPointer<QWidget> gone(floating);
+    // By its frame, as the window manager moves windows.
+    QVERIFY(drag(QPoint(floating->geometry().left() + 60, floating->geometry().top() - 8), middle(dock(desk, "image"))));
+    QVERIFY(click(middle(*desk.window.statusBar())));
+    desk.window.tick();
+    if (!dock(desk, "messages").isFloating()) QTRY_VERIFY(gone.isNull());
+    press("ctrl+1");
+    QTRY_VERIFY(dock(desk, "messages").isVisible());
+  }
+
+  void whatFloatsIsAboveTheMainWindowAfterARestartAndBelowDialogs() {
+    {
+      Desk desk(home_);
+      QVERIFY(exposed(desk));
+      QVERIFY(dragOut(desk, "messages", QPoint(700, 500)));
+      desk.window.close();
+    }
+    Desk desk(home_);
+    QVERIFY(QTest::qWaitForWindowExposed(&desk.window));
+    auto* floating = dock(desk, "messages").floatingDockContainer();
+    QVERIFY(floating != nullptr);
+    QTRY_VERIFY(floating->isVisible());
+    QTRY_VERIFY(isAbove(*floating, desk.window));
+    QVERIFY(click(middle(*desk.window.statusBar())));
+    QTRY_VERIFY(isAbove(*floating, desk.window));
+    QTimer::singleShot(0, &desk.window, [&] { desk.find<QAction>("help.about").trigger(); });
+    QTRY_VERIFY(qobject_cast<QMessageBox*>(QApplication::activeModalWidget()) != nullptr);
+    QWidget& dialog = *QApplication::activeModalWidget();
+    QTRY_VERIFY(isAbove(dialog, *floating));
+    QVERIFY(click(middle(*floating)));
+    QTRY_VERIFY(isAbove(dialog, *floating));
+    dialog.close();
   }
 
   void quittingWithTwoFloatingDocksEndsTheProgram() {
