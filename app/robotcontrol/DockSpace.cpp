@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/DockSpace.h"
 
+#include <QApplication>
 #include <QEvent>
 #include <QPointer>
 #include <QScopedValueRollback>
@@ -125,7 +126,10 @@ void DockSpace::hideFloats() {
   for (ads::CFloatingDockContainer* floating : floatingWidgets()) floating->hide();
 }
 
-bool DockSpace::busy() const { return dropping_ || QWidget::mouseGrabber() != nullptr; }
+bool DockSpace::busy() const {
+  return dropping_ || QWidget::mouseGrabber() != nullptr || QApplication::activePopupWidget() != nullptr ||
+         QApplication::activeModalWidget() != nullptr;
+}
 
 bool DockSpace::hasVisibleDocks() const { return !openedDockAreas().isEmpty(); }
 

@@ -26,7 +26,7 @@ class DockSpace : public ads::CDockManager {
   void reopenFloats();
   void hideFloats();
 
-  /// A dock is being dragged or dropped: nothing may be rearranged now.
+  /// A dock is being dragged or dropped, or a menu or dialog is open, perhaps one that a view waits for: no dock may be taken away now.
   bool busy() const;
   bool hasVisibleDocks() const;
   /// The area of the main window that covers most; null if all docks are closed or floating.

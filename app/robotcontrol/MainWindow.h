@@ -74,7 +74,7 @@ class MainWindow : public QMainWindow {
  private:
   void createDocks();
   void tickDocks();
-  /// Runs now, or as soon as no dock is being dragged or dropped.
+  /// Runs now, or as soon as no dock is being dragged or dropped and no menu or dialog is open.
   void whenDocksRest(std::function<void()> change);
   void resetPerspective();
   void deletePerspective();

@@ -101,6 +101,23 @@ class DocksGuiTest : public QObject {
     QVERIFY(dock(desk, "messages").isFloating());
   }
 
+  void aPerspectiveWaitsUntilAMenuIsClosedSinceAViewMayWaitForIt() {
+    Desk desk(home_);
+    settle(desk);
+    QPointer<QWidget> field = dock(desk, "field").widget();
+    auto* menu = new QMenu(field);  // as the context menu of the view
+    menu->addAction(QStringLiteral("nothing"));
+    menu->popup(desk.window.mapToGlobal(QPoint(100, 100)));
+    QTRY_VERIFY(menu->isVisible());
+    desk.find<QAction>("perspective.Log").trigger();
+    settle(desk);
+    QVERIFY(!field.isNull());
+    QVERIFY(desk.find<QAction>("perspective.Play").isChecked());
+    menu->close();
+    QTRY_VERIFY(desk.find<QAction>("perspective.Log").isChecked());
+    QTRY_VERIFY(field.isNull());
+  }
+
   void aFloatingDockThatIsDeletedWithItsWindowLeavesTheList() {
     Desk desk(home_);
     dock(desk, "messages").setFloating();
