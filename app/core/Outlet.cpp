@@ -4,6 +4,7 @@
 #include "foxglove/Robot.pb.h"
 #include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/GroundMap.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/process/Process.h"
@@ -101,6 +102,11 @@ robotlink::StreamMessage textMessage(const std::string& robot, const std::string
 void Outlet::tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
                       const std::string& text) {
   tell(textMessage(robot, source, time, level, text));
+}
+
+void Outlet::tellMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map) {
+  const int level = map.incomplete ? foxglove::Log::WARNING : foxglove::Log::INFO;
+  for (const std::string& note : map.notes) tellText(robot, "map", time, level, note);
 }
 
 void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text) {

@@ -18,6 +18,7 @@ class DebugQueue;
 namespace robotlink {
 class Process;
 class Session;
+struct GroundMap;
 }  // namespace robotlink
 
 namespace app {
@@ -52,6 +53,8 @@ class Outlet {
   /// `level`: a foxglove::Log::Level.
   void tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
                 const std::string& text);
+  /// What is to be known about the map that the robot drives by, as texts.
+  void tellMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map);
   /// That something is wrong with a process.
   void tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text);
 

@@ -39,6 +39,7 @@ void PioneerFeed::begin() {
   if (const auto map = run_->map()) {
     const auto now = run_->clock().now();
     outlet_.tell({robotlink::streams::kMap, now, mapMessage(*map, now)});
+    outlet_.tellMapNotes(run_->options().robot, now, *map);
   }
   publishStatus();
 }

@@ -57,6 +57,9 @@ void SimulationFeed::begin() {
   outlet_.open();
   restartPace();
   publishScene();
+  if (const auto map = run_->map(); map && !run_->robots().empty()) {
+    outlet_.tellMapNotes(run_->robots().front(), now(), *map);
+  }
   if (const ArcosPorts* ports = run_->ports()) {
     const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
     tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""), foxglove::Log::INFO);

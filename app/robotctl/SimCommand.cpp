@@ -122,6 +122,7 @@ int runOnce(const SimArguments& arguments) {
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
     return printErrors(run.error());
   }
+  printMapNotes((*run)->map().get());
   const auto start = std::chrono::steady_clock::now();
   play(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();

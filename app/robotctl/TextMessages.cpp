@@ -5,6 +5,7 @@
 #include <iostream>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/GroundMap.h"
 
 namespace app {
 
@@ -19,6 +20,11 @@ void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue)
     const robotlink::Instant time(std::chrono::seconds(stamp.seconds()) + std::chrono::nanoseconds(stamp.nanos()));
     printText(time, robot + "/" + message.text().name(), message.text().message());
   }
+}
+
+void printMapNotes(const robotlink::GroundMap* map) {
+  if (map == nullptr) return;
+  for (const std::string& note : map->notes) std::cerr << (map->incomplete ? "Warning: " : "Note: ") << note << "\n";
 }
 
 }  // namespace app

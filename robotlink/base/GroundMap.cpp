@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <array>
 #include <charconv>
+#include <cmath>
 #include <map>
 #include <optional>
 
@@ -18,6 +19,9 @@ constexpr std::size_t kMaxFileBytes = 64U << 20U;
 constexpr std::size_t kMaxPoints = 4'000'000, kMaxLines = 1'000'000, kMaxPlaces = 100'000;
 constexpr std::size_t kMaxErrors = 20, kMaxNotes = 50, kMaxKeyLength = 40;
 constexpr double kFarthestMm = 1e7;
+// All lines together. Everything that is made of a map, for the simulation and for robots, takes time and memory in
+// proportion to it; the walls of the largest buildings are some hundred kilometres long.
+constexpr double kLongestMm = 2e9;
 constexpr double kFinestMm = 1, kCoarsestMm = 1000;  // resolutions that a map may have
 
 struct Token {
@@ -27,6 +31,11 @@ struct Token {
 
 bool isSpace(char c) {
   return c == ' ' || c == '\t';
+}
+
+std::string_view trimmed(std::string_view text) {
+  while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
+  return text;
 }
 
 std::optional<double> numberOf(std::string_view word) {
@@ -62,7 +71,7 @@ GroundMap::Place::Kind kindOf(std::string_view type) {
 /// Header entries that say nothing which the file's data does not say better. Those of further sensors have
 /// the sensor's name in front.
 bool isRedundant(std::string_view key) {
-  constexpr std::string_view kEnds[] = {"MinPos", "MaxPos", "NumPoints", "NumLines", "AreSorted"};
+  constexpr std::string_view kEnds[] = {"MinPos", "MaxPos", "AreSorted"};
   return std::ranges::any_of(kEnds, [&](std::string_view end) { return key.ends_with(end); });
 }
 
@@ -85,6 +94,8 @@ class Parser {
     if (section_ == Section::kIntro && errors_.empty())
       fail(1, "map.no-map", "the file is empty: a map begins with '2D-Map'");
     if (!errors_.empty()) return tl::unexpected(std::move(errors_));
+    compare(promisedLines_, map_.lines.size(), "lines");
+    compare(promisedPoints_, map_.points.size(), "points");
     for (const auto& [key, use] : unused_) {
       note(use.line,
            key + " is not used" + (use.count > 1 ? ", " + std::to_string(use.count) + " entries" : ""));
@@ -109,6 +120,30 @@ class Parser {
 
   void note(int line, const std::string& text) {
     if (map_.notes.size() < kMaxNotes) map_.notes.push_back(file_ + ":" + std::to_string(line) + ": " + text);
+  }
+
+  /// What the header says of how many there are, all sensors together.
+  struct Promise {
+    int line = 0;  ///< 0: it says nothing
+    double count = 0;
+  };
+
+  void compare(const Promise& promised, std::size_t found, const std::string& what) {
+    const auto have = static_cast<double>(found);
+    if (promised.line == 0 || promised.count == have) return;
+    const auto count = static_cast<long long>(promised.count);
+    map_.incomplete = map_.incomplete || have < promised.count;
+    std::string text = "the header promises " + std::to_string(count) + " " + what + ", but there are " +
+                       std::to_string(found) + ": ";
+    text += have < promised.count ? "the map may have been cut off, so that walls are missing" : "all of them are used";
+    map_.notes.insert(map_.notes.begin(), file_ + ":" + std::to_string(promised.line) + ": " + text);
+  }
+
+  void parseCount(std::string_view text, Promise& promise) {
+    const auto value = numberOf(trimmed(text));
+    if (!value || !(*value >= 0 && *value <= 1e15)) return note(line_, "this is no number of lines or points: they are counted");
+    promise.line = promise.line == 0 ? line_ : promise.line;
+    promise.count += *value;
   }
 
   void parseLine(std::string_view line) {
@@ -165,6 +200,8 @@ class Parser {
       std::array<double, 4> mm{};
       if (!readNumbers(line, mm)) return;
       if (map_.lines.size() == kMaxLines) return tooMany("lines", kMaxLines);
+      lengthMm_ += std::hypot(mm[2] - mm[0], mm[3] - mm[1]);
+      if (lengthMm_ > kLongestMm) return tooLong();
       map_.lines.push_back({{mm[0] / 1000, mm[1] / 1000}, {mm[2] / 1000, mm[3] / 1000}});
     } else {
       std::array<double, 2> mm{};
@@ -178,6 +215,13 @@ class Parser {
     stopped_ = true;
     fail(0, "map.too-large",
          "there are more than " + std::to_string(limit) + " " + what + ", which is more than can be used");
+  }
+
+  void tooLong() {
+    stopped_ = true;
+    fail(0, "map.too-large",
+         "the lines up to here are together more than 2000 km long, which no building's walls are; the file is damaged, or its "
+         "coordinates are not in mm");
   }
 
   /// Words, or what stands in quotes; false, with an error noted, if a quote is not closed.
@@ -212,6 +256,12 @@ class Parser {
       if (readTokens(rest, tokens)) parsePlace(tokens);
     } else if (key == "Resolution") {
       parseResolution(line.substr(colon + 1));
+    } else if (key.ends_with("NumLines")) {
+      parseCount(line.substr(colon + 1), promisedLines_);
+    } else if (key.ends_with("NumPoints")) {
+      parseCount(line.substr(colon + 1), promisedPoints_);
+    } else if (key == "OriginLatLongAlt") {
+      parseOrigin(line.substr(colon + 1));
     } else if (!isRedundant(key)) {
       const std::string name = utf8(key.substr(0, kMaxKeyLength));
       if (unused_.size() >= kMaxNotes && !unused_.contains(name)) return;
@@ -220,9 +270,20 @@ class Parser {
     }
   }
 
+  /// Latitude and longitude in degrees, and the altitude in m.
+  void parseOrigin(std::string_view text) {
+    std::vector<Token> tokens;
+    std::optional<double> numbers[3];
+    if (!readTokens(trimmed(text), tokens)) return;
+    for (std::size_t i = 0; i < 3 && i < tokens.size(); ++i) numbers[i] = numberOf(tokens[i].text);
+    const bool known = numbers[0] && numbers[1] && std::abs(*numbers[0]) <= 90 && std::abs(*numbers[1]) <= 180;
+    if (!known) return note(line_, "the origin is no latitude and longitude in degrees: the map is not georeferenced");
+    const double altitude = numbers[2].value_or(0);
+    map_.origin = GlobalPosition{*numbers[0], *numbers[1], std::abs(altitude) < 1e5 ? altitude : 0};
+  }
+
   void parseResolution(std::string_view text) {
-    while (!text.empty() && isSpace(text.front())) text.remove_prefix(1);
-    const auto value = numberOf(text);
+    const auto value = numberOf(trimmed(text));
     if (value && *value >= kFinestMm && *value <= kCoarsestMm) {
       map_.resolution = *value / 1000;
     } else {
@@ -271,6 +332,8 @@ class Parser {
   GroundMap map_;
   Errors errors_;
   std::map<std::string, Use> unused_;
+  Promise promisedLines_, promisedPoints_;
+  double lengthMm_ = 0;
 };
 
 void extend(std::optional<GroundMap::Bounds>& bounds, const Vector2& point) {

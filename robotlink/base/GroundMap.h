@@ -2,12 +2,14 @@
 #pragma once
 
 #include <filesystem>
+#include <optional>
 #include <string>
 #include <string_view>
 #include <vector>
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Geometry.h"
+#include "robotlink/base/GlobalPosition.h"
 
 namespace robotlink {
 
@@ -38,7 +40,10 @@ struct GroundMap {
   std::vector<Vector2> points;
   double resolution = 0.02;  ///< how far apart neighbouring points of a wall are, m
   std::vector<Place> places;
-  std::vector<std::string> notes;  ///< what the file has and this reader left out, each with its line
+  std::optional<GlobalPosition> origin;  ///< of maps that are georeferenced: x points east, y north
+  /// What the file has and this reader left out, and what it lacks although its header promises it, each with its line.
+  std::vector<std::string> notes;
+  bool incomplete = false;  ///< it has fewer lines or points than its header promises
 
   /// Of all lines and points, and of places where there is neither. Zero if the map is empty.
   Bounds bounds() const;
@@ -46,7 +51,7 @@ struct GroundMap {
   const Place* find(std::string_view placeName) const;    ///< null: none
 
   /// A file of the "2D-Map" family, as ARIA and MobileSim have them. The counts in its header are not trusted; what is wrong
-  /// is reported with file and line.
+  /// is reported with file and line. Refused are maps with more lines, or longer ones, than any building has.
   static tl::expected<GroundMap, Errors> load(const std::filesystem::path& file);
   /// `file` is the name that errors carry; the map is called by its stem.
   static tl::expected<GroundMap, Errors> parse(std::string_view text, const std::string& file);

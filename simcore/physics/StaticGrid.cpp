@@ -3,12 +3,38 @@
 
 #include <algorithm>
 #include <cmath>
+#include <limits>
 
 namespace simcore {
 namespace {
 
 constexpr double kCell = 0.5;  // m
 constexpr double kMostCells = 1 << 20;
+constexpr double kRounding = 1e-6;  // of a cell's size
+
+struct Span {
+  double first = 0, last = -1;  // empty at first
+};
+
+/// Where a rectangle lies in x between two values of y.
+Span spanBetween(const Footprint& footprint, double low, double high) {
+  const robotlink::Vector2 along = footprint.along * footprint.halfLength;
+  const robotlink::Vector2 across =
+      robotlink::Vector2(-footprint.along.y(), footprint.along.x()) * footprint.halfWidth;
+  const robotlink::Vector2 corners[] = {footprint.center + along + across, footprint.center - along + across,
+                                        footprint.center - along - across, footprint.center + along - across};
+  Span span{std::numeric_limits<double>::infinity(), -std::numeric_limits<double>::infinity()};
+  const auto extend = [&](double x) { span = {std::min(span.first, x), std::max(span.last, x)}; };
+  for (std::size_t i = 0; i < 4; ++i) {
+    const robotlink::Vector2 &from = corners[i], &to = corners[(i + 1) % 4];
+    if (from.y() >= low && from.y() <= high) extend(from.x());
+    for (const double y : {low, high}) {
+      if ((from.y() < y) == (to.y() < y)) continue;
+      extend(from.x() + (to.x() - from.x()) * (y - from.y()) / (to.y() - from.y()));
+    }
+  }
+  return span;
+}
 
 }  // namespace
 
@@ -36,35 +62,56 @@ void StaticGrid::build() {
   left_ = all[0];
   bottom_ = all[2];
   const double width = all[1] - all[0], height = all[3] - all[2];
-  for (cell_ = kCell; (width / cell_ + 1) * (height / cell_ + 1) > kMostCells;) cell_ *= 2;
-  columns_ = static_cast<int>(width / cell_) + 1;
-  rows_ = static_cast<int>(height / cell_) + 1;
+  double cell = kCell;
+  while ((width / cell + 1) * (height / cell + 1) > kMostCells) cell *= 2;
+  const std::size_t most = std::max(kMaximumEntries, geoms_.size());
   // In two rounds: how many are in each cell, then which.
-  firstInCell_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
-  const auto forEachEntry = [&](auto visit) {
-    for (std::uint32_t i = 0; i < geoms_.size(); ++i) {
-      const Bounds& b = bounds_[i];
-      const Cells cells = cellsOf(b[0], b[1], b[2], b[3]);
-      for (int y = cells.y0; y <= cells.y1; ++y) {
-        for (int x = cells.x0; x <= cells.x1; ++x) {
-          // A long wall that stands askew has wide bounds, yet is in few cells.
-          const double half = cell_ / 2;
-          const Footprint square{{left_ + x * cell_ + half, bottom_ + y * cell_ + half}, {1, 0}, half, half};
-          if (meet(footprints_[i], square)) {
-            visit(static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) +
-                      static_cast<std::size_t>(x),
-                  i);
-          }
-        }
-      }
-    }
-  };
-  forEachEntry([&](std::size_t cell, std::uint32_t) { ++firstInCell_[cell + 1]; });
+  for (;; cell *= 2) {
+    setCellSize(cell, width, height);
+    firstInCell_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
+    std::size_t entries = 0;
+    const bool fits = forEachEntry([&](std::size_t at, std::uint32_t) {
+      ++firstInCell_[at + 1];
+      return ++entries <= most;
+    });
+    if (fits) break;
+  }
   for (std::size_t i = 1; i < firstInCell_.size(); ++i) firstInCell_[i] += firstInCell_[i - 1];
   inCells_.resize(firstInCell_.back());
   std::vector<std::uint32_t> next(firstInCell_.begin(), firstInCell_.end() - 1);
-  forEachEntry([&](std::size_t cell, std::uint32_t i) { inCells_[next[cell]++] = i; });
+  forEachEntry([&](std::size_t at, std::uint32_t i) {
+    inCells_[next[at]++] = i;
+    return true;
+  });
   seenIn_.assign(geoms_.size(), 0);
+}
+
+void StaticGrid::setCellSize(double cell, double width, double height) {
+  cell_ = cell;
+  columns_ = static_cast<int>(width / cell) + 1;
+  rows_ = static_cast<int>(height / cell) + 1;
+}
+
+template <typename Visit>
+bool StaticGrid::forEachEntry(Visit visit) const {
+  const double half = cell_ / 2;
+  for (std::uint32_t i = 0; i < geoms_.size(); ++i) {
+    const Bounds& b = bounds_[i];
+    const Cells all = cellsOf(b[0], b[1], b[2], b[3]);
+    for (int y = all.y0; y <= all.y1; ++y) {
+      // A long wall that stands askew has wide bounds, yet is in few cells of a row.
+      const double low = bottom_ + y * cell_;
+      const Span span = spanBetween(footprints_[i], low - kRounding * cell_, low + (1 + kRounding) * cell_);
+      const Cells row = cellsOf(span.first - kRounding * cell_, span.last + kRounding * cell_, low, low);
+      for (int x = std::max(row.x0, all.x0); x <= std::min(row.x1, all.x1); ++x) {
+        const Footprint square{{left_ + x * cell_ + half, low + half}, {1, 0}, half, half};
+        const std::size_t at =
+            static_cast<std::size_t>(y) * static_cast<std::size_t>(columns_) + static_cast<std::size_t>(x);
+        if (meet(footprints_[i], square) && !visit(at, i)) return false;
+      }
+    }
+  }
+  return true;
 }
 
 StaticGrid::Cells StaticGrid::cellsOf(double x0, double x1, double y0, double y1) const {
@@ -91,6 +138,10 @@ void StaticGrid::forEachIn(const Cells& cells, Visit visit) const {
 void StaticGrid::near(const Bounds& bounds, std::vector<dGeomID>& found) const {
   found.clear();
   const Cells cells = cellsOf(bounds[0], bounds[1], bounds[2], bounds[3]);
+  const Footprint place{{(bounds[0] + bounds[1]) / 2, (bounds[2] + bounds[3]) / 2},
+                        {1, 0},
+                        (bounds[1] - bounds[0]) / 2,
+                        (bounds[3] - bounds[2]) / 2};
   if (++query_ == 0) {
     std::ranges::fill(seenIn_, 0);
     query_ = 1;
@@ -98,7 +149,7 @@ void StaticGrid::near(const Bounds& bounds, std::vector<dGeomID>& found) const {
   forEachIn(cells, [&](std::uint32_t i) {
     if (seenIn_[i] == query_) return;
     seenIn_[i] = query_;
-    if (overlap(bounds_[i], bounds)) found.push_back(geoms_[i]);
+    if (overlap(bounds_[i], bounds) && meet(footprints_[i], place)) found.push_back(geoms_[i]);
   });
 }
 

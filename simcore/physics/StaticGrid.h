@@ -15,8 +15,13 @@ namespace simcore {
 /// all of them: maps of buildings have thousands, which ODE's own spaces would compare with each robot one by
 /// one. Built once; geoms without an end (planes) are kept aside. Cheap where little stands: some 50 ns a
 /// query.
+///
+/// Memory and the time to build it are bounded, whatever is added: where long walls would be in too many cells,
+/// there are fewer and larger ones.
 class StaticGrid {
  public:
+  static constexpr std::size_t kMaximumEntries = std::size_t{1} << 23U;  ///< geoms in cells, or one a geom
+
   using Bounds = std::array<dReal, 6>;  ///< least and greatest x, y, z in turn, as ODE has them
 
   static bool overlap(const Bounds& a, const Bounds& b) {
@@ -35,12 +40,18 @@ class StaticGrid {
   double clearance(double x, double y, double most) const;
   const std::vector<dGeomID>& unbounded() const { return unbounded_; }
   std::size_t size() const { return geoms_.size(); }
+  /// How many geoms are in all cells together.
+  std::size_t entries() const { return inCells_.size(); }
 
  private:
   struct Cells {
     int x0, x1, y0, y1;  ///< inclusive
   };
   Cells cellsOf(double x0, double x1, double y0, double y1) const;
+  void setCellSize(double cell, double width, double height);
+  /// Calls `visit(cell, geom)` for each geom and each cell that it meets, until `visit` returns false.
+  template <typename Visit>
+  bool forEachEntry(Visit visit) const;
   template <typename Visit>
   void forEachIn(const Cells& cells, Visit visit) const;
 

@@ -85,6 +85,42 @@ TEST(GroundMap, countsOfTheHeaderAreNotTrusted) {
       parsed("2D-Map\nNumPoints: 99999999999\nNumLines: -3\nLINES\n0 0 1 1\nDATA\n1 2\n3 4\n");
   EXPECT_EQ(map.lines.size(), 1U);
   EXPECT_EQ(map.points.size(), 2U);
+  ASSERT_EQ(map.notes.size(), 2U);
+  EXPECT_NE(map.notes[0].find("room.map:2: the header promises 99999999999 points, but there are 2"), std::string::npos)
+      << map.notes[0];
+}
+
+TEST(GroundMap, aMapThatWasCutOffSaysSoFirst) {
+  const GroundMap map =
+      parsed("2D-Map\nMapInfo: x\nNumLines: 4\nNumPoints: 2\nLINES\n0 0 1000 0\nDATA\n1 2\n3 4\n");
+  ASSERT_EQ(map.notes.size(), 2U);
+  EXPECT_NE(map.notes[0].find("room.map:3: the header promises 4 lines, but there are 1: the map may have been cut off"),
+            std::string::npos)
+      << map.notes[0];
+}
+
+TEST(GroundMap, whatIsMoreThanPromisedIsUsedAndTold) {
+  const GroundMap map = parsed("2D-Map\nNumLines: 1\nLINES\n0 0 1000 0\n0 0 0 1000\n");
+  EXPECT_EQ(map.lines.size(), 2U);
+  ASSERT_EQ(map.notes.size(), 1U);
+  EXPECT_NE(map.notes[0].find("all of them are used"), std::string::npos);
+}
+
+TEST(GroundMap, linesThatNoBuildingHasAreRefused) {
+  std::string text = "2D-Map\nLINES\n";
+  for (int i = 0; i < 99'900; ++i) text += "-9000000 -8000000 9000000 " + std::to_string(i * 10) + "\n";
+  EXPECT_NE(errorsOf(text).find("more than 2000 km long, which no building's walls are"), std::string::npos);
+}
+
+TEST(GroundMap, theOriginOfAGeoreferencedMapIsRead) {
+  const GroundMap map = parsed("2D-Map\nOriginLatLongAlt: 42.807191 -71.578661 72.000000\nDATA\n1 2\n");
+  ASSERT_TRUE(map.origin);
+  EXPECT_EQ(*map.origin, (GlobalPosition{42.807191, -71.578661, 72}));
+  EXPECT_TRUE(map.notes.empty());
+  EXPECT_FALSE(parsed("2D-Map\nDATA\n1 2\n").origin);
+  const GroundMap wrong = parsed("2D-Map\nOriginLatLongAlt: 142 x\nDATA\n1 2\n");
+  EXPECT_FALSE(wrong.origin);
+  EXPECT_EQ(wrong.notes.size(), 1U);
 }
 
 TEST(GroundMap, filesOfOtherSystemsAreReadTheSame) {
@@ -110,13 +146,13 @@ TEST(GroundMap, allSensorsOfAMapCount) {
 TEST(GroundMap, whatIsLeftOutIsNotedOnceWithItsLine) {
   const GroundMap map = parsed(
       "2D-Map\nMapInfo: GoalType Name=Goal\nMapInfo: SectorType Name=BadGPS \"Label=a b\n"
-      "OriginLatLongAlt: 42.8 -71.5 72\n# a comment\nResolution: -5\nDATA\n1 2\n");
+      "PointsOfInterest: 42.8\n# a comment\nResolution: -5\nDATA\n1 2\n");
   EXPECT_EQ(map.resolution, 0.02);
   ASSERT_EQ(map.notes.size(), 3U);
   EXPECT_NE(map.notes[0].find("room.map:6: the resolution"), std::string::npos) << map.notes[0];
   EXPECT_NE(map.notes[1].find("room.map:2: MapInfo is not used, 2 entries"), std::string::npos)
       << map.notes[1];
-  EXPECT_NE(map.notes[2].find("room.map:4: OriginLatLongAlt is not used"), std::string::npos) << map.notes[2];
+  EXPECT_NE(map.notes[2].find("room.map:4: PointsOfInterest is not used"), std::string::npos) << map.notes[2];
 }
 
 TEST(GroundMap, namesInLatin1BecomeUtf8) {
