@@ -21,7 +21,7 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/RobotControlArcosConfig.cmake ${CMAKE_BI
 
 foreach(header
     arcos/ByteStream.h arcos/ClientSession.h arcos/Command.h arcos/CommandTable.h arcos/Configuration.h arcos/Conversation.h
-    arcos/LaserPacket.h arcos/LaserScan.h arcos/MemoryStream.h arcos/Packet.h arcos/PacketDescription.h arcos/PacketParser.h
+    arcos/LaserPacket.h arcos/LaserScan.h arcos/MemoryStream.h arcos/MotionGoal.h arcos/Packet.h arcos/PacketDescription.h arcos/PacketParser.h
     arcos/PioneerRobot.h arcos/RangeScan.h arcos/RobotState.h arcos/RobotType.h arcos/SensorPackets.h arcos/SerialPorts.h arcos/ServerPackets.h
     arcos/SimulatorCommands.h arcos/SimulatorPackets.h arcos/StandardInformation.h arcos/StateDecoder.h arcos/StreamUrl.h
     base/Clock.h base/Error.h base/Geometry.h)

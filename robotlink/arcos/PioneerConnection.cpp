@@ -89,6 +89,8 @@ Result<void> PioneerConnection::begin(Duration timeLimit) {
     decoder_ = StateDecoder(robotType({}));
     scan_.reset();
     latest_.clear();
+    goal_.reset();
+    ended_.reset();
     fresh_ = false;
     silence_ = {};
     problem_.clear();
@@ -153,6 +155,19 @@ Result<bool> PioneerConnection::read(Duration timeout) {
   }
 }
 
+Result<MotionEnd> PioneerConnection::waitForMotion(Duration timeLimit) {
+  if (!inspect([](const auto& c) { return c.goal_.has_value(); })) {
+    return failure("pioneer.no-motion", "there is nothing to wait for: call move(), turn() or turnTo() first");
+  }
+  const Instant limit = clock_->now() + timeLimit;
+  for (;;) {
+    if (const auto ended = inspect([](const auto& c) { return c.ended_; })) return *ended;
+    const Duration left = limit - clock_->now();
+    if (left <= Duration::zero()) return MotionEnd::kTimeout;
+    if (const auto took = read(std::min<Duration>(left, 200ms)); !took) return tl::unexpected(took.error());
+  }
+}
+
 /// All that is there already.
 Result<void> PioneerConnection::drain() {
   for (int piece = 0; piece < kMostPieces; ++piece) {
@@ -206,6 +221,7 @@ void PioneerConnection::takeFound(const PacketParser::Found& found, Instant now)
       decoder_ = StateDecoder(robotType(identity->subclass));
     decoder_.take(*session_.information(), now);
     fresh_ = true;
+    if (goal_ && !ended_) ended_ = goal_->take(decoder_.state());
   }
   if (session_.statistics().scans != scansBefore) scan_ = toRangeScan(*session_.laserScan(), decoder_);
 }

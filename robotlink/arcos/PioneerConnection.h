@@ -38,6 +38,17 @@ class PioneerConnection {
     return flush();
   }
   Result<void> resetOdometry();
+  /// Sends a command whose end waitForMotion() waits for; `goalFor` says where it shall end.
+  template <typename GoalFor>
+  Result<void> beginMotion(const Command& command, GoalFor goalFor) {
+    {
+      const std::lock_guard lock(mutex_);
+      goal_ = goalFor(decoder_.state(), clock_->now());
+      ended_.reset();
+    }
+    return send(command);
+  }
+  Result<MotionEnd> waitForMotion(Duration timeLimit);
   void forgetScan();
 
   /// What `get` returns, who sees nothing change meanwhile.
@@ -81,6 +92,8 @@ class PioneerConnection {
   std::map<std::uint8_t, Packet> latest_;  // by number, of which there are 256
   bool fresh_ = false;                     // there is a state that no read() has told of
   Duration silence_{};                     // how long nothing came although one waited
+  std::optional<MotionGoal> goal_;         // of the latest command that ends by itself
+  std::optional<MotionEnd> ended_;
   std::string problem_;
 };
 

@@ -185,13 +185,25 @@ Result<void> PioneerRobot::setWheels(double left, double right) {
 }
 
 Result<void> PioneerRobot::move(double distance) {
-  return write(command(CommandId::kMove, inMillimetres(distance)));
+  return connection_->beginMotion(command(CommandId::kMove, inMillimetres(distance)),
+                                  [distance](const RobotState& state, Instant now) {
+                                    return MotionGoal::move(state, now, distance);
+                                  });
 }
 Result<void> PioneerRobot::turn(double angle) {
-  return write(command(CommandId::kDhead, inDegrees(angle)));
+  return connection_->beginMotion(
+      command(CommandId::kDhead, inDegrees(angle)), [angle](const RobotState& state, Instant now) {
+        return MotionGoal::turn(state, now, normalizedAngle(state.pose.heading + angle));
+      });
 }
 Result<void> PioneerRobot::turnTo(double heading) {
-  return write(command(CommandId::kHead, inDegrees(heading)));
+  return connection_->beginMotion(command(CommandId::kHead, inDegrees(heading)),
+                                  [heading](const RobotState& state, Instant now) {
+                                    return MotionGoal::turn(state, now, heading);
+                                  });
+}
+Result<MotionEnd> PioneerRobot::waitForMotion(Duration timeLimit) {
+  return connection_->waitForMotion(timeLimit);
 }
 
 Result<void> PioneerRobot::setLimits(double speed, double rotation) {
@@ -207,6 +219,24 @@ Result<void> PioneerRobot::emergencyStop() {
 }
 Result<void> PioneerRobot::resetOdometry() {
   return connection_->resetOdometry();
+}
+
+Result<void> PioneerRobot::setDigitalOutputs(std::uint8_t which, std::uint8_t values) {
+  return write(command(CommandId::kDigOut,
+                       joined({static_cast<std::int8_t>(which), static_cast<std::int8_t>(values)})));
+}
+Result<void> PioneerRobot::setDigitalOutput(int number, bool on) {
+  if (number < 0 || number > 7)
+    return failure("pioneer.no-output", "there is no digital output " + std::to_string(number) + ": they are numbered 0 to 7");
+  const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(number));
+  return setDigitalOutputs(bit, on ? bit : std::uint8_t{0});
+}
+Result<void> PioneerRobot::selectAnalogInput(int number) {
+  if (number < 0 || number > 7)
+    return failure("pioneer.no-input", "there is no analog input " + std::to_string(number) + ": they are numbered 0 to 7");
+  if (isSimulated())
+    return failure("pioneer.simulated", "simulated robots have no analog inputs: their command is the laser's there");
+  return write(command(CommandId::kAdSel, number));
 }
 
 Result<void> PioneerRobot::putAt(const Pose2& pose) {

@@ -9,6 +9,7 @@
 
 #include "robotlink/arcos/ByteStream.h"
 #include "robotlink/arcos/Command.h"
+#include "robotlink/arcos/MotionGoal.h"
 #include "robotlink/arcos/Packet.h"
 #include "robotlink/arcos/RangeScan.h"
 #include "robotlink/arcos/RobotState.h"
@@ -122,11 +123,14 @@ class PioneerRobot {
   Result<void> drive(double speed, double rotation);
   /// Of the left and the right wheels, m/s in steps of 0.02.
   Result<void> setWheels(double left, double right);
-  /// Forwards by `distance`, m, at the speed of setLimits(); it goes on by itself, see state().moving.
+  /// Forwards by `distance`, m, at the speed of setLimits(). It goes on by itself: see waitForMotion().
   Result<void> move(double distance);
-  /// Turns by an angle, or to a heading in the odometry's frame.
+  /// Turns by an angle, or to a heading in the odometry's frame. It goes on by itself: see waitForMotion().
   Result<void> turn(double angle);
   Result<void> turnTo(double heading);
+  /// Reads until the latest move(), turn() or turnTo() has ended, but for `timeLimit` at most; the robot then goes on.
+  /// Fails if the line is lost, or if there was no such command since begin().
+  Result<MotionEnd> waitForMotion(Duration timeLimit = std::chrono::seconds(60));
   /// What commands may make of it: m/s, rad/s.
   Result<void> setLimits(double speed, double rotation);
   /// Slows down and stands.
@@ -135,6 +139,17 @@ class PioneerRobot {
   Result<void> emergencyStop();
   /// Here is the origin, and this is ahead.
   Result<void> resetOdometry();
+
+  // --- Inputs and outputs at the robot's user port; bit i of a byte is number i
+
+  std::uint8_t digitalInputs() const { return state().digitalIn; }
+  std::uint8_t digitalOutputs() const { return state().digitalOut; }
+  /// Sets the outputs whose bits are 1 in `which` to those bits of `values`; the others stay.
+  Result<void> setDigitalOutputs(std::uint8_t which, std::uint8_t values);
+  Result<void> setDigitalOutput(int number, bool on);
+  /// V, 0 to 5, of the analog port that was selected.
+  double analogInput() const { return state().analogIn * 5.0 / 255; }
+  Result<void> selectAnalogInput(int number);
 
   // --- Simulators only
 

@@ -40,6 +40,26 @@ foreach(template ${TEMPLATES})
   run(${CMAKE_COMMAND} --build ${WORK_DIR}/build/${template})
 endforeach()
 
+# What the guide for programmers shows works as it is pasted from there.
+function(paste first file)
+  file(READ ${SOURCE_DIR}/robotlink/arcos/CLIENT.md guide)
+  if(NOT guide MATCHES "\n(    ${first}[^\n]*\n((    [^\n]*)?\n)*)")
+    message(FATAL_ERROR "CLIENT.md has no block that begins with ${first}")
+  endif()
+  string(REGEX REPLACE "(^|\n)    " "\\1" block "${CMAKE_MATCH_1}")
+  file(WRITE ${file} "${block}")
+endfunction()
+paste("cmake_minimum_required" ${WORK_DIR}/pasted/CMakeLists.txt)
+paste("#include <iostream>" ${WORK_DIR}/pasted/main.cpp)
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${WORK_DIR}/pasted -B ${WORK_DIR}/build/pasted -D CMAKE_CXX_COMPILER=${CXX}
+    -D CMAKE_PREFIX_PATH=${WORK_DIR}/prefix)
+run(${CMAKE_COMMAND} --build ${WORK_DIR}/build/pasted)
+
+# The library alone is configured where there are few packages.
+run(${CMAKE_COMMAND} -G ${GENERATOR} -S ${SOURCE_DIR} -B ${WORK_DIR}/build/alone -D CMAKE_CXX_COMPILER=${CXX}
+    -D ROBOTCONTROL_ARCOS_ONLY=ON -D CMAKE_DISABLE_FIND_PACKAGE_Qt5=ON -D CMAKE_DISABLE_FIND_PACKAGE_Protobuf=ON
+    -D CMAKE_DISABLE_FIND_PACKAGE_PkgConfig=ON)
+
 # There is no robot; it must say so, by the library's words.
 execute_process(COMMAND ${WORK_DIR}/bin/wander tcp://127.0.0.1:1 RESULT_VARIABLE status ERROR_VARIABLE said)
 if(NOT status EQUAL 1 OR NOT said MATCHES "nothing listens at 127.0.0.1:1")

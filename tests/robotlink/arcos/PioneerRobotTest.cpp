@@ -106,6 +106,54 @@ TEST_F(PioneerRobotTest, waysAndTurnsEndByThemselves) {
   EXPECT_NEAR(robot.heading(), -kPi / 4, 0.03);
 }
 
+TEST_F(PioneerRobotTest, theEndOfAMotionIsWaitedFor) {
+  begin();
+  EXPECT_EQ(robot.waitForMotion().error().id, "pioneer.no-motion");
+  robot.setMotors(true);
+  robot.resetOdometry();
+  robot.move(0.5);
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kArrived);
+  EXPECT_NEAR(robot.pose().x, 0.5, 0.02);
+  EXPECT_FALSE(robot.state().moving);
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kArrived) << "it has ended, who asks again hears the same";
+  robot.turn(radians(-135.0));
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kArrived);
+  EXPECT_NEAR(robot.heading(), radians(-135.0), 0.03);
+  robot.turnTo(radians(170.0));
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kArrived);
+  EXPECT_NEAR(robot.heading(), radians(170.0), 0.03);
+}
+
+TEST_F(PioneerRobotTest, aMotionThatDoesNotEndWhereItShouldSaysWhy) {
+  begin();
+  robot.move(1);
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kStopped) << "the motors are off";
+  robot.setMotors(true);
+  robot.move(5);
+  EXPECT_EQ(robot.waitForMotion(1s), MotionEnd::kTimeout);
+  world.robot.sensing.leftBlocked = world.robot.sensing.rightBlocked = true;
+  EXPECT_EQ(robot.waitForMotion(), MotionEnd::kStalled);
+  world.robot.sensing.leftBlocked = world.robot.sensing.rightBlocked = false;
+  robot.move(5);
+  world.unplugged = true;
+  EXPECT_EQ(robot.waitForMotion().error().id, "stream.lost");
+}
+
+TEST_F(PioneerRobotTest, digitalOutputsAreSetOneByOne) {
+  begin();
+  robot.setDigitalOutputs(0xFF, 0);
+  robot.setDigitalOutput(7, true);
+  robot.setDigitalOutput(0, true);
+  readFor(0.3);
+  EXPECT_EQ(robot.digitalOutputs(), 0x81);
+  robot.setDigitalOutputs(0xF0, 0x30);
+  readFor(0.3);
+  EXPECT_EQ(robot.digitalOutputs(), 0x31);
+  EXPECT_EQ(robot.digitalInputs(), 0xFF);
+  EXPECT_EQ(robot.setDigitalOutput(8, true).error().id, "pioneer.no-output");
+  EXPECT_EQ(robot.selectAnalogInput(2).error().id, "pioneer.simulated");
+}
+
 TEST_F(PioneerRobotTest, anEmergencyStopIsFasterThanAStop) {
   begin();
   robot.setMotors(true);

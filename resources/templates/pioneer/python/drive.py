@@ -32,7 +32,7 @@ def packet(identifier, argument=None):
 
 class Pioneer:
     def __init__(self, url):
-        address = urlsplit(url)
+        address = urlsplit(url if "//" in url else "//" + url)
         self.line = socket.create_connection((address.hostname, address.port or 8101), timeout=5)
         self.line.setsockopt(socket.IPPROTO_TCP, socket.TCP_NODELAY, 1)
         self.buffer = b""
