@@ -10,6 +10,7 @@ namespace app {
 namespace {
 
 namespace request = robotlink::arcos::simulator_request;
+using Clock = std::chrono::steady_clock;
 
 /// What a client wrote, without what would disturb a terminal.
 std::string printable(std::string text) {
@@ -37,7 +38,10 @@ robotlink::Result<std::unique_ptr<ArcosPorts>> ArcosPorts::open(SimulatedWorld& 
 }
 
 ArcosPorts::ArcosPorts(SimulatedWorld& world, Options options, Teller teller)
-    : world_(world), options_(std::move(options)), teller_(std::move(teller)) {}
+    : world_(world),
+      options_(std::move(options)),
+      teller_(std::move(teller)),
+      texts_(world.pioneers().size()) {}
 
 ArcosPorts::~ArcosPorts() {
   for (const auto& pioneer : world_.pioneers()) {
@@ -47,8 +51,19 @@ ArcosPorts::~ArcosPorts() {
   }
 }
 
-void ArcosPorts::tell(std::size_t robot, const std::string& text) const {
+void ArcosPorts::tell(std::size_t robot, const std::string& text) {
+  if (!texts_[robot].admit(Clock::now())) return;
   if (teller_) teller_(world_.pioneers()[robot]->robot() + ": " + text);
+}
+
+void ArcosPorts::tellSuppressed() {
+  const auto now = Clock::now();
+  for (std::size_t robot = 0; robot < texts_.size(); ++robot) {
+    const std::uint64_t count = texts_[robot].takeSuppressed(now);
+    if (count == 0 || !teller_) continue;
+    teller_(world_.pioneers()[robot]->robot() + ": " + std::to_string(count) +
+            " more messages of its client are not shown, because there are too many");
+  }
 }
 
 std::string ArcosPorts::url(std::size_t robot) const {
@@ -86,6 +101,7 @@ void ArcosPorts::serve(std::chrono::steady_clock::time_point until) {
 }
 
 void ArcosPorts::deliver() {
+  tellSuppressed();
   const auto pioneers = world_.pioneers();
   for (std::size_t robot = 0; robot < pioneers.size(); ++robot) {
     fulfilRequests(robot);

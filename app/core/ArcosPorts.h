@@ -6,7 +6,9 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <vector>
 
+#include "app/core/TextLimit.h"
 #include "robotlink/arcos/RobotPorts.h"
 
 namespace app {
@@ -27,7 +29,7 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
     std::uint16_t firstPort = 8101;  ///< 0: ports that are free
   };
   /// What clients did that a person may want to know, one line each: who came and went, and what they wrote
-  /// to the simulator's log.
+  /// to the simulator's log. Of a client that writes without end some lines, and how many were left out.
   using Teller = std::function<void(const std::string& text)>;
 
   /// Fails if the world has no Pioneer, or a port cannot be opened.
@@ -45,6 +47,8 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   const robotlink::arcos::RobotPorts& ports() const { return *ports_; }
   /// A sentence for people if programs on other machines can drive the robots; else empty.
   std::string warning() const;
+  /// How many lines of this robot's clients were left out.
+  std::uint64_t suppressedTexts(std::size_t robot) const { return texts_.at(robot).suppressed(); }
   /// The status that a client asked the simulation to end with.
   std::optional<int> exitRequest() const { return exit_; }
 
@@ -54,12 +58,14 @@ class ArcosPorts final : private robotlink::arcos::RobotPorts::Listener {
   void packetCame(std::size_t robot, const robotlink::arcos::Packet& packet) override;
   void clientGone(std::size_t robot) override;
   void fulfilRequests(std::size_t robot);
-  void tell(std::size_t robot, const std::string& text) const;
+  void tell(std::size_t robot, const std::string& text);
+  void tellSuppressed();
 
   SimulatedWorld& world_;
   const Options options_;
   const Teller teller_;
   std::unique_ptr<robotlink::arcos::RobotPorts> ports_;
+  std::vector<TextLimit> texts_;  ///< by robot
   std::optional<int> exit_;
 };
 

@@ -8,6 +8,8 @@
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/SimFigures.h"
+#include "app/robotctl/TextMessages.h"
+#include "simcore/Scene.h"
 
 namespace app {
 
@@ -72,6 +74,7 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
   auto simulation =
       ArcosSimulation::create(wanted, [](const std::string& text) { std::cerr << text << std::endl; });
   if (!simulation) return printErrors(simulation.error());
+  printMapNotes((*simulation)->world().simulation().scene().groundMap().get());
   const ArcosPorts& ports = (*simulation)->ports();
   if (const std::string warning = ports.warning(); !warning.empty())
     std::cerr << "Warning: " << warning << "\n";

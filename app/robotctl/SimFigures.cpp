@@ -39,6 +39,7 @@ json robotFigures(const ArcosSimulation& simulation, std::size_t index) {
   figures["skipped_bytes"] = line.received.skippedBytes;
   figures["packets_sent"] = line.sentPackets;
   figures["packets_dropped"] = line.droppedPackets;
+  figures["messages_not_shown"] = simulation.ports().suppressedTexts(index);
   return figures;
 }
 
@@ -106,6 +107,8 @@ std::string clientText(const json& robot) {
   if (robot["refused_clients"] > 0) text += fmt::format(" ({} refused)", grouped(robot, "refused_clients"));
   text += fmt::format(", {} packets received, {} sent", grouped(robot, "packets_received"), grouped(robot, "packets_sent"));
   if (robot["packets_dropped"] > 0) text += fmt::format(", {} dropped", grouped(robot, "packets_dropped"));
+  if (const auto hidden = robot.value("messages_not_shown", std::uint64_t{0}); hidden > 0)
+    text += fmt::format(", {} messages of clients not shown", grouped(hidden));
   if (damaged > 0) text += fmt::format(", {} with wrong checksums", grouped(damaged));
   if (skipped > 0) text += fmt::format(", {} bytes of no packet", grouped(skipped));
   return text + "; " + contactText(robot);

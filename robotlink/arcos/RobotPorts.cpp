@@ -1,8 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/arcos/RobotPorts.h"
 
+#include <poll.h>
+
+#include <algorithm>
 #include <array>
 #include <boost/asio/ip/tcp.hpp>
+
+#include "robotlink/arcos/SendQueue.h"
 
 namespace robotlink::arcos {
 namespace {
@@ -13,9 +18,10 @@ using Clock = std::chrono::steady_clock;
 
 /// So long a line is silent within a packet until the packet is given up.
 constexpr std::chrono::milliseconds kPartialFor{100};
-/// Read at once of one client, so that one that floods does not keep the others waiting.
-constexpr std::size_t kReadAtOnce = 16U << 10U;
-constexpr int kReadsBeforeAccept = 16;
+/// Of one port in one call of serve(): who connects again and again costs no more than who sends.
+constexpr int kMaximumAccepts = 4;
+/// What the system keeps of what was sent and not yet read: little, so that what waits can still be dropped.
+constexpr int kSystemBuffer = 16 << 10;
 
 std::string describe(const tcp::endpoint& endpoint) {
   const std::string address = endpoint.address().to_string();
@@ -57,6 +63,8 @@ class Port {
   RobotPorts::Statistics statistics() const {
     RobotPorts::Statistics statistics = statistics_;
     statistics.received = parser_.counters();
+    statistics.sentPackets = sending_.sentPackets();
+    statistics.droppedPackets = sending_.droppedPackets();
     return statistics;
   }
 
@@ -65,30 +73,41 @@ class Port {
     robot_ = robot;
   }
 
-  void send(std::span<const Packet> packets) {
+  /// Another call of serve(): takes what was left over from the last one, and listens again.
+  void beginStep() {
+    bytesLeft_ = RobotPorts::kMaximumBytes;
+    packetsLeft_ = RobotPorts::kMaximumPackets;
+    acceptsLeft_ = kMaximumAccepts;
+    if (!awaitingClients_) awaitClients();
     if (!client_.is_open()) return;
-    for (const Packet& packet : packets) {
-      if (pending_.size() >= RobotPorts::kMaximumPending) {
-        ++statistics_.droppedPackets;
-      } else {
-        append(packet, pending_);
-        ++statistics_.sentPackets;
-      }
-    }
+    handOut();
+    if (ended_ && drained_) return drop();
+    if (!awaitingBytes_) awaitBytes();
     if (!writing_) write();
   }
 
   void giveUpPartialPacket(Clock::time_point now) {
-    if (parser_.isPartial() && now - heardAt_ > kPartialFor) {
-      parser_.dropPartial();
-      handOut();
-    }
+    if (!drained_ || !parser_.isPartial() || now - heardAt_ <= kPartialFor) return;
+    parser_.dropPartial();
+    handOut();
+  }
+
+  void send(std::span<const Packet> packets) {
+    if (!client_.is_open()) return;
+    const auto now = Clock::now();
+    for (const Packet& packet : packets) sending_.push(packet, now);
+    sending_.dropOld(now);
+    if (!writing_) write();
   }
 
  private:
   void awaitClients() {
+    awaitingClients_ = acceptsLeft_ > 0;
+    if (!awaitingClients_) return;
     acceptor_.async_wait(tcp::acceptor::wait_read, [this](const boost::system::error_code& error) {
+      awaitingClients_ = false;
       if (error) return;
+      --acceptsLeft_;
       accept();
       awaitClients();
     });
@@ -100,10 +119,8 @@ class Port {
     tcp::socket socket(acceptor_.get_executor());
     acceptor_.accept(socket, from, error);
     if (error) return;
-    // The client before may be gone already, without that its end was read yet.
-    for (int i = 0; i < kReadsBeforeAccept && client_.is_open() && read(); ++i) {
-    }
-    if (client_.is_open() && Clock::now() - heardAt_ < silence_) {
+    if (client_.is_open()) read();
+    if (client_.is_open() && !hungUp() && Clock::now() - heardAt_ < silence_) {
       ++statistics_.refused;
       socket.close(error);
       return;
@@ -111,6 +128,7 @@ class Port {
     drop();
     socket.set_option(tcp::no_delay(true), error);
     socket.set_option(asio::socket_base::keep_alive(true), error);
+    socket.set_option(asio::socket_base::send_buffer_size(kSystemBuffer), error);
     socket.non_blocking(true, error);
     client_ = std::move(socket);
     heardAt_ = Clock::now();
@@ -121,48 +139,69 @@ class Port {
     awaitBytes();
   }
 
+  /// The client has gone, whether or not all that it sent was read.
+  bool hungUp() {
+    pollfd state{client_.native_handle(), POLLRDHUP, 0};
+    return ended_ || (::poll(&state, 1, 0) > 0 && (state.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0);
+  }
+
+  /// While this call of serve() may take more of the client.
+  bool mayRead() const { return client_.is_open() && !ended_ && drained_ && bytesLeft_ > 0; }
+
   void awaitBytes() {
+    awaitingBytes_ = mayRead();
+    if (!awaitingBytes_) return;
     client_.async_wait(tcp::socket::wait_read,
                        [this, connection = connection_](const boost::system::error_code& error) {
-                         if (error || connection != connection_) return;
+                         if (connection != connection_) return;
+                         awaitingBytes_ = false;
+                         if (error) return;
                          read();
                          if (connection == connection_) awaitBytes();
                        });
   }
 
-  /// Whether there may be more to read.
-  bool read() {
-    std::array<std::uint8_t, kReadAtOnce> bytes;
+  void read() {
+    if (!mayRead()) return;
+    std::array<std::uint8_t, RobotPorts::kMaximumBytes> bytes;
     boost::system::error_code error;
-    const std::size_t count = client_.read_some(asio::buffer(bytes), error);
-    if (error == asio::error::would_block || error == asio::error::interrupted) return false;
-    if (error) {
-      drop();
-      return false;
+    const std::size_t count = client_.read_some(asio::buffer(bytes.data(), bytesLeft_), error);
+    if (error == asio::error::would_block || error == asio::error::interrupted) return;
+    ended_ = error.failed();
+    if (!ended_) {
+      heardAt_ = Clock::now();
+      statistics_.receivedBytes += count;
+      bytesLeft_ -= count;
+      parser_.push({bytes.data(), count});
     }
-    heardAt_ = Clock::now();
-    statistics_.receivedBytes += count;
-    parser_.push({bytes.data(), count});
     handOut();
-    return true;
+    if (ended_ && drained_) drop();
   }
 
   void handOut() {
-    while (const auto found = parser_.next()) {
-      if (const auto* packet = std::get_if<Packet>(&*found)) listener_->packetCame(robot_, *packet);
+    drained_ = false;
+    while (packetsLeft_ > 0) {
+      const auto found = parser_.next();
+      if (!found) {
+        drained_ = true;
+        return;
+      }
+      if (const auto* packet = std::get_if<Packet>(&*found)) {
+        --packetsLeft_;
+        listener_->packetCame(robot_, *packet);
+      }
     }
   }
 
   void write() {
+    sending_.dropOld(Clock::now());
     boost::system::error_code error;
-    std::size_t written = 0;
-    while (written < pending_.size() && !error) {
-      written +=
-          client_.write_some(asio::buffer(pending_.data() + written, pending_.size() - written), error);
+    while (!sending_.bytes().empty() && !error) {
+      sending_.written(
+          client_.write_some(asio::buffer(sending_.bytes().data(), sending_.bytes().size()), error));
     }
-    pending_.erase(pending_.begin(), pending_.begin() + static_cast<std::ptrdiff_t>(written));
     // Of a line that is broken reading tells.
-    if (error != asio::error::would_block) return pending_.clear();
+    if (error != asio::error::would_block) return sending_.clear();
     writing_ = true;
     client_.async_wait(tcp::socket::wait_write,
                        [this, connection = connection_](const boost::system::error_code& failed) {
@@ -177,8 +216,9 @@ class Port {
     boost::system::error_code ignored;
     client_.close(ignored);
     ++connection_;
-    writing_ = false;
-    pending_.clear();
+    writing_ = awaitingBytes_ = ended_ = false;
+    drained_ = true;
+    sending_.clear();
     parser_.clear();
     statistics_.client.clear();
     listener_->clientGone(robot_);
@@ -192,8 +232,12 @@ class Port {
   std::size_t robot_ = 0;
   PacketParser parser_;
   Clock::time_point heardAt_;
-  Bytes pending_;
-  bool writing_ = false;
+  SendQueue sending_;
+  bool writing_ = false, awaitingBytes_ = false, awaitingClients_ = false;
+  bool drained_ = true;  ///< the parser has no packet left
+  bool ended_ = false;   ///< the client sends no more; what it sent is still obeyed
+  std::size_t bytesLeft_ = RobotPorts::kMaximumBytes, packetsLeft_ = RobotPorts::kMaximumPackets;
+  int acceptsLeft_ = kMaximumAccepts;
   RobotPorts::Statistics statistics_;
 };
 
@@ -251,6 +295,7 @@ RobotPorts::Statistics RobotPorts::statistics(std::size_t robot) const {
 void RobotPorts::serve(Listener& listener, Clock::time_point until) {
   auto& ports = implementation_->ports;
   for (std::size_t robot = 0; robot < ports.size(); ++robot) ports[robot]->setListener(&listener, robot);
+  for (const auto& port : ports) port->beginStep();
   asio::io_context& context = implementation_->context;
   context.restart();
   context.poll();

@@ -16,13 +16,19 @@ namespace robotlink::arcos {
 /// A port listens from open() to the end: a client that goes away leaves it free for the next at once. A
 /// second client is accepted and closed at once, which unmodified clients report as a connection that was
 /// lost, and which does not disturb the first; unless that has been silent for long, as clients are
-/// whose machine has gone. What a client does not read is kept up to kMaximumPending bytes; packets past that
-/// are dropped, whole ones only.
+/// whose machine has gone. What a client does not read waits in a SendQueue, which drops old packets: a slow
+/// reader gets fresh ones.
+///
+/// Whatever a client sends, it costs the other robots little: each call of serve() takes at most kMaximumBytes
+/// and kMaximumPackets from each port; the rest waits for the next call, first here, then in the client's
+/// system, which stops sending.
 ///
 /// No thread of its own: bytes move in serve() and send(), which one thread calls.
 class RobotPorts {
  public:
-  static constexpr std::size_t kMaximumPending = 256U << 10U;
+  /// Of one port in one call of serve(). Real robots obey some 300 packets a second.
+  static constexpr std::size_t kMaximumBytes = 16U << 10U;
+  static constexpr std::size_t kMaximumPackets = 64;
   struct Options {
     std::string address =
         "127.0.0.1";                 ///< of this machine; others than loopback open the robots to the network
@@ -61,7 +67,8 @@ class RobotPorts {
   /// Of the present client and of all before it.
   Statistics statistics(std::size_t robot) const;
 
-  /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already.
+  /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already. To
+  /// be called once a step of the simulation.
   void serve(Listener& listener, std::chrono::steady_clock::time_point until);
   /// To the robot's client; without one they are forgotten.
   void send(std::size_t robot, std::span<const Packet> packets);

@@ -310,6 +310,22 @@ TEST(ArcosAcceptance, c16TheSimulatorsOwnCommands) {
   EXPECT_EQ(bench.simulation().ports().exitRequest(), 3);
 }
 
+TEST(ArcosAcceptance, aClientThatWritesWithoutEndIsShownInPart) {
+  ArcosBench bench;
+  WireClient& client = bench.connect();
+  client.handshake();
+  for (int i = 0; i < 1000; ++i) {
+    client.send(CommandId::kSimMessage, "again");
+    client.send(Packet{224, {0x2B, 0xFF, 0xFF, 0xFF, 0x7F, 0, 0, 0, 0, 0, 0, 0, 0}});  // 2000 km away
+    if (i % 20 == 19) bench.step();
+  }
+  bench.run(0.5);
+  const auto shown = bench.told.size();
+  EXPECT_LE(shown, 60U);
+  EXPECT_THAT(bench.told, testing::Contains("p3at1: again"));
+  EXPECT_GT(bench.simulation().ports().suppressedTexts(0), 900U);
+}
+
 TEST(ArcosAcceptance, c17EncodersInputsGyroscopeAndInertialUnit) {
   ArcosBench bench;
   WireClient& client = bench.connect();

@@ -147,28 +147,92 @@ TEST_F(RobotPortsTest, aPacketWhoseRestNeverComesDoesNotSwallowTheNext) {
   EXPECT_EQ(packets[0][0], (Packet{5, {}}));
 }
 
-TEST_F(RobotPortsTest, aClientThatDoesNotReadLosesWholePackets) {
+TEST_F(RobotPortsTest, aClientThatDoesNotReadLosesWholePacketsTheOldestOnes) {
   const auto client = connect(0);
   ASSERT_TRUE(serveUntil([&] { return came[0] == 1; }));
-  const std::vector<Packet> batch(1000, Packet{0x61, Bytes(180, 0x55)});
-  for (int i = 0; i < 100; ++i) ports->send(0, batch);
-  const auto before = ports->statistics(0);
-  const std::uint64_t sent = before.sentPackets;
-  EXPECT_GT(before.droppedPackets, 0U);
-  EXPECT_EQ(before.sentPackets + before.droppedPackets, 100000U);
-  // What was taken arrives whole.
+  constexpr std::uint32_t kPackets = 100'000;
+  for (std::uint32_t i = 0; i < kPackets; ++i) {
+    Packet packet{0x61, Bytes(180, 0x55)};
+    for (unsigned byte = 0; byte < 4; ++byte) packet.data[byte] = static_cast<std::uint8_t>(i >> (8 * byte));
+    ports->send(0, std::span(&packet, 1));
+  }
+  EXPECT_GT(ports->statistics(0).droppedPackets, kPackets / 2);
+  // What was not dropped arrives whole, the newest with it.
   PacketParser parser;
   std::uint64_t read = 0;
+  std::uint32_t newest = 0;
   Bytes bytes(1 << 14);
-  for (const auto end = Clock::now() + 5s; Clock::now() < end && read < sent;) {
+  for (const auto end = Clock::now() + 5s; Clock::now() < end && newest + 1 < kPackets;) {
     ports->serve(*this, Clock::now());
     const auto count = client->read(bytes, Duration(0));
     ASSERT_TRUE(count);
     parser.push(std::span(bytes).first(*count));
-    while (const auto found = parser.next()) read += std::holds_alternative<Packet>(*found);
+    while (const auto found = parser.next()) {
+      ASSERT_TRUE(std::holds_alternative<Packet>(*found));
+      const auto& data = std::get<Packet>(*found).data;
+      newest = data[0] | (data[1] << 8U) | (data[2] << 16U);
+      ++read;
+    }
   }
-  EXPECT_EQ(read, sent);
-  EXPECT_EQ(parser.counters().skippedBytes, 0U);
+  EXPECT_EQ(newest + 1, kPackets);
+  EXPECT_EQ(ports->statistics(0).sentPackets, read);
+  EXPECT_EQ(ports->statistics(0).sentPackets + ports->statistics(0).droppedPackets, kPackets);
+}
+
+TEST_F(RobotPortsTest, whoFloodsGetsABudgetAndTheOthersAreHeardInTheSameCall) {
+  const auto flooder = connect(0), other = connect(1);
+  ASSERT_TRUE(serveUntil([&] { return came[0] == 1 && came[1] == 1; }));
+  Bytes flood;
+  for (int i = 0; i < 1000; ++i) append({18, {}}, flood);
+  ASSERT_TRUE(flooder->write(flood));
+  ASSERT_TRUE(other->write(encode({0, {}})));
+  for (std::size_t calls = 1; packets[0].size() < 1000 && calls < 100'000; ++calls) {
+    const std::size_t before = packets[0].size();
+    ports->serve(*this, {});
+    ASSERT_LE(packets[0].size() - before, RobotPorts::kMaximumPackets);
+    if (before == 0 && !packets[0].empty()) {
+      EXPECT_THAT(packets[1], SizeIs(1));
+    }
+  }
+  EXPECT_THAT(packets[0], SizeIs(1000)) << "what is over the budget is taken later";
+}
+
+TEST_F(RobotPortsTest, garbageIsReadNoFasterThanItsBudgetAllows) {
+  const auto client = connect(0);
+  ASSERT_TRUE(serveUntil([&] { return came[0] == 1; }));
+  ASSERT_TRUE(client->write(Bytes(100'000, 0xFA)));
+  std::uint64_t before = 0;
+  for (int calls = 0; before < 100'000 && calls < 100'000; ++calls) {
+    ports->serve(*this, {});
+    const std::uint64_t received = ports->statistics(0).receivedBytes;
+    ASSERT_LE(received - before, RobotPorts::kMaximumBytes);
+    before = received;
+  }
+  EXPECT_EQ(before, 100'000U);
+}
+
+TEST_F(RobotPortsTest, aClientThatSendsMuchAndGoesIsStillObeyed) {
+  {
+    const auto client = connect(0);
+    Bytes burst;
+    for (int i = 0; i < 300; ++i) append({18, {}}, burst);
+    ASSERT_TRUE(client->write(burst));
+  }
+  ASSERT_TRUE(serveUntil([&] { return gone[0] == 1; }));
+  EXPECT_THAT(packets[0], SizeIs(300));
+}
+
+TEST_F(RobotPortsTest, whoConnectsAgainAndAgainIsAcceptedSomeTimesACall) {
+  std::vector<std::unique_ptr<ByteStream>> clients;
+  for (int i = 0; i < 40; ++i) clients.push_back(connect(0));
+  std::uint64_t before = 0;
+  ASSERT_TRUE(serveUntil([&] {
+    const auto statistics = ports->statistics(0);
+    const std::uint64_t answered = statistics.clients + statistics.refused;
+    EXPECT_LE(answered - before, 4U);
+    before = answered;
+    return answered == 40;
+  }));
 }
 
 TEST_F(RobotPortsTest, aPortThatIsTakenIsNamed) {
