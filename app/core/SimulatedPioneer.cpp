@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "robotlink/base/GroundMap.h"
 #include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
 #include "simcore/Simulation.h"
 
 namespace app {
@@ -143,8 +145,17 @@ RobotSensing SimulatedPioneer::sense() {
   sensing.battery = battery_.voltage();
   sensing.charge = battery_.charge();
   if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
-  if (session_.tellsTruth()) sensing.truePose = truePose();
+  if (session_.tellsTruth()) senseTruth(sensing);
   return sensing;
+}
+
+void SimulatedPioneer::senseTruth(RobotSensing& sensing) const {
+  sensing.truePose = truePose();
+  sensing.odometryError = (leftTyre_ + rightTyre_) / 2 - 1;
+  const auto map = simulation_.scene().groundMap();
+  if (!map || !map->origin) return;
+  sensing.globalPosition =
+      robotlink::globalPosition(*map->origin, {sensing.truePose.x, sensing.truePose.y, sensing.trueHeight});
 }
 
 void SimulatedPioneer::readBumpers(RobotSensing& sensing) const {
@@ -173,15 +184,17 @@ std::span<const double> SimulatedPioneer::laser() {
 
 void SimulatedPioneer::fulfilRequests() {
   namespace request = robotlink::arcos::simulator_request;
+  std::optional<robotlink::Pose2> target;  // Of many the last one counts: to place a robot is not cheap.
   for (auto& wish : session_.takeRequests()) {
     if (const auto* pose = std::get_if<request::SetPose>(&wish)) {
-      place(pose->pose);
+      target = pose->pose;
     } else if (std::holds_alternative<request::Reset>(wish)) {
-      place(start_);
+      target = start_;
     } else if (requests_.size() < kMostRequests) {
       requests_.push_back(std::move(wish));
     }
   }
+  if (target) place(*target);
 }
 
 void SimulatedPioneer::place(const robotlink::Pose2& pose) {

@@ -75,6 +75,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   double sonar(int number) override;
   std::span<const double> laser() override;
   robotlink::arcos::RobotSensing sense();
+  void senseTruth(robotlink::arcos::RobotSensing& sensing) const;
   void readBumpers(robotlink::arcos::RobotSensing& sensing) const;
   void drawTyres();
   void fulfilRequests();

@@ -46,6 +46,7 @@ enum class CommandId : std::uint8_t {
   kVel2 = 32,
   kGripper = 33,
   kAdSel = 35,
+  kGripperValue = 36,
   kGripperRequest = 37,
   kLegacyLaserEnable = 35,  ///< simulators: 35 to 38 control the laser as 230 to 233 do
   kLegacyLaserStart = 36,

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <utility>
 
 #include "robotlink/arcos/ServerPackets.h"
 
@@ -13,6 +14,7 @@ constexpr double kUsualIncrement = 1.0;                             // deg
 constexpr double kSmallestIncrement = 0.1, kLargestIncrement = 90;  // deg
 constexpr int kMostReadings = 1801;
 constexpr std::uint8_t kMovedFlag = 1;
+constexpr int kMostOfRequest = 2;  // requests for packets: 0 none, 1 one, 2 all the time
 
 std::int16_t wrapped(double value) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(std::llround(value) & 0xFFFF));
@@ -25,6 +27,7 @@ void LaserService::restore() {
   startDeg_ = laser_ ? degrees(laser_->startAngle) : 0;
   endDeg_ = laser_ ? degrees(laser_->endAngle) : 0;
   incrementDeg_ = kUsualIncrement;
+  endFollows_ = false;
 }
 
 bool LaserService::obey(const Command& command) {
@@ -33,7 +36,13 @@ bool LaserService::obey(const Command& command) {
   const auto inField = [this](int angleDeg) {
     return std::clamp<double>(angleDeg, degrees(laser_->startAngle), degrees(laser_->endAngle));
   };
-  switch (static_cast<CommandId>(command.id)) {
+  const auto id = static_cast<CommandId>(command.id);
+  const bool legacy = id >= CommandId::kLegacyLaserEnable && id <= CommandId::kLegacyLaserResolution;
+  const bool endFollows = legacy && std::exchange(endFollows_, id == CommandId::kLegacyLaserStart);
+  // The same number asks for packets of the gripper (0, 1, 2), and selects an analog port.
+  if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMostOfRequest) return false;
+  if (id == CommandId::kLegacyLaserEnable && (argument < 0 || argument > kMostOfRequest)) return false;
+  switch (id) {
     case CommandId::kSimLaserEnable:
     case CommandId::kLegacyLaserEnable:
       mode_ = argument == 0 ? Mode::kOff : argument == 2 ? Mode::kExtended : Mode::kPlain;

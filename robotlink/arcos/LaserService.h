@@ -13,6 +13,9 @@ namespace robotlink::arcos {
 /// The laser of MobileSim's family, which goes through the robot's own line: what a client set by the
 /// commands 230 to 233, or by 35 to 38 as old clients do, and a scan as the packets that it wants. A plain
 /// state machine.
+///
+/// Commands 35 and 37 mean something else to real robots. 37 with 0, 1 or 2 sets the laser's end only right after 36 has set
+/// its start, as old clients do it; 35 switches the laser only with 0, 1 or 2.
 class LaserService {
  public:
   explicit LaserService(std::optional<ServerSettings::Laser> laser) : laser_(laser) { restore(); }
@@ -35,6 +38,7 @@ class LaserService {
   const std::optional<ServerSettings::Laser> laser_;
   Mode mode_ = Mode::kOff;
   double startDeg_ = 0, endDeg_ = 0, incrementDeg_ = 0;
+  bool endFollows_ = false;  ///< an old client has set the start and will set the end
 };
 
 }  // namespace robotlink::arcos

@@ -2,6 +2,7 @@
 // What a ServerSession does when a client commands.
 #include <algorithm>
 #include <cstdlib>
+#include <utility>
 
 #include "robotlink/arcos/ServerPackets.h"
 #include "robotlink/arcos/ServerSession.h"
@@ -63,10 +64,21 @@ void ServerSession::obey(const Command& command) {
     default:
       break;
   }
-  // Commands 35 to 38 are the laser's here, as they are of other simulators.
-  [[maybe_unused]] const bool known = laser_.obey(command) || obeyTranslation(command) ||
+  [[maybe_unused]] const bool known = obeyLaser(command) || obeyTranslation(command) ||
                                       obeyRotation(command) || obeyLimits(command) ||
                                       obeySubscription(command) || obeySonar(command) || obeyDevices(command);
+}
+
+/// Commands 35 to 38 are the laser's here, as they are of other simulators, but also ADSEL, GRIPPERVAL, GRIPREQUEST and
+/// GYROCALCW of real robots. A value for the gripper follows the gripper command that takes it.
+bool ServerSession::obeyLaser(const Command& command) {
+  constexpr int kPressure = 16, kCarry = 17;
+  if (idOf(command) == CommandId::kGripper) {
+    client_.gripperValueNext = integerArgument(command) == kPressure || integerArgument(command) == kCarry;
+    return true;
+  }
+  if (idOf(command) == CommandId::kGripperValue && std::exchange(client_.gripperValueNext, false)) return true;
+  return laser_.obey(command);
 }
 
 bool ServerSession::obeyTranslation(const Command& command) {
@@ -157,6 +169,8 @@ bool ServerSession::obeySubscription(const Command& command) {
       return ask(kJoystick);
     case CommandId::kBatteryInfo:
       return ask(kBattery);
+    case CommandId::kGripperRequest:
+      return ask(kGripper);
     case CommandId::kSimStat:
       return ask(kStatus);
     case CommandId::kGyro:
@@ -197,9 +211,6 @@ bool ServerSession::obeyDevices(const Command& command) {
     }
     case CommandId::kBumpStall:
       client_.bumpStall = argument & 3;
-      return true;
-    case CommandId::kGripperRequest:
-      if (argument > 0) send(toPacket(GripperPacket{}));
       return true;
     case CommandId::kBatTest:
       client_.testedBattery.reset();

@@ -217,6 +217,7 @@ void ServerSession::sendRequested(const RobotSensing& sensing) {
   if (subscription(kEncoder).take()) send(toPacket(encodersOf(settings_, sensing)));
   if (subscription(kImu).take()) send(toPacket(imuOf(sensing)));
   if (subscription(kBattery).take()) send(toPacket(batteryOf(sensing)));
+  if (subscription(kGripper).take()) send(toPacket(GripperPacket{}));  // There is none.
   if (subscription(kStatus).take()) send(toPacket(statusOf(settings_, sensing)));
 }
 

@@ -16,6 +16,7 @@
 #include "robotlink/arcos/SensorPackets.h"
 #include "robotlink/arcos/ServerSettings.h"
 #include "robotlink/arcos/SonarFiring.h"
+#include "robotlink/base/GlobalPosition.h"
 
 namespace robotlink::arcos {
 
@@ -33,6 +34,8 @@ struct RobotSensing {
   double temperature = 25;       ///< degC
   Pose2 truePose;
   double trueHeight = 0;
+  std::optional<GlobalPosition> globalPosition;  ///< where the world is georeferenced
+  double odometryError = 0;  ///< share by which the ways that the odometry measures are too long
 };
 
 /// How the microcontroller comes by ranges; called within step(), for what is due then and nothing else.
@@ -126,6 +129,7 @@ class ServerSession {
     kGyro,
     kJoystick,
     kBattery,
+    kGripper,
     kStatus,
     kSubscribables
   };
@@ -139,6 +143,7 @@ class ServerSession {
     int bumpStall = 0;
     std::uint8_t digitalOut = 0;
     std::optional<double> testedBattery;  ///< V, to be told instead of the real one
+    bool gripperValueNext = false;        ///< the next GRIPPERVAL is the gripper's
   };
 
   void takeWaiting(const Packet& packet);
@@ -151,6 +156,7 @@ class ServerSession {
   bool obeyLimits(const Command& command);
   bool obeySubscription(const Command& command);
   bool obeySonar(const Command& command);
+  bool obeyLaser(const Command& command);
   bool obeyDevices(const Command& command);
   bool obeySimulator(const Packet& packet);
   void obeySimulatorControl(const Packet& packet);

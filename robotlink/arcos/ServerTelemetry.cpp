@@ -17,6 +17,9 @@ constexpr double kGyroCentre = 512, kGyroUnitDeg = 5.0 / 1023 * 300 / 2.5 * 1.62
 constexpr std::uint8_t kImuRange = 3;
 constexpr double kImuRateUnitDeg = 0.01832, kImuTemperatureUnit = 0.1453, kImuTemperatureCentre = 25;
 
+/// Clients take its hundredth for the dilution of precision; 0 says that the position is bad.
+constexpr std::int32_t kGoodPosition = 100;
+
 /// Rounded, and limited to what the field holds.
 template <typename T>
 T rounded(double value) {
@@ -204,12 +207,22 @@ BatteryPacket batteryOf(const RobotSensing& sensing) {
 SimulatorStatus statusOf(const ServerSettings& settings, const RobotSensing& sensing) {
   SimulatorStatus status;
   const auto interval = rounded<std::uint16_t>(seconds(settings.cycle) * 1000);
-  status.flags = SimulatorStatus::kHasOdometryError;
   status.simulatedIntervalMs = status.realIntervalMs = status.lastIntervalMs = interval;
   status.xMm = rounded<std::int32_t>(sensing.truePose.x * 1000);
   status.yMm = rounded<std::int32_t>(sensing.truePose.y * 1000);
   status.zMm = rounded<std::int32_t>(sensing.trueHeight * 1000);
   status.headingDeg = rounded<std::int32_t>(degrees(sensing.truePose.heading));
+  if (sensing.globalPosition) {
+    status.flags |= SimulatorStatus::kHasGlobalPosition;
+    status.latitude1e7 = rounded<std::int32_t>(sensing.globalPosition->latitude * 1e7);
+    status.longitude1e7 = rounded<std::int32_t>(sensing.globalPosition->longitude * 1e7);
+    status.altitudeCm = rounded<std::int32_t>(sensing.globalPosition->altitude * 100);
+    status.positionQuality = kGoodPosition;
+  }
+  if (sensing.odometryError != 0) {
+    status.flags |= SimulatorStatus::kHasOdometryError;
+    status.odometryErrorX1e7 = status.odometryErrorHeading1e7 = rounded<std::int32_t>(sensing.odometryError * 1e7);
+  }
   return status;
 }
 

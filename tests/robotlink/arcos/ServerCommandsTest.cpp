@@ -323,6 +323,52 @@ TEST_F(ServerCommandsTest, aLaserLooksOnlyWhereItIsAskedTo) {
   EXPECT_EQ(part->readings.back().rangeMm, 1000 + 10 * 120);
 }
 
+TEST_F(ServerCommandsTest, whatIsAskedOfTheGripperDoesNotMoveTheLaser) {
+  const auto field = [&] {
+    robot.forget();
+    robot.run(0.15);
+    const auto parts = robot.of(LaserPacket::kExtendedId);
+    return parts.empty() ? 0 : int{decodeLaser(parts[0])->total};
+  };
+  robot.send(CommandId::kLegacyLaserStart, -90);
+  robot.send(CommandId::kPulse);
+  robot.send(CommandId::kLegacyLaserEnd, 90);
+  robot.send(CommandId::kLegacyLaserEnable, 2);
+  ASSERT_EQ(field(), 181);
+  robot.send(CommandId::kGripperRequest, 1);
+  EXPECT_EQ(field(), 181);
+  EXPECT_THAT(robot.of(GripperPacket::kId), SizeIs(1)) << "it says that there is none";
+  EXPECT_EQ(field(), 181);
+  EXPECT_THAT(robot.of(GripperPacket::kId), IsEmpty());
+  robot.send(CommandId::kGripper, 16);
+  robot.send(CommandId::kGripperValue, 30);
+  EXPECT_EQ(field(), 181) << "a pressure is no angle";
+  robot.send(CommandId::kAdSel, 5);
+  EXPECT_EQ(field(), 181) << "an analog port is no mode of the laser";
+  robot.send(CommandId::kLegacyLaserStart, -2);
+  robot.send(CommandId::kLegacyLaserEnd, 2);
+  EXPECT_EQ(field(), 5) << "right after the start it is the laser's end";
+}
+
+TEST_F(ServerCommandsTest, itsStatusSaysOnlyWhatIsSo) {
+  const auto status = [&] {
+    robot.forget();
+    robot.send(CommandId::kSimStat, 1);
+    robot.run(0.15);
+    return *decodeSimulatorStatus(robot.of(SimulatorStatus::kId).at(0));
+  };
+  EXPECT_EQ(status().flags, 0U) << "neither a place on Earth nor an error of the odometry";
+  robot.sensing.globalPosition = GlobalPosition{42.807191, -71.578661, 72.5};
+  robot.sensing.odometryError = -0.002;
+  const auto told = status();
+  EXPECT_EQ(told.flags, SimulatorStatus::kHasGlobalPosition | SimulatorStatus::kHasOdometryError);
+  EXPECT_EQ(told.latitude1e7, 428071910);
+  EXPECT_EQ(told.longitude1e7, -715786610);
+  EXPECT_EQ(told.altitudeCm, 7250);
+  EXPECT_EQ(told.positionQuality, 100) << "clients take a hundredth of it for the dilution of precision; 0 is bad";
+  EXPECT_EQ(told.odometryErrorX1e7, -20000);
+}
+
 TEST_F(ServerCommandsTest, withoutALaserItsCommandsAreIgnored) {
   ServerSettings settings;
   settings.laser.reset();
