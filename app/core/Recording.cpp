@@ -28,6 +28,10 @@ logplayer::Recorder::Options recorderOptions(robotlink::BoundedQueue<std::string
   return options;
 }
 
+/// What has happened is in memory when a person sees that it should have been recorded. It takes at most
+/// logplayer::Recorder::Options::keptBytes.
+constexpr double kKeptByDefault = 30;  // s
+
 /// Unique in all files, so that logs can be merged; as JSON can hold it.
 std::uint64_t newBookmarkId() {
   std::random_device device;
@@ -56,7 +60,7 @@ void Recording::restore() {
   ControlRecording::Compression compression = ControlRecording::NONE;
   ControlRecording::Compression_Parse(settings_.text(kCompression, ""), &compression);
   control.set_compression(compression);
-  control.set_keep_last(settings_.number(kKeep, 0));
+  control.set_keep_last(settings_.number(kKeep, kKeptByDefault));
   control.set_trigger(settings_.text(kTrigger, ""));
   if (const auto done = recorder_.control(control); !done) problems_.push_back(done.error());
 }
@@ -94,7 +98,7 @@ Result<void> Recording::setFolder(const std::filesystem::path& folder) {
 
 Result<void> Recording::bookmark(const std::string& text, robotlink::Instant time) {
   const robotcontrol::RecordingStatus status = recorder_.status();
-  if (!status.recording() && status.keep_last() <= 0) {
+  if (!status.recording() && status.kept_bytes() == 0) {
     return robotlink::failure("recording.none", "nothing is being recorded or kept that could be marked; start a recording first");
   }
   auto event = std::make_shared<foxglove::Event>();
@@ -108,7 +112,8 @@ Result<void> Recording::bookmark(const std::string& text, robotlink::Instant tim
   add("id", std::to_string(newBookmarkId()));
   add("text", text);
   recorder_.add({{robotlink::streams::kBookmarks, time, std::move(event)}});
-  if (status.keep_last() <= 0) return {};
+  // In a recording the mark is enough.
+  if (status.recording()) return {};
   ControlRecording control;
   control.set_action(ControlRecording::SAVE_LAST);
   return this->control(control);

@@ -27,7 +27,8 @@ class Recording {
   std::filesystem::path folder() const;
   robotlink::Result<void> setFolder(const std::filesystem::path& folder);
 
-  /// Marks an instant in the recording that runs, and saves the last seconds if some are kept. Fails if neither is so.
+  /// Marks an instant in the recording that runs; if none does, saves the last seconds with the mark, if some are kept. Fails if
+  /// neither is so.
   robotlink::Result<void> bookmark(const std::string& text, robotlink::Instant time);
 
   /// What the recorder had to say since the last call, and what could not be remembered.

@@ -42,7 +42,7 @@ void addActions(CommandTable& commands, Workbench& workbench) {
   commands.add({"recording.save-last-file", "Saves the last seconds that are kept in memory into a file",
                 {{"file", Type::kText, "a log file that does not exist yet"}},
                 [&workbench](const Values& values) { return act(workbench, ControlRecording::SAVE_LAST, text(values)); }});
-  commands.add({"recording.bookmark", "Marks the instant that is shown in the recording, and saves the last seconds if some are kept",
+  commands.add({"recording.bookmark", "Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark",
                 {{"text", Type::kText, "what is to be seen there"}},
                 [&workbench](const Values& values) {
                   return workbench.recording().bookmark(text(values), workbench.session().timeline().shown());

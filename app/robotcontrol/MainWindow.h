@@ -29,6 +29,7 @@ class LayoutHistory;
 class LogOpening;
 class LogToolBar;
 class OpeningBar;
+class RecordedBar;
 class RecordingToolBar;
 class SimulationToolBar;
 class StatusLine;
@@ -129,6 +130,7 @@ class MainWindow : public QMainWindow {
   LogToolBar* logToolBar_ = nullptr;
   LogOpening* opening_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
+  RecordedBar* recordedBar_ = nullptr;
   widgets::ConnectDialog* connectDialog_ = nullptr;  // from the first time it is wanted
   QStringList recentRobots_;                         // addresses, newest first
   QString robotMap_;

@@ -14,6 +14,7 @@
 #include "app/robotcontrol/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/OpeningBar.h"
+#include "app/robotcontrol/RecordedBar.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "widgets/log/OpenLogs.h"
 
@@ -28,6 +29,8 @@ void MainWindow::createLogs() {
   setAcceptDrops(true);
   openingBar_ = new OpeningBar(workbench_, *actions_, centralWidget());
   static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, openingBar_);
+  recordedBar_ = new RecordedBar(workbench_, *actions_, centralWidget());
+  static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, recordedBar_);
   connect(&logs, &widgets::OpenLogs::failed, this, [this](const QString& reason) {
     showErrors({{"log.failed", reason.toStdString(), {}, {}}});
   });
@@ -71,6 +74,7 @@ void MainWindow::tickLogs() {
   widgets::openLogs(context_).tick();
   logToolBar_->refresh();
   openingBar_->refresh();
+  recordedBar_->refresh();
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

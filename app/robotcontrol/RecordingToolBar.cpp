@@ -2,12 +2,15 @@
 #include "app/robotcontrol/RecordingToolBar.h"
 
 #include <QActionGroup>
+#include <QDir>
 #include <QFileDialog>
+#include <QFileInfo>
 #include <QInputDialog>
 #include <QLabel>
 #include <QMenu>
 #include <QToolButton>
 #include <cmath>
+#include <utility>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
@@ -69,7 +72,7 @@ void RecordingToolBar::createActions() {
   bookmark_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+B")));
   bookmark_->setShortcutContext(Qt::ApplicationShortcut);
   bookmark_->setToolTip(
-      tr("Marks the instant that is shown in the recording, and saves the last seconds if some are kept (%1)")
+      tr("Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark (%1)")
           .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
   connect(bookmark_, &QAction::triggered, this, &RecordingToolBar::bookmark);
   recordingActions_ = {record_, saveLast_, bookmark_};
@@ -133,11 +136,16 @@ void RecordingToolBar::createWidgets() {
   addWidget(button);
   addAction(saveLast_);
   addAction(bookmark_);
+  file_ = new QLabel(this);
+  file_->setObjectName(QStringLiteral("recordingFile"));
+  file_->setAccessibleName(tr("File of the recording"));
+  file_->setMargin(4);
+  fileAction_ = addWidget(file_);
   status_ = new QLabel(this);
   status_->setObjectName(QStringLiteral("recordingStatus"));
   status_->setAccessibleName(tr("State of the recording"));
   status_->setMargin(4);
-  status_->setMinimumWidth(status_->fontMetrics().horizontalAdvance(QStringLiteral("0:00  000.0 MB  000 s")));
+  status_->setMinimumWidth(status_->fontMetrics().horizontalAdvance(tr("0:00  00.0 MB  keeps 30 s")));
   addWidget(status_);
 }
 
@@ -150,12 +158,31 @@ QString RecordingToolBar::statusText(const RecordingStatus& status) {
   return parts.join(QStringLiteral("  "));
 }
 
+QString RecordingToolBar::lengthText(const RecordingStatus& status) {
+  return tr("%1 (%2)").arg(duration(status.seconds()), megabytes(status.bytes()));
+}
+
+/// The name while it is written, and of the last one after it.
+void RecordingToolBar::refreshFile(const RecordingStatus& status) {
+  constexpr int kWidest = 220;  // pixels
+  const QFileInfo file(QString::fromStdString(status.path()));
+  const QString name = file_->fontMetrics().elidedText(file.fileName(), Qt::ElideLeft, kWidest);
+  file_->setText(status.recording() ? name : tr("last: %1").arg(name));
+  file_->setToolTip(QDir::toNativeSeparators(file.filePath()));
+  fileAction_->setVisible(!status.path().empty());
+}
+
 void RecordingToolBar::refresh() {
   const RecordingStatus status = workbench_.recording().status();
   record_->setChecked(status.recording());
-  record_->setText(status.recording() ? tr("Stop") : tr("Record"));
+  // Neither the word nor the color of what stops robots.
+  record_->setText(status.recording() ? tr("End recording") : tr("Record"));
+  if (std::exchange(showsEnd_, status.recording()) != status.recording()) {
+    record_->setIcon(widgets::icon(status.recording() ? QStringLiteral("record-end") : QStringLiteral("record")));
+  }
+  refreshFile(status);
   saveLast_->setEnabled(status.kept_bytes() > 0);
-  bookmark_->setEnabled(status.recording() || status.keep_last() > 0);
+  bookmark_->setEnabled(status.recording() || status.kept_bytes() > 0);
   status_->setText(statusText(status));
   QStringList details;
   if (status.recording()) details << tr("Recording into %1").arg(QString::fromStdString(status.path()));

@@ -17,7 +17,7 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// Record and stop, save the last seconds, mark an instant; what is recorded and how in the record button's menu; and how long,
+/// Record and end, into which file, save the last seconds, mark an instant; what is recorded and how in the record button's menu; and how long,
 /// how much and what was left out, live. Shows what the recorder reports, not what was clicked. GUI thread.
 class RecordingToolBar : public QToolBar {
   Q_OBJECT
@@ -32,6 +32,8 @@ class RecordingToolBar : public QToolBar {
 
   /// What stands beside the button: "0:12  8.4 MB", "keeps 10 s", and what was left out.
   static QString statusText(const robotcontrol::RecordingStatus& status);
+  /// "0:12 (8.4 MB)" of the recording that runs or ran last.
+  static QString lengthText(const robotcontrol::RecordingStatus& status);
 
  private:
   struct Choice {
@@ -46,11 +48,13 @@ class RecordingToolBar : public QToolBar {
   void chooseTrigger();
   void chooseFolder();
   void bookmark();
+  void refreshFile(const robotcontrol::RecordingStatus& status);
   void refreshChoices(const robotcontrol::RecordingStatus& status);
 
   Workbench& workbench_;
   CommandActions& actions_;
   QAction* record_ = nullptr;
+  bool showsEnd_ = false;  // the button ends the recording
   QAction* saveLast_ = nullptr;
   QAction* bookmark_ = nullptr;
   QMenu* menu_ = nullptr;
@@ -58,6 +62,8 @@ class RecordingToolBar : public QToolBar {
   QActionGroup* compression_ = nullptr;
   QActionGroup* keep_ = nullptr;
   QAction* trigger_ = nullptr;
+  QLabel* file_ = nullptr;
+  QAction* fileAction_ = nullptr;  // shows it
   QLabel* status_ = nullptr;
   QList<QAction*> recordingActions_;
 };

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recording as a person does it: the toolbar, its menu and its dialogs, in a window in which a robot plays.
 #include <QAction>
+#include <QDesktopServices>
 #include <QDialogButtonBox>
 #include <QInputDialog>
 #include <QLabel>
@@ -96,18 +97,28 @@ class RecordingGuiTest : public QObject {
     Desk desk(home_ / "button", true);
     desk.run("recording.folder " + folder.path().string());
     QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
-    QCOMPARE(desk.shown(), QStringLiteral("not recording"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.shown().startsWith(QStringLiteral("keeps")), kWaitMs);
+    QCOMPARE(desk.status().keep_last(), 30.0);
     auto& button = child<QToolButton>(desk.window, "recordButton");
     QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
     QVERIFY(desk.status().recording());
     QTRY_VERIFY_WITH_TIMEOUT(desk.status().messages() > 500, kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(desk.shown().contains(QStringLiteral(" MB")) && desk.shown().startsWith(QStringLiteral("0:0")), kWaitMs);
     QVERIFY(button.isChecked());
-    QCOMPARE(button.text(), QStringLiteral("Stop"));
+    QCOMPARE(button.text(), QStringLiteral("End recording"));
+    const QString file = QString::fromStdString(only(folder));
+    auto& name = child<QLabel>(desk.window, "recordingFile");
+    QVERIFY(name.isVisible());
+    QVERIFY(name.toolTip().endsWith(file));
+    QVERIFY(!child<QWidget>(desk.window, "recordedBar").isVisible());
     look(desk.window, "recording");
     QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
     QVERIFY(!desk.status().recording());
-    QTRY_COMPARE_WITH_TIMEOUT(desk.shown(), QStringLiteral("not recording"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>(desk.window, "recordedBar").isVisible(), kWaitMs);
+    QVERIFY(child<QLabel>(desk.window, "recordedText").text().contains(file));
+    QVERIFY(name.text().startsWith(QStringLiteral("last: ")) && name.toolTip().endsWith(file));
+    QCOMPARE(button.text(), QStringLiteral("Record"));
+    look(desk.window, "recorded");
     desk.workbench.recording().recorder().finish();
     const ReadLog log = logplayer::testing::readLog(folder / only(folder));
     QVERIFY(log.complete);
@@ -115,6 +126,39 @@ class RecordingGuiTest : public QObject {
     QVERIFY(log.count("red1/program") > 0);
     QVERIFY(log.count("simulation") > 0);
     QVERIFY(child<QLabel>(desk.window, "recordingStatus").toolTip().contains(QString::fromStdString(only(folder))));
+  }
+
+  void whatWasRecordedIsOpenedAndItsFolderShown() {
+    const TestFolder folder;
+    Desk desk(home_ / "recorded", true);
+    desk.run("recording.folder " + folder.path().string());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
+    desk.run("recording.start");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.status().messages() > 500, kWaitMs);
+    desk.window.tick();
+    desk.run("recording.stop");
+    QTRY_VERIFY_WITH_TIMEOUT(child<QWidget>(desk.window, "recordedBar").isVisible(), kWaitMs);
+    QDesktopServices::setUrlHandler(QStringLiteral("file"), this, "showUrl");
+    click(child<QToolButton>(desk.window, "recordedFolder"));
+    QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
+    QCOMPARE(shown_, QUrl::fromLocalFile(QString::fromStdString(folder.path().string())));
+    click(child<QToolButton>(desk.window, "recordedOpen"));
+    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr && desk.workbench.loaded()->logs.size() == 1, kWaitMs);
+    QVERIFY(!child<QWidget>(desk.window, "recordedBar").isVisible());
+    QVERIFY(!child<QLabel>(desk.window, "errorText").isVisible());
+  }
+
+  void theLastSecondsAreKeptUnlessOneDoesNotWantIt() {
+    const auto home = home_ / "kept";
+    {
+      Desk desk(home);
+      QCOMPARE(desk.status().keep_last(), 30.0);
+      desk.run("recording.keep 0");
+    }
+    Desk desk(home);
+    QCOMPARE(desk.status().keep_last(), 0.0);
+    desk.window.tick();
+    QCOMPARE(desk.shown(), QStringLiteral("not recording"));
   }
 
   void keysRecordMarkAndSaveTheLastSeconds() {
@@ -275,6 +319,9 @@ class RecordingGuiTest : public QObject {
     QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("recording failed"));
   }
 
+ public Q_SLOTS:
+  void showUrl(const QUrl& url) { shown_ = url; }
+
  private:
   /// With ROBOTCONTROL_LOOKS=FOLDER: a picture to be looked at.
   static void look(QWidget& widget, const char* name) {
@@ -282,6 +329,7 @@ class RecordingGuiTest : public QObject {
     if (!looks.isEmpty()) QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
   }
   std::filesystem::path home_;
+  QUrl shown_;
 };
 
 QTEST_MAIN(RecordingGuiTest)
