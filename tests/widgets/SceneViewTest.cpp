@@ -14,6 +14,7 @@
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/scene/EdgeSmoothing.h"
 #include "widgets/scene/SceneCanvas.h"
 #include "widgets/scene/SceneView.h"
 
@@ -35,6 +36,11 @@ struct Shown {
     view.resize(480, 400);
     view.show();
     if (!QTest::qWaitForWindowExposed(&view)) qFatal("the view is not shown");
+    QTest::keyClick(canvas, Qt::Key_R);  // all of the field, so that it is known where things are
+  }
+  /// What the camera needs to come to rest.
+  void settle() {
+    for (int i = 0; i < 120; ++i) view.tick();
   }
   /// Waits, at a true thread boundary, for the picture that shows what is there now.
   bool step() {
@@ -118,7 +124,7 @@ class SceneViewTest : public QObject {
     QCOMPARE(pictures.count(), 0);
   }
 
-  void whatStandsStillIsDrawnWithSmoothEdges() {
+  void edgesAreSmoothInMovingPicturesAndInStillOnes() {
     Shown s;
     QVERIFY(s.placeThings());
     const auto colorsAlongTheEdge = [&] {
@@ -130,9 +136,34 @@ class SceneViewTest : public QObject {
       }
       return colors.size();
     };
-    const auto rough = colorsAlongTheEdge();
+    const auto moving = colorsAlongTheEdge();
+    QVERIFY2(moving > 6, qPrintable(QString::number(moving)));  // two, if they were jagged
     QVERIFY(s.step());
-    QVERIFY(colorsAlongTheEdge() > rough);
+    QVERIFY(colorsAlongTheEdge() > 6);
+  }
+
+  void smoothingMixesWhatLiesAcrossASlantedEdgeAndLeavesTheRest() {
+    QImage picture(60, 40, QImage::Format_RGB32);
+    picture.fill(Qt::black);
+    for (int x = 0; x < picture.width(); ++x) {
+      for (int y = 10 + x / 6; y < picture.height(); ++y) picture.setPixelColor(x, y, Qt::white);
+    }
+    const QImage smooth = smoothEdges(picture);
+    int mixed = 0;
+    for (int x = 12; x < 48; ++x) {
+      for (int y = 0; y < 40; ++y) {
+        const int grey = smooth.pixelColor(x, y).red();
+        mixed += grey > 10 && grey < 245 ? 1 : 0;
+        if (std::abs(y - (10 + x / 6)) > 2) QCOMPARE(grey, picture.pixelColor(x, y).red());
+      }
+    }
+    QVERIFY2(mixed > 18, qPrintable(QString::number(mixed)));
+    QImage straight(40, 40, QImage::Format_RGB32);
+    straight.fill(Qt::black);
+    for (int x = 0; x < 40; ++x) {
+      for (int y = 20; y < 40; ++y) straight.setPixelColor(x, y, Qt::white);
+    }
+    QCOMPARE(smoothEdges(straight), straight);
   }
 
   void draggingTurnsTheCamera() {
@@ -207,14 +238,112 @@ class SceneViewTest : public QObject {
     QVERIFY(s.canvas->rect().contains(robot));
   }
 
-  void theCameraFollowsTheRobot() {
+  void aNewViewIsNearTheRobotAndFollowsIt() {
+    SyntheticWorld world;
+    SceneView view(world.context);
+    auto* canvas = child<SceneCanvas>(view, "sceneCanvas");
+    view.resize(600, 500);
+    view.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&view));
+    world.pushScene();
+    world.pushPoses({-1, 0.5, 0.3}, {kBall.x(), kBall.y()});
+    world.advance();
+    view.tick();
+    QVERIFY(!canvas->overview());
+    QVERIFY(canvas->camera().distance < 3);
+    const auto seen = [&](double x, double y) {
+      const auto at = canvas->camera().project(canvas->size(), {x, y, 0.05});
+      return at && canvas->rect().adjusted(60, 60, -60, -60).contains(at->toPoint());
+    };
+    QVERIFY(seen(-1, 0.5));
+    for (int i = 0; i < 100; ++i) {
+      world.pushPoses({-1 + 0.02 * i, 0.5, 0.3}, {kBall.x(), kBall.y()});
+      world.advance();
+      view.tick();
+      QVERIFY(seen(-1 + 0.02 * i, 0.5));
+    }
+    // The camera that a person chooses stays until he follows again.
+    QTest::keyClick(canvas, Qt::Key_1);
+    QVERIFY(canvas->camera().elevation > robotlink::radians(89));
+    world.pushPoses({-1, -1, 0.3}, {kBall.x(), kBall.y()});
+    world.advance();
+    const SceneCamera above = canvas->camera();
+    view.tick();
+    QCOMPARE(canvas->camera(), above);
+  }
+
+  void theCameraFollowsTheRobotGently() {
     Shown s;
     QVERIFY(s.placeThings());
+    const Vector3 far(5, 5, 0);  // the ball plays no part
+    s.world.pushPoses({-1, 0.5, 0.3}, {far.x(), far.y()});
+    QVERIFY(s.step());
     QTest::keyClick(s.canvas, Qt::Key_3);
     const Vector3 before = s.canvas->camera().target;
-    s.world.pushPoses({-0.6, 0.8, 0.3}, {kBall.x(), kBall.y()});
+    s.world.pushPoses({-0.6, 0.8, 0.3}, {far.x(), far.y()});
+    s.world.advance();
+    s.view.tick();
+    const double first = (s.canvas->camera().target - before).norm();
+    QVERIFY2(first > 0.02 && first < 0.25, qPrintable(QString::number(first)));
+    s.settle();
+    const Vector3 moved = s.canvas->camera().target - before;
+    QVERIFY2((moved - Vector3(0.4, 0.3, 0)).norm() < 2e-3, qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+    // At rest nothing is drawn for it.
+    const SceneCamera still = s.canvas->camera();
+    s.view.tick();
+    QCOMPARE(s.canvas->camera(), still);
+  }
+
+  void theCameraOverTheShoulderTurnsWithTheRobot() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    s.click("sceneBehind");
+    const SceneCamera before = s.canvas->camera();
+    drag(*s.canvas, Qt::LeftButton, {30, 30}, {60, 30});  // a little to the side, as a person likes it
+    const double aside = robotlink::normalizedAngle(s.canvas->camera().azimuth - before.azimuth);
+    s.world.pushPoses({-0.7, 0.5, 1.3}, {kBall.x(), kBall.y()});
+    s.world.advance();
+    s.settle();
+    const double turned = robotlink::normalizedAngle(s.canvas->camera().azimuth - before.azimuth);
+    QVERIFY2(std::abs(turned - aside - 1) < 0.01, qPrintable(QStringLiteral("%1 %2").arg(turned).arg(aside)));
+    QVERIFY(s.canvas->rect().contains(s.at({-0.7, 0.5, 0.1})));
+    // It is one or the other.
+    s.click("sceneFollow");
+    QVERIFY(!s.view.findChild<QAction*>(QStringLiteral("sceneBehindAction"))->isChecked());
+  }
+
+  void whatIsDraggedDoesNotTakeTheCameraAlong() {
+    Shown s;
+    s.world.session.setRobots({"red1"});
+    QVERIFY(s.placeThings());
+    QTest::keyClick(s.canvas, Qt::Key_3);
+    s.settle();
+    const Vector3 top(-1, 0.5, 0.17);
+    const SceneCamera before = s.canvas->camera();
+    moveMouse(*s.canvas, s.at(top));
+    QTest::mousePress(s.canvas, Qt::LeftButton, {}, s.at(top));
+    moveMouse(*s.canvas, s.at(top) + QPoint(60, 0), Qt::LeftButton);
+    s.world.pushPoses({-0.6, 0.5, 0.3}, {kBall.x(), kBall.y()});
     QVERIFY(s.step());
-    QVERIFY((s.canvas->camera().target - before - Vector3(0.4, 0.3, 0)).norm() < 1e-9);
+    QCOMPARE(s.canvas->camera(), before);
+    QTest::mouseRelease(s.canvas, Qt::LeftButton, {}, s.at(top) + QPoint(60, 0));
+    s.view.tick();
+    QVERIFY(!(s.canvas->camera() == before));
+  }
+
+  void aClickSelectsARobotAndMovesNothing() {
+    Shown s;
+    s.world.session.setRobots({"blue1", "red1"});
+    s.world.session.selectRobot("blue1");
+    QVERIFY(s.placeThings());
+    const Vector3 top(-1, 0.5, 0.17);
+    moveMouse(*s.canvas, s.at(top));
+    QTest::mousePress(s.canvas, Qt::LeftButton, {}, s.at(top));
+    moveMouse(*s.canvas, s.at(top) + QPoint(2, 0), Qt::LeftButton);
+    QTest::mouseRelease(s.canvas, Qt::LeftButton, {}, s.at(top) + QPoint(2, 0));
+    QCOMPARE(s.world.session.selectedRobot(), std::string("red1"));
+    s.view.tick();
+    QVERIFY(s.world.requests.empty());
   }
 
   void wireFrameShowsEdgesOnly() {
@@ -391,7 +520,6 @@ class SceneViewTest : public QObject {
     a.click("sceneWireFrame");
     a.click("sceneGrid");
     a.click("sceneBehind");
-    a.click("sceneFollow");
     child<RobotChoice>(a.view, "sceneRobot")->setChoice(QStringLiteral("red1"));
     const QJsonObject state = a.view.saveState();
     Shown b;

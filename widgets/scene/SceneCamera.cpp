@@ -122,7 +122,7 @@ SceneCamera SceneCamera::overview(const QSizeF& widget, const SceneBox& box) {
   SceneCamera camera;
   // A tall picture is filled better from higher up.
   const double aspect = widget.width() / std::max(1.0, widget.height());
-  camera.elevation = std::clamp(radians(70 - 18 * aspect), radians(28), radians(58));
+  camera.elevation = std::clamp(radians(80 - 20 * aspect), radians(30), radians(62));
   // A little nearer to the viewer than the centre: what is near looks larger.
   camera.target = {box.center.x(), box.center.y() - 0.06 * box.size.y(), 0};
   camera.fit(widget, box);
@@ -137,13 +137,22 @@ SceneCamera SceneCamera::fromAbove(const QSizeF& widget, const SceneBox& box) {
   return camera;
 }
 
-SceneCamera SceneCamera::behind(const robotlink::Pose2& pose) {
+SceneCamera SceneCamera::beside(double distance) {
+  SceneCamera camera;
+  camera.target.z() = 0.05;
+  camera.azimuth = robotlink::radians(-115);  // the goal at which the first team plays is seen behind it
+  camera.elevation = robotlink::radians(30);
+  camera.distance = distance;
+  return camera;
+}
+
+SceneCamera SceneCamera::behind(const robotlink::Pose2& pose, double distance) {
   SceneCamera camera;
   const Vector2 ahead = pose * Vector2(0.25, 0);
   camera.target = {ahead.x(), ahead.y(), 0.1};
   camera.azimuth = robotlink::normalizedAngle(pose.heading + robotlink::kPi);
   camera.elevation = robotlink::radians(24);
-  camera.distance = 1.3;
+  camera.distance = 0.55 * distance;
   return camera;
 }
 

@@ -59,8 +59,10 @@ struct SceneCamera {
   /// So that all of a box is seen.
   static SceneCamera overview(const QSizeF& widget, const SceneBox& box);
   static SceneCamera fromAbove(const QSizeF& widget, const SceneBox& box);
-  /// Over the shoulder of what stands at a pose.
-  static SceneCamera behind(const robotlink::Pose2& pose);
+  /// Over the shoulder of what stands at a pose and is seen well from a distance.
+  static SceneCamera behind(const robotlink::Pose2& pose, double distance = 2.4);
+  /// From the side, at a distance from the field's middle.
+  static SceneCamera beside(double distance);
 };
 
 /// For saved window layouts. What is missing is as in a new camera, what is out of range is brought back.

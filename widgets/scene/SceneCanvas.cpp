@@ -17,6 +17,7 @@ namespace widgets {
 namespace {
 
 constexpr double kKeyStep = 24;  // pixels that an arrow key is worth
+constexpr int kClickSlack = 4;  // pixels that a hand moves while it clicks
 constexpr double kTurnStep = robotlink::radians(15);
 
 }  // namespace
@@ -25,7 +26,7 @@ SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* paren
   setObjectName(QStringLiteral("sceneCanvas"));
   setAccessibleName(tr("Scene"));
   setToolTip(
-      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; drag a robot or the ball "
+      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; click a robot: select it; drag a robot or the ball "
          "(Control: always): place it, wheel: turn it; R: reset"));
   setToolTipDuration(4000);
   setFocusPolicy(Qt::StrongFocus);
@@ -214,7 +215,7 @@ SceneCanvas::Mode SceneCanvas::modeFor(const QMouseEvent& event) {
 
 void SceneCanvas::mousePressEvent(QMouseEvent* event) {
   if (mode_ != Mode::kIdle) return;
-  last_ = event->localPos();
+  last_ = pressed_ = event->localPos();
   moved_ = false;
   mode_ = modeFor(*event);
   setCursor(Qt::ClosedHandCursor);
@@ -223,7 +224,7 @@ void SceneCanvas::mousePressEvent(QMouseEvent* event) {
 void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->localPos() - last_;
   last_ = event->localPos();
-  moved_ = moved_ || !by.isNull();
+  moved_ = moved_ || (last_ - pressed_).manhattanLength() >= kClickSlack;
   SceneCamera camera = camera_;
   switch (mode_) {
     case Mode::kIdle:
@@ -238,19 +239,26 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
       break;
   }
   const auto ground = camera_.ray(size(), last_).onPlane(dragHeight_);
-  if (ground) Q_EMIT dragMoved(ground->x(), ground->y());
+  // A click does not move what it selects.
+  if (ground && moved_) Q_EMIT dragMoved(ground->x(), ground->y());
 }
 
 void SceneCanvas::mouseReleaseEvent(QMouseEvent* event) {
   const Mode ended = std::exchange(mode_, Mode::kIdle);
   unsetCursor();
   if (ended == Mode::kDragging) Q_EMIT dragEnded();
+  if (event->button() == Qt::LeftButton && !moved_) click(event->localPos());
   if (event->button() == Qt::RightButton && !moved_) {
     Q_EMIT customContextMenuRequested(event->pos());
   }
   highlighted_.clear();
   highlight(movableAt(event->localPos(), event->modifiers()));
   request();
+}
+
+void SceneCanvas::click(const QPointF& at) {
+  const auto hit = firstHit(contents_.bodies, camera_.ray(size(), at));
+  if (hit && !hit->model.empty()) Q_EMIT modelClicked(QString::fromStdString(hit->model));
 }
 
 void SceneCanvas::wheelEvent(QWheelEvent* event) {

@@ -58,6 +58,8 @@ class SceneCanvas final : public QWidget {
   void dragMoved(double x, double y);
   void dragTurned(double angle);
   void dragEnded();
+  /// Pressed and released without being moved.
+  void modelClicked(const QString& model);
 
  protected:
   void paintEvent(QPaintEvent* event) override;
@@ -82,6 +84,7 @@ class SceneCanvas final : public QWidget {
   Mode modeFor(const QMouseEvent& event);
   bool startDrag(const QPointF& at, Qt::KeyboardModifiers modifiers);
   void highlight(const std::string& model);
+  void click(const QPointF& at);
   /// The model that a drag would move from here; empty: none.
   std::string movableAt(const QPointF& at, Qt::KeyboardModifiers modifiers,
                         robotlink::Vector3* point = nullptr) const;
@@ -95,6 +98,7 @@ class SceneCanvas final : public QWidget {
   std::string highlighted_;
   Mode mode_ = Mode::kIdle;
   bool moved_ = false;
+  QPointF pressed_;
   double dragHeight_ = 0;
   QPointF last_;
   std::shared_ptr<const SceneFrame> requested_;

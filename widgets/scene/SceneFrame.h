@@ -65,7 +65,9 @@ struct SceneFrame {
   bool grid = true;
   SceneContents contents;
   std::string highlighted;  ///< a model
-  bool smooth = false;      ///< without jagged edges, which costs a processor more than three times as much
+  /// With several samples a pixel, which costs a processor more than three times as much; else the edges of the finished picture
+  /// are smoothed.
+  bool smooth = false;
   bool hurry = false;       ///< somebody moves the camera or a model: be quick rather than thrifty
 };
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/scene/EdgeSmoothing.h"
 #include "widgets/scene/EglContext.h"
 #include "widgets/scene/GlObjects.h"
 #include "widgets/scene/SceneGrid.h"
@@ -124,6 +125,7 @@ QImage SceneRenderer::render(const SceneFrame& frame) {
   state_->forgetUnused();
   QImage picture(frame.pixels, QImage::Format_RGB32);
   state_->target->read(picture.bits());
+  if (state_->target == state_->plainTarget.get()) picture = smoothEdges(picture);
   picture.setDevicePixelRatio(frame.pixelRatio);
   return picture;
 }

@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/debugging/Streams.h"
@@ -34,6 +35,8 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("widgets::SceneView",
                        "The world in three dimensions, with what the robots draw into it"),
      "scene", true, create<SceneView>}};
+
+constexpr double kWheelsDistance = 4.5;  // m, from which a robot on wheels is seen well
 
 }  // namespace
 
@@ -84,11 +87,13 @@ void SceneView::createCameraActions() {
                           {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_1});
   behind_ =
       makeAction(this, "behind",
-                 {"sceneBehind", tr("Behind the robot"), tr("Looks over the robot's shoulder"), Qt::Key_2});
+                 {"sceneBehind", tr("Over the shoulder"), tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_2});
   follow_ =
       makeAction(this, "follow",
                  {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_3});
-  follow_->setCheckable(true);
+  for (QAction* action : {behind_, follow_}) action->setCheckable(true);
+  follow_->setChecked(true);
+  ride_.setMode(CameraRide::Mode::kBeside);
   zoomIn_ = makeAction(this, "zoom-in", {"sceneZoomIn", tr("Zoom in"), tr("Goes nearer"), Qt::Key_Plus});
   zoomOut_ = makeAction(this, "zoom-out", {"sceneZoomOut", tr("Zoom out"), tr("Goes away"), Qt::Key_Minus});
 }
@@ -133,8 +138,12 @@ void SceneView::connectSignals() {
   connect(move_, &QAction::toggled, this, &SceneView::tick);
   connect(drawings_, &DrawingsModel::shownChanged, this, &SceneView::tick);
   connect(robots_, &RobotChoice::choiceChanged, this, [this] {
-    followed_.reset();
+    ride_.forget();
     tick();
+  });
+  connect(canvas_, &SceneCanvas::modelClicked, this, [this](const QString& model) {
+    const auto& robots = session().robots();
+    if (std::ranges::find(robots, model.toStdString()) != robots.end()) session().selectRobot(model.toStdString());
   });
   connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
   connect(save_, &QAction::triggered, this,
@@ -144,17 +153,21 @@ void SceneView::connectSignals() {
 
 void SceneView::connectCamera() {
   connect(reset_, &QAction::triggered, this, [this] {
-    follow_->setChecked(false);
+    letGo();
     canvas_->setOverview(box());
   });
   connect(fromAbove_, &QAction::triggered, this, [this] {
-    follow_->setChecked(false);
+    letGo();
     canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), box()));
   });
-  connect(behind_, &QAction::triggered, this, &SceneView::lookFromBehind);
-  connect(follow_, &QAction::toggled, this, [this] {
-    followed_.reset();
-    tick();
+  // One of the two at most.
+  connect(behind_, &QAction::toggled, this, [this](bool on) {
+    if (on) follow_->setChecked(false);
+    ride();
+  });
+  connect(follow_, &QAction::toggled, this, [this](bool on) {
+    if (on) behind_->setChecked(false);
+    ride();
   });
   connect(zoomIn_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(2.0)); });
   connect(zoomOut_, &QAction::triggered, this, [this] { canvas_->zoomBy(std::sqrt(0.5)); });
@@ -233,15 +246,27 @@ std::optional<robotlink::Pose2> SceneView::robotPose() const {
   return found == beliefs_.end() ? std::nullopt : found->pose();
 }
 
+void SceneView::ride() {
+  using Mode = CameraRide::Mode;
+  ride_.setMode(behind_->isChecked() ? Mode::kBehind : follow_->isChecked() ? Mode::kBeside : Mode::kOff);
+  tick();
+}
+
+void SceneView::letGo() {
+  behind_->setChecked(false);
+  follow_->setChecked(false);
+}
+
 void SceneView::follow() {
-  const auto pose = follow_->isChecked() ? robotPose() : std::nullopt;
-  if (!pose) return followed_.reset();
-  SceneCamera camera = canvas_->camera();
-  const robotlink::Vector2 from = followed_.value_or(camera.target.head<2>());
-  camera.target.head<2>() += pose->translation() - from;
-  if (!followed_) camera.distance = std::min(camera.distance, 2.5);
-  followed_ = pose->translation();
-  canvas_->setCamera(camera);
+  // What is dragged would run away from the mouse.
+  if (drag_.active()) return;
+  const auto pose = robotPose();
+  if (!pose) return ride_.forget();
+  CameraRide::Subject subject{*pose, {}};
+  if (const auto ball = scene_.modelPose("ball")) subject.ball = ball->translation().head<2>();
+  const auto robot = context().robots.find(robots_->robot(session()));
+  if (robot != context().robots.end() && robot->second && robot->second->drive) subject.distance = kWheelsDistance;
+  canvas_->setCamera(ride_.step(canvas_->camera(), subject, canvas_->overview()));
 }
 
 /// Of all that belongs to the field, or of the building whose map there is.
@@ -266,11 +291,6 @@ void SceneView::followMap() {
   if (canvas_->overview()) canvas_->setOverview(box());
 }
 
-void SceneView::lookFromBehind() {
-  const auto pose = robotPose();
-  if (pose) canvas_->setCamera(SceneCamera::behind(*pose));
-}
-
 void SceneView::showContextMenu(const QPoint& at) {
   auto* menu = new QMenu(this);
   menu->setObjectName(QStringLiteral("sceneMenu"));
@@ -293,6 +313,7 @@ QJsonObject SceneView::saveState() const {
           {QStringLiteral("overview"), canvas_->overview()},
           {QStringLiteral("camera"), stateOf(canvas_->camera())},
           {QStringLiteral("follow"), follow_->isChecked()},
+          {QStringLiteral("behind"), behind_->isChecked()},
           {QStringLiteral("wireFrame"), wireFrame_->isChecked()},
           {QStringLiteral("grid"), grid_->isChecked()},
           {QStringLiteral("labels"), labels_->isChecked()},
@@ -311,7 +332,9 @@ void SceneView::restoreState(const QJsonObject& state) {
   canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
   if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(box());
   // The camera stands where it stood to the robot.
-  follow_->setChecked(state[QStringLiteral("follow")].toBool());
+  behind_->setChecked(state[QStringLiteral("behind")].toBool());
+  follow_->setChecked(state[QStringLiteral("follow")].toBool(!behind_->isChecked()));
+  ride_.forget();
 }
 
 }  // namespace widgets

@@ -8,6 +8,7 @@
 #include "widgets/models/ModelDrag.h"
 #include "widgets/models/RobotBeliefs.h"
 #include "widgets/models/SceneState.h"
+#include "widgets/scene/CameraRide.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneCamera.h"
 
@@ -53,12 +54,13 @@ class SceneView final : public View {
   SceneContents contents(const std::vector<RobotBelief>& beliefs);
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
-  /// Moves the camera as far as the robot moved since the last tick.
+  /// Takes the camera along with the robot.
   void follow();
+  void ride();
   std::optional<robotlink::Pose2> robotPose() const;
   SceneBox box() const;
   void followMap();
-  void lookFromBehind();
+  void letGo();
   void showContextMenu(const QPoint& at);
 
   SceneState scene_;
@@ -67,7 +69,7 @@ class SceneView final : public View {
   std::shared_ptr<const robotcontrol::GroundMap> map_;
   std::optional<SceneBox> mapBox_;  // of map_
   std::vector<RobotBelief> beliefs_;
-  std::optional<robotlink::Vector2> followed_;  ///< where the followed robot was
+  CameraRide ride_;
   DrawingsModel* drawings_ = nullptr;
   SceneCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
