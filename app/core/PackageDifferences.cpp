@@ -4,15 +4,29 @@
 #include <google/protobuf/message.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <limits>
+#include <numbers>
 #include <set>
+#include <string_view>
 
 #include "robotlink/session/Numbers.h"
 
 namespace app {
 
 using robotlink::Instant;
+
+namespace {
+
+/// Whether a field is a direction in rad, of which a full turn more is the same; by its name, as the packages have them.
+bool isDirection(std::string_view field) {
+  constexpr std::array<std::string_view, 4> kDirections{"heading", "bearing", "compass", "yaw"};
+  const std::string_view name = field.substr(field.rfind('.') + 1);
+  return std::find(kDirections.begin(), kDirections.end(), name) != kDirections.end();
+}
+
+}  // namespace
 
 void PackageDifferences::endInstant(Instant now) {
   std::set<std::string> packages;
@@ -73,6 +87,7 @@ void PackageDifferences::compareNumbers(const google::protobuf::Message& logged,
     const auto after = robotlink::numberAt(recomputed, field);
     if (!before || !after) continue;
     double difference = std::abs(*after - *before);
+    if (isDirection(field)) difference = std::abs(std::remainder(*after - *before, 2 * std::numbers::pi));
     // Only one is not a number: nothing differs more.
     if (std::isnan(difference)) {
       difference = std::isnan(*before) == std::isnan(*after) ? 0 : std::numeric_limits<double>::infinity();

@@ -4,6 +4,7 @@
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
 #include "app/core/SceneMessages.h"
+#include "app/core/SolutionChoices.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/arcos/StreamUrl.h"
@@ -60,6 +61,10 @@ Errors PioneerRun::load() {
   platform_ = std::make_unique<PioneerPlatform>(
       clock_, options_.robot, *description_,
       PioneerDriver::Options{.address = options_.url, .motorsOn = options_.motorsOn});
+  if (const auto plain = robotlink::readLayout(layout())) {
+    Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
+    if (!errors.empty()) return errors;
+  }
   auto program = makeProgram(layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/ReplayRunParts.h"
+#include "app/core/SolutionChoices.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -11,6 +12,7 @@ namespace streams = robotlink::streams;
 
 using robotcontrol::FrameInfo;
 using robotcontrol::ReplayStatus;
+using robotlink::Errors;
 using robotlink::Instant;
 
 namespace {
@@ -159,6 +161,46 @@ bool ReplayRun::setStepProcess(const std::string& process) {
 }
 
 const std::string& ReplayRun::stepProcess() const { return implementation_->stepProcess; }
+
+// ---- Solutions that were chosen
+
+/// A comparison with another solution than the one that was asked for would be false.
+Errors ReplayRun::Implementation::checkChosenSolutions() const {
+  if (options.solutions.empty()) return {};
+  std::vector<const robotlink::Layout*> layouts;
+  for (const auto& source : sources) {
+    for (const auto& robot : source->robots) layouts.push_back(&robot->setup().layout);
+  }
+  Errors errors = checkSolutions(options.solutions, robotlink::registeredTasks(), layouts);
+  if (!errors.empty()) return errors;
+  for (const auto& source : sources) {
+    for (const auto& robot : source->robots) {
+      for (const auto& [task, solution] : options.solutions) {
+        const std::string why = robot->whyNotDoneBy(task, solution);
+        if (why.empty()) continue;
+        errors.push_back({"replay.solution", robot->name() + ": task " + task + " cannot be done by " + solution + ": " + why,
+                          {robot->name(), task, solution},
+                          {}});
+      }
+    }
+  }
+  return errors;
+}
+
+std::vector<std::string> ReplayRun::unusedSolutions() const {
+  std::vector<std::string> sentences;
+  for (const auto& source : implementation_->sources) {
+    for (const auto& robot : source->robots) {
+      for (const auto& absence : robot->plan().layout.absent) {
+        const auto chosen = implementation_->options.solutions.find(absence.task);
+        if (chosen == implementation_->options.solutions.end()) continue;
+        sentences.push_back(robot->name() + ": task " + absence.task + " does not run, so that its solution " + chosen->second +
+                            " changes nothing; " + absence.reason);
+      }
+    }
+  }
+  return sentences;
+}
 
 // ---- What is told of it
 

@@ -143,7 +143,8 @@ void Planner::choose() {
     const auto wish = wishes_.packages.find(package.name);
     const auto source = wish == wishes_.packages.end() ? ControlReplay::AUTOMATIC : wish->second;
     package.chosen = source != ControlReplay::AUTOMATIC;
-    package.source = package.logged ? ControlReplay::AS_LOGGED : ControlReplay::RECOMPUTED;
+    const bool recomputed = !package.logged || (wishes_.recomputeAll && package.canRecompute);
+    package.source = recomputed ? ControlReplay::RECOMPUTED : ControlReplay::AS_LOGGED;
     if (source == ControlReplay::RECOMPUTED && !package.canRecompute) {
       errors_.push_back({"replay.cannot-recompute",
                          package.name + " cannot be recomputed: " + package.whyNot,
@@ -229,6 +230,7 @@ std::string Planner::makeAvailable(Layout::Task& task) {
     if (!reasonOf(other.name).empty()) continue;
     plan_.notes.push_back("task " + task.task + " is done by " + other.name + ", because " + task.solution +
                           " is unavailable: " + reason);
+    plan_.replaced[task.task] = reason;
     task.solution = other.name;
     return {};
   }

@@ -23,6 +23,7 @@ struct ReplayWishes {
   bool fromLog = false;
   /// What a person chose, by package.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
+  bool recomputeAll = false;  ///< whatever can be recomputed is, unless `packages` says otherwise
 };
 
 /// What runs on a log, and what comes from it. Whatever is logged takes the place of the tasks that yield it, unless it is chosen
@@ -44,6 +45,7 @@ struct ReplayPlan {
   /// Where another solution than the layout's had to be taken: "task ball-model is done by filtered, because oracle is
   /// unavailable: nobody offers oracle/world".
   std::vector<std::string> notes;
+  std::map<std::string, std::string> replaced;  ///< by task: why it is not done by the solution that was wished for
 
   bool runs(const std::string& task) const;
   bool hasProcess(const std::string& process) const;

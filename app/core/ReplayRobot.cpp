@@ -49,7 +49,7 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
     const std::string path = below(stream.path);
     streams_.insert(path);
     const auto type = types_.find(path);
-    if (type == types_.end() || !fits(*type->second, stream.type) || robotlink::isDebugPackage(path)) continue;
+    if (type == types_.end() || !stream.isDecoded() || !fits(*type->second, stream.type) || robotlink::isDebugPackage(path)) continue;
     logged_.insert(path);
     // What programs told last waits in their queues when a recording ends, and is lost; it is not missed.
     const bool untilTheEnd = log_->end() - stream.last < kQueueDelay;
@@ -114,7 +114,8 @@ Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
   Errors errors = readSetupAt(time);
   if (errors.empty()) {
     errors = makeProgram();
-    if (!errors.empty() && setup_->layoutFromLog && choices_.packages.empty()) errors = playOnly(errors);
+    const bool nothingChosen = choices_.packages.empty() && !choices_.recomputeAll;
+    if (!errors.empty() && setup_->layoutFromLog && nothingChosen) errors = playOnly(errors);
   }
   if (!errors.empty()) {
     Instant then;
@@ -154,6 +155,7 @@ ReplayWishes ReplayRobot::wishes() const {
   wishes.logged = logged_;
   wishes.debugOffers = robotlink::debugPackages();
   wishes.packages = choices_.packages;
+  wishes.recomputeAll = choices_.recomputeAll;
   return wishes;
 }
 

@@ -30,6 +30,7 @@ struct ReplayChoices {
   std::filesystem::path layout;                  ///< empty: the log's
   ProgramWishes wishes;  ///< against the layout and the log
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
+  bool recomputeAll = false;  ///< of what `packages` does not name
   bool tellPackages = false;  ///< all are told so
 };
 
@@ -63,6 +64,8 @@ class ReplayRobot {
 
   /// A task runs.
   bool computes() const;
+  /// Why a task that runs is done by another solution than this one that was chosen for it; empty if it is not.
+  std::string whyNotDoneBy(const std::string& task, const std::string& solution) const;
   /// What the program must see of the log, so that nothing else need be read while nobody watches.
   std::vector<std::string> neededStreams() const;
   /// Goes on to an instant. `messages`: all that the log holds of this robot at that time, images decoded.

@@ -22,6 +22,17 @@ bool ReplayRobot::computes() const {
   return std::any_of(all.begin(), all.end(), [](const auto& process) { return !process.tasks.empty(); });
 }
 
+std::string ReplayRobot::whyNotDoneBy(const std::string& task, const std::string& solution) const {
+  for (const auto& process : plan_.layout.processes) {
+    for (const auto& entry : process.tasks) {
+      if (entry.task != task || entry.solution == solution) continue;
+      const auto found = plan_.replaced.find(task);
+      return found != plan_.replaced.end() ? found->second : "it is unavailable here";
+    }
+  }
+  return {};
+}
+
 std::vector<std::string> ReplayRobot::neededStreams() const {
   std::vector<std::string> needed;
   for (const std::string& path : streams_) {

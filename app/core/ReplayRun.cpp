@@ -91,7 +91,7 @@ Errors ReplayRun::Implementation::open() {
            "an image on " + message.path + " could not be decoded: " + why);
     });
   }
-  return {};
+  return checkChosenSolutions();
 }
 
 Duration ReplayRun::Implementation::offsetOf(const ReplayLog& log, const LogFile& file) const {
@@ -110,6 +110,7 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     if (const auto before = options.wishes.find(name); before != options.wishes.end()) choices.wishes = before->second;
     for (const auto& [task, solution] : options.solutions) choices.wishes.chooseSolution(task, solution);
     if (colorTable) choices.wishes.chooseColorTable(colorTable);
+    choices.recomputeAll = options.recomputeAll;
     choices.tellPackages = options.tellPackages;
     for (const std::string& prefix : {std::string("*/"), name + "/"}) {
       for (const auto& [package, choice] : options.packages) {
@@ -240,8 +241,16 @@ Errors ReplayRun::Implementation::jump(Instant time) {
     return std::pair(a.time, isFrameEnd(a)) < std::pair(b.time, isFrameEnd(b));
   });
   if (listeners.logged) listeners.logged(std::move(messages));
-  if (answers && listeners.queue) listeners.queue(sources.front()->robots.front()->name(), std::exchange(answers, nullptr));
+  if (answers && listeners.queue) listeners.queue(firstRobot(), std::exchange(answers, nullptr));
   return errors;
+}
+
+/// Whoever hears an answer goes by the request's number. Logs may be of no robot.
+std::string ReplayRun::Implementation::firstRobot() const {
+  for (const auto& source : sources) {
+    if (!source->robots.empty()) return source->robots.front()->name();
+  }
+  return {};
 }
 
 Errors ReplayRun::Implementation::jump(Source& source, Instant time) {

@@ -45,6 +45,7 @@ struct ReplayOptions {
   std::map<std::string, ProgramWishes> wishes;   ///< what a person chose before for a robot, by its name
   /// By "<robot>/<package>", or "*/<package>" for all robots; what is not named is chosen by what the logs hold.
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
+  bool recomputeAll = false;  ///< of what `packages` does not name, whatever can be recomputed is
   std::filesystem::path colorTable;  ///< .c64; empty: the one in the log
   bool tellPackages = false;  ///< programs tell all packages that they yield, whether or not their keys are on
   /// How much of the log the program runs on before a jump's aim, so that its models are settled.
@@ -104,6 +105,8 @@ class ReplayRun {
   /// is seen at once after jump(now()).
   robotlink::Result<void> request(const robotcontrol::Request& request);
 
+  /// Solutions among those of the options that change nothing, because their tasks do not run: a sentence each, with the reason.
+  std::vector<std::string> unusedSolutions() const;
   /// What ReplayStatus says of logs, processes, packages, differences, tasks, begin, end, time, and frames of the
   /// step process.
   void describe(robotcontrol::ReplayStatus& status) const;

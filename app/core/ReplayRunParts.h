@@ -31,6 +31,7 @@ struct ReplayRun::Implementation {
   robotlink::Errors open();
   robotlink::Duration offsetOf(const ReplayLog& log, const logplayer::LogFile& file) const;
   robotlink::Errors addRobots(Source& source);
+  robotlink::Errors checkChosenSolutions() const;
   std::string freeName(const std::string& robot) const;
   void findStepProcess();
 
@@ -38,6 +39,7 @@ struct ReplayRun::Implementation {
   bool step();
   robotlink::Errors jump(robotlink::Instant time);
   robotlink::Errors jump(Source& source, robotlink::Instant time);
+  std::string firstRobot() const;
   void runQuietly(Source& source, robotlink::Instant from, robotlink::Instant to);
   void give(Source& source, robotlink::Instant logTime, const std::vector<robotlink::StreamMessage>& messages);
   void tell(Source& source, const std::vector<robotlink::StreamMessage>& messages);

@@ -8,6 +8,7 @@
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
 #include "app/core/SceneMessages.h"
+#include "app/core/SolutionChoices.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
@@ -71,6 +72,7 @@ Errors SimulatedRun::load() {
     for (const Robot& robot : robots_) options_.layouts[robot.description->name] = options_.layout;
     options_.layout.clear();
   }
+  if (Errors errors = checkChosenSolutions(); !errors.empty()) return errors;
   auto programs = makePrograms(options_.layouts);
   if (!programs) return programs.error();
   if (tap_) tap_->restart();
@@ -82,6 +84,20 @@ std::filesystem::path SimulatedRun::fieldFile() const {
   // A name, not a path to somewhere else.
   const std::filesystem::path name = world_->simulation().scene().field();
   return robotlink::resource("fields/" + (name.empty() ? kField : name.filename().string()) + ".yaml");
+}
+
+/// A layout that cannot be read says so when its program is made.
+Errors SimulatedRun::checkChosenSolutions() const {
+  if (options_.solutions.empty()) return {};
+  std::vector<robotlink::Layout> layouts;
+  for (const Robot& robot : robots_) {
+    auto layout = robotlink::readLayout(layoutOf(robot, options_.layouts));
+    if (!layout) return {};
+    layouts.push_back(std::move(*layout));
+  }
+  std::vector<const robotlink::Layout*> known;
+  for (const auto& layout : layouts) known.push_back(&layout);
+  return checkSolutions(options_.solutions, robotlink::registeredTasks(), known);
 }
 
 robotlink::Result<void> SimulatedRun::openPorts() {

@@ -131,6 +131,7 @@ class SimulatedRun {
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
   robotlink::Errors describeRobots();
+  robotlink::Errors checkChosenSolutions() const;
   using Layouts = std::map<std::string, std::filesystem::path>;
   std::filesystem::path layoutOf(const Robot& robot, const Layouts& chosen) const;
   tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const Layouts& layouts);

@@ -3,7 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+#include <numbers>
+
 #include "robotcontrol/Modeling.pb.h"
+#include "robotcontrol/Sensing.pb.h"
 
 using namespace app;
 using namespace std::chrono_literals;
@@ -47,6 +51,22 @@ TEST(PackageDifferences, tellsHowManyTheFirstAndTheLargest) {
   EXPECT_EQ(difference.largest_field(), "position_in_robot.x");
   EXPECT_EQ(difference.largest(), 3);
   EXPECT_EQ(difference.largest_time(), 3'000'000'000);
+}
+
+TEST(PackageDifferences, directionsAreComparedTheShortWayRound) {
+  const auto pose = [](double heading) {
+    auto value = std::make_shared<robotcontrol::Pose2>();
+    value->set_heading(heading);
+    return value;
+  };
+  PackageDifferences differences;
+  differences.addLogged("models/pose", pose(std::numbers::pi - 0.01));
+  differences.addRecomputed("models/pose", pose(0.02 - std::numbers::pi));
+  differences.endInstant(Instant(1s));
+  const auto difference = only(differences);
+  EXPECT_EQ(difference.different(), 1U);
+  EXPECT_EQ(difference.largest_field(), "heading");
+  EXPECT_NEAR(difference.largest(), 0.03, 1e-9);
 }
 
 TEST(PackageDifferences, anInstantThatIsGoneOverAgainCountsOnce) {

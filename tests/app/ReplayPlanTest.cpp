@@ -142,6 +142,16 @@ TEST(ReplayPlan, oneOfTwoPackagesOfATaskCanBeAsLogged) {
   EXPECT_FALSE(plan.isAsLogged("steps"));
 }
 
+TEST(ReplayPlan, allThatCanBeIsRecomputedButWhatAPersonChose) {
+  ReplayWishes wishes = wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
+  wishes.recomputeAll = true;
+  wishes.packages["model"] = ControlReplay::AS_LOGGED;
+  const ReplayPlan plan = planned(wishes);
+  EXPECT_TRUE(plan.isAsLogged("image"));
+  EXPECT_TRUE(plan.isAsLogged("model"));
+  for (const char* package : {"regions", "pose", "percept"}) EXPECT_FALSE(plan.isAsLogged(package)) << package;
+}
+
 TEST(ReplayPlan, aPersonsChoiceCountsMore) {
   ReplayWishes wishes = wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
   wishes.packages["percept"] = ControlReplay::RECOMPUTED;
