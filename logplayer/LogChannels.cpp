@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/LogChannels.h"
 
+#include <algorithm>
+
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -32,17 +34,39 @@ LogChannels::LogChannels(mcap::Reader& reader) : reader_(reader) {
   for (const auto& [id, channel] : reader.channels()) {
     const auto schema = reader.schemas().find(channel.schemaId);
     const mcap::Schema* known = schema == reader.schemas().end() ? nullptr : &schema->second;
-    states_.emplace(id, State{channel.topic, processOf(channel), MessageType(known, channel.messageEncoding)});
+    const auto sample = [this, number = id] { return firstOf(number); };
+    states_.emplace(id, State{channel.topic, processOf(channel), MessageType(known, channel.messageEncoding, sample)});
     const auto count = counts.find(id);
     if (!channel.topic.empty() && count != counts.end() && count->second > 0) streams_[channel.topic].push_back(id);
   }
   findFrames();
 }
 
+std::set<std::string> LogChannels::robots() const {
+  std::set<std::string> robots;
+  for (const auto& [path, channels] : streams_) {
+    const auto slash = path.find('/');
+    if (slash == std::string::npos || slash == 0) continue;
+    const bool ours = std::any_of(channels.begin(), channels.end(), [&](std::uint16_t id) {
+      const State& state = states_.at(id);
+      return state.type.isDecoded() && (!state.process.empty() || state.type.name().starts_with("robotcontrol."));
+    });
+    if (ours) robots.insert(path.substr(0, slash));
+  }
+  return robots;
+}
+
 const std::vector<std::uint16_t>& LogChannels::of(const std::string& path) const {
   static const std::vector<std::uint16_t> kNone;
   const auto found = streams_.find(path);
   return found == streams_.end() ? kNone : found->second;
+}
+
+std::string LogChannels::firstOf(std::uint16_t channel) {
+  const auto first = reader_.next({mcap::Instant::min(), 0, 0, 0}, {channel});
+  const auto data = first ? reader_.read(*first) : tl::unexpected(robotlink::Error{});
+  if (!data) return {};
+  return {reinterpret_cast<const char*>(data->message.data.data()), data->message.data.size()};
 }
 
 void LogChannels::findFrames() {

@@ -4,6 +4,7 @@
 #include <cstdint>
 #include <map>
 #include <optional>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -23,7 +24,10 @@ class LogChannels {
   const std::vector<std::uint16_t>& of(const std::string& path) const;
   /// Streams with their channels, by path. Channels without messages are not in it.
   const std::map<std::string, std::vector<std::uint16_t>>& streams() const { return streams_; }
-  const std::string& typeName(std::uint16_t channel) const { return states_.at(channel).type.name(); }
+  const std::string& path(std::uint16_t channel) const { return states_.at(channel).path; }
+  const MessageType& type(std::uint16_t channel) const { return states_.at(channel).type; }
+  /// Those that the log says to be robots: that have a program, processes or frames, not any first part of a path.
+  std::set<std::string> robots() const;
 
   /// Whether a message belongs to a frame that was not written to its end.
   bool hidden(const mcap::MessagePosition& position) const {
@@ -50,6 +54,7 @@ class LogChannels {
     std::uint64_t first = 0;
     mcap::Instant last;
   };
+  std::string firstOf(std::uint16_t channel);
   void findFrames();
   std::optional<Frames> framesOf(std::uint16_t channel);
 

@@ -2,9 +2,12 @@
 #include "logplayer/LogCut.h"
 
 #include <algorithm>
+#include <functional>
 #include <iterator>
+#include <tuple>
 
 #include "logplayer/BookmarkStorage.h"
+#include "logplayer/LogJoin.h"
 #include "logplayer/LogSource.h"
 #include "logplayer/MessageChange.h"
 #include "logplayer/MessageCopier.h"
@@ -32,6 +35,7 @@ struct Input {
   LogSource source;
   Duration offset{0};
   std::map<std::string, std::string> names;  // of robots that get new ones
+  std::optional<LogSeam> seam;               // with the part before
   std::optional<MessageCopier> copier;
   std::optional<LogUnit> unit;  // the next
 };
@@ -44,12 +48,15 @@ class Rewriting {
 
  private:
   Result<void> openInputs();
+  Result<void> join();
   void nameRobots(Input& input);
   void choose(Input& input);
   Result<void> writeHeld();
   Result<void> writeUnits();
   Result<void> writeUnit(Input& input, const LogUnit& unit);
+  static bool isRepeated(Input& input, const mcap::Message& message);
   Result<void> writeRest();
+  Result<void> writeAttachments(Input& input);
   Result<void> writeAllBookmarks();
   Result<void> writeOrigin(const Input& input);
   bool anythingThere() const;
@@ -59,6 +66,8 @@ class Rewriting {
 
   const RewriteOptions& options_;
   std::vector<std::unique_ptr<Input>> inputs_;
+  std::set<std::tuple<std::string, Instant, std::size_t>> attachments_;  // name, time and hash of those written
+  std::string whyBeside_;                        // the logs are put beside each other
   std::set<std::string> robots_, worldStreams_;  // of all inputs so far
   std::unique_ptr<mcap::Writer> writer_;
   RewriteReport report_;
@@ -73,6 +82,7 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
   if (const auto opened = openInputs(); !opened) return tl::unexpected(opened.error());
   mcap::Writer::Options wishes;
   wishes.compression = options_.compression;
+  wishes.chunkBytes = options_.chunkBytes;
   wishes.library = "robotcontrol";
   auto writer = mcap::Writer::create(output->temporary(), wishes);
   if (!writer) return tl::unexpected(writer.error());
@@ -109,9 +119,39 @@ Result<void> Rewriting::openInputs() {
                                     " s it would begin before time 0; move the other logs on instead",
                                 {wanted.file.string(), 0, 0});
     }
-    nameRobots(*input);
-    choose(*input);
     inputs_.push_back(std::move(input));
+  }
+  if (const auto joined = join(); !joined) return joined;
+  for (const auto& input : inputs_) {
+    if (!report_.concatenated) nameRobots(*input);
+    choose(*input);
+  }
+  return {};
+}
+
+/// Puts parts of one log into their order.
+Result<void> Rewriting::join() {
+  const bool moved = std::any_of(inputs_.begin(), inputs_.end(), [](const auto& input) { return input->offset.count() != 0; });
+  if (inputs_.size() < 2 || options_.joining == Joining::kSeparate) return {};
+  if (moved && options_.joining == Joining::kAutomatic) return {};  // Parts of one log have one clock.
+  const auto part = [](Input& input) { return LogPart{input.source, input.offset}; };
+  std::vector<Input*> parts;
+  for (const auto& input : inputs_) {
+    if (input->source.reader().statistics().messageCount > 0) parts.push_back(input.get());
+  }
+  std::stable_sort(parts.begin(), parts.end(), [&](Input* a, Input* b) { return part(*a).begin() < part(*b).begin(); });
+  std::string why;
+  for (std::size_t i = 1; i < parts.size() && why.empty(); ++i) why = whyNotJoined(part(*parts[i - 1]), part(*parts[i]));
+  if (why.empty()) {
+    report_.concatenated = true;
+    for (std::size_t i = 1; i < parts.size(); ++i) parts[i]->seam.emplace(part(*parts[i - 1]), part(*parts[i]));
+    std::stable_sort(inputs_.begin(), inputs_.end(),
+                     [&](const auto& a, const auto& b) { return part(*a).begin() < part(*b).begin(); });
+  } else if (options_.joining == Joining::kConcatenate) {
+    return robotlink::failure("log.join", "the logs cannot be put behind each other: " + why,
+                              {parts.back()->source.file().string(), 0, 0});
+  } else {
+    whyBeside_ = why;
   }
   return {};
 }
@@ -137,7 +177,7 @@ void Rewriting::choose(Input& input) {
   for (const auto& [id, channel] : input.source.reader().channels()) {
     const std::string& path = channel.topic;
     if (path.find('/') != std::string::npos || path == robotlink::streams::kBookmarks) continue;
-    if (worldStreams_.contains(path)) {
+    if (worldStreams_.contains(path) && !report_.concatenated) {
       if (streams.has(path)) left += (left.empty() ? "" : ", ") + path;
       streams.exclude.push_back(path);
     } else {
@@ -202,31 +242,53 @@ tl::unexpected<robotlink::Error> Rewriting::nothingLeft() const {
       {inputs_.front()->source.file().string(), 0, 0});
 }
 
+bool Rewriting::isRepeated(Input& input, const mcap::Message& message) {
+  if (!input.seam) return false;
+  mcap::Reader& reader = input.source.reader();
+  const mcap::Channel& channel = reader.channels().at(message.channelId);
+  const auto schema = reader.schemas().find(channel.schemaId);
+  return input.seam->isRepeated(channel, schema == reader.schemas().end() ? "" : schema->second.name, message);
+}
+
 Result<void> Rewriting::writeUnit(Input& input, const LogUnit& unit) {
   writer_->beginGroup();
+  bool any = false;
   for (const auto& data : unit.messages) {
+    if (isRepeated(input, data.message)) continue;
+    any = true;
     if (const auto written = input.copier->copy(data.message); !written) return written;
   }
-  if (unit.frame) ++report_.frames;
+  if (unit.frame && any) ++report_.frames;
   return writer_->endGroup();
 }
 
+/// What parts of one log both have is written once.
 Result<void> Rewriting::writeRest() {
   if (const auto written = writeAllBookmarks(); !written) return written;
+  std::vector<mcap::Metadata> known;
   for (const auto& input : inputs_) {
-    mcap::Reader& reader = input->source.reader();
-    for (const std::string& name : reader.attachmentNames()) {
-      const auto attachment = reader.attachment(name);
-      if (!attachment) {
-        report_.losses.push_back(input->source.file().string() + ": " + attachment.error().text);
-      } else if (const auto written = writer_->attach(*attachment); !written) {
-        return written;
-      }
-    }
-    for (const mcap::Metadata& metadata : reader.metadata()) {
+    if (const auto written = writeAttachments(*input); !written) return written;
+    for (const mcap::Metadata& metadata : input->source.reader().metadata()) {
+      if (std::find(known.begin(), known.end(), metadata) != known.end()) continue;
+      known.push_back(metadata);
       if (const auto written = writer_->addMetadata(metadata); !written) return written;
     }
     if (const auto written = writeOrigin(*input); !written) return written;
+  }
+  return {};
+}
+
+Result<void> Rewriting::writeAttachments(Input& input) {
+  mcap::Reader& reader = input.source.reader();
+  for (const std::string& name : reader.attachmentNames()) {
+    const auto attachment = reader.attachment(name);
+    if (!attachment) {
+      report_.losses.push_back(input.source.file().string() + ": " + attachment.error().text);
+      continue;
+    }
+    const auto hash = std::hash<std::string>{}(attachment->mediaType + "\n" + attachment->data);
+    if (!attachments_.insert({name, attachment->createTime, hash}).second) continue;
+    if (const auto written = writer_->attach(*attachment); !written) return written;
   }
   return {};
 }
@@ -240,6 +302,12 @@ Result<void> Rewriting::writeAllBookmarks() {
       bookmark.from = std::max(bookmark.from + input->offset, options_.from.value_or(Instant::min()));
       bookmark.to = std::min(bookmark.to + input->offset, options_.to.value_or(Instant::max()));
       if (bookmark.to < bookmark.from) continue;  // it lies outside
+      const auto same = bookmarks.find(bookmark.id);
+      if (report_.concatenated && same != bookmarks.end() && same->second->text == bookmark.text) {
+        bookmark.from = std::min(bookmark.from, same->second->from);  // It was cut in two.
+        bookmark.to = std::max(bookmark.to, same->second->to);
+        bookmarks.erase(same);
+      }
       while (bookmarks.contains(bookmark.id)) ++bookmark.id;
       bookmarks[bookmark.id] = bookmark;
     }
@@ -281,8 +349,15 @@ void Rewriting::conclude() {
   const auto append = [](std::vector<std::string>& to, const std::vector<std::string>& from) {
     to.insert(to.end(), from.begin(), from.end());
   };
+  if (!whyBeside_.empty() && !report_.renamed.empty()) {
+    report_.notes.push_back("the logs stand beside each other, because " + whyBeside_);
+  }
   for (const auto& input : inputs_) {
     append(report_.notes, input->source.notes());
+    if (!input->copier->foreign().empty()) {
+      report_.notes.push_back(input->source.file().string() + ": times and names within the messages of " +
+                              input->copier->foreign() + " stay as they were, as they are no Protobuf");
+    }
     append(report_.losses, input->source.losses());
     if (input->copier->unchanged() == 0) continue;
     report_.losses.push_back(

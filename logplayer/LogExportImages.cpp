@@ -18,9 +18,15 @@ namespace fs = std::filesystem;
 using robotlink::Result;
 using robotlink::StreamMessage;
 
-bool isImage(const std::string& type) {
-  return type == foxglove::RawImage::descriptor()->full_name() ||
-         type == foxglove::CompressedImage::descriptor()->full_name();
+bool isImage(const LogFile::Stream& stream) {
+  return stream.holds(foxglove::RawImage::descriptor()->full_name()) ||
+         stream.holds(foxglove::CompressedImage::descriptor()->full_name());
+}
+
+/// Whether it would be images if its encoding were read.
+bool isUndecodedImage(const LogFile::Stream& stream) {
+  return !stream.isDecoded() && (stream.type == foxglove::RawImage::descriptor()->full_name() ||
+                                 stream.type == foxglove::CompressedImage::descriptor()->full_name());
 }
 
 Result<std::vector<std::uint8_t>> pngOf(const StreamMessage& message) {
@@ -70,7 +76,9 @@ Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const Str
                                   const fs::path& folder, const ExportOptions& options) {
   const auto paths = chosenStreams(*log, streams, isImage);
   if (paths.empty()) {
-    return robotlink::failure("export.images", "no chosen stream holds images", {log->path().string(), 0, 0});
+    const auto undecoded = chosenStreams(*log, streams, isUndecodedImage);
+    const std::string why = undecoded.empty() ? "" : "; those of " + undecoded.front() + " are in an encoding that is not read";
+    return robotlink::failure("export.images", "no chosen stream holds images" + why, {log->path().string(), 0, 0});
   }
   std::error_code error;
   fs::create_directories(folder, error);
@@ -94,6 +102,7 @@ Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const Str
         return written;
       });
   if (!done) return tl::unexpected(done.error());
+  noteUnread(*done, report);
   for (const auto& [what, count] : failed) report.losses.push_back(plural(count, "image") + " of " + what);
   noteDamage(*log, report);
   return report;

@@ -38,6 +38,7 @@ struct LogFile::Implementation {
   }
 
   void listStreams();
+  std::uint64_t countOf(std::uint16_t id);
   Stream describe(const std::string& streamPath, const std::vector<std::uint16_t>& ids);
   std::optional<StreamMessage> read(const MessagePosition& position);
   std::optional<MessagePosition> next(MessagePosition than, const std::vector<std::uint16_t>& ids);
@@ -99,19 +100,23 @@ void LogFile::Implementation::listStreams() {
   for (const Stream& stream : streams) include(stream);
 }
 
+std::uint64_t LogFile::Implementation::countOf(std::uint16_t id) {
+  if (!channels->cutShort(id)) return reader->statistics().channelMessageCounts.at(id);
+  const auto times = reader->times(id);
+  return static_cast<std::uint64_t>(std::upper_bound(times.begin(), times.end(), channels->completeUntil(id)) -
+                                    times.begin());
+}
+
 LogFile::Stream LogFile::Implementation::describe(const std::string& streamPath,
                                                   const std::vector<std::uint16_t>& ids) {
   Stream stream;
   stream.path = streamPath;
-  stream.type = channels->typeName(ids.back());
+  stream.type = channels->type(ids.back()).name();
+  stream.encoding = channels->type(ids.back()).encoding();
   for (const std::uint16_t id : ids) {
-    if (!channels->cutShort(id)) {
-      stream.count += reader->statistics().channelMessageCounts.at(id);
-      continue;
-    }
-    const auto times = reader->times(id);
-    stream.count += static_cast<std::uint64_t>(
-        std::upper_bound(times.begin(), times.end(), channels->completeUntil(id)) - times.begin());
+    const std::uint64_t count = countOf(id);
+    stream.count += count;
+    if (!channels->type(id).isDecoded()) stream.undecoded += count;
   }
   if (const auto first = next(kStart, ids)) stream.first = first->time;
   if (const auto last = previous({Instant::max(), ~std::uint64_t{0}, ~std::uint64_t{0}, 0xFFFF}, ids)) {
@@ -163,11 +168,7 @@ std::vector<LogFile::Stream> LogFile::countBytes(const Progress& progress) {
 }
 
 std::vector<std::string> LogFile::robots() const {
-  std::set<std::string> robots;
-  for (const Stream& stream : implementation_->streams) {
-    const auto slash = stream.path.find('/');
-    if (slash != std::string::npos && slash > 0) robots.insert(stream.path.substr(0, slash));
-  }
+  const std::set<std::string> robots = implementation_->channels->robots();
   return {robots.begin(), robots.end()};
 }
 
@@ -297,6 +298,7 @@ struct LogFile::Cursor::Implementation {
   MessagePosition behind = kStart;
   bool known = false;  // `ahead` is what follows `behind`
   std::optional<MessagePosition> ahead;
+  std::map<std::string, std::uint64_t> unread;
 };
 
 LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, const std::vector<std::string>& streams)
@@ -326,8 +328,13 @@ std::optional<StreamMessage> LogFile::Cursor::next() {
     self.behind = *position;
     self.known = false;
     if (auto message = self.file->implementation_->read(*position)) return message;
+    ++self.unread[self.file->implementation_->channels->path(position->channelId)];
   }
   return std::nullopt;
+}
+
+const std::map<std::string, std::uint64_t>& LogFile::Cursor::unread() const {
+  return implementation_->unread;
 }
 
 }  // namespace logplayer

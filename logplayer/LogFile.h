@@ -4,9 +4,11 @@
 #include <cstdint>
 #include <filesystem>
 #include <functional>
+#include <map>
 #include <memory>
 #include <optional>
 #include <string>
+#include <string_view>
 #include <vector>
 
 #include "logplayer/mcap/Reader.h"
@@ -33,10 +35,16 @@ class LogFile {
   };
   struct Stream {
     std::string path;
-    std::string type;  ///< of the newest channel, if there are several
+    std::string type;      ///< as the schema says; of the newest channel, if there are several
+    std::string encoding;  ///< of the messages, as the file says: "protobuf", "json", "cdr"; of the newest channel
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  ///< of its messages, uncompressed; 0 until counted
+    std::uint64_t undecoded = 0;  ///< messages in an encoding that is not read; they stay bytes
     robotlink::Instant first, last;
+
+    bool isDecoded() const { return undecoded < count; }
+    /// Whether its messages are values of this type.
+    bool holds(std::string_view typeName) const { return type == typeName && isDecoded(); }
   };
   static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, const Options& options);
   ~LogFile();
@@ -47,6 +55,7 @@ class LogFile {
   const std::vector<Stream>& streams() const;
   /// Counts Stream::bytes by reading what is needed. Empty: given up by progress.
   std::vector<Stream> countBytes(const Progress& progress);
+  /// Those that the log says to be robots, not any first part of a path.
   std::vector<std::string> robots() const;
   /// Of the first and the last message of what robots told, apart from what holds until it is told anew, which
   /// may be older than the recording; equal if there is none.
@@ -77,8 +86,10 @@ class LogFile {
     void seek(robotlink::Instant time);
     /// The time of the message that next() yields; nothing at the end.
     std::optional<robotlink::Instant> nextTime();
-    /// Nothing at the end. Damaged messages are left out.
+    /// Nothing at the end. Messages that cannot be read are left out and counted.
     std::optional<robotlink::StreamMessage> next();
+    /// By stream; what was left out since this was made.
+    const std::map<std::string, std::uint64_t>& unread() const;
 
    private:
     struct Implementation;

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/LogImport.h"
 
+#include <algorithm>
+#include <cctype>
+
 #include "logplayer/LogWriter.h"
 #include "logplayer/bhuman/MessageQueueReader.h"
 #include "logplayer/bhuman/QueueImport.h"
@@ -107,6 +110,13 @@ Result<ImportReport> convert(bhuman::ByteSource& bytes, ImportWriter& writer, co
 
 }  // namespace
 
+bool isRobotName(std::string_view name) {
+  const auto fits = [](char c) {
+    return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '-' || c == '_' || c == '.';
+  };
+  return !name.empty() && std::all_of(name.begin(), name.end(), fits);
+}
+
 bool canImport(const std::filesystem::path& file) {
   const auto bytes = bhuman::openFile(file);
   return bytes && bhuman::MessageQueueReader::recognises(**bytes);
@@ -114,6 +124,12 @@ bool canImport(const std::filesystem::path& file) {
 
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                const ImportOptions& options) {
+  if (!isRobotName(options.robot)) {
+    return robotlink::failure("import.robot",
+                              "'" + options.robot +
+                                  "' is no name for a robot; take letters, digits, '-', '_' and '.', as in nao or red-1",
+                              {}, {options.robot});
+  }
   const auto bytes = bhuman::openFile(from);
   if (!bytes) return tl::unexpected(bytes.error());
   if (!bhuman::MessageQueueReader::recognises(**bytes))

@@ -6,6 +6,7 @@
 #include <map>
 #include <memory>
 #include <string>
+#include <string_view>
 
 #include "robotlink/base/Error.h"
 
@@ -27,8 +28,11 @@ struct ImportReport {
 /// Whether a file is of an older format that importLog() reads, by its contents.
 bool canImport(const std::filesystem::path& file);
 
+/// Whether a robot may be called so: streams are called "<robot>/...".
+bool isRobotName(std::string_view name);
+
 struct ImportOptions {
-  std::string robot = "nao";
+  std::string robot = "nao";  ///< see isRobotName()
   /// Goes into the log as the one in force (app/core/ColorTables.h reads files of tables); null: none.
   std::shared_ptr<const robotcontrol::ColorTable> colorTable;
   /// The share done in [0, 1]; false: give up.

@@ -45,14 +45,14 @@ void count(const LogFile::Stream& stream, LogInfo& info) {
   const double length = robotlink::seconds(stream.last - stream.first);
   const double rate = stream.count > 1 && length > 0 ? static_cast<double>(stream.count - 1) / length : 0;
   info.streams.push_back(
-      {stream.path, stream.type, stream.count, stream.bytes, rate, stream.first, stream.last});
+      {stream.path, stream.type, stream.encoding, stream.undecoded, stream.count, stream.bytes, rate, stream.first, stream.last});
   info.messages += stream.count;
-  if (stream.type == foxglove::RawImage::descriptor()->full_name() ||
-      stream.type == foxglove::CompressedImage::descriptor()->full_name()) {
-    info.images += stream.count;
+  if (stream.holds(foxglove::RawImage::descriptor()->full_name()) ||
+      stream.holds(foxglove::CompressedImage::descriptor()->full_name())) {
+    info.images += stream.count - stream.undecoded;
   }
   const auto frames = stream.path.find(std::string("/") + robotlink::streams::kFrames);
-  if (stream.type != robotcontrol::FrameInfo::descriptor()->full_name() || frames == std::string::npos)
+  if (!stream.holds(robotcontrol::FrameInfo::descriptor()->full_name()) || frames == std::string::npos)
     return;
   const std::string process = stream.path.substr(stream.path.rfind('/') + 1);
   info.framesOf[stream.path.substr(0, frames) + "/" + process] = stream.count;

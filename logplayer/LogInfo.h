@@ -19,6 +19,8 @@ struct LogInfo {
   struct Stream {
     std::string path;
     std::string type;
+    std::string encoding;         ///< of the messages: "protobuf", "json", "cdr"
+    std::uint64_t undecoded = 0;  ///< messages in an encoding that is not read
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  ///< of its messages, uncompressed
     double rate = 0;          ///< Hz between the first and the last; 0 with fewer than two

@@ -6,6 +6,7 @@
 #include <string_view>
 #include <utility>
 
+#include "logplayer/LogDates.h"
 #include "logplayer/LogInfo.h"
 
 namespace logplayer {
@@ -45,7 +46,43 @@ std::string rateText(double rate) {
 }
 
 std::string timeText(Instant time) {
-  return formatted("%.3f s", robotlink::seconds(time));
+  return isDate(time) ? dateText(time) : formatted("%.3f s", robotlink::seconds(time));
+}
+
+std::string joined(const std::vector<std::string>& parts) {
+  std::string text;
+  for (const std::string& part : parts) {
+    if (!text.empty()) text += ", ";
+    text += part;
+  }
+  return text;
+}
+
+/// What a stream's messages are, where not all are Protobuf.
+std::string encodingText(const LogInfo::Stream& stream) {
+  if (stream.undecoded == 0) return stream.encoding;
+  const std::string encoding = stream.encoding.empty() ? "unknown" : stream.encoding;
+  if (stream.undecoded == stream.count) return encoding + ", not decoded";
+  return encoding + ", " + countText(stream.undecoded) + " not decoded";
+}
+
+bool allProtobuf(const LogInfo& info) {
+  return std::all_of(info.streams.begin(), info.streams.end(),
+                     [](const auto& stream) { return stream.encoding == "protobuf" && stream.undecoded == 0; });
+}
+
+/// "12 messages (cdr)" of what stays bytes; empty if nothing does.
+std::string undecodedText(const LogInfo& info) {
+  std::uint64_t count = 0;
+  std::map<std::string, std::uint64_t> encodings;
+  for (const auto& stream : info.streams) {
+    if (stream.undecoded == 0) continue;
+    count += stream.undecoded;
+    ++encodings[stream.encoding.empty() ? "of no known encoding" : stream.encoding];
+  }
+  std::vector<std::string> names;
+  for (const auto& [name, streams] : encodings) names.push_back(name);
+  return count == 0 ? "" : countText(count) + (count == 1 ? " message (" : " messages (") + joined(names) + ")";
 }
 
 std::string percentText(std::uint64_t part, std::uint64_t whole) {
@@ -80,15 +117,6 @@ class Table {
   std::string columns_;
   std::vector<std::vector<std::string>> rows_;
 };
-
-std::string joined(const std::vector<std::string>& parts) {
-  std::string text;
-  for (const std::string& part : parts) {
-    if (!text.empty()) text += ", ";
-    text += part;
-  }
-  return text;
-}
 
 std::vector<std::string> list(const std::map<std::string, std::uint64_t>& counts) {
   std::vector<std::string> parts;
@@ -161,6 +189,7 @@ std::string figures(const LogInfo& info) {
                         formatted("%.3f s", robotlink::seconds(info.end - info.begin)) + " long");
   addParts(table, "robots", info.robots);
   add("messages", countText(info.messages) + " in " + countText(info.streams.size()) + " streams");
+  add("not decoded", undecodedText(info));
   addParts(table, "frames", frameParts(info));
   add("images", countText(info.images));
   addParts(table, "attachments", info.attachments);
@@ -180,6 +209,8 @@ json bookmarkJson(const Bookmark& bookmark) {
 json streamJson(const LogInfo::Stream& stream) {
   return {{"path", stream.path},
           {"type", stream.type},
+          {"encoding", stream.encoding},
+          {"undecoded", stream.undecoded},
           {"count", stream.count},
           {"bytes", stream.bytes},
           {"rate_hz", stream.rate},
@@ -197,6 +228,10 @@ json toJson(const LogInfo& info) {
   result["complete"] = info.complete;
   result["begin"] = robotlink::seconds(info.begin);
   result["end"] = robotlink::seconds(info.end);
+  if (isDate(info.begin)) {
+    result["begin_date"] = dateText(info.begin);
+    result["end_date"] = dateText(info.end);
+  }
   result["duration_s"] = robotlink::seconds(info.end - info.begin);
   result["robots"] = info.robots;
   result["messages"] = info.messages;
@@ -242,11 +277,17 @@ std::string toText(const LogInfo& info) {
   if (info.streams.empty()) return text;
   std::uint64_t allBytes = 0;
   for (const auto& stream : info.streams) allBytes += stream.bytes;
-  Table streams("llrrrr");
-  streams.add({"stream", "type", "messages", "rate", "size", "share"});
+  const bool encodings = !allProtobuf(info);
+  Table streams(encodings ? "lllrrrr" : "llrrrr");
+  const auto addRow = [&](std::vector<std::string> row, const std::string& encoding) {
+    if (encodings) row.insert(row.begin() + 2, encoding);
+    streams.add(std::move(row));
+  };
+  addRow({"stream", "type", "messages", "rate", "size", "share"}, "encoding");
   for (const auto& stream : info.streams) {
-    streams.add({stream.path, stream.type, countText(stream.count), rateText(stream.rate),
-                 bytesText(stream.bytes), percentText(stream.bytes, allBytes)});
+    addRow({stream.path, stream.type, countText(stream.count), rateText(stream.rate),
+            bytesText(stream.bytes), percentText(stream.bytes, allBytes)},
+           encodingText(stream));
   }
   return text + "\n" + streams.text();
 }

@@ -23,6 +23,7 @@ class MessageChange {
   MessageChange(robotlink::Duration offset, std::map<std::string, std::string> robots)
       : offset_(offset), robots_(std::move(robots)) {}
 
+  bool isNothing() const { return offset_.count() == 0 && robots_.empty(); }
   bool concerns(const google::protobuf::Descriptor& type);
   void apply(google::protobuf::Message& message);
   /// "red1/camera" -> "red1-2/camera"; others as they are.

@@ -16,12 +16,15 @@ Result<const MessageCopier::Target*> MessageCopier::targetOf(std::uint16_t chann
   const auto schema = from_.schemas().find(origin.schemaId);
   Target target;
   std::uint16_t schemaId = 0;
+  if (origin.messageEncoding != "protobuf" && !change_.isNothing()) {
+    foreign_ += (foreign_.empty() ? "" : ", ") + origin.topic;
+  }
   if (schema != from_.schemas().end()) {
     const auto id = to_.addSchema(schema->second.name, schema->second.encoding, schema->second.data);
     if (!id) return tl::unexpected(id.error());
     schemaId = *id;
     MessageType type(&schema->second, origin.messageEncoding);
-    const auto empty = type.read({});
+    const auto empty = type.encoding() == "protobuf" ? type.read({}) : nullptr;
     if (empty && change_.concerns(*empty->GetDescriptor())) target.type = std::move(type);
   }
   const auto id =

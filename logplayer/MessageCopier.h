@@ -26,6 +26,8 @@ class MessageCopier {
   /// Messages that should have been changed, but make no sense by their schemas; they were copied as they
   /// are.
   std::uint64_t unchanged() const { return unchanged_; }
+  /// Topics whose messages would have been changed, were they Protobuf; between commas.
+  const std::string& foreign() const { return foreign_; }
 
  private:
   struct Target {
@@ -40,6 +42,7 @@ class MessageCopier {
   MessageChange change_;
   std::map<std::uint16_t, Target> targets_;  // by channel
   std::uint64_t unchanged_ = 0;
+  std::string foreign_;
 };
 
 }  // namespace logplayer

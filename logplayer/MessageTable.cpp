@@ -162,7 +162,8 @@ class MessageTable::Walk {
 void MessageTable::learn(const Message& message) {
   Walk([this](const Walk& walk, const Message&, const FieldDescriptor&, int) {
     if (columns_.contains(walk.place())) return;
-    if (columns_.size() < kMaxColumns) {
+    if (*room_ > 0) {
+      --*room_;
       columns_.emplace(walk.place(), walk.name());
     } else {
       ++leftOut_;

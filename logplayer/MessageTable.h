@@ -3,7 +3,9 @@
 
 #include <cstdint>
 #include <map>
+#include <memory>
 #include <string>
+#include <utility>
 #include <vector>
 
 namespace google::protobuf {
@@ -21,6 +23,10 @@ class MessageTable {
   /// More columns than this no spreadsheet takes; fields past it are left out.
   static constexpr std::size_t kMaxColumns = 16'384;
 
+  /// `room`: how many columns may still be made, shared by tables that stand side by side.
+  explicit MessageTable(std::shared_ptr<std::size_t> room = std::make_shared<std::size_t>(kMaxColumns))
+      : room_(std::move(room)) {}
+
   void learn(const google::protobuf::Message& message);
   /// In the order of the schema, elements of repeated fields in theirs.
   std::vector<std::string> columns() const;
@@ -35,6 +41,7 @@ class MessageTable {
   using Place = std::vector<int>;
   class Walk;
 
+  std::shared_ptr<std::size_t> room_;
   std::map<Place, std::string> columns_;  // their names
   std::uint64_t leftOut_ = 0;
 };

@@ -8,6 +8,7 @@
 #include <limits>
 #include <map>
 
+#include "logplayer/JsonType.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace logplayer {
@@ -69,19 +70,37 @@ const Message* MessageType::Dynamic::prototype(const std::string& name) {
   return descriptor != nullptr ? factory.GetPrototype(descriptor) : nullptr;
 }
 
-MessageType::MessageType(const mcap::Schema* schema, const std::string& messageEncoding)
-    : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown") {
-  if (schema == nullptr || schema->encoding != "protobuf" || messageEncoding != "protobuf") return;
+MessageType::MessageType(const mcap::Schema* schema, const std::string& messageEncoding, const Sample& sample)
+    : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown"), encoding_(messageEncoding) {
+  if (encoding_ == "json") {
+    readJsonSchema(schema, sample);
+  } else if (encoding_ == "protobuf" && schema != nullptr && schema->encoding == "protobuf") {
+    readProtobufSchema(*schema);
+  }
+}
+
+void MessageType::readProtobufSchema(const mcap::Schema& schema) {
   const auto* known = DescriptorPool::generated_pool()->FindMessageTypeByName(name_);
   if (known != nullptr) {
     prototype_ = google::protobuf::MessageFactory::generated_factory()->GetPrototype(known);
     return;
   }
   FileDescriptorSet set;
-  if (!fitsProtobuf(schema->data.size()) || !set.ParseFromString(schema->data)) return;
+  if (!fitsProtobuf(schema.data.size()) || !set.ParseFromString(schema.data)) return;
   auto dynamic = std::make_shared<Dynamic>(std::move(set));
   prototype_ = dynamic->prototype(name_);
   dynamic_ = std::move(dynamic);
+}
+
+void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sample) {
+  if (schema != nullptr && schema->encoding == "jsonschema") json_ = JsonType::ofSchema(name_, schema->data);
+  if (json_ == nullptr && sample) {
+    const std::string message = sample();
+    const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
+    if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
+  }
+  // One that is called like a type of this program, but is another one.
+  if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr) name_ = json_->name();
 }
 
 MessageType::~MessageType() = default;
@@ -89,6 +108,7 @@ MessageType::MessageType(MessageType&&) noexcept = default;
 MessageType& MessageType::operator=(MessageType&&) noexcept = default;
 
 robotlink::PackagePtr MessageType::read(mcap::Bytes data) const {
+  if (json_ != nullptr) return JsonType::read(json_, data);
   if (prototype_ == nullptr) {
     auto copy = std::make_shared<robotcontrol::PackageCopy>();
     copy->set_type(name_);

@@ -7,7 +7,9 @@
 #include "logplayer/BookmarkStorage.h"
 #include "logplayer/Bookmarks.h"
 #include "logplayer/LogFile.h"
+#include "logplayer/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/logplayer/SampleLog.h"
@@ -132,7 +134,7 @@ TEST_F(LogCutTest, robotsOfEqualNamesGetNewOnesAndTheWorldIsThatOfTheFirst) {
   SampleLog{.frames = 20}.write(folder_ / "b.mcap");
   const auto report = rewritten({.inputs = {{in()}, {folder_ / "b.mcap"}}});
   EXPECT_THAT(report.renamed, ElementsAre(std::pair("b.mcap: red1", "red1-2")));
-  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("scene left out")));
+  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("scene left out"), HasSubstr("times of in.mcap and b.mcap overlap")));
   const auto file = log();
   EXPECT_THAT(file->robots(), ElementsAre("red1", "red1-2"));
   EXPECT_EQ(count(*file, "red1/models/ball"), 100U);
@@ -141,6 +143,76 @@ TEST_F(LogCutTest, robotsOfEqualNamesGetNewOnesAndTheWorldIsThatOfTheFirst) {
   EXPECT_EQ(latest<foxglove::RawImage>(*file, "red1/camera/image", sampleTime(5)).frame_id(), "red1/camera");
   EXPECT_EQ(latest<foxglove::RawImage>(*file, "red1-2/camera/image", sampleTime(5)).frame_id(),
             "red1-2/camera");
+}
+
+TEST_F(LogCutTest, twoCutsOfOneLogMakeThatLogAgain) {
+  const auto part = [&](const char* name, Instant from, Instant to) {
+    const auto cut = rewriteLogs({.inputs = {{in()}}, .from = from, .to = to}, folder_ / name);
+    ASSERT_TRUE(cut) << cut.error().describe();
+  };
+  auto bookmarks = Bookmarks::open(in());
+  ASSERT_TRUE(bookmarks);
+  bookmarks->add(sampleTime(30), sampleTime(70), "across");
+  ASSERT_TRUE(bookmarks->save());
+  // Both have what is at the instant of the cut, and the second one what holds there.
+  part("first.mcap", Instant(), sampleTime(60));
+  part("second.mcap", sampleTime(60), sampleTime(99));
+  const auto report = rewritten({.inputs = {{folder_ / "second.mcap"}, {folder_ / "first.mcap"}}});
+  EXPECT_TRUE(report.concatenated);
+  EXPECT_THAT(report.renamed, IsEmpty());
+  EXPECT_THAT(report.notes, IsEmpty());
+  EXPECT_EQ(report.frames, 100U);
+  EXPECT_EQ(report.bookmarks, 1U);
+  const auto original = LogFile::open(in(), {});
+  const auto file = log();
+  EXPECT_THAT(file->robots(), ElementsAre("red1"));
+  for (const auto& stream : (*original)->streams()) EXPECT_EQ(count(*file, stream.path), stream.count) << stream.path;
+  EXPECT_EQ(latest<KeyTable>(*file, "red1/tables/keys", sampleTime(99)).keys(0).name(), "after");
+  const auto marks = Bookmarks::open(out());
+  ASSERT_TRUE(marks);
+  EXPECT_EQ(marks->all().front().from, sampleTime(30));
+  EXPECT_EQ(marks->all().front().to, sampleTime(70));
+}
+
+TEST_F(LogCutTest, partsStandBesideEachOtherIfThatIsWishedOrTheirTimesOverlap) {
+  SampleLog{.frames = 20, .start = 100s}.write(folder_ / "later.mcap");
+  const RewriteOptions options{.inputs = {{in()}, {folder_ / "later.mcap"}}, .overwrite = true};
+  RewriteOptions separate = options;
+  separate.joining = Joining::kSeparate;
+  EXPECT_THAT(rewritten(separate).renamed, ElementsAre(std::pair("later.mcap: red1", "red1-2")));
+  EXPECT_THAT(rewritten(options).renamed, IsEmpty());
+  SampleLog{.frames = 20, .start = 2s}.write(folder_ / "over.mcap");
+  const auto beside = rewritten({.inputs = {{in()}, {folder_ / "over.mcap"}}, .overwrite = true});
+  EXPECT_THAT(beside.notes, testing::Contains(HasSubstr("the times of in.mcap and over.mcap overlap")));
+  const auto refused = rewriteLogs({.inputs = {{in()}, {folder_ / "over.mcap"}}, .joining = Joining::kConcatenate},
+                                   folder_ / "none.mcap");
+  ASSERT_FALSE(refused);
+  EXPECT_THAT(refused.error().text, HasSubstr("cannot be put behind each other: the times of"));
+}
+
+TEST_F(LogCutTest, robotsWithOtherProgramsAreNoPartsOfOneLog) {
+  const auto write = [&](const char* name, double time, const char* layout) {
+    auto writer = LogWriter::create(folder_ / name, {});
+    ASSERT_TRUE(writer);
+    auto setup = std::make_shared<robotcontrol::ProgramSetup>();
+    setup->mutable_layout()->set_text(layout);
+    ASSERT_TRUE((*writer)->write({{"red1/program", Instant(robotlink::fromSeconds(time)), setup, "debug"}}));
+    ASSERT_TRUE((*writer)->container().close());
+  };
+  write("a.mcap", 1, "compact");
+  write("b.mcap", 2, "parallel");
+  write("c.mcap", 3, "compact");
+  const auto beside = rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "b.mcap"}}, .overwrite = true});
+  EXPECT_FALSE(beside.concatenated);
+  EXPECT_THAT(beside.notes, testing::Contains(HasSubstr("red1 runs another program in b.mcap than in a.mcap")));
+  EXPECT_TRUE(rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "c.mcap"}}, .overwrite = true}).concatenated);
+}
+
+TEST_F(LogCutTest, aLogIsWrittenAnewWithOtherChunks) {
+  rewritten({.inputs = {{in()}}, .compression = mcap::Compression::kLz4, .chunkBytes = 500});
+  auto reader = mcap::Reader::open(out(), {});
+  EXPECT_GT((*reader)->chunks().size(), 50U);
+  EXPECT_EQ((*reader)->chunks().front().compression, mcap::Compression::kLz4);
 }
 
 TEST_F(LogCutTest, anOffsetMovesAllTimesOfALog) {

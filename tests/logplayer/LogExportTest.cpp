@@ -83,7 +83,7 @@ TEST_F(LogExportTest, textsWithCommasAndQuotesAreQuotedInATable) {
 
 TEST_F(LogExportTest, aTableOfAnUnknownStreamFails) {
   std::ostringstream text;
-  const auto report = writeCsv(log(), "red1/*", text, {});
+  const auto report = writeCsv(log(), "blue1/*", text, {});
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().id, "export.stream");
   EXPECT_FALSE(exportCsv(log(), "red1/none", folder_ / "x.csv", {}));
