@@ -107,7 +107,7 @@ Result<ColorImages> ColorImages::openLog(const fs::path& file) {
   const std::string raw = foxglove::RawImage::descriptor()->full_name();
   const std::string compressed = foxglove::CompressedImage::descriptor()->full_name();
   for (const auto& stream : images.log_->streams()) {
-    if (stream.type != raw && stream.type != compressed) continue;
+    if (!stream.holds(raw) && !stream.holds(compressed)) continue;
     if (stream.path == classesBeside(stream.path)) continue;
     for (const robotlink::Instant time : images.log_->times(stream.path)) {
       std::array<char, 24> name{};

@@ -10,6 +10,7 @@
 
 #include "app/robotctl/LogCommands.h"
 #include "logplayer/Bookmarks.h"
+#include "logplayer/LogDates.h"
 
 namespace app {
 namespace {
@@ -37,6 +38,7 @@ Result<Instant> timeOf(const std::string& text, Instant begin,
   if (text.starts_with('@')) {
     if (const auto number = numberOf(text.substr(1))) return Instant(robotlink::fromSeconds(*number));
   }
+  if (const auto date = logplayer::instantOfDate(text)) return *date;
   std::string known;
   std::optional<Instant> found;
   for (const auto& bookmark : bookmarks) {
@@ -50,7 +52,7 @@ Result<Instant> timeOf(const std::string& text, Instant begin,
   return robotlink::failure(
       "usage", "'" + text +
                    "' is neither a time in seconds from the log's start (12.5), nor one of the log " +
-                   "(@486.75), nor one of its bookmarks (" + (known.empty() ? "it has none" : known) + ")");
+                   "(@486.75), nor a date in UTC (2026-05-04T12:30:01.25), nor one of its bookmarks (" + (known.empty() ? "it has none" : known) + ")");
 }
 
 }  // namespace
@@ -61,7 +63,8 @@ int printLosses(const std::vector<std::string>& losses) {
 }
 
 void TimeRange::addTo(CLI::App& command) {
-  const char* kinds = "in seconds from the log's start, or @ and the log's own time, or a bookmark's text";
+  const char* kinds =
+      "in seconds from the log's start, or @ and the log's own time, or a date in UTC (2026-05-04T12:30:01), or a bookmark's text";
   command.add_option("--from", from, std::string("Where to begin: ") + kinds);
   command.add_option("--to", to, "Where to end; the same");
 }
@@ -127,6 +130,7 @@ void addLogCommand(CLI::App& app, int& status) {
   addLogImportCommands(*log, status);
   addLogCutCommands(*log, status);
   addLogExportCommand(*log, status);
+  addLogNoteCommands(*log, status);
 }
 
 }  // namespace app

@@ -8,6 +8,7 @@
 #include <string>
 
 #include "app/robotctl/LogCommands.h"
+#include "app/robotctl/LogInput.h"
 #include "logplayer/LogCut.h"
 
 namespace app {
@@ -42,6 +43,7 @@ int write(logplayer::RewriteOptions& options, const std::string& to) {
   const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
   for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
+  if (report->concatenated) std::cout << "the logs were put behind each other, as parts of one\n";
   for (const std::string& note : report->notes) std::cout << note << "\n";
   std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(), counted(report->messages, "message").c_str(),
               counted(report->frames, "frame").c_str(), counted(report->bookmarks, "bookmark").c_str(),
@@ -51,14 +53,16 @@ int write(logplayer::RewriteOptions& options, const std::string& to) {
 }
 
 int cut(CutArguments& arguments) {
-  const auto range = arguments.range.of(arguments.from);
+  const auto input = LogInput::of(arguments.from);
+  if (!input) return printErrors({input.error()});
+  const auto range = arguments.range.of(input->path());
   if (!range) {
     printErrors({range.error()});
     return range.error().id == "usage" ? kUsage : kFailed;
   }
   arguments.options.from = range->from;
   arguments.options.to = range->to;
-  arguments.options.inputs = {{arguments.from}};
+  arguments.options.inputs = {{input->path()}};
   return write(arguments.options, arguments.to);
 }
 
@@ -88,6 +92,12 @@ int merge(CutArguments& arguments) {
   for (const std::string& offset : arguments.offsets) {
     if (!takeOffset(offset, arguments.options.inputs)) return kUsage;
   }
+  std::vector<LogInput> opened;
+  for (auto& named : arguments.options.inputs) {
+    auto input = LogInput::of(named.file.string());
+    if (!input) return printErrors({input.error()});
+    named.file = opened.emplace_back(std::move(*input)).path();
+  }
   return write(arguments.options, arguments.files.back());
 }
 
@@ -101,7 +111,7 @@ void addStreams(CLI::App& command, CutArguments& arguments) {
 }
 
 void addFiles(CLI::App& command, CutArguments& arguments) {
-  command.add_option("from", arguments.from, "The log to read")->required();
+  command.add_option("from", arguments.from, "The log to read; - is standard input")->required();
   command.add_option("to", arguments.to, "The MCAP file to write")->required();
 }
 
@@ -128,10 +138,21 @@ void addLogCutCommands(CLI::App& log, int& status) {
 
   arguments = std::make_shared<CutArguments>();
   command = log.add_subcommand(
-      "merge", "Puts several logs on one time line; robots of equal names get -2, -3 behind theirs");
+      "merge",
+      "Puts several logs on one time line: parts of one log behind each other, others beside each other, where robots of equal "
+      "names get -2, -3 behind theirs");
   command->add_option("files", arguments->files, "The logs to read, and last the MCAP file to write")
       ->required()
       ->expected(2, -1);
+  auto& joining = arguments->options.joining;
+  auto* concatenate = command->add_flag_callback(
+      "--concatenate", [&joining] { joining = logplayer::Joining::kConcatenate; },
+      "Behind each other, or not at all; without it where times do not overlap and robots of equal names run the same program");
+  command
+      ->add_flag_callback(
+          "--separate", [&joining] { joining = logplayer::Joining::kSeparate; },
+          "Beside each other in any case: robots of equal names get -2, -3 behind theirs")
+      ->excludes(concatenate);
   command->add_option("--offset", arguments->offsets, "FILE=SECONDS, added to the times of one of the logs")
       ->allow_extra_args(false);
   addOutput(*command, *arguments);
@@ -141,6 +162,17 @@ void addLogCutCommands(CLI::App& log, int& status) {
   command = log.add_subcommand("filter", "Copies some of the streams, with the ends of their frames");
   addFiles(*command, *arguments);
   addStreams(*command, *arguments);
+  addOutput(*command, *arguments);
+  command->callback([arguments, &status] { status = cut(*arguments); });
+
+  arguments = std::make_shared<CutArguments>();
+  command = log.add_subcommand("convert", "Writes a log anew, with other chunks or another compression");
+  addFiles(*command, *arguments);
+  command
+      ->add_option("--chunk-size", arguments->options.chunkBytes,
+                   "Bytes at which a chunk is complete, with k, M or G for units of 1024; frames stay whole")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30U).description("1 to 1G"));
   addOutput(*command, *arguments);
   command->callback([arguments, &status] { status = cut(*arguments); });
 }

@@ -4,6 +4,7 @@
 #include <memory>
 
 #include "app/robotctl/LogCommands.h"
+#include "app/robotctl/LogInput.h"
 #include "logplayer/LogExport.h"
 
 namespace app {
@@ -15,7 +16,8 @@ using robotlink::Result;
 struct ExportArguments {
   std::string file;
   std::string images;
-  std::vector<std::string> csv;  ///< the stream and the file; "-" is stdout
+  std::vector<std::string> csv;   ///< the streams and the file; "-" is stdout
+  std::vector<std::string> json;  ///< the same
   bool texts = false;
   std::string output = "-";
   TimeRange range;
@@ -60,6 +62,12 @@ int exportFrom(const std::shared_ptr<logplayer::LogFile>& log, const ExportArgum
                                      : exportCsv(log, arguments.csv[0], to, options),
                "rows", to);
   }
+  if (!arguments.json.empty()) {
+    const std::string& to = arguments.json[1];
+    status.add(to == kStandardOutput ? writeJsonLines(log, arguments.json[0], std::cout, options)
+                                     : exportJsonLines(log, arguments.json[0], to, options),
+               "lines", to);
+  }
   if (arguments.texts) {
     const std::string& to = arguments.output;
     status.add(to == kStandardOutput ? writeTexts(log, arguments.streams, std::cout, options)
@@ -72,7 +80,7 @@ int exportFrom(const std::shared_ptr<logplayer::LogFile>& log, const ExportArgum
   return kFailed;
 }
 
-Result<std::shared_ptr<logplayer::LogFile>> opened(const std::string& file) {
+Result<std::shared_ptr<logplayer::LogFile>> opened(const std::filesystem::path& file) {
   TerminalProgress progress;
   logplayer::LogFile::Options options;
   options.progress = progress.function();
@@ -80,16 +88,18 @@ Result<std::shared_ptr<logplayer::LogFile>> opened(const std::string& file) {
 }
 
 int run(const ExportArguments& arguments) {
-  if (arguments.images.empty() && arguments.csv.empty() && !arguments.texts) {
-    std::cerr << "robotctl log export: say what: --images, --csv or --texts\n";
+  if (arguments.images.empty() && arguments.csv.empty() && arguments.json.empty() && !arguments.texts) {
+    std::cerr << "robotctl log export: say what: --images, --csv, --json or --texts\n";
     return kUsage;
   }
-  const auto range = arguments.range.of(arguments.file);
+  const auto input = LogInput::of(arguments.file);
+  if (!input) return printErrors({input.error()});
+  const auto range = arguments.range.of(input->path());
   if (!range) {
     printErrors({range.error()});
     return range.error().id == "usage" ? kUsage : kFailed;
   }
-  const auto log = opened(arguments.file);
+  const auto log = opened(input->path());
   if (!log) return printErrors({log.error()});
   return exportFrom(*log, arguments, {range->from, range->to, arguments.force});
 }
@@ -98,13 +108,15 @@ int run(const ExportArguments& arguments) {
 
 void addLogExportCommand(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ExportArguments>();
-  CLI::App* command = log.add_subcommand("export", "Writes images as PNG, streams as tables, texts");
-  command->add_option("file", arguments->file, "A log file, of an older format, too")->required();
+  CLI::App* command = log.add_subcommand("export", "Writes images as PNG, streams as tables or JSON, texts");
+  command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")->required();
   command->add_option("--images", arguments->images,
                       "A folder for images, which are named by stream, time and frame");
-  command
-      ->add_option("--csv", arguments->csv,
-                   "STREAM OUT: a stream and the file for its table; - is standard output")
+  const std::string streams =
+      "a stream, or several with * for any text between commas and - before what is left out "
+      "('red1/*,-*/camera/*'), and the file; - is standard output";
+  command->add_option("--csv", arguments->csv, "STREAMS OUT, a table: " + streams)->expected(2);
+  command->add_option("--json", arguments->json, "STREAMS OUT, a JSON object a line for each message: " + streams)
       ->expected(2);
   command->add_flag("--texts", arguments->texts, "Texts, one a line with time, level and source");
   command->add_option("--output", arguments->output, "A file for the texts, instead of standard output");

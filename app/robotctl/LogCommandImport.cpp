@@ -7,6 +7,8 @@
 
 #include "app/core/ColorTables.h"
 #include "app/robotctl/LogCommands.h"
+#include "app/robotctl/LogInput.h"
+#include "app/robotctl/RobotName.h"
 #include "logplayer/LogImport.h"
 #include "logplayer/Losses.h"
 #include "logplayer/OutputFile.h"
@@ -48,6 +50,9 @@ void print(const ImportArguments& arguments, const logplayer::ImportReport& repo
 }
 
 int import(ImportArguments& arguments) {
+  const auto input = LogInput::of(arguments.from);
+  if (!input) return printErrors({input.error()});
+  arguments.from = input->path().string();
   if (!logplayer::canImport(arguments.from)) {
     std::error_code error;
     const bool there = std::filesystem::is_regular_file(arguments.from, error);
@@ -74,7 +79,10 @@ int import(ImportArguments& arguments) {
   return printLosses({arguments.from + ": " + report->damage});
 }
 
-int repair(const ImportArguments& arguments) {
+int repair(ImportArguments& arguments) {
+  const auto input = LogInput::of(arguments.from);
+  if (!input) return printErrors({input.error()});
+  arguments.from = input->path().string();
   if (logplayer::canImport(arguments.from)) {
     return printErrors(
         {{"repair.format",
@@ -101,7 +109,7 @@ int repair(const ImportArguments& arguments) {
 CLI::App* add(CLI::App& log, const char* name, const char* help,
               const std::shared_ptr<ImportArguments>& arguments) {
   CLI::App* command = log.add_subcommand(name, help);
-  command->add_option("from", arguments->from, "The log to read")->required();
+  command->add_option("from", arguments->from, "The log to read; - is standard input")->required();
   command->add_option("to", arguments->to, "The MCAP file to write")->required();
   command->add_flag("--force", arguments->force, "Overwrites a file of this name");
   return command;
@@ -114,6 +122,7 @@ void addLogImportCommands(CLI::App& log, int& status) {
   CLI::App* command = add(
       log, "import", "Converts a log of an older format; says what was and was not understood", arguments);
   command->add_option("--robot", arguments->options.robot, "The name that the robot gets")
+      ->check(robotName)
       ->capture_default_str();
   command
       ->add_option("--color-table", arguments->colorTable,

@@ -5,6 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "app/robotctl/LogCommands.h"
+#include "app/robotctl/LogInput.h"
 #include "logplayer/ContainerFile.h"
 #include "logplayer/LogInfo.h"
 #include "logplayer/Losses.h"
@@ -28,14 +29,15 @@ struct Findings {
   std::vector<std::string> losses;
 };
 
-Result<Findings> describe(const std::string& file) {
+Result<Findings> describe(const std::filesystem::path& file) {
   TerminalProgress progress;
   const auto info = logplayer::readLogInfo(file, progress.function());
   if (!info) return tl::unexpected(info.error());
   return Findings{toJson(*info), toText(*info), info->losses};
 }
 
-Result<Findings> verify(const std::string& file) {
+Result<Findings> verify(const std::filesystem::path& path) {
+  const std::string file = path.string();
   TerminalProgress progress;
   const auto container = logplayer::ContainerFile::of(file, progress.function());
   if (!container) return tl::unexpected(container.error());
@@ -71,12 +73,13 @@ void printJson(const ReadArguments& arguments, const std::vector<json>& objects)
   }
 }
 
-int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::string&)) {
+int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::filesystem::path&)) {
   int status = kDone;
   std::vector<json> objects;
   bool first = true;
   for (const std::string& file : arguments.files) {
-    auto findings = find(file);
+    const auto input = LogInput::of(file);
+    auto findings = input ? find(input->path()) : tl::unexpected(input.error());
     if (!findings) {
       status = printErrors({findings.error()});
       continue;
@@ -95,10 +98,10 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::s
 }
 
 void add(CLI::App& log, int& status, const char* name, const char* help,
-         Result<Findings> (*find)(const std::string&)) {
+         Result<Findings> (*find)(const std::filesystem::path&)) {
   auto arguments = std::make_shared<ReadArguments>();
   CLI::App* command = log.add_subcommand(name, help);
-  command->add_option("files", arguments->files, "Log files, of older formats, too")->required();
+  command->add_option("files", arguments->files, "Log files, of older formats, too; - is standard input")->required();
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->callback([arguments, find, &status] { status = forAll(*arguments, find); });
 }

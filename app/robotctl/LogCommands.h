@@ -16,14 +16,15 @@ namespace app {
 // The parts of `robotctl log`; each adds subcommands to it.
 void addLogReadCommands(CLI::App& log, int& status);    // info, verify
 void addLogImportCommands(CLI::App& log, int& status);  // import, repair
-void addLogCutCommands(CLI::App& log, int& status);     // cut, merge, filter
+void addLogCutCommands(CLI::App& log, int& status);     // cut, merge, filter, convert
 void addLogExportCommand(CLI::App& log, int& status);
+void addLogNoteCommands(CLI::App& log, int& status);    // bookmark, attachment
 
 /// Prints each on stderr, one a line: kDoneWithLosses, or kDone if there are none.
 int printLosses(const std::vector<std::string>& losses);
 
 /// A time range as people give it. A time is in seconds from the log's start ("12.5"), or a time of the log
-/// ("@486.75"), or the text of a bookmark.
+/// ("@486.75"), or a date ("2026-05-04T12:30:01"), or the text of a bookmark.
 struct TimeRange {
   std::string from, to;  ///< empty: the start, the end
 

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <fmt/format.h>
+
 #include <algorithm>
 #include <chrono>
 #include <iostream>
@@ -9,6 +11,8 @@
 #include "app/core/ReplayRun.h"
 #include "app/core/Workbench.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/LogInput.h"
+#include "app/robotctl/RobotName.h"
 #include "app/robotctl/RunRobotCommand.h"
 #include "logplayer/LogWriter.h"
 #include "robotlink/process/Process.h"
@@ -22,6 +26,7 @@ using robotcontrol::ControlReplay;
 using robotcontrol::ReplayStatus;
 
 constexpr std::string_view kLogPlatform = "log:";
+constexpr std::string_view kAllPackages = "all";
 
 struct RunArguments {
   std::string platform;
@@ -131,6 +136,10 @@ std::string takeChoices(const RunArguments& arguments, ReplayOptions& options) {
     const bool good = split(text, halves) && (halves.second == "logged" || halves.second == "recomputed");
     if (!good) return "--package takes PACKAGE=logged or PACKAGE=recomputed, not '" + text + "'";
     const auto source = halves.second == "logged" ? ControlReplay::AS_LOGGED : ControlReplay::RECOMPUTED;
+    if (halves.first == kAllPackages) {
+      options.recomputeAll = source == ControlReplay::RECOMPUTED;
+      continue;
+    }
     // Packages are called "models/ball"; with a robot before it, that robot's is meant.
     const bool ofOneRobot = std::count(halves.first.begin(), halves.first.end(), '/') > 1;
     options.packages[ofOneRobot ? halves.first : "*/" + halves.first] = source;
@@ -184,11 +193,23 @@ json summaryOf(const ReplayStatus& status, std::uint64_t instants, double realSe
   return summary;
 }
 
+void printDifference(const ReplayStatus::Difference& difference) {
+  std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared() << " differ";
+  if (difference.only_logged() > 0) std::cout << ", " << difference.only_logged() << " only logged";
+  if (difference.only_recomputed() > 0) std::cout << ", " << difference.only_recomputed() << " only recomputed";
+  if (difference.largest() > 0) {
+    const double largest = difference.largest();
+    std::cout << fmt::format("; largest: {} by {} at {:.3f} s", difference.largest_field(),
+                             largest < 1000 ? fmt::format("{:.4g}", largest) : fmt::format("{:.0f}", largest),
+                             1e-9 * static_cast<double>(difference.largest_time()));
+  }
+  std::cout << "\n";
+}
+
 void printSummary(const ReplayStatus& status, const json& summary) {
-  std::cout << std::fixed << std::setprecision(1) << summary["seconds"].get<double>() << " s in "
-            << summary["real_seconds"].get<double>() << " s (" << summary["real_time_factor"].get<double>()
-            << " times real time), " << summary["instants"] << " instants\n"
-            << std::defaultfloat;
+  std::cout << fmt::format("{:.1f} s in {:.1f} s ({:.1f} times real time), {} instants\n",
+                           summary["seconds"].get<double>(), summary["real_seconds"].get<double>(),
+                           summary["real_time_factor"].get<double>(), summary["instants"].get<std::uint64_t>());
   for (const auto& log : status.logs()) {
     if (!log.damage().empty()) std::cout << log.path() << ": " << log.damage() << "\n";
   }
@@ -197,24 +218,38 @@ void printSummary(const ReplayStatus& status, const json& summary) {
     if (package["source"] == "recomputed")
       std::cout << "recomputed: " << package["package"].get<std::string>() << "\n";
   }
-  for (const auto& difference : status.differences()) {
-    std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared()
-              << " differ";
-    if (difference.only_logged() > 0) std::cout << ", " << difference.only_logged() << " only logged";
-    if (difference.only_recomputed() > 0)
-      std::cout << ", " << difference.only_recomputed() << " only recomputed";
-    if (difference.largest() > 0) {
-      std::cout << "; largest: " << difference.largest_field() << " by " << difference.largest() << " at "
-                << 1e-9 * static_cast<double>(difference.largest_time()) << " s";
-    }
-    std::cout << "\n";
+  for (const auto& difference : status.differences()) printDifference(difference);
+}
+
+bool recomputesAnything(const ReplayRun& run) {
+  ReplayStatus status;
+  run.describe(status);
+  return std::any_of(status.packages().begin(), status.packages().end(), [](const auto& package) {
+    return package.source() == ControlReplay::RECOMPUTED && package.can_recompute();
+  });
+}
+
+/// Says on stderr which choices make no difference, and what would.
+void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
+  if (run.robots().empty()) {
+    std::cerr << "warning: the log says of no robot of this program, so that nothing runs on it; 'robotctl log info' says what it holds\n";
+    return;
   }
+  std::vector<std::string> unused = run.unusedSolutions();
+  if ((!arguments.colorTable.empty() || !arguments.layout.empty()) && !recomputesAnything(run)) {
+    unused.emplace_back("nothing is recomputed, so that --color-table and --layout change nothing");
+  }
+  for (const std::string& sentence : unused) std::cerr << "warning: " << sentence << "\n";
+  if (unused.empty()) return;
+  std::cerr << "warning: a task runs if what it yields is recomputed: --package PACKAGE=recomputed, or --package "
+               "all=recomputed\n";
 }
 
 int replay(const RunArguments& arguments, ReplayOptions options) {
   Recording recording;
   auto run = ReplayRun::create(std::move(options), recording.listeners());
   if (!run) return printErrors(run.error());
+  warnOfUnusedChoices(**run, arguments);
   if (auto opened = recording.open(arguments.record, arguments.compression); !opened) {
     return printErrors({opened.error()});
   }
@@ -255,6 +290,16 @@ int runOnRobot(const RunArguments& arguments) {
   return runRobot(robot);
 }
 
+/// Takes a copy of standard input where a log is called "-"; it goes with `inputs`.
+robotlink::Result<void> readInputs(ReplayOptions& options, std::vector<LogInput>& inputs) {
+  for (ReplayLog& log : options.logs) {
+    auto input = LogInput::of(log.file.string());
+    if (!input) return tl::unexpected(input.error());
+    log.file = inputs.emplace_back(std::move(*input)).path();
+  }
+  return {};
+}
+
 int run(const RunArguments& arguments) {
   if (isRobotAddress(arguments.platform)) return runOnRobot(arguments);
   ReplayOptions options;
@@ -268,6 +313,8 @@ int run(const RunArguments& arguments) {
   }
   options.colorTable = arguments.colorTable;
   options.tellPackages = !arguments.record.empty();
+  std::vector<LogInput> inputs;
+  if (const auto read = readInputs(options, inputs); !read) return printErrors({read.error()});
   return replay(arguments, std::move(options));
 }
 
@@ -277,7 +324,7 @@ void addRunCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RunArguments>();
   CLI::App* command = app.add_subcommand("run", "Runs robot programs on logs, as fast as possible, or on a real robot");
   command->add_option("--platform", arguments->platform,
-                      "log:FILE, or several logs: log:FILE,log:FILE...; or a Pioneer: tcp://HOST[:PORT], "
+                      "log:FILE (log:- is standard input), or several logs: log:FILE,log:FILE...; or a Pioneer: tcp://HOST[:PORT], "
                       "serial://DEVICE[?baud=RATE]")
       ->required();
   command->add_option("--offset", arguments->offsets,
@@ -287,7 +334,8 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
   command->add_option("--package", arguments->packages,
                       "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
-                      "red1/percepts/ball=recomputed for one); else whatever is logged is as logged");
+                      "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else whatever is "
+                      "logged is as logged");
   command->add_option("--color-table", arguments->colorTable, "A colour table (.c64) instead of the log's");
   command->add_option("--record", arguments->record,
                       "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");
@@ -297,7 +345,7 @@ void addRunCommand(CLI::App& app, int& status) {
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
   RunRobotArguments& robot = arguments->robot;
   command->add_option("--map", robot.map, "Robots: a map (.map) of where it drives");
-  command->add_option("--robot", robot.robot, "Robots: what it is called")->capture_default_str();
+  command->add_option("--robot", robot.robot, "Robots: what it is called")->check(robotName)->capture_default_str();
   command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")->check(CLI::Range(0.0, 1e6));
   command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");
   command->add_flag("--texts", robot.texts, "Robots: prints the program's text messages on stderr");

@@ -12,6 +12,7 @@
 
 #include "logplayer/BookmarkStorage.h"
 #include "tests/app/RobotctlRun.h"
+#include "tests/logplayer/ForeignLog.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace {
@@ -191,6 +192,100 @@ TEST_F(RobotctlLog, mergePutsLogsOnOneTimeLine) {
   const json object = info("out.mcap");
   EXPECT_EQ(object.at("robots"), json({"red1", "red1-2"}));
   EXPECT_NEAR(object.at("end").get<double>(), 10.36, 1e-9);
+}
+
+TEST_F(RobotctlLog, twoCutsAreMergedIntoOneLog) {
+  ASSERT_EQ(log("cut a.mcap b.mcap --to 2").status, 0);
+  ASSERT_EQ(log("cut a.mcap c.mcap --from 2").status, 0);
+  const Outcome outcome = log("merge b.mcap c.mcap out.mcap");
+  ASSERT_EQ(outcome.status, 0) << outcome.errors;
+  EXPECT_THAT(outcome.out, HasSubstr("behind each other"));
+  const json before = info("a.mcap"), after = info("out.mcap");
+  for (const char* figure : {"robots", "messages", "frames", "begin", "end"}) EXPECT_EQ(after.at(figure), before.at(figure)) << figure;
+  const Outcome separate = log("merge --separate b.mcap c.mcap two.mcap");
+  EXPECT_THAT(separate.out, HasSubstr("c.mcap: red1 is called red1-2"));
+  EXPECT_EQ(log("merge --concatenate a.mcap b.mcap no.mcap").status, 1);
+  EXPECT_EQ(log("merge --concatenate --separate b.mcap c.mcap no.mcap").status, 2);
+}
+
+TEST_F(RobotctlLog, convertWritesOtherChunksAndCompression) {
+  ASSERT_EQ(log("convert a.mcap b.mcap --compression none --chunk-size 2k").status, 0);
+  const json before = info("a.mcap"), after = info("b.mcap");
+  EXPECT_GT(after.at("chunks"), 5);
+  EXPECT_EQ(after.at("compressions").at("none"), after.at("chunks"));
+  EXPECT_EQ(after.at("messages"), before.at("messages"));
+  ASSERT_EQ(log("convert b.mcap c.mcap").status, 0);
+  EXPECT_EQ(info("c.mcap").at("compressions").at("zstd"), info("c.mcap").at("chunks"));
+  EXPECT_EQ(log("convert a.mcap d.mcap --chunk-size 0").status, 2);
+  EXPECT_EQ(log("convert a.mcap d.mcap --chunk-size many").status, 2);
+}
+
+TEST_F(RobotctlLog, aLogIsReadFromStandardInput) {
+  EXPECT_EQ(json::parse(log("info --json - <a.mcap").out).at("frames"), 100);
+  EXPECT_EQ(log("verify - <a.mcap").status, 0);
+  EXPECT_EQ(log("export - --csv red1/log - <a.mcap").out, log("export a.mcap --csv red1/log -").out);
+  ASSERT_EQ(log("cut - cut.mcap --from 1 --to 2 <a.mcap").status, 0);
+  EXPECT_EQ(info("cut.mcap").at("frames"), 26);
+  EXPECT_EQ(log("info - </dev/null").status, 1);
+  EXPECT_EQ(runRobotctl(folder_.path(), "run --platform log:- <a.mcap").status, 0);
+}
+
+TEST_F(RobotctlLog, bookmarksAreAddedListedAndRemoved) {
+  ASSERT_EQ(log("bookmark a.mcap --add 'ball missed' --from 1 --to 2").status, 0);
+  ASSERT_EQ(log("bookmark a.mcap --add fell --from @3").status, 0);
+  EXPECT_EQ(log("bookmark a.mcap").out, "1.000 s to 2.000 s  ball missed\n3.000 s  fell\n");
+  EXPECT_EQ(info("a.mcap").at("bookmarks").size(), 2U);
+  ASSERT_EQ(log("bookmark a.mcap --remove fell").status, 0);
+  EXPECT_EQ(json::parse(log("bookmark --json a.mcap").out).size(), 1U);
+  EXPECT_EQ(log("bookmark a.mcap --remove fell").status, 1);
+  EXPECT_EQ(log("bookmark a.mcap --add nowhere").status, 2);
+  EXPECT_EQ(log("bookmark - --add x --from 1 <a.mcap").status, 2);
+}
+
+TEST_F(RobotctlLog, attachmentsAreAddedListedAndTakenOut) {
+  std::ofstream(folder_ / "note.txt") << "a note";
+  ASSERT_EQ(log("attachment a.mcap --add note.txt").status, 0);
+  EXPECT_EQ(log("attachment a.mcap").out, "note.txt  text/plain  6 bytes\n");
+  ASSERT_EQ(log("attachment a.mcap --extract note.txt --output out.txt").status, 0);
+  EXPECT_EQ(textOf(folder_ / "out.txt"), "a note");
+  EXPECT_EQ(log("attachment a.mcap --extract note.txt").status, 1) << "it exists";
+  EXPECT_EQ(log("attachment a.mcap --extract none").status, 1);
+  EXPECT_EQ(log("verify a.mcap").status, 0);
+}
+
+TEST_F(RobotctlLog, timesOfThisCenturyAreDates) {
+  std::filesystem::remove(folder_ / "a.mcap");
+  SampleLog{.start = std::chrono::seconds(1'700'000'000)}.write(folder_ / "a.mcap");
+  EXPECT_THAT(log("info a.mcap").out, HasSubstr("2023-11-14 22:13:20.000 UTC to 2023-11-14 22:13:23.960 UTC, 3.960 s long"));
+  EXPECT_EQ(info("a.mcap").at("begin_date"), "2023-11-14 22:13:20.000 UTC");
+  EXPECT_THAT(log("export a.mcap --texts").out, HasSubstr("2023-11-14 22:13:20.400 UTC  warning  red1/cognition/test: frame 10"));
+  ASSERT_EQ(log("cut a.mcap cut.mcap --from 2023-11-14T22:13:21 --to '2023-11-14 22:13:22'").status, 0);
+  EXPECT_EQ(info("cut.mcap").at("frames"), 26);
+}
+
+TEST_F(RobotctlLog, aRobotsNameIsOneWord) {
+  for (const char* name : {"a/b", "''", "'red 1'", "'*'"}) {
+    const Outcome outcome = log(std::string("import a.log b.mcap --robot ") + name);
+    EXPECT_EQ(outcome.status, 2) << name;
+    EXPECT_THAT(outcome.errors, HasSubstr("is no name for a robot")) << name;
+    EXPECT_EQ(runRobotctl(folder_.path(), std::string("run --platform tcp://localhost --robot ") + name).status, 2) << name;
+  }
+}
+
+TEST_F(RobotctlLog, logsOfOtherProgramsAreReadAsFarAsTheyCanBe) {
+  ASSERT_TRUE(logplayer::testing::writeForeignLog(folder_ / "foreign.mcap"));
+  EXPECT_THAT(log("info foreign.mcap").out, HasSubstr("cdr, not decoded"));
+  EXPECT_THAT(log("export foreign.mcap --texts").out, HasSubstr("battery low"));
+  const Outcome csv = log("export foreign.mcap --csv a/b/c -");
+  EXPECT_EQ(csv.status, 3) << "a row lacks";
+  EXPECT_THAT(csv.errors, HasSubstr("1 message of a/b/c could not be read"));
+  EXPECT_EQ(log("export foreign.mcap --csv /camera c.csv").status, 1);
+  EXPECT_FALSE(std::filesystem::exists(folder_ / "c.csv"));
+  EXPECT_THAT(log("export foreign.mcap --json /rosout -").out, HasSubstr(R"("message":"battery low")"));
+  // It can be played, and nothing runs on it.
+  const Outcome played = runRobotctl(folder_.path(), "run --json --platform log:foreign.mcap");
+  EXPECT_EQ(json::parse(played.out, nullptr, false).at("packages").size(), 0U) << played.errors;
+  EXPECT_THAT(played.errors, HasSubstr("says of no robot"));
 }
 
 TEST_F(RobotctlLog, exportsImagesTablesAndTexts) {

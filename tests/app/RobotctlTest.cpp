@@ -168,6 +168,49 @@ TEST(Robotctl, aRecordedSimulationIsRunAgainToTheSameBytes) {
   EXPECT_EQ(robotctl("run --platform log:" + path("run-a.mcap")).status, 0);
 }
 
+TEST(Robotctl, aSolutionOrTaskThatDoesNotExistIsRefused) {
+  const auto refused = [](const std::string& arguments, const std::string& why) {
+    const Outcome outcome = robotctl(arguments);
+    EXPECT_EQ(outcome.status, 1) << arguments;
+    EXPECT_NE(outcome.text.find(why), std::string::npos) << outcome.text;
+  };
+  const std::string sim = "sim " + kScene + " --seconds 0.1 ";
+  refused(sim + "--solution no-such-task=grid", "there is no task 'no-such-task'");
+  refused(sim + "--solution segmentation=no-such", "task segmentation has no solution 'no-such'; it has ");
+  // A task of other robots' layouts.
+  refused(sim + "--solution path-planning=direct", "no robot here has the task 'path-planning' in its layout");
+  const auto file = std::filesystem::path(testing::TempDir()) / "run-solutions.mcap";
+  std::filesystem::remove(file);
+  ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --record " + file.string()).status, 0);
+  const std::string run = "run --platform log:" + file.string() + " --package percepts/regions=recomputed ";
+  refused(run + "--solution no-such-task=grid", "there is no task 'no-such-task'");
+  refused(run + "--solution segmentation=no-such", "task segmentation has no solution 'no-such'; it has ");
+  // One that exists, but cannot run here: another one must not take its place unsaid.
+  const std::string blind = (std::filesystem::path(testing::TempDir()) / "run-blind.mcap").string();
+  ASSERT_EQ(robotctl("log filter --force " + file.string() + " " + blind + " --exclude '*/oracle/*'").status, 0);
+  refused("run --platform log:" + blind + " --package models/ball=recomputed --solution ball-model=oracle",
+          "red1: task ball-model cannot be done by oracle: nobody offers oracle/world");
+}
+
+TEST(Robotctl, runWarnsOfASolutionThatChangesNothing) {
+  const auto file = std::filesystem::path(testing::TempDir()) / "run-unused.mcap";
+  std::filesystem::remove(file);
+  ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --record " + file.string()).status, 0);
+  const std::string command = "run --platform log:" + file.string() + " --solution segmentation=whole-image ";
+  const Outcome warned = robotctl(command);
+  EXPECT_EQ(warned.status, 0);
+  EXPECT_NE(warned.text.find("warning: red1: task segmentation does not run"), std::string::npos) << warned.text;
+  EXPECT_NE(warned.text.find("--package all=recomputed"), std::string::npos) << warned.text;
+  const Outcome used = robotctl(command + "--package all=recomputed");
+  EXPECT_EQ(used.status, 0) << used.text;
+  EXPECT_EQ(used.text.find("warning"), std::string::npos) << used.text;
+  EXPECT_NE(used.text.find("recomputed: red1/percepts/regions"), std::string::npos) << used.text;
+  EXPECT_NE(used.text.find("recomputed: red1/models/ball"), std::string::npos) << used.text;
+  EXPECT_EQ(used.text.find("e+0"), std::string::npos) << used.text;
+  const Outcome mixed = robotctl(command + "--package all=recomputed --package models/ball=logged");
+  EXPECT_EQ(mixed.text.find("recomputed: red1/models/ball"), std::string::npos) << mixed.text;
+}
+
 TEST(Robotctl, runSaysWhatIsWrongWithItsArgumentsAndLogs) {
   EXPECT_EQ(robotctl("run").status, 2);
   EXPECT_EQ(robotctl("run --platform sim:x.sdf").status, 2);
