@@ -189,7 +189,7 @@ TEST(Robotctl, aSolutionOrTaskThatDoesNotExistIsRefused) {
   const std::string blind = (std::filesystem::path(testing::TempDir()) / "run-blind.mcap").string();
   ASSERT_EQ(robotctl("log filter --force " + file.string() + " " + blind + " --exclude '*/oracle/*'").status, 0);
   refused("run --platform log:" + blind + " --package models/ball=recomputed --solution ball-model=oracle",
-          "red1: task ball-model cannot be done by oracle: nobody offers oracle/world");
+          "red1: task ball-model cannot be done by oracle: neither the robot nor another task provides ");
 }
 
 TEST(Robotctl, runWarnsOfASolutionThatChangesNothing) {
