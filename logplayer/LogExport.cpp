@@ -64,6 +64,12 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
     return stream.holds(foxglove::Log::descriptor()->full_name());
   });
   ExportReport report;
+  const auto undecoded = chosenStreams(*log, streams, [](const LogFile::Stream& stream) {
+    return stream.type == foxglove::Log::descriptor()->full_name() && !stream.isDecoded();
+  });
+  for (const std::string& path : undecoded) {
+    report.losses.push_back(log->path().string() + ": the texts of " + path + " are in an encoding that is not read; left out");
+  }
   if (!paths.empty()) {
     const auto done =
         forEachMessage(log, paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
