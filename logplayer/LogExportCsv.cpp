@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Tables and lines of JSON of a log's messages.
+#include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 #include <google/protobuf/util/json_util.h>
 
@@ -133,7 +134,9 @@ class CsvTable {
 Result<std::string> jsonLine(const LogFile& log, const StreamMessage& message) {
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
-  options.always_print_primitive_fields = true;
+  // Where a field knows whether it is set, what is not set is left out.
+  options.always_print_primitive_fields =
+      message.value->GetDescriptor()->file()->syntax() == google::protobuf::FileDescriptor::SYNTAX_PROTO3;
   std::string value;
   // It fails, for example, for a time stamp past the year 9999.
   if (isUndecoded(log, message) || !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {

@@ -118,6 +118,7 @@ TEST_F(ForeignLogTest, streamsBecomeLinesOfJson) {
   EXPECT_EQ(first.at("log_time"), 100);
   EXPECT_EQ(first.at("type"), "their.Pose");
   EXPECT_EQ(first.at("message").at("position").at("y"), -2);
+  EXPECT_FALSE(first.at("message").contains("other_fields"));
   EXPECT_EQ(report.written, 4U);
   EXPECT_THAT(report.losses, ElementsAre(HasSubstr("1 message of a/b/c")));
 }
