@@ -46,8 +46,18 @@ void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette, b
   painter.drawLine(QPointF(disc.left(), disc.center().y()), QPointF(disc.right(), disc.center().y()));
 }
 
-void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& axes, const QColor& color,
+/// What lies beyond the pad is shown at its border: a robot may be faster than what can be asked for.
+WalkAxes withinPad(WalkAxes axes, bool wheels) {
+  const auto finite = [](double value) { return std::isfinite(value) ? value : 0.0; };
+  axes = {finite(axes.forward), finite(axes.left), finite(axes.turn)};
+  if (wheels) return {std::clamp(axes.forward, -1.0, 1.0), axes.left, std::clamp(axes.turn, -1.0, 1.0)};
+  const double length = std::hypot(axes.forward, axes.left);
+  return length > 1 ? WalkAxes{axes.forward / length, axes.left / length, axes.turn} : axes;
+}
+
+void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& asked, const QColor& color,
                  bool filled, bool wheels) {
+  const WalkAxes axes = withinPad(asked, wheels);
   const double radius = disc.width() / 2;
   const QPointF tip = disc.center() + QPointF(wheels ? -axes.turn : -axes.left, -axes.forward) * radius;
   painter.setPen(QPen(color, filled ? 3 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::RoundCap));

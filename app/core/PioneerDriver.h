@@ -36,7 +36,8 @@ class PioneerDriver {
   struct Options {
     std::string address;      ///< for people
     bool motorsOn = false;    ///< as soon as it is connected
-    bool laser = true;        ///< ask a simulator for its laser
+    /// Ask a simulator for its laser. That of a real robot has a line of its own, which nobody reads here.
+    bool laser = true;
   };
 
   /// Both must outlive it.
@@ -61,6 +62,8 @@ class PioneerDriver {
   std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now);
   /// Sends the packages of what came.
   void sendPackages(robotlink::Instant now);
+  /// Tries again at once where it waits before it does.
+  void connectNow(robotlink::Instant now) { session_.connectNow(now); }
   /// Ends the connection in good order: motors off, CLOSE.
   void end(robotlink::Instant now) { session_.close(now); }
 

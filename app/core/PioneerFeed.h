@@ -24,6 +24,8 @@ class PioneerFeed final : public PlatformFeed {
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
+  void connectNow() { run_->connectNow(); }
 
  private:
   using Clock = PacedThread::Clock;

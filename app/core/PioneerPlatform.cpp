@@ -36,6 +36,14 @@ void PioneerPlatform::sendWaiting() {
   for (const auto& packet : driver_.takeOutgoing(clock().now())) line_.send(robotlink::arcos::encode(packet));
 }
 
+void PioneerPlatform::engageStop(bool engaged) {
+  stopEngaged_.store(engaged);
+  if (!engaged) return;  // The motors are switched on again by actuate(), if they were.
+  using robotlink::arcos::CommandId;
+  for (const auto& command : {robotlink::arcos::command(CommandId::kEStop), robotlink::arcos::command(CommandId::kEnable, 0)})
+    line_.send(robotlink::arcos::encode(toPacket(command)));
+}
+
 void PioneerPlatform::actuate() {
   takeEvents();
   driver_.actuate(stopEngaged(), clock().now());

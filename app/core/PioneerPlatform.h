@@ -22,11 +22,14 @@ class PioneerPlatform final : public robotlink::Platform {
   ~PioneerPlatform() override;
 
   void actuate() override;
-  void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
+  /// Stops the robot at once, by the line's own thread: whoever steps this may be held up by a program that hangs.
+  void engageStop(bool engaged) override;
   bool stopEngaged() const { return stopEngaged_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   /// What a person asks of the base, not of its program.
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) { return driver_.control(wish, clock().now()); }
+  /// Does not wait any longer before it tries to connect again.
+  void connectNow() { driver_.connectNow(clock().now()); }
   const PioneerDriver& driver() const { return driver_; }
 
  protected:

@@ -35,12 +35,15 @@ PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::R
 
 PioneerRun::~PioneerRun() {
   stop();
+  if (stopSwitch_) stopSwitch_->forget();
   if (tap_) tap_->clear();
 }
 
 tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOptions options, Listeners listeners,
                                                                      logplayer::Recorder* recorder) {
-  if (auto url = robotlink::arcos::parseUrl(options.url); !url) return tl::unexpected(Errors{url.error()});
+  const auto url = robotlink::arcos::parseUrl(options.url);
+  if (!url) return tl::unexpected(Errors{url.error()});
+  options.url = robotlink::arcos::toString(*url);  // one way to write it, whichever it was given in
   auto run = std::unique_ptr<PioneerRun>(new PioneerRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;
@@ -65,6 +68,7 @@ Errors PioneerRun::load() {
     Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
     if (!errors.empty()) return errors;
   }
+  stopSwitch_ = std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
   auto program = makeProgram(layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();

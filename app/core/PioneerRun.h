@@ -9,6 +9,7 @@
 
 #include "app/core/PioneerPlatform.h"
 #include "app/core/ProgramRequests.h"
+#include "app/core/StopSwitch.h"
 #include "robotlink/process/ThreadExecutor.h"
 
 namespace logplayer {
@@ -65,8 +66,13 @@ class PioneerRun {
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
   /// Hands a request to the program, or STOP and what concerns the base to the platform.
   robotlink::Result<void> request(const robotcontrol::Request& request);
+  /// A connection that was lost is sought again at once; the program goes on.
+  void connectNow() { platform_->connectNow(); }
   /// Whether the platform fulfils such a request itself.
   static bool isOfPlatform(const robotcontrol::Request& request);
+
+  /// Stops the robot whatever the other threads do; not null.
+  std::shared_ptr<StopSwitch> stopSwitch() const { return stopSwitch_; }
 
   const PioneerOptions& options() const { return options_; }
   /// The file of the layout in which the program runs.
@@ -96,6 +102,7 @@ class PioneerRun {
   std::unique_ptr<ProgramRequests> requests_;
   std::vector<std::string> lostChoices_;
   std::unique_ptr<PioneerPlatform> platform_;
+  std::shared_ptr<StopSwitch> stopSwitch_;
   std::unique_ptr<robotlink::RobotProgram> program_;
   std::unique_ptr<robotlink::ThreadExecutor> threads_;
 };

@@ -53,6 +53,8 @@ class PlatformFeed {
   /// Starts the programs anew in another layout; if that is not possible, all goes on as before.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
   virtual LoadedPlatform describe() const = 0;
+  /// Stops a real robot from any thread, whatever this one waits for. Null: what runs here stands while this thread is held up.
+  virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Whether it runs, how fast, where it is.
   virtual void publishStatus() = 0;
 };

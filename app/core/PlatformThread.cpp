@@ -35,6 +35,10 @@ LoadedPlatform PlatformThread::describe() const { return feed_ ? feed_->describe
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   feed_.reset();  // What it still tells must not get into the next one's history.
   feed_ = std::move(feed);
+  {
+    const std::lock_guard lock(mutex_);
+    stopSwitch_ = feed_ ? feed_->stopSwitch() : nullptr;
+  }
   session_.restart([this] {
     if (feed_) feed_->begin();
   });
@@ -70,6 +74,12 @@ void PlatformThread::connect(PioneerOptions options, LoadHandler handler) {
     }
     start(std::move(*feed));
     handler(describe());
+  });
+}
+
+void PlatformThread::connectNow() {
+  postOther([this] {
+    if (auto* feed = dynamic_cast<PioneerFeed*>(feed_.get())) feed->connectNow();
   });
 }
 
@@ -128,8 +138,10 @@ void PlatformThread::close(LoadHandler handler) {
 void PlatformThread::request(const robotcontrol::Request& request) {
   const bool moves = request.has_control_replay() && onlyMoves(request.control_replay());
   std::shared_ptr<Asked> asked;
+  std::shared_ptr<StopSwitch> stopSwitch;
   {
     const std::lock_guard lock(mutex_);
+    stopSwitch = stopSwitch_;
     if (moves && newest_ && joinMoves(*newest_->request.mutable_control_replay(), request.control_replay())) {
       newest_->ids.push_back(request.id());
       return;
@@ -137,6 +149,8 @@ void PlatformThread::request(const robotcontrol::Request& request) {
     asked = std::make_shared<Asked>(Asked{request, {request.id()}});
     newest_ = moves ? asked : nullptr;
   }
+  // Not only in its turn: this thread may wait for a program that hangs, and the robot must not.
+  if (stopSwitch && request.has_stop()) stopSwitch->engage(request.robot(), request.stop().engaged());
   thread_.post([this, asked] {
     {
       const std::lock_guard lock(mutex_);

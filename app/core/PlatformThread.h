@@ -33,6 +33,8 @@ class PlatformThread {
   void load(RunOptions options, LoadHandler handler);
   /// A real robot, or one of another simulator; whether it answers is told on the stream link/status.
   void connect(PioneerOptions options, LoadHandler handler);
+  /// Where such a robot is not connected, tries it again at once.
+  void connectNow();
   /// Paused, at the first image.
   void open(ReplayOptions options, LoadHandler handler);
   /// One more to the logs that are open; what was chosen for those stays.
@@ -55,7 +57,8 @@ class PlatformThread {
   logplayer::Recorder& recorder_;
   std::unique_ptr<PlatformFeed> feed_;  // the platform's thread only; null: nothing runs
 
-  std::mutex mutex_;                // protects newest_
+  std::mutex mutex_;                // protects newest_ and stopSwitch_
+  std::shared_ptr<StopSwitch> stopSwitch_;  // of the robot that runs; null: none
   std::shared_ptr<Asked> newest_;  // what was asked for last, if it still waits and another request may join it
   PacedThread thread_;              // last: it uses the others
 };

@@ -93,10 +93,14 @@ void addForAll(CommandTable& commands, Workbench& workbench) {
   commands.add({"robot.connect",
                 "Connects a Pioneer over TCP or a serial line and runs its program here; it stays connected until something "
                 "else is opened",
-                {{"address", Type::kText, "tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]"},
+                {{"address", Type::kText, "HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]"},
                  {"layout", Type::kText, "a layout file or the name of a shipped one; empty: the Pioneer's"},
                  {"map", Type::kText, "a map (.map) of where it drives; empty: none"}},
                 [&workbench](const Values& values) { return connect(workbench, values); }});
+  commands.add({"robot.connect-now",
+                "Tries to connect the robot again at once, where it waits before it does; its program goes on",
+                {},
+                [&workbench](const Values&) { return workbench.connectNow(); }});
   commands.add({"robot.select",
                 "Chooses the robot that toolbars and views talk about",
                 {{"robot", Type::kText, "its name"}},

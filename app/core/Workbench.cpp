@@ -124,6 +124,12 @@ void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), newOpen
 void Workbench::connectRobot(PioneerOptions options) {
   platform_.connect(std::move(options), outcomeOf(Change::kPlatform));
 }
+robotlink::Result<void> Workbench::connectNow() {
+  if (!loaded_ || !loaded_->pioneer)
+    return robotlink::failure("robot.not-real", "no robot is connected over a line; choose Robot > Connect first");
+  platform_.connectNow();
+  return {};
+}
 void Workbench::close() { platform_.close(outcomeOf(Change::kPlatform)); }
 void Workbench::setLayout(const std::filesystem::path& file) { platform_.setLayout(file, outcomeOf(Change::kLayout)); }
 

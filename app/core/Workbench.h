@@ -37,6 +37,8 @@ class Workbench {
   /// A real robot, or one of another simulator. The outcome says only whether its program can be run; how the connection does
   /// is told on its stream link/status.
   void connectRobot(PioneerOptions options);
+  /// The robot of connectRobot() is sought again at once, if it is not connected.
+  robotlink::Result<void> connectNow();
   /// Ends what runs.
   void close();
   void setLayout(const std::filesystem::path& file);

@@ -7,12 +7,17 @@
 #include <QStatusBar>
 
 #include "app/core/Workbench.h"
+#include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
 
 namespace app {
 namespace {
+
+/// s without a word of its base, which speaks ten times a second, until a robot counts as silent.
+constexpr double kSilence = 1.5;
 
 QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int characters) {
   auto* label = new QLabel(&bar);
@@ -50,13 +55,31 @@ void StatusLine::refresh() {
   }
 }
 
+QString StatusLine::robotState() {
+  auto& session = workbench_.session();
+  const std::string& robot = workbench_.loaded()->pioneer->robot;
+  const auto newest = session.timeline().newest();
+  wish_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
+  const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
+  const double silence = heard == nullptr ? 0 : robotlink::seconds(newest - heard->time);
+  const auto* link = session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
+  const bool connected = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTED;
+  if (connected && silence < kSilence) return tr("running");
+  if (heard == nullptr) return connected ? tr("connected") : tr("not connected");
+  const QString what = connected                                                   ? tr("silent")
+                       : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING ? tr("connecting")
+                                                                                   : tr("lost");
+  return tr("%1, last heard %2 s ago").arg(what).arg(silence, 0, 'f', 0);
+}
+
 void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
+  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->pioneer;
   state_->setText(workbench_.loading()               ? tr("loading…")
                   : status.stopped_robots_size() > 0 ? tr("STOP engaged")
+                  : real                             ? robotState()
                   : status.running()                 ? tr("running")
                                                      : tr("paused"));
   time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
-  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->pioneer;
   speed_->setText(real ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
   const auto contacts = status.ball_contacts();
   const auto& models = status.models();

@@ -3,6 +3,8 @@
 
 #include <QObject>
 
+#include "widgets/PackageWish.h"
+
 class QLabel;
 class QStatusBar;
 namespace robotcontrol {
@@ -24,10 +26,13 @@ class StatusLine : public QObject {
 
  private:
   void showSimulation(const robotcontrol::SimulationStatus& status);
+  /// What a robot at the end of a line does: whether it is heard, and how long it is not.
+  QString robotState();
   void showLog(const robotcontrol::ReplayStatus& status);
   void showNothing();
 
   Workbench& workbench_;
+  widgets::PackageWish wish_;
   QLabel* state_;
   QLabel* time_;
   QLabel* speed_;

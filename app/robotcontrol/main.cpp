@@ -9,6 +9,7 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
+#include "robotlink/arcos/StreamUrl.h"
 #include "robotlink/base/Resources.h"
 
 namespace {
@@ -72,7 +73,13 @@ bool isScene(const std::string& file) {
   return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
 }
 
-bool isRobot(const std::string& file) { return file.starts_with("tcp://") || file.starts_with("serial://"); }
+/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+bool isRobot(const std::string& file) {
+  if (file.starts_with("tcp://") || file.starts_with("serial://")) return true;
+  std::error_code ignored;
+  const bool isFile = !file.starts_with("/dev/") && (file.starts_with('/') || std::filesystem::exists(file, ignored));
+  return !isFile && robotlink::arcos::parseUrl(file).has_value();
+}
 
 bool connectsRobot(const Arguments& arguments) { return !arguments.files.empty() && isRobot(arguments.files.front()); }
 

@@ -12,6 +12,7 @@
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/arcos/StreamUrl.h"
 
 namespace app {
 namespace {
@@ -71,7 +72,9 @@ json figuresOf(const PioneerRun& run, bool connected) {
 }  // namespace
 
 bool isRobotAddress(const std::string& platform) {
-  return platform.starts_with("tcp://") || platform.starts_with("serial://");
+  if (platform.starts_with("tcp://") || platform.starts_with("serial://")) return true;
+  if (platform.starts_with("log:") || (platform.starts_with('/') && !platform.starts_with("/dev/"))) return false;
+  return robotlink::arcos::parseUrl(platform).has_value();
 }
 
 int runRobot(const RunRobotArguments& arguments) {
@@ -84,6 +87,7 @@ int runRobot(const RunRobotArguments& arguments) {
   if (!recorder) return printErrors({recorder.error()});
   auto run = PioneerRun::create(std::move(options), listenersFor(arguments), recorder->get());
   if (!run) return printErrors(run.error());
+  printMapNotes((*run)->map().get());
   const bool connected = drive(**run, arguments);
   const json figures = figuresOf(**run, connected);
   run->reset();

@@ -46,6 +46,12 @@ void ClientSession::open(Instant now) {
   enter(State::kWaitingForLink, now);
 }
 
+void ClientSession::connectNow(Instant now) {
+  failures_ = 0;
+  if (state_ == State::kPausing) enter(State::kWaitingForLink, now);
+  if (state_ == State::kFailed) open(now);
+}
+
 void ClientSession::close(Instant now) {
   if (state_ == State::kConnected) post(CommandId::kEnable, 0, now);
   if (state_ == State::kConnected || state_ == State::kOpening) {

@@ -72,6 +72,8 @@ class ClientSession {
 
   /// A connection is wanted. Does nothing if it is already.
   void open(Instant now);
+  /// Somebody does not want to wait until it tries again: it does so at once.
+  void connectNow(Instant now);
   /// No connection is wanted any more. If there is one: motors off and CLOSE; the owner should write
   /// takeOutgoing() before it closes the line.
   void close(Instant now);

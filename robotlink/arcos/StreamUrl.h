@@ -25,7 +25,7 @@ struct SerialAddress {
 };
 
 /// Where a robot is, as people write it: "tcp://HOST[:PORT]" (an IPv6 address in brackets) or
-/// "serial://DEVICE[?baud=RATE]", whose DEVICE is an absolute path.
+/// "serial://DEVICE[?baud=RATE]", whose DEVICE is an absolute path. In short "HOST:PORT" and "/dev/ttyUSB0".
 using StreamUrl = std::variant<TcpAddress, SerialAddress>;
 
 /// The error ("url.bad") says how it should have been written.

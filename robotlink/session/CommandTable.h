@@ -37,7 +37,7 @@ class CommandTable {
 
   /// Fails if there is no such command or the arguments' number or types are not its own.
   Result<void> run(const std::string& name, const std::vector<Value>& arguments = {}) const;
-  /// Runs one line: `simulation.speed 2`, `solution.select ball-percept "scan-lines"`. Texts may be quoted
+  /// Runs one line: `simulation.speed 2`, `robot.solution ball-percept "scan-lines"`. Texts may be quoted
   /// (see CommandLine.h); bools are on/off, true/false, yes/no or 1/0; an empty line or a # comment does
   /// nothing.
   Result<void> runLine(const std::string& line) const;

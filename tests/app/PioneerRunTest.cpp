@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <filesystem>
 #include <fstream>
 #include <mutex>
@@ -12,6 +13,8 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/Solution.h"
+#include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
 
 using namespace app;
@@ -50,6 +53,23 @@ class Ears {
   std::map<std::string, std::shared_ptr<const google::protobuf::Message>> newest_;
   std::string troubles_;
 };
+
+std::atomic<bool> letGo{false}, hangs{false};
+
+/// A program's part that never returns, until the test lets it go.
+class Hanging final : public robotlink::Solution {
+ public:
+  explicit Hanging(robotlink::SolutionContext& context) : drive_(context.input(robotlink::kDriveState)) {}
+  void execute() override {
+    hangs = true;
+    while (!letGo) std::this_thread::sleep_for(1ms);
+  }
+
+ private:
+  robotlink::Input<robotcontrol::DriveState> drive_;
+};
+const robotlink::SolutionRegistration kHanging =
+    robotlink::SolutionBuilder<Hanging>("pioneer-run-test", "hang", "Never returns.").needs(robotlink::kDriveState);
 
 class PioneerRunTest : public testing::Test {
  protected:
@@ -120,6 +140,42 @@ TEST_F(PioneerRunTest, stopTakesTheMotorsOff) {
   ASSERT_TRUE(run_->request(stop));
   EXPECT_TRUE(playUntil([&] { return !state()->motors_on(); }));
   EXPECT_FALSE(motors(true));
+}
+
+TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) {
+  std::ofstream(layout_) << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
+                            "processes:\n  - {name: stuck, blocking: [drive/state], tasks: [pioneer-run-test: hang]}\n"
+                            "  - {name: debug, debug: true, period_ms: 16}\n";
+  letGo = hangs = false;
+  struct AtTheEnd {
+    ~AtTheEnd() { letGo = true; }
+  } atTheEnd;
+  connect();
+  ASSERT_TRUE(playUntil([&] { return connected(); }));
+  ASSERT_TRUE(motors(true));
+  // What the robot does is what counts: a program that hangs answers nothing.
+  ASSERT_TRUE(playUntil([&] { return hangs && world_.motorsOn(); }));
+  const auto engage = [&](bool engaged) {
+    robotcontrol::Request stop;
+    stop.set_robot("p3at1");
+    stop.mutable_stop()->set_engaged(engaged);
+    ASSERT_TRUE(run_->request(stop));
+  };
+  engage(true);
+  EXPECT_TRUE(playUntil([&] { return !world_.motorsOn(); })) << "while it hangs";
+  engage(false);
+  ASSERT_TRUE(playUntil([&] { return world_.motorsOn(); }));
+  // Whoever ends the run waits for the program: nobody steps the platform any more.
+  const auto stopSwitch = run_->stopSwitch();
+  std::thread ending([&] { run_.reset(); });
+  stopSwitch->engage("p3at2", true);
+  EXPECT_TRUE(world_.motorsOn());
+  stopSwitch->engage("p3at1", true);
+  for (int i = 0; i < 300 && world_.motorsOn(); ++i) std::this_thread::sleep_for(5ms);
+  EXPECT_FALSE(world_.motorsOn());
+  letGo = true;
+  ending.join();
+  stopSwitch->engage("p3at1", true);  // of a robot that is gone
 }
 
 TEST_F(PioneerRunTest, aLineThatIsLostIsOpenedAgain) {

@@ -34,6 +34,7 @@ class ServedWorld {
   const std::string& url() const { return url_; }
   /// All clients are thrown out, and nobody listens, until it is called again.
   void unplug(bool unplugged) { unplugged_ = unplugged; }
+  bool motorsOn() const { return motorsOn_; }
 
  private:
   void openPorts(std::uint16_t port) {
@@ -55,6 +56,7 @@ class ServedWorld {
         std::this_thread::sleep_until(due);
       }
       world_->advance();
+      motorsOn_ = world_->pioneers().front()->session().motion().motorsOn();
       if (ports_) ports_->deliver();
     }
   }
@@ -63,6 +65,6 @@ class ServedWorld {
   std::unique_ptr<app::ArcosPorts> ports_;
   std::uint16_t port_ = 0;
   std::string url_;
-  std::atomic<bool> end_{false}, unplugged_{false};
+  std::atomic<bool> end_{false}, unplugged_{false}, motorsOn_{false};
   std::thread thread_;
 };

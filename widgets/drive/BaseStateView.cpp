@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QLabel>
+#include <QPushButton>
 #include <QScrollArea>
 #include <QToolButton>
 #include <QVBoxLayout>
@@ -11,8 +12,10 @@
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
+#include "robotlink/session/CommandTable.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/Icon.h"
 #include "widgets/Requests.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/drive/BatteryGauge.h"
@@ -29,6 +32,9 @@ const ViewRegistration kRegistration{
     {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
      QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."),
      "base-state", true, create<BaseStateView>}};
+
+/// s; the base speaks ten times a second.
+constexpr double kStaleAfter = 1.5;
 
 template <typename T>
 const T* newestOf(robotlink::Session& session, const std::string& robot, const char* package) {
@@ -83,6 +89,7 @@ void BaseStateView::createActions() {
 
 void BaseStateView::createRows() {
   base_ = new StateRows(tr("Base"), "baseRows", this);
+  base_->addText("baseAge", tr("How old this is"));
   battery_ = new BatteryGauge(base_);
   base_->addRow(tr("Battery"), tr("Below 11.5 V it is low, at 11 V robots switch themselves off"), battery_);
   base_->addText("baseBatteryWarning", tr("What the battery needs"));
@@ -112,6 +119,10 @@ void BaseStateView::createRows() {
                 tr("Between two information packets, over the last seconds; they come each 100 ms"));
   link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
   link_->addText("linkText", tr("What the line says"));
+  connectNow_ = new QPushButton(icon("connect"), tr("Connect now"), link_);
+  describe(*connectNow_, {"linkConnectNow", tr("Connect now"), tr("Tries to reach the robot at once, instead of after the pause")});
+  connectNow_->setVisible(false);
+  link_->addWidget(connectNow_);
 }
 
 QWidget* BaseStateView::createToolRow() {
@@ -165,6 +176,7 @@ void BaseStateView::connectSignals() {
     control.set_sonar(on);
     send(control);
   });
+  connect(connectNow_, &QPushButton::clicked, this, &BaseStateView::connectNow);
   connect(resetOdometry_, &QAction::triggered, this, [this] {
     robotcontrol::ControlDrive control;
     control.set_reset_odometry(true);
@@ -196,7 +208,12 @@ void BaseStateView::tick() {
   const auto* status =
       session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
   const double age = status == nullptr ? 0 : robotlink::seconds(session().timeline().shown() - status->time);
-  showBase(state);
+  const auto shown = session().timeline().shown();
+  const auto* told = session().store().latest(robot_ + '/' + robotlink::kDriveState.name, shown);
+  const double stateAge = told == nullptr ? 0 : robotlink::seconds(shown - told->time);
+  const auto staleAge = stateAge > kStaleAfter ? std::optional(stateAge) : std::nullopt;
+  showAge(staleAge);
+  showBase(state, staleAge);
   showMotion(state);
   showLink(status == nullptr ? nullptr : dynamic_cast<const LinkStatus*>(status->value.get()), age);
   const auto description = context().robots.find(robot_);
@@ -212,7 +229,22 @@ void BaseStateView::tick() {
           : tr("%1 has no wheels. Choose a robot that drives.").arg(QString::fromStdString(robot_)));
 }
 
-void BaseStateView::showBase(const DriveState* state) {
+void BaseStateView::showAge(std::optional<double> age) {
+  base_->set("baseAge",
+             age ? tr("The base has said nothing for %1 s: this is what it said last.").arg(*age, 0, 'f', 0) : QString(),
+             Meaning::kMuted);
+  base_->setStale(age.has_value());
+  motion_->setStale(age.has_value());
+}
+
+void BaseStateView::connectNow() {
+  if (const auto done = context().commands.run("robot.connect-now"); !done) {
+    problem_->setText(QString::fromStdString(done.error().text));
+    problem_->show();
+  }
+}
+
+void BaseStateView::showBase(const DriveState* state, std::optional<double> staleAge) {
   motors_->setChecked(state != nullptr && state->motors_on());
   sonar_->setChecked(state != nullptr && state->sonar_on());
   showStop(state);
@@ -224,9 +256,10 @@ void BaseStateView::showBase(const DriveState* state) {
       base_->set(row, {});
     return;
   }
-  const BatteryLevel level = BatteryLevel::of(
+  BatteryLevel level = BatteryLevel::of(
       state->battery(), state->has_state_of_charge() ? std::optional(state->state_of_charge()) : std::nullopt,
       state->charging() == DriveState::CHARGING);
+  level.age = staleAge;
   battery_->show(level);
   base_->set("baseBatteryWarning", level.warning(),
              level.state == BatteryLevel::State::kEmpty ? Meaning::kBad : Meaning::kWarning);
@@ -294,6 +327,7 @@ void BaseStateView::showMotion(const DriveState* state) {
 }
 
 void BaseStateView::showLink(const LinkStatus* status, double age) {
+  connectNow_->setVisible(status != nullptr && status->state() == LinkStatus::LOST && session().timeline().live());
   if (status == nullptr) {
     for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors",
                             "linkRoundTrip", "linkGap", "linkReconnects"})
@@ -327,7 +361,7 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
                                                     : QString());
   }
   link_->set("linkReconnects", status->reconnects() > 0
-                                   ? tr("%n times", nullptr, static_cast<int>(status->reconnects()))
+                                   ? status->reconnects() == 1 ? tr("once") : tr("%1 times").arg(status->reconnects())
                                    : tr("never"));
   link_->set("linkText", QString::fromStdString(status->text()),
              words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);

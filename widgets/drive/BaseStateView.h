@@ -1,11 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <optional>
+
 #include "widgets/PackageWish.h"
 #include "widgets/View.h"
 
 class QAction;
 class QLabel;
+class QPushButton;
 
 namespace robotcontrol {
 class ControlDrive;
@@ -40,7 +43,10 @@ class BaseStateView final : public View {
   void connectSignals();
   void send(const robotcontrol::ControlDrive& control);
 
-  void showBase(const robotcontrol::DriveState* state);
+  void connectNow();
+  /// Greys out what the base said too long ago, and says how long.
+  void showAge(std::optional<double> age);
+  void showBase(const robotcontrol::DriveState* state, std::optional<double> staleAge);
   void showMotion(const robotcontrol::DriveState* state);
   void showLink(const robotcontrol::LinkStatus* status, double age);
   void showStop(const robotcontrol::DriveState* state);
@@ -52,6 +58,7 @@ class BaseStateView final : public View {
   BatteryGauge* battery_ = nullptr;
   StateRows *base_ = nullptr, *motion_ = nullptr, *link_ = nullptr;
   QLabel* problem_ = nullptr;
+  QPushButton* connectNow_ = nullptr;
   QWidget* body_ = nullptr;
   EmptyHint* hint_ = nullptr;
 };

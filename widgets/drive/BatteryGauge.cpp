@@ -50,11 +50,12 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
 QString BatteryLevel::text() const {
   if (state == State::kUnknown) return translated("not told");
   const QString text = translated("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
+  if (age) return translated("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
   return charging ? translated("%1, charging").arg(text) : text;
 }
 
 QString BatteryLevel::warning() const {
-  if (charging) return {};
+  if (charging || age) return {};
   if (state == State::kEmpty) return translated("The battery is empty: charge it now.");
   if (state == State::kLow) return translated("The battery is low: charge it soon.");
   return {};
@@ -79,7 +80,8 @@ void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLev
                          const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
-  const QColor color = colorFor(level.state, palette);
+  const QColor muted = colorOf(Meaning::kMuted, palette);
+  const QColor color = level.age ? muted : colorFor(level.state, palette);
   const QRectF body(rect.left() + 1, rect.top() + 2, 34, rect.height() - 4);
   painter.setPen(QPen(palette.color(QPalette::WindowText), 1.2));
   painter.setBrush(Qt::NoBrush);
@@ -92,11 +94,11 @@ void BatteryGauge::paint(QPainter& painter, const QRectF& rect, const BatteryLev
     painter.fillRect(filled, color);
   }
   const bool plain =
-      level.state == BatteryLevel::State::kGood || level.state == BatteryLevel::State::kUnknown;
+      level.age || level.state == BatteryLevel::State::kGood || level.state == BatteryLevel::State::kUnknown;
   QFont font = painter.font();
   font.setBold(!plain);
   painter.setFont(font);
-  painter.setPen(plain ? palette.color(QPalette::WindowText) : color);
+  painter.setPen(plain && !level.age ? palette.color(QPalette::WindowText) : color);
   const QRectF beside(body.right() + 9, rect.top(), rect.right() - body.right() - 9, rect.height());
   painter.drawText(beside, Qt::AlignVCenter | Qt::AlignLeft, level.text());
   painter.restore();

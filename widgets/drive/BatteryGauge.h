@@ -13,6 +13,7 @@ struct BatteryLevel {
   double share = 0;  ///< 0 to 1
   double volts = 0;
   bool charging = false;
+  std::optional<double> age;  ///< s since it was told, if that is too long ago to be of now
 
   /// Without a state of charge it is estimated from the volts of a 12 V battery: from 11 V, at which robots
   /// switch themselves off, to 13 V. Below 11.5 V, or a fifth, it is low.

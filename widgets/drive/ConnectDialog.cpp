@@ -77,7 +77,7 @@ ConnectDialog::ConnectDialog(robotlink::Session& session, robotlink::CommandTabl
 void ConnectDialog::createViews() {
   address_ = new QComboBox(this);
   describe(*address_, {"connectAddress", tr("Address"),
-                       tr("tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
+                       tr("HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
   address_->setEditable(true);
   address_->setInsertPolicy(QComboBox::NoInsert);
   address_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -110,6 +110,9 @@ void ConnectDialog::createViews() {
            {"connectButton", tr("Connect"), tr("Opens the line and starts the robot's program here")});
   connect_->setIcon(icon("connect"));
   connect_->setDefault(true);
+  connectNow_ = buttons->addButton(tr("Connect &now"), QDialogButtonBox::ActionRole);
+  describe(*connectNow_, {"connectNow", tr("Connect now"), tr("Tries again at once, instead of after the pause")});
+  connectNow_->setVisible(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   setMinimumWidth(fontMetrics().averageCharWidth() * 64);
   auto* layout = new QVBoxLayout(this);
@@ -217,6 +220,7 @@ void ConnectDialog::connectSignals() {
   connect(port_, &QComboBox::editTextChanged, this, &ConnectDialog::writeAddress);
   connect(baud_, QOverload<int>::of(&QComboBox::activated), this, &ConnectDialog::writeAddress);
   connect(connect_, &QPushButton::clicked, this, &ConnectDialog::connectRobot);
+  connect(connectNow_, &QPushButton::clicked, this, &ConnectDialog::connectNow);
 }
 
 void ConnectDialog::showEvent(QShowEvent* event) {
@@ -310,6 +314,10 @@ void ConnectDialog::connectRobot() {
   showState(tr("Opening %1…").arg(wanted_), false, true);
 }
 
+void ConnectDialog::connectNow() {
+  if (const auto done = commands_.run("robot.connect-now"); !done) showState(QString::fromStdString(done.error().text), true, true);
+}
+
 void ConnectDialog::fail(const QString& reason) {
   if (wanted_.isEmpty()) return;
   wanted_.clear();
@@ -336,12 +344,14 @@ void ConnectDialog::tick() {
       Q_EMIT connected(address);
       return;
     }
-    return showState(text.isEmpty() ? words.state : text, words.meaning == Meaning::kBad, true);
+    showState(text.isEmpty() ? words.state : text, words.meaning == Meaning::kBad, true);
+    return connectNow_->setVisible(status->state() == robotcontrol::LinkStatus::LOST);
   }
 }
 
 void ConnectDialog::showState(const QString& text, bool bad, bool busy) {
   state_->setText(text);
+  connectNow_->setVisible(false);
   colorText(*state_, bad);
   progress_->setVisible(busy);
 }

@@ -74,6 +74,7 @@ class ConnectDialog final : public QDialog {
   void readAddress();
   void writeAddress();
   void connectRobot();
+  void connectNow();
   void showState(const QString& text, bool bad, bool busy);
 
   robotlink::Session& session_;
@@ -89,7 +90,7 @@ class ConnectDialog final : public QDialog {
   QLineEdit *host_ = nullptr, *map_ = nullptr;
   QSpinBox* tcpPort_ = nullptr;
   QProgressBar* progress_ = nullptr;
-  QPushButton* connect_ = nullptr;
+  QPushButton *connect_ = nullptr, *connectNow_ = nullptr;
 };
 
 }  // namespace widgets

@@ -45,6 +45,8 @@ void StateRows::addRow(const QString& title, const QString& toolTip, QWidget* wi
   grid_->addWidget(widget, grid_->rowCount() - 1, 1);
 }
 
+void StateRows::addWidget(QWidget* widget) { grid_->addWidget(widget, grid_->rowCount(), 0, 1, 2, Qt::AlignLeft); }
+
 void StateRows::addText(const char* name, const QString& title) {
   auto* label = new QLabel(this);
   describe(*label, {name, title, {}});
@@ -73,12 +75,22 @@ void StateRows::mute(QLabel& title) const {
   title.setPalette(colors);
 }
 
+void StateRows::setStale(bool stale) {
+  if (stale == stale_) return;
+  stale_ = stale;
+  for (const auto& [name, value] : values_) color(value);
+}
+
 void StateRows::color(const Value& value) const {
   QPalette colors = palette();
-  if (value.colored) colors.setColor(QPalette::WindowText, colorOf(value.meaning, palette()));
+  if (stale_ && !value.wide) {
+    colors.setColor(QPalette::WindowText, colorOf(Meaning::kMuted, palette()));
+  } else if (value.colored) {
+    colors.setColor(QPalette::WindowText, colorOf(value.meaning, palette()));
+  }
   value.label->setPalette(colors);
   QFont font = value.label->font();
-  font.setBold(value.colored && (value.meaning == Meaning::kBad || value.meaning == Meaning::kWarning));
+  font.setBold(value.colored && (!stale_ || value.wide) && (value.meaning == Meaning::kBad || value.meaning == Meaning::kWarning));
   value.label->setFont(font);
 }
 

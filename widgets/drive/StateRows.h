@@ -23,11 +23,15 @@ class StateRows final : public QGroupBox {
   void addRow(const char* name, const QString& title, const QString& toolTip);
   /// A widget of its own instead of a text.
   void addRow(const QString& title, const QString& toolTip, QWidget* widget);
+  /// Over the whole width.
+  void addWidget(QWidget* widget);
   /// Over the whole width, wrapped.
   void addText(const char* name, const QString& title);
   /// An empty text shows as a dash, or hides a text over the whole width.
   void set(const char* name, const QString& text) { set(name, text, Meaning::kMuted, false); }
   void set(const char* name, const QString& text, Meaning meaning) { set(name, text, meaning, true); }
+  /// What is shown is not of now: all values are grey, whatever they mean.
+  void setStale(bool stale);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -47,6 +51,7 @@ class StateRows final : public QGroupBox {
   QGridLayout* grid_;
   std::map<std::string, Value> values_;
   std::vector<QLabel*> titles_;
+  bool stale_ = false;
 };
 
 }  // namespace widgets

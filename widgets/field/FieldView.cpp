@@ -22,6 +22,7 @@
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
+#include "widgets/field/PlaceNotice.h"
 #include "widgets/models/DriveAims.h"
 #include "widgets/models/DrawingsModel.h"
 #include "widgets/models/ShownMap.h"
@@ -178,6 +179,7 @@ void FieldView::tick() {
   const std::vector<RobotBelief> shownRobots = beliefs();
   updateTrails();
   updateGoals(shownRobots);
+  placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(scene_.models(), move_->isChecked());
   canvas_->setContents(figures(shownRobots),
                        worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown));
@@ -217,7 +219,7 @@ void FieldView::updateGoals(const std::vector<RobotBelief>& beliefs) {
   std::vector<DriveAim> aims;
   for (const RobotBelief& belief : beliefs) {
     if (belief.body.x() <= 0) continue;
-    wish_.want(session(), belief.robot, {robotlink::kRobotPose.name, robotlink::kDrivePath.name});
+    wish_.want(session(), belief.robot, {robotlink::kDriveState.name, robotlink::kRobotPose.name, robotlink::kDrivePath.name});
     auto aim = driveAim(session().store(), belief.robot, session().timeline().shown());
     if (!aim) continue;
     aim->color = belief.team;
@@ -270,9 +272,19 @@ void FieldView::updateWanted() {
   const QString notGoing = goals_->refusal();
   canvas_->setNotice(!refusal.isEmpty()    ? tr("It cannot be placed here: %1").arg(refusal)
                      : !notGoing.isEmpty() ? tr("The robot does not go there: %1").arg(notGoing)
-                                           : QString());
+                                           : placeNotice_);
   if (!drag_.active()) return canvas_->setWanted({});
   canvas_->setWanted(WantedPlace{drag_.model(), drag_.wanted(), drag_.model() == kBall, !refusal.isEmpty()});
+}
+
+QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {
+  const std::string robot = robots_->robot(session());
+  if (!drives(robot)) return {};
+  const auto belief = std::ranges::find(beliefs, robot, &RobotBelief::robot);
+  if (belief == beliefs.end()) return {};
+  const auto* base = session().store().latestAs<robotcontrol::DriveState>(robot + '/' + robotlink::kDriveState.name,
+                                                                         session().timeline().shown());
+  return placeNotice(*belief, base, canvas_->map() != nullptr);
 }
 
 void FieldView::updateStatus() {

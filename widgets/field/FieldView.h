@@ -51,6 +51,8 @@ class FieldView final : public View {
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   void updateTrails();
   void updateWanted();
+  /// What the robot that is chosen needs to find out where it is; empty: nothing.
+  QString noticeOf(const std::vector<RobotBelief>& beliefs) const;
   void updateStatus();
   void turn();
 
@@ -61,6 +63,7 @@ class FieldView final : public View {
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
   QString title_;  // as it was told last
+  QString placeNotice_;
   PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;

@@ -29,6 +29,13 @@ TEST(StreamUrl, aDeviceMayComeWithASpeed) {
   EXPECT_EQ(parse("serial:///dev/ttyS1?baud=38400"), StreamUrl(SerialAddress{"/dev/ttyS1", 38400}));
 }
 
+TEST(StreamUrl, whatIsClearWithoutItsSchemeNeedsNone) {
+  EXPECT_EQ(parse("localhost:8291"), StreamUrl(TcpAddress{"localhost", 8291}));
+  EXPECT_EQ(parse("[::1]:9000"), StreamUrl(TcpAddress{"::1", 9000}));
+  EXPECT_EQ(parse("/dev/ttyUSB0"), StreamUrl(SerialAddress{"/dev/ttyUSB0", 9600}));
+  EXPECT_EQ(parse("/dev/ttyS1?baud=38400"), StreamUrl(SerialAddress{"/dev/ttyS1", 38400}));
+}
+
 TEST(StreamUrl, whatIsWrittenIsReadAgain) {
   for (const StreamUrl& url : {StreamUrl(TcpAddress{"a.example", 1}), StreamUrl(TcpAddress{"::1", 65535}),
                                StreamUrl(SerialAddress{"/dev/serial/by-id/usb-x", 115200})}) {
@@ -39,8 +46,9 @@ TEST(StreamUrl, whatIsWrittenIsReadAgain) {
 TEST(StreamUrl, aWrongOneIsAnsweredByHowToWriteIt) {
   const std::map<std::string, std::string> adviceOf = {
       {"", "write tcp://localhost:8101 or serial:///dev/ttyUSB0?baud=9600"},
-      {"localhost:8101", "write tcp://localhost:8101"},
-      {"/dev/ttyUSB0", "write serial:///dev/ttyUSB0"},
+      {"localhost", "its port, too, as in localhost:8101"},
+      {"localhost:", "a number from 1 to 65535"},
+      {"/dev/ttyUSB0?baud=fast", "9600, 19200, 38400"},
       {"http://localhost", "write tcp://localhost:8101 or serial:"},
       {"tcp://", "the host is missing"},
       {"tcp://:8101", "the host is missing"},

@@ -2,11 +2,14 @@
 #include "widgets/drive/BaseStateView.h"
 
 #include <QLabel>
+#include <QPainter>
+#include <QPushButton>
 #include <QToolButton>
 
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"
 #include "widgets/drive/BatteryGauge.h"
+#include "widgets/models/Theme.h"
 
 using widgets::BatteryLevel;
 
@@ -128,6 +131,66 @@ class BaseStateViewTest : public QObject {
     world.push("p3at1/drive/state", DriveWorld::state(), 9);
     world.tick(*view);
     QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new since 7 s"));
+  }
+
+  void whatTheBaseSaidTooLongAgoIsGreyWithItsAge() {
+    DriveWorld world;
+    auto state = DriveWorld::state();
+    state.set_left_stalled(true);
+    world.push("p3at1/drive/state", state, 1);
+    world.push("p3at1/link/status", connected(), 1);
+    auto view = world.open<widgets::BaseStateView>();
+    auto& stall = child<QLabel>(*view, "baseStall");
+    const QColor fresh = stall.palette().color(QPalette::WindowText);
+    QVERIFY(child<QLabel>(*view, "baseAge").text().isEmpty());
+    auto status = connected();
+    status.set_state(robotcontrol::LinkStatus::LOST);
+    world.push("p3at1/link/status", status, 8);
+    world.tick(*view);
+    const QColor muted = widgets::colorOf(widgets::Meaning::kMuted, view->palette());
+    QVERIFY(fresh != muted);
+    QCOMPARE(stall.palette().color(QPalette::WindowText), muted);
+    QCOMPARE(child<QLabel>(*view, "baseMotorsState").palette().color(QPalette::WindowText), muted);
+    QCOMPARE(child<QLabel>(*view, "baseOdometry").palette().color(QPalette::WindowText), muted);
+    QCOMPARE(text(*view, "baseAge"), QStringLiteral("The base has said nothing for 7 s: this is what it said last."));
+    const auto& battery = child<widgets::BatteryGauge>(*view, "baseBattery");
+    QVERIFY(battery.level().text().endsWith(QStringLiteral("7 s ago")));
+    QImage picture(200, 20, QImage::Format_RGB32);
+    picture.fill(Qt::white);
+    QPainter painter(&picture);
+    widgets::BatteryGauge::paint(painter, picture.rect(), battery.level(), view->palette());
+    QCOMPARE(picture.pixelColor(8, 10).rgb(), muted.rgb());  // within the battery
+    widgets::test::keepPicture(*view, "base-state-stale");
+    // It is back.
+    world.push("p3at1/drive/state", state, 9);
+    world.tick(*view);
+    QCOMPARE(stall.palette().color(QPalette::WindowText), fresh);
+    QVERIFY(text(*view, "baseAge").isEmpty());
+    QVERIFY(!battery.level().age);
+  }
+
+  void aLineThatIsLostIsTriedAtOnceWhenSomebodyWantsThat() {
+    DriveWorld world;
+    int asked = 0;
+    world.commands.add({"robot.connect-now", "", {}, [&](const auto&) -> robotlink::Result<void> {
+                          ++asked;
+                          return {};
+                        }});
+    auto status = connected();
+    status.set_reconnects(1);
+    world.push("p3at1/link/status", status, 1);
+    auto view = world.open<widgets::BaseStateView>();
+    auto& now = child<QPushButton>(*view, "linkConnectNow");
+    QVERIFY(!now.isVisible());
+    QCOMPARE(text(*view, "linkReconnects"), QStringLiteral("once"));
+    status.set_state(robotcontrol::LinkStatus::LOST);
+    status.set_reconnects(2);
+    world.push("p3at1/link/status", status, 2);
+    world.tick(*view);
+    QVERIFY(now.isVisible());
+    QCOMPARE(text(*view, "linkReconnects"), QStringLiteral("2 times"));
+    click(now);
+    QCOMPARE(asked, 1);
   }
 
   void aRobotWithoutWheelsSaysSo() {

@@ -145,6 +145,34 @@ class ConnectDialogTest : public QObject {
     QVERIFY(!s.dialog->isVisible());
   }
 
+  void anAddressNeedsNoSchemeWhereItIsClear() {
+    Shown s;
+    s.type(QStringLiteral("localhost:8291"));
+    QCOMPARE(s.text("connectMeaning"), QStringLiteral("over the network: localhost, port 8291"));
+    QVERIFY(s.button().isEnabled());
+    click(s.button());
+    QCOMPARE(s.asked.first(), QStringLiteral("tcp://localhost:8291"));
+  }
+
+  void whileItWaitsItCanBeToldToTryAtOnce() {
+    Shown s;
+    int now = 0;
+    s.commands.add({"robot.connect-now", "", {}, [&](const auto&) -> robotlink::Result<void> {
+                      ++now;
+                      return {};
+                    }});
+    auto& button = child<QPushButton>(*s.dialog, "connectNow");
+    QVERIFY(!button.isVisible());
+    click(s.button());
+    QVERIFY(!button.isVisible());
+    s.tell(robotcontrol::LinkStatus::LOST, "waits 16 s before it connects again");
+    QVERIFY(button.isVisible());
+    click(button);
+    QCOMPARE(now, 1);
+    s.tell(robotcontrol::LinkStatus::CONNECTING, "opens the line");
+    QVERIFY(!button.isVisible());
+  }
+
   void whatIsRefusedIsSaid() {
     Shown s;
     s.refusal = "there is no layout of this name";

@@ -2,6 +2,7 @@
 // The motion tester with robots on wheels.
 #include <QAbstractSpinBox>
 #include <QLabel>
+#include <QPainter>
 #include <QPushButton>
 #include <QSlider>
 #include <QToolButton>
@@ -60,6 +61,30 @@ struct Steering : DriveWorld {
 class DrivingTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
+  void whatIsFasterThanItMayBeAskedForStaysOnThePad() {
+    for (const bool wheels : {true, false}) {
+      widgets::WalkPad::Picture still, fast;
+      still.enabled = fast.enabled = true;
+      still.wheels = fast.wheels = wheels;
+      fast.measured = widgets::WalkAxes{3, wheels ? 0 : 2.5, -4};
+      fast.asked = widgets::WalkAxes{-2, 0, wheels ? 2.0 : 0.0};
+      const auto picture = [](const widgets::WalkPad::Picture& what) {
+        QImage image(200, 200, QImage::Format_RGB32);
+        image.fill(Qt::white);
+        QPainter painter(&image);
+        widgets::WalkPad::paint(painter, {20, 20, 160, 160}, what, QGuiApplication::palette());
+        return image;
+      };
+      const QImage before = picture(still), after = picture(fast);
+      QVERIFY(before != after);
+      // Beside the pad's own rectangle nothing is painted; its margin of 12 holds tips and arcs.
+      for (int i = 0; i < 200; ++i) {
+        for (const QPoint& at : {QPoint(i, 18), QPoint(i, 181), QPoint(18, i), QPoint(181, i)})
+          QCOMPARE(after.pixelColor(at), before.pixelColor(at));
+      }
+    }
+  }
+
   void theTaskThatObeysIsTakenOver() {
     Steering s;
     s.takeOver();

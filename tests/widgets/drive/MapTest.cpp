@@ -8,6 +8,8 @@
 #include "tests/widgets/drive/DriveWorld.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/FieldView.h"
+#include "widgets/field/PlaceNotice.h"
+#include "widgets/models/RobotBeliefs.h"
 
 using widgets::test::isNear;
 
@@ -74,6 +76,35 @@ class MapTest : public QObject {
     for (const auto& [x, y] : {std::pair(0.0, 0.0), {8.0, 6.0}})
       QVERIFY(s.canvas->rect().contains(s.at(x, y)));
     QVERIFY(s.at(4, 3).x() - s.canvas->rect().center().x() <= 1);
+  }
+
+  void aRobotThatDoesNotKnowWhereItIsSaysWhatToDo() {
+    Shown s;
+    widgets::RobotBelief lost;
+    lost.robot = "p3at1";
+    auto base = DriveWorld::state();
+    const auto notice = [&](bool onMap) { return widgets::placeNotice(lost, &base, onMap); };
+    QVERIFY(notice(true).contains(QStringLiteral("send it anywhere")));
+    base.set_motors_on(false);
+    QVERIFY(notice(true).contains(QStringLiteral("switch its motors on")));
+    QVERIFY(notice(false).contains(QStringLiteral("has no map")));
+    base.set_emergency_stop(true);
+    QVERIFY(notice(true).contains(QStringLiteral("release its stop button")));
+    lost.estimate = robotlink::Pose2{1, 2, 0};
+    lost.positionDeviation = 3;
+    QVERIFY(!notice(true).isEmpty());
+    lost.positionDeviation = 0.2;
+    QVERIFY(notice(true).isEmpty());
+    // In the view: a sentence at the top, until it has found itself.
+    s.push("p3at1/drive/state", DriveWorld::state(), 1);
+    s.tick(*s.view);
+    const QImage told = s.canvas->grab().toImage();
+    widgets::test::keepPicture(*s.view, "map-lost");
+    s.pushEstimate("p3at1", {2, 3, 0}, 1);
+    s.tick(*s.view);
+    const QImage known = s.canvas->grab().toImage();
+    const QRect top(0, 0, told.width(), told.height() / 12);
+    QVERIFY(told.copy(top) != known.copy(top));
   }
 
   void aClickSendsTheRobotThere() {

@@ -1,0 +1,50 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/field/PlaceNotice.h"
+
+#include <QCoreApplication>
+
+#include "robotcontrol/Driving.pb.h"
+#include "widgets/models/RobotBeliefs.h"
+
+namespace widgets {
+namespace {
+
+/// m; robots plan no ways while their place is less certain.
+constexpr double kLost = 1;
+
+QString translated(const char* source) {
+  return QCoreApplication::translate("PlaceNotice", source);
+}
+
+}  // namespace
+
+QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* base, bool onMap) {
+  const QString name = QString::fromStdString(robot.robot);
+  if (robot.estimate && robot.positionDeviation <= kLost) return {};
+  if (base == nullptr && !robot.estimate)
+    return {};  // Nothing was heard of it: other views say what to do then.
+  if (!onMap) {
+    return robot.truth
+               ? QString()
+               : translated("%1 has no map to find itself in: connect it with one (Robot > Connect, Map).")
+                     .arg(name);
+  }
+  if (base != nullptr && base->emergency_stop())
+    return translated(
+               "%1 does not know yet where it is, and stands: release its stop button or STOP, so that it "
+               "can drive about.")
+        .arg(name);
+  if (base != nullptr && !base->motors_on())
+    return translated(
+               "%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere "
+               "(G, and a "
+               "click on the map). It drives about until it has found itself.")
+        .arg(name);
+  return translated(
+             "%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives "
+             "about until it "
+             "has found itself; or steer it by the motion tester.")
+      .arg(name);
+}
+
+}  // namespace widgets
