@@ -28,6 +28,7 @@ class DockSpace;
 class LayoutHistory;
 class LogOpening;
 class LogToolBar;
+class LogContentsBar;
 class OpeningBar;
 class RecordedBar;
 class RecordingToolBar;
@@ -131,6 +132,7 @@ class MainWindow : public QMainWindow {
   LogOpening* opening_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
   RecordedBar* recordedBar_ = nullptr;
+  LogContentsBar* contentsBar_ = nullptr;
   widgets::ConnectDialog* connectDialog_ = nullptr;  // from the first time it is wanted
   QStringList recentRobots_;                         // addresses, newest first
   QString robotMap_;

@@ -10,6 +10,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/LogContentsBar.h"
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -31,6 +32,8 @@ void MainWindow::createLogs() {
   static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, openingBar_);
   recordedBar_ = new RecordedBar(workbench_, *actions_, centralWidget());
   static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(0, recordedBar_);
+  contentsBar_ = new LogContentsBar(logs, *actions_, centralWidget());
+  static_cast<QVBoxLayout*>(centralWidget()->layout())->insertWidget(1, contentsBar_);
   connect(&logs, &widgets::OpenLogs::failed, this, [this](const QString& reason) {
     showErrors({{"log.failed", reason.toStdString(), {}, {}}});
   });
@@ -75,6 +78,7 @@ void MainWindow::tickLogs() {
   logToolBar_->refresh();
   openingBar_->refresh();
   recordedBar_->refresh();
+  contentsBar_->refresh();
 }
 
 void MainWindow::keyPressEvent(QKeyEvent* event) {

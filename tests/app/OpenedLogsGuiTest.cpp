@@ -2,13 +2,16 @@
 // Real log files in the whole window: opened, added, given up, closed again for a scene.
 #include <QComboBox>
 #include <QFileDialog>
+#include <QLabel>
 #include <QLineEdit>
 #include <QMenuBar>
 #include <QProgressBar>
 #include <fstream>
 
+#include "robotlink/session/Numbers.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"
+#include "tests/logplayer/ForeignLog.h"
 #include "widgets/log/OpenLogs.h"
 
 using app::test::ShortLog;
@@ -69,6 +72,30 @@ class OpenedLogsGuiTest : public QObject {
     name->setText(QString::fromStdString(file("second.mcap").string()));
     QTest::keyClick(name, Qt::Key_Return);
     QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->logs.size(), std::size_t{2}, kWaitMs);
+  }
+
+  void aLogOfAnotherProgramSaysWhatIsInItAndCanBePlayed() {
+    QVERIFY(logplayer::testing::writeForeignLog(file("foreign.mcap")));
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    open(desk, "first.mcap");
+    auto& bar = desk.find<QWidget>("logContentsBar");
+    QVERIFY(!bar.isVisible());
+    QVERIFY(desk.workbench.commands().run("log.open", {file("foreign.mcap").string()}));
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible(), kWaitMs);
+    QVERIFY(desk.workbench.session().robots().empty());
+    const QString text = desk.find<QLabel>("logContentsText").text();
+    QVERIFY2(text.contains(QLatin1String("foreign.mcap says of no robot")), qPrintable(text));
+    QVERIFY2(text.contains(QLatin1String("It holds /rosout, a/b/c.")), qPrintable(text));
+    QVERIFY2(text.contains(QLatin1String("Not decoded: /camera (cdr), /odom (ros1).")), qPrintable(text));
+    QTest::mouseClick(&desk.find<QToolButton>("logContents.log-streams"), Qt::LeftButton);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.has("streamsView"), kWaitMs);
+    // Its values are in the history, as those of any robot.
+    const auto pose = [&] { return desk.workbench.session().store().latest("a/b/c", desk.workbench.session().timeline().newest()); };
+    QVERIFY(desk.workbench.commands().run("log.jump", {0.15}));
+    QTRY_VERIFY_WITH_TIMEOUT(pose() != nullptr && robotlink::numberAt(*pose()->value, "position.x") == 1.5, kWaitMs);
+    open(desk, "first.mcap");
+    QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
   }
 
   void openingSaysHowFarItIsAndCanBeGivenUp() {

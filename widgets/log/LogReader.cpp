@@ -109,7 +109,10 @@ bool LogReader::open(LogOverview& overview) {
   overview.robots = log.robots();
   overview.end = log.end();
   for (const auto& stream : log.streams()) {
-    overview.streams.push_back({stream.path, stream.type, stream.count, stream.bytes, stream.first, stream.last});
+    const bool decoded = stream.isDecoded();
+    const std::string type = decoded ? stream.type : stream.type + " (" + stream.encoding + ", not decoded)";
+    overview.streams.push_back({stream.path, type, stream.count, stream.bytes, stream.first, stream.last,
+                                decoded ? std::string() : stream.encoding});
   }
   overview.stage = Stage::kTimes;
   overview.progress = 0;

@@ -27,6 +27,7 @@ struct LogOverview {
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  ///< 0: not yet counted
     robotlink::Instant first, last;
+    std::string undecoded = {};  ///< the encoding of its messages, if that is not read; they stay bytes
     MessageDensity density = {};  ///< empty until Stage::kTexts
 
     /// Messages a second between its first and last; 0 for less than two.
