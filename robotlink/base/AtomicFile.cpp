@@ -9,6 +9,9 @@
 #include <cstring>
 #include <fstream>
 
+#include "robotlink/base/LinkTarget.h"
+#include "robotlink/base/UnfinishedFile.h"
+
 namespace robotlink {
 namespace {
 
@@ -31,14 +34,16 @@ bool writeAll(int file, std::string_view contents) {
 
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents) {
   std::error_code ignored;
-  if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), ignored);
-  std::string temporary = path.string() + ".XXXXXX";
+  const std::filesystem::path target = linkTarget(path);
+  if (target.has_parent_path()) std::filesystem::create_directories(target.parent_path(), ignored);
+  std::string temporary = target.string() + ".XXXXXX";
   const int file = ::mkstemp(temporary.data());
   if (file < 0) return systemFailure("create a temporary file beside it", path);
+  const UnfinishedFile unfinished(temporary);
   const bool written = writeAll(file, contents) && ::fchmod(file, 0644) == 0 && ::fsync(file) == 0;
   const int writeError = errno;
   ::close(file);
-  if (written && ::rename(temporary.c_str(), path.c_str()) == 0) return {};
+  if (written && ::rename(temporary.c_str(), target.c_str()) == 0) return {};
   if (!written) errno = writeError;
   const auto result = systemFailure("write", path);
   ::unlink(temporary.c_str());

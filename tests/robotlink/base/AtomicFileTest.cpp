@@ -15,6 +15,21 @@ TEST(AtomicFile, whatIsWrittenIsReadBack) {
   fs::remove_all(path.parent_path());
 }
 
+TEST(AtomicFile, aSymbolicLinkIsKeptAndItsTargetWritten) {
+  const fs::path folder = fs::path(testing::TempDir()) / "atomic-link";
+  fs::remove_all(folder);
+  ASSERT_TRUE(writeFileAtomically(folder / "target.txt", "first").has_value());
+  fs::create_symlink("target.txt", folder / "link.txt");
+  fs::create_symlink("new.txt", folder / "dangling.txt");
+  ASSERT_TRUE(writeFileAtomically(folder / "link.txt", "second").has_value());
+  ASSERT_TRUE(writeFileAtomically(folder / "dangling.txt", "third").has_value());
+  EXPECT_TRUE(fs::is_symlink(folder / "link.txt"));
+  EXPECT_TRUE(fs::is_symlink(folder / "dangling.txt"));
+  EXPECT_EQ(readFile(folder / "target.txt").value(), "second");
+  EXPECT_EQ(readFile(folder / "new.txt").value(), "third");
+  fs::remove_all(folder);
+}
+
 TEST(AtomicFile, aPlaceThatCannotBeWrittenIsReportedByName) {
   const auto result = writeFileAtomically("/proc/robotcontrol/file.txt", "x");
   ASSERT_FALSE(result.has_value());

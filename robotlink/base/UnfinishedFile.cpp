@@ -1,0 +1,52 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/base/UnfinishedFile.h"
+
+#include <unistd.h>
+
+#include <mutex>
+#include <set>
+#include <system_error>
+#include <utility>
+
+namespace robotlink {
+namespace {
+
+/// A signal concerns the whole program, so there is one list of it.
+struct UnfinishedFiles {
+  std::mutex mutex;  // protects `paths`
+  std::multiset<std::filesystem::path> paths;
+
+  /// Never destroyed: whoever ends the program may do so while others are being destroyed.
+  static UnfinishedFiles& all() {
+    static auto* const files = new UnfinishedFiles;
+    return *files;
+  }
+};
+
+}  // namespace
+
+UnfinishedFile::UnfinishedFile(std::filesystem::path path) : path_(std::move(path)) {
+  UnfinishedFiles& files = UnfinishedFiles::all();
+  const std::lock_guard lock(files.mutex);
+  files.paths.insert(path_);
+}
+
+UnfinishedFile::UnfinishedFile(UnfinishedFile&& other) noexcept : path_(std::exchange(other.path_, {})) {}
+
+UnfinishedFile::~UnfinishedFile() {
+  if (path_.empty()) return;
+  UnfinishedFiles& files = UnfinishedFiles::all();
+  const std::lock_guard lock(files.mutex);
+  files.paths.erase(files.paths.find(path_));
+}
+
+void endProgram(int status) {
+  UnfinishedFiles& files = UnfinishedFiles::all();
+  // Not released: nobody begins another file while the program ends.
+  files.mutex.lock();
+  std::error_code ignored;
+  for (const auto& path : files.paths) std::filesystem::remove_all(path, ignored);
+  ::_exit(status);
+}
+
+}  // namespace robotlink
