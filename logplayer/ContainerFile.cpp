@@ -13,6 +13,18 @@ namespace {
 
 constexpr char kName[] = "log.mcap";
 
+/// An error of the copy as one of the log: the copy is removed before anybody can look at it.
+robotlink::Error named(robotlink::Error error, const std::filesystem::path& log,
+                       const std::filesystem::path& folder) {
+  if (error.where.file != (folder / kName).string()) return error;
+  const std::string reason = error.arguments.empty() ? error.text : error.arguments.front();
+  return {"log.temporary",
+          "it is of an older format, and a copy in MCAP is made of it to read it, which failed in " +
+              folder.parent_path().string() + ": " + reason + "; TMPDIR names another place for it",
+          {reason},
+          {log.string(), 0, 0}};
+}
+
 }  // namespace
 
 /// The copies that somebody uses.
@@ -67,7 +79,7 @@ Result<std::shared_ptr<const ContainerFile::Copy>> ContainerFile::convert(const 
   ImportOptions options;
   options.progress = progress;
   auto report = importLog(log, folder->path() / kName, options);
-  if (!report) return tl::unexpected(report.error());
+  if (!report) return tl::unexpected(named(report.error(), log, folder->path()));
   return std::make_shared<const Copy>(Copy{std::move(*folder), std::move(*report)});
 }
 

@@ -111,7 +111,7 @@ Result<ExportReport> exportTo(const std::filesystem::path& file, bool overwrite,
   if (!output) return tl::unexpected(output.error());
   std::ofstream stream(output->temporary(), std::ios::binary);
   auto report = write(stream);
-  if (!report) return report;
+  if (!report) return tl::unexpected(output->named(report.error()));
   stream.close();
   if (!stream) {
     const std::string reason = std::strerror(errno);

@@ -9,6 +9,10 @@
 #include <cstring>
 #include <random>
 #include <system_error>
+#include <utility>
+
+#include "logplayer/mcap/Sink.h"
+#include "robotlink/base/LinkTarget.h"
 
 namespace logplayer {
 namespace {
@@ -45,24 +49,29 @@ Result<OutputFile> OutputFile::create(const fs::path& file, bool overwrite) {
                               {file.string(), 0, 0});
   }
   if (!overwrite && fs::exists(file, error)) return existsAlready(file);
-  const fs::path folder = file.has_parent_path() ? file.parent_path() : fs::path(".");
+  const fs::path target = overwrite ? robotlink::linkTarget(file) : file;
+  const fs::path folder = target.has_parent_path() ? target.parent_path() : fs::path(".");
   if (!fs::is_directory(folder, error))
     return ioFailure("write", file, "there is no folder " + folder.string());
   if (::access(folder.c_str(), W_OK) != 0) return ioFailure("write", file, std::strerror(errno));
   OutputFile result;
-  result.file_ = file;
+  result.given_ = file;
+  result.file_ = target;
   result.overwrite_ = overwrite;
   std::random_device random;
   do {
-    result.temporary_ = folder / ("." + file.filename().string() + "." + std::to_string(random()) + ".part");
+    result.temporary_ = folder / ("." + target.filename().string() + "." + std::to_string(random()) + ".part");
   } while (fs::exists(result.temporary_, error));
+  result.unfinished_.emplace(result.temporary_);
   return result;
 }
 
 OutputFile::OutputFile(OutputFile&& other) noexcept
-    : file_(std::move(other.file_)), temporary_(std::move(other.temporary_)), overwrite_(other.overwrite_) {
-  other.temporary_.clear();
-}
+    : given_(std::move(other.given_)),
+      file_(std::move(other.file_)),
+      temporary_(std::exchange(other.temporary_, {})),
+      overwrite_(other.overwrite_),
+      unfinished_(std::move(other.unfinished_)) {}
 
 OutputFile::~OutputFile() {
   if (!temporary_.empty()) ::unlink(temporary_.c_str());
@@ -75,10 +84,19 @@ Result<void> OutputFile::commit() {
   } else {
     error = renameToNew(temporary_, file_);
   }
-  if (error == EEXIST) return existsAlready(file_);
-  if (error != 0) return ioFailure("give the new file its name", file_, std::strerror(error));
+  if (error == EEXIST) return existsAlready(given_);
+  if (error != 0) return ioFailure("give the new file its name", given_, std::strerror(error));
   temporary_.clear();
+  unfinished_.reset();
   return {};
+}
+
+robotlink::Error OutputFile::named(robotlink::Error error) const {
+  if (error.where.file != temporary_.string()) return error;
+  error.where.file = given_.string();
+  const auto kept = error.text.find(mcap::kWhatIsKept);
+  if (kept != std::string::npos) error.text.replace(kept, std::strlen(mcap::kWhatIsKept), "; nothing is left of it");
+  return error;
 }
 
 }  // namespace logplayer

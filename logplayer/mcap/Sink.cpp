@@ -107,8 +107,7 @@ Result<void> Sink::fail(const char* action, int code) {
     const std::string reason = std::strerror(code);
     error_ = robotlink::Error{"mcap.write",
                               std::string("cannot ") + action + " the log file at byte " +
-                                  std::to_string(position_) + ": " + reason +
-                                  "; what was written before can be read",
+                                  std::to_string(position_) + ": " + reason + kWhatIsKept,
                               {reason},
                               {file_.string(), 0, 0}};
   }

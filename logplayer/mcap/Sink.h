@@ -10,6 +10,9 @@
 
 namespace logplayer::mcap {
 
+/// The end of the sentence that says why a file cannot be written further.
+inline constexpr char kWhatIsKept[] = "; what was written before can be read";
+
 /// A file that is written from front to back, checked: the first error of the operating system is kept, and
 /// every later write returns it. A write that fails leaves nothing of itself in the file, if the system lets
 /// it.

@@ -68,6 +68,47 @@ TEST(OutputFile, aFileThatGotTheNameMeanwhileIsKept) {
   EXPECT_EQ(textOf(folder / "out.txt"), "somebody else's");
 }
 
+TEST(OutputFile, aSymbolicLinkIsKeptAndItsTargetOverwritten) {
+  const TestFolder folder;
+  std::filesystem::create_directory(folder / "other");
+  fill(folder / "other/target.txt", "old");
+  std::filesystem::create_symlink("other/target.txt", folder / "out.txt");
+  std::filesystem::create_symlink("out.txt", folder / "again.txt");
+  EXPECT_FALSE(OutputFile::create(folder / "again.txt", false));
+  auto output = OutputFile::create(folder / "again.txt", true);
+  ASSERT_TRUE(output);
+  fill(output->temporary(), "new");
+  ASSERT_TRUE(output->commit());
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "out.txt"));
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "again.txt"));
+  EXPECT_EQ(textOf(folder / "other/target.txt"), "new");
+}
+
+TEST(OutputFile, aSymbolicLinkToNothingGetsItsTarget) {
+  const TestFolder folder;
+  std::filesystem::create_symlink("target.txt", folder / "out.txt");
+  auto output = OutputFile::create(folder / "out.txt", true);
+  ASSERT_TRUE(output);
+  fill(output->temporary(), "new");
+  ASSERT_TRUE(output->commit());
+  EXPECT_EQ(textOf(folder / "target.txt"), "new");
+  EXPECT_TRUE(std::filesystem::is_symlink(folder / "out.txt"));
+}
+
+TEST(OutputFile, errorsOfItsWriterNameTheFileThatPeopleKnow) {
+  const TestFolder folder;
+  const auto output = OutputFile::create(folder / "out.txt", false);
+  ASSERT_TRUE(output);
+  const robotlink::Error error{"mcap.write",
+                               "cannot write the log file at byte 7: no space; what was written before can be read",
+                               {},
+                               {output->temporary().string(), 0, 0}};
+  EXPECT_EQ(output->named(error).describe(), (folder / "out.txt").string() +
+                                                 ": cannot write the log file at byte 7: no space; nothing is left of it");
+  const robotlink::Error other{"x", "y", {}, {"in.txt", 0, 0}};
+  EXPECT_EQ(output->named(other), other);
+}
+
 TEST(OutputFile, aFolderThatIsNotThereAndADirectoryAreRefused) {
   const TestFolder folder;
   EXPECT_FALSE(OutputFile::create(folder / "no/out.txt", false));
