@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "logplayer/mcap/ChunkLoader.h"
 
+#include <algorithm>
+
 #include "logplayer/mcap/Crc.h"
 
 namespace logplayer::mcap {
@@ -8,6 +10,7 @@ namespace {
 
 // More than a chunk's head takes with any compression known here.
 constexpr std::size_t kHeadBytes = 128;
+constexpr std::size_t kPiece = 128U << 10U;
 
 tl::unexpected<std::string> problem(std::string text) {
   return tl::unexpected<std::string>(std::move(text));
@@ -39,6 +42,21 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
   return loadChunk(section, *head, kRecordHeadBytes + chunkHeadBytes(head->compression.size()), records);
 }
 
+/// Piece by piece, so that each is still in the processor's cache when its CRC is computed.
+tl::expected<void, std::string> ChunkLoader::readPlain(std::uint64_t at, std::uint32_t expected,
+                                                       std::span<std::uint8_t> to) {
+  std::uint32_t crc = 0;
+  while (!to.empty()) {
+    const auto piece = to.first(std::min(kPiece, to.size()));
+    if (!source_.read(at, piece)) return problem("the system cannot read it");
+    if (expected != 0) crc = crc32(piece, crc);
+    at += piece.size();
+    to = to.subspan(piece.size());
+  }
+  if (crc != expected) return problem("the CRC of a chunk is wrong");
+  return {};
+}
+
 tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, const ChunkHead& head,
                                                        std::size_t headBytes, Buffer& records) {
   const Reader::ChunkInfo& info = section.info;
@@ -56,18 +74,17 @@ tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, c
   if (compression == Compression::kNone) {
     if (head.recordsBytes != head.uncompressedBytes) return problem("a chunk's sizes contradict each other");
     records.resize(static_cast<std::size_t>(head.recordsBytes));
-    if (!source_.read(at, records)) return problem("the system cannot read it");
-  } else {
-    compressed_.resize(static_cast<std::size_t>(head.recordsBytes));
-    if (!source_.read(at, compressed_)) return problem("the system cannot read it");
-    if (!Decompressor::canYield(compression, compressed_, head.uncompressedBytes)) {
-      return problem("a chunk claims " + std::to_string(head.uncompressedBytes) + " bytes of only " +
-                     std::to_string(head.recordsBytes) + " compressed ones");
-    }
-    records.resize(static_cast<std::size_t>(head.uncompressedBytes));
-    if (!decompressor_.decompress(compression, compressed_, records)) {
-      return problem("a chunk cannot be decompressed");
-    }
+    return readPlain(at, head.uncompressedCrc, records);
+  }
+  compressed_.resize(static_cast<std::size_t>(head.recordsBytes));
+  if (!source_.read(at, compressed_)) return problem("the system cannot read it");
+  if (!Decompressor::canYield(compression, compressed_, head.uncompressedBytes)) {
+    return problem("a chunk claims " + std::to_string(head.uncompressedBytes) + " bytes of only " +
+                   std::to_string(head.recordsBytes) + " compressed ones");
+  }
+  records.resize(static_cast<std::size_t>(head.uncompressedBytes));
+  if (!decompressor_.decompress(compression, compressed_, records)) {
+    return problem("a chunk cannot be decompressed");
   }
   if (head.uncompressedCrc != 0 && crc32(records) != head.uncompressedCrc) {
     return problem("the CRC of a chunk is wrong");

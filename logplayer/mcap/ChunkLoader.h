@@ -19,6 +19,8 @@ class ChunkLoader {
  private:
   tl::expected<void, std::string> loadChunk(const Section& section, const ChunkHead& head,
                                             std::size_t headBytes, Buffer& records);
+  tl::expected<void, std::string> readPlain(std::uint64_t at, std::uint32_t expected,
+                                            std::span<std::uint8_t> to);
 
   const Source& source_;
   std::size_t maxRecordBytes_;
