@@ -36,6 +36,11 @@ Result<Findings> describe(const std::filesystem::path& file) {
   return Findings{toJson(*info), toText(*info), info->losses};
 }
 
+/// "7", or "5 of 7".
+std::string ofAll(std::uint64_t readable, std::uint64_t all) {
+  return readable < all ? std::to_string(readable) + " of " + std::to_string(all) : std::to_string(all);
+}
+
 Result<Findings> verify(const std::filesystem::path& path) {
   const std::string file = path.string();
   TerminalProgress progress;
@@ -45,7 +50,8 @@ Result<Findings> verify(const std::filesystem::path& path) {
   options.progress = progress.function();
   const auto reader = logplayer::mcap::Reader::open(container->path(), options);
   if (!reader) return tl::unexpected(reader.error());
-  if (!(*reader)->verify()) return robotlink::failure("log.given-up", "given up", {file, 0, 0});
+  const auto readable = (*reader)->verify();
+  if (!readable) return robotlink::failure("log.given-up", "given up", {file, 0, 0});
   Findings findings;
   if (container->conversion() && !container->conversion()->damage.empty()) {
     findings.losses.push_back(file + ": " + container->conversion()->damage);
@@ -56,11 +62,11 @@ Result<Findings> verify(const std::filesystem::path& path) {
   const auto chunks = (*reader)->chunks().size();
   findings.object = {{"file", file},
                      {"whole", findings.losses.empty()},
-                     {"messages", messages},
-                     {"chunks", chunks},
+                     {"messages", readable->messages},
+                     {"chunks", readable->chunks},
                      {"losses", findings.losses}};
   findings.text = file + (findings.losses.empty() ? ": whole, " : ": readable with losses, ") +
-                  std::to_string(messages) + " messages in " + std::to_string(chunks) + " chunks\n";
+                  ofAll(readable->messages, messages) + " messages in " + ofAll(readable->chunks, chunks) + " chunks\n";
   return findings;
 }
 
@@ -82,6 +88,7 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::f
     auto findings = input ? find(input->path()) : tl::unexpected(input.error());
     if (!findings) {
       status = printErrors({findings.error()});
+      if (Interrupt::noted()) break;
       continue;
     }
     if (arguments.asJson) {
@@ -92,6 +99,10 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::f
     first = false;
     const int here = printLosses(findings->losses);
     if (status == kDone) status = here;
+    if (Interrupt::noted() && &file != &arguments.files.back()) {
+      status = kFailed;
+      break;
+    }
   }
   if (arguments.asJson) printJson(arguments, objects);
   return status;

@@ -154,7 +154,7 @@ tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::siz
   index.statistics = std::move(summary->statistics);
   index.attachments = std::move(summary->attachments);
   index.metadata = std::move(summary->metadata);
-  index.complete = true;
+  index.complete = index.bySummary = true;
   index.dataEnd = dataEnd;
   index.dataCrc = decodeDataEnd(record->content)->dataCrc;
   index.sections.reserve(summary->chunks.size());

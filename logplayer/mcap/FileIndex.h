@@ -31,6 +31,7 @@ struct FileIndex {
   std::vector<Section> sections;  ///< in the order of the file
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
+  bool bySummary = false;     ///< it was believed, not found out by a scan
   bool complete = false;      ///< DataEnd, footer and magic are there, and nothing is wrong with the summary
   std::uint64_t dataEnd = 0;  ///< offset of the DataEnd record; 0: there is none
   std::uint32_t dataCrc = 0;  ///< of all before it; 0: not known
@@ -46,8 +47,21 @@ struct NoSummary {
 /// From a file's summary, if it tells of all messages and fits the file.
 tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::size_t maxRecordBytes);
 
-/// By the summary, or else by a scan. Fails if nothing in the file is MCAP, or it is given up.
-robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options);
+/// How many of the chunks that a summary lists are looked for before it is believed.
+enum class SummaryCheck : std::uint8_t { kSome, kAll };
+
+/// By the summary if chunks are where it says, or else by a scan. Fails if nothing in the file is MCAP, or it is
+/// given up.
+robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options,
+                                       SummaryCheck check = SummaryCheck::kSome);
+
+/// Whether there is such a chunk at its place, with messages of such times.
+bool chunkIsThere(const Source& source, const Section& section, std::size_t maxRecordBytes);
+
+/// What a scan finds, if it finds more chunks than are where an index by the summary says. Also returned if it is given up,
+/// which `givenUp` tells.
+std::optional<FileIndex> betterByScan(const Source& source, const FileIndex& bySummary,
+                                      const Reader::Options& options);
 
 /// The summary as it stands in a file; for going on with it.
 std::optional<Summary> readSummary(const Source& source, std::size_t maxRecordBytes);

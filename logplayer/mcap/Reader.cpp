@@ -26,10 +26,14 @@ MessagePosition behind(Instant time) {
 
 }  // namespace
 
-const Section* Reader::Implementation::sectionAt(std::uint64_t offset) const {
+const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
+  if (lastSection < index.sections.size() && index.sections[lastSection].info.offset == offset)
+    return &index.sections[lastSection];
   const auto section =
       std::ranges::lower_bound(index.sections, offset, {}, [](const Section& s) { return s.info.offset; });
-  return section != index.sections.end() && section->info.offset == offset ? &*section : nullptr;
+  if (section == index.sections.end() || section->info.offset != offset) return nullptr;
+  lastSection = static_cast<std::size_t>(section - index.sections.begin());
+  return &*section;
 }
 
 Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
@@ -74,17 +78,23 @@ std::uint64_t Reader::fileBytes() const {
 }
 
 std::optional<MessagePosition> Reader::latest(std::uint16_t channelId, Instant time) {
-  return implementation_->newest.step(behind(time), {channelId});
+  return implementation_->step(implementation_->newest, behind(time), {channelId});
 }
 
 std::optional<MessagePosition> Reader::next(const MessagePosition& than,
                                             const std::vector<std::uint16_t>& channels) {
-  return implementation_->forward.step(than, channels);
+  return implementation_->step(implementation_->forward, than, channels);
 }
 
 std::optional<MessagePosition> Reader::previous(const MessagePosition& than,
                                                 const std::vector<std::uint16_t>& channels) {
-  return implementation_->backward.step(than, channels);
+  return implementation_->step(implementation_->backward, than, channels);
+}
+
+std::optional<MessagePosition> Reader::Implementation::step(Walk& walk, const MessagePosition& than,
+                                                            const std::vector<std::uint16_t>& channelIds) {
+  const auto found = walk.step(than, channelIds);
+  return refit() ? walk.step(than, channelIds) : found;
 }
 
 std::vector<Instant> Reader::times(std::uint16_t channelId) {
@@ -94,12 +104,14 @@ std::vector<Instant> Reader::times(std::uint16_t channelId) {
     const auto list = implementation_->cache.messages(i);
     for (const MessageList::Entry& entry : list->of(channelId)) times.push_back(entry.time);
   }
+  if (implementation_->refit()) return this->times(channelId);
   if (!std::ranges::is_sorted(times)) std::ranges::sort(times);
   return times;
 }
 
 Result<Reader::MessageData> Reader::read(const MessagePosition& position) {
-  return implementation_->read(position);
+  auto data = implementation_->read(position);
+  return !data && implementation_->refit() ? implementation_->read(position) : std::move(data);
 }
 
 Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& position) {
@@ -120,8 +132,17 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   Buffer records;
   bool goOn = true;
-  for (std::size_t i = 0; goOn && i < implementation_->index.sections.size(); ++i) {
-    if (!implementation_->cache.readInto(i, records)) continue;
+  const auto& sections = implementation_->index.sections;
+  std::uint64_t readTo = 0;
+  for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
+    if (!implementation_->cache.readInto(i, records)) {
+      if (!implementation_->refit()) continue;
+      // On with the first that was not read.
+      const auto next = std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
+      i = static_cast<std::size_t>(next - sections.begin()) - 1;
+      continue;
+    }
+    readTo = sections[i].info.offset + 1;
     visitRecords(records, [&](const RecordView& record, std::size_t) {
       if (!goOn || !record.is(Opcode::kMessage)) return;
       const std::optional<Message> message = decodeMessage(record.content);

@@ -14,8 +14,9 @@ namespace logplayer::mcap {
 /// Where in a file something could not be read.
 struct Damage {
   std::uint64_t offset = 0;
-  std::uint64_t bytes = 0;  ///< that were skipped
+  std::uint64_t bytes = 0;  ///< that were skipped, without zeros at the file's end
   std::string what;         ///< a sentence
+  std::uint64_t chunks = 0;  ///< that were lost here, as far as one can tell
 };
 
 /// Where a message is: enough to read it, and to put it in order.
@@ -31,8 +32,8 @@ struct MessagePosition {
 /// Reads MCAP files (https://mcap.dev/spec) lazily: memory is bounded by the cache of chunks, the index, and
 /// `maxRecordBytes`, whatever the file says.
 ///
-/// A file with a summary is opened by it. One without (its writer was killed) or with a summary that lies is
-/// scanned, hopping from record to record without decompressing; after damage the next plausible chunk is
+/// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns out
+/// to lie, also later, is scanned, hopping from record to record without decompressing; after damage the next plausible chunk is
 /// looked for. CRCs are checked where there are any. What could not be read is counted in damage(), also what
 /// is only found later; reading goes on behind it. Messages outside of chunks are read, too.
 ///
@@ -103,8 +104,13 @@ class Reader {
   robotlink::Result<Attachment> attachment(const std::string& name);
   const std::vector<Metadata>& metadata();
 
-  /// Reads everything and checks all CRCs; what is wrong is added to damage(). False: given up by progress.
-  bool verify();
+  /// What of a file can be read.
+  struct Readable {
+    std::uint64_t messages = 0;
+    std::uint64_t chunks = 0;
+  };
+  /// Reads everything and checks all CRCs; what is wrong is added to damage(). Nothing: given up by progress.
+  std::optional<Readable> verify();
 
  private:
   struct Implementation;

@@ -16,13 +16,17 @@ struct Reader::Implementation {
         forward(Walk::Direction::kForward, index, cache),
         backward(Walk::Direction::kBackward, index, cache),
         newest(Walk::Direction::kBackward, index, cache) {
-    for (const Section& section : index.sections) {
-      if (!section.loose) chunks.push_back(section.info);
-    }
+    listChunks();
   }
 
+  void listChunks();
+  /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True: the
+  /// index is another one now.
+  bool refit();
   /// Null: there is none at this place of the file.
-  const Section* sectionAt(std::uint64_t offset) const;
+  const Section* sectionAt(std::uint64_t offset);
+  std::optional<MessagePosition> step(Walk& walk, const MessagePosition& than,
+                                      const std::vector<std::uint16_t>& channelIds);
   robotlink::Result<MessageData> read(const MessagePosition& position);
   tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
                                            const std::string& what) const {
@@ -38,6 +42,8 @@ struct Reader::Implementation {
   Walk newest;  // for latest(), so that it does not disturb previous()
   std::vector<ChunkInfo> chunks;
   std::optional<std::vector<Metadata>> metadata;
+  bool refitted = false;
+  std::size_t lastSection = 0;  // that was asked for
 };
 
 }  // namespace logplayer::mcap

@@ -14,6 +14,8 @@ using robotlink::Result;
 
 namespace {
 
+constexpr std::uint64_t kMessagesPerProgress = 1024;
+
 /// What a sequence of messages is told apart by.
 class Digest {
  public:
@@ -162,10 +164,14 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   if (!reader) return tl::unexpected(reader.error());
   if (!(*reader)->verify()) return failure("log.given-up", "the repair was given up");
   Digest digest;
+  bool goOn = true;
   (*reader)->readAll([&](const Message& message) {
     digest.add(message);
-    return true;
+    const double share = static_cast<double>(digest.messages()) / static_cast<double>(expected.messages());
+    if (progress && digest.messages() % kMessagesPerProgress == 0) goOn = progress(0.9 + 0.1 * std::min(1.0, share));
+    return goOn;
   });
+  if (!goOn) return failure("log.given-up", "the repair was given up");
   if ((*reader)->complete() && (*reader)->damage().empty() && digest == expected) return {};
   return failure("mcap.repair", "the repaired file does not read as it was written; is the disk in order?",
                  {file.string(), 0, 0});
@@ -189,7 +195,7 @@ Result<RepairReport> repair(const std::filesystem::path& from, const std::filesy
   if (progress) options.progress = [&](double share) { return progress(0.1 * share); };
   Result<Source> source = Source::open(from);
   if (!source) return tl::unexpected(source.error());
-  Result<FileIndex> index = readIndex(*source, options);
+  Result<FileIndex> index = readIndex(*source, options, SummaryCheck::kAll);
   if (!index) return tl::unexpected(index.error());
   Result<std::unique_ptr<Writer>> writer = Writer::create(to, optionsFor(*index));
   if (!writer) return tl::unexpected(writer.error());
@@ -207,7 +213,7 @@ Result<RepairReport> repair(const std::filesystem::path& from, const std::filesy
   RepairReport report{salvage.digest().messages(), 0, 0, std::move(index->damage)};
   for (const Damage& damage : report.damage) {
     report.bytesLost += damage.bytes;
-    if (damage.bytes > 0) ++report.chunksLost;
+    report.chunksLost += damage.chunks;
   }
   return report;
 }

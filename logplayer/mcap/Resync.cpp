@@ -2,6 +2,7 @@
 #include "logplayer/mcap/Resync.h"
 
 #include <algorithm>
+#include <cstring>
 
 #include "logplayer/mcap/ByteStream.h"
 
@@ -15,6 +16,10 @@ constexpr std::uint64_t kPatience = 64U << 20U;
 
 bool is(std::uint8_t byte, Opcode opcode) {
   return byte == static_cast<std::uint8_t>(opcode);
+}
+
+bool isZero(Bytes bytes) {
+  return bytes[0] == 0 && std::memcmp(bytes.data(), bytes.data() + 1, bytes.size() - 1) == 0;
 }
 
 }  // namespace
@@ -61,10 +66,14 @@ Resync::Resync(const Source& source, std::size_t maxRecordBytes)
 std::optional<std::uint64_t> Resync::find(std::uint64_t offset, bool loose,
                                           const std::map<std::uint16_t, Channel>& channels,
                                           const std::function<bool(std::uint64_t)>& goOn) {
+  dataEnd_ = 0;
   for (; offset < source_.bytes(); offset += kBlock) {
     if (!goOn(offset)) return std::nullopt;
     const Buffer block = source_.read(offset, kBlock);
     if (block.empty()) return std::nullopt;
+    if (isZero(block)) continue;
+    const auto last = std::ranges::find_if(block.rbegin(), block.rend(), [](std::uint8_t byte) { return byte != 0; });
+    dataEnd_ = offset + static_cast<std::uint64_t>(block.rend() - last);
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (is(block[i], Opcode::kChunk) && chunkBeginsAt(offset + i)) return offset + i;
       if (loose && is(block[i], Opcode::kMessage) && messagesBeginAt(offset + i, channels)) return offset + i;

@@ -26,6 +26,8 @@ class Resync {
   std::optional<std::uint64_t> find(std::uint64_t offset, bool loose,
                                     const std::map<std::uint16_t, Channel>& channels,
                                     const std::function<bool(std::uint64_t)>& goOn);
+  /// Behind the last byte that is not 0 of what the last search went over; 0: there was none.
+  std::uint64_t dataEnd() const { return dataEnd_; }
 
  private:
   bool chunkBeginsAt(std::uint64_t offset);
@@ -35,6 +37,7 @@ class Resync {
   ChunkLoader loader_;
   SourceWindow window_;
   Buffer records_;
+  std::uint64_t dataEnd_ = 0;
   // What may still be read of chunks that turn out to be none: a file made to look like many of them must not
   // hold us forever.
   std::uint64_t patience_;

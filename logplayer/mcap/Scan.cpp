@@ -15,6 +15,8 @@ constexpr std::uint64_t kLooseBytes = 1U << 20U;
 constexpr std::uint64_t kProgressBytes = 4U << 20U;
 /// What is looked at of an attachment to find its name.
 constexpr std::size_t kAttachmentHead = 64U << 10U;
+/// So many bytes of 0 at a file's end were never written: no chunk ends so.
+constexpr std::uint64_t kZeros = 4096;
 
 class Scanner {
  public:
@@ -48,7 +50,13 @@ class Scanner {
   Taken takeSmall(Opcode opcode, std::uint64_t length);
   void learn(const RecordView& record);
   void finishSection();
-  bool readDefinitions(Section& section);
+  enum class Read : std::uint8_t { kWhole, kInPart, kNot };
+  Read readDefinitions(Section& section);
+  bool isAt(std::uint64_t offset, Opcode opcode) {
+    const Bytes byte = window_.look(offset, 1);
+    return !byte.empty() && byte[0] == static_cast<std::uint8_t>(opcode);
+  }
+  void noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::uint64_t chunks);
   void count(std::uint16_t channelId, std::uint64_t messages);
   void countTimes(const Section& section);
   void finish();
@@ -68,6 +76,7 @@ class Scanner {
   std::uint64_t certain_ = 0;     // all before this was understood
   std::uint64_t read_ = 0;        // messages outside of chunks go to here, if their lengths are right
   std::uint64_t told_ = 0;        // progress
+  std::optional<std::uint64_t> torn_;  // the last chunk, if it could not be read to its end: that may be a lie
   std::uint64_t searchFrom_ = 0;  // behind where it could be read again after the last damage
   bool open_ = false;             // the last section may still grow
   bool unsure_ = false;           // indexes of the last section may be missing
@@ -95,13 +104,13 @@ bool Scanner::begin() {
   return recover();
 }
 
-/// The magic at the end of the file.
+/// The magic at the end of the file. What follows it does not belong to the file, but may be another one.
 bool Scanner::atEnd() {
-  if (source_.bytes() - offset_ != sizeof kMagic) return false;
+  if (source_.bytes() - offset_ < sizeof kMagic) return false;
   if (!std::ranges::equal(window_.look(offset_, sizeof kMagic), kMagic)) return false;
   ended_ = ended_ && index_.dataEnd != 0;
-  certain_ = offset_ = source_.bytes();
-  return true;
+  certain_ = offset_ = offset_ + sizeof kMagic;
+  return offset_ == source_.bytes();
 }
 
 bool Scanner::goOn(std::uint64_t at) {
@@ -146,20 +155,38 @@ void Scanner::hop() {
 bool Scanner::recover() {
   unsure_ = true;
   finishSection();
-  const bool loose = index_.sections.empty() || index_.sections.back().loose;
+  const bool loose = !torn_ && (index_.sections.empty() || index_.sections.back().loose);
+  // Where a part of a chunk is missing, the next one begins before the end that it claims.
+  if (torn_) certain_ = *torn_ + 1;
   // Not the same place again: what begins there was not understood.
   certain_ = std::max(certain_, searchFrom_);
   const auto found =
       resync_.find(certain_, loose, index_.channels, [this](std::uint64_t at) { return goOn(at); });
   if (index_.givenUp) return false;
   const std::uint64_t next = found.value_or(source_.bytes());
-  const std::uint64_t lost = next < read_ ? certain_ : std::max(certain_, read_);
-  note(lost, next - lost,
-       found ? "the file is damaged; it can be read again behind that"
-             : "the file ends within a record, or is damaged to its end");
+  const std::uint64_t lost = torn_ ? *torn_ : next < read_ ? certain_ : std::max(certain_, read_);
+  const bool ofChunk = torn_ || !loose || isAt(lost, Opcode::kChunk);
+  if (torn_) std::erase_if(index_.damage, [&](const Damage& damage) { return damage.offset == *torn_ && damage.bytes > 0; });
+  // Behind the end of the data section there are only copies of what is before it.
+  noteLost(lost, next, found.has_value(), ofChunk && index_.dataEnd == 0 ? 1 : 0);
+  torn_.reset();
   offset_ = certain_ = next;
   searchFrom_ = next + 1;
   return found.has_value();
+}
+
+void Scanner::noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::uint64_t chunks) {
+  std::uint64_t data = goesOn ? to : std::max(from, resync_.dataEnd());
+  if (to - data < kZeros) data = to;
+  if (data < to) {
+    note(data, 0, "the file goes on with " + std::to_string(to - data) + " bytes that are all 0: nothing was written there");
+  }
+  if (data > from) {
+    note(from, data - from,
+         goesOn ? "the file is damaged; it can be read again behind that"
+                : "the file ends within a record, or is damaged to its end");
+    index_.damage.back().chunks = chunks;
+  }
 }
 
 Scanner::Taken Scanner::take(Opcode opcode, std::uint64_t length) {
@@ -192,6 +219,7 @@ Scanner::Taken Scanner::takeChunk(std::uint64_t length) {
                                     : section->unknownCompression;
   const std::uint64_t understood = chunkHeadBytes(name.size()) + section->info.compressedBytes;
   finishSection();
+  torn_.reset();
   open_ = true;
   unsure_ = false;
   sawStrayIndex_ = false;
@@ -335,7 +363,9 @@ void Scanner::finishSection() {
   const auto isKnown = [&](std::uint16_t id) { return index_.channels.contains(id); };
   const bool mustRead =
       !section.loose && (!section.indexed || !std::ranges::all_of(section.channels, isKnown));
-  if (mustRead && !readDefinitions(section)) {
+  const Read read = mustRead ? readDefinitions(section) : Read::kWhole;
+  if (unsure_ && read != Read::kWhole) torn_ = section.info.offset;
+  if (read == Read::kNot) {
     index_.sections.pop_back();
   } else {
     countTimes(section);
@@ -344,12 +374,14 @@ void Scanner::finishSection() {
   sectionCounts_.clear();
 }
 
-/// Reads a chunk to learn its channels, and to count its messages if it has no indexes. False: it is damaged.
-bool Scanner::readDefinitions(Section& section) {
+/// Reads a chunk to learn its channels, and to count its messages if it has no indexes.
+Scanner::Read Scanner::readDefinitions(Section& section) {
   const auto loaded = loader_.load(section, records_);
   if (!loaded) {
+    // If the search goes on from its head, that tells of the damage.
     note(section.info.offset, section.info.length, loaded.error());
-    return false;
+    index_.damage.back().chunks = 1;
+    return Read::kNot;
   }
   const bool counts = !section.indexed;
   const bool whole = visitRecords(records_, [&](const RecordView& record, std::size_t) {
@@ -364,7 +396,7 @@ bool Scanner::readDefinitions(Section& section) {
     }
   });
   if (!whole) note(section.info.offset, 0, "the records of a chunk do not fill it");
-  return true;
+  return whole ? Read::kWhole : Read::kInPart;
 }
 
 void Scanner::count(std::uint16_t channelId, std::uint64_t messages) {

@@ -5,6 +5,12 @@
 
 namespace logplayer::mcap {
 
+namespace {
+
+constexpr int kKeptOnRegret = 64;
+
+}  // namespace
+
 SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader::Options& options)
     : source_(source),
       index_(index),
@@ -12,10 +18,25 @@ SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader:
       loader_(source, options.maxRecordBytes),
       records_(options.cacheBytes),
       lists_(options.cacheBytes / 4),
-      noted_(index.sections.size()) {}
+      noted_(index.sections.size()) {
+  left_.fill(SIZE_MAX);
+}
+
+void SectionCache::leave(std::size_t section) {
+  if (keep_ > 0) {
+    --keep_;
+    return;
+  }
+  records_.retire(section);
+  left_[nextLeft_++ % left_.size()] = section;
+}
 
 tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section) {
   if (const auto* kept = records_.find(section)) return *kept;
+  if (std::ranges::find(left_, section) != left_.end()) {
+    keep_ = kKeptOnRegret;
+    left_.fill(SIZE_MAX);
+  }
   const std::size_t bytes = index_.sections[section].info.uncompressedBytes;
   std::shared_ptr<Buffer> buffer = records_.release(bytes);
   if (buffer == nullptr || buffer.use_count() > 1) buffer = std::make_shared<Buffer>();
@@ -34,7 +55,29 @@ void SectionCache::noteDamage(std::size_t section, const std::string& what) {
   if (noted_[section]) return;
   noted_[section] = true;
   const Section& damaged = index_.sections[section];
-  index_.damage.push_back({damaged.info.offset, damaged.info.length, what});
+  const bool known = std::ranges::any_of(index_.damage, [&](const Damage& damage) {
+    return damage.offset == damaged.info.offset && damage.what == what;
+  });
+  if (!known)
+    index_.damage.push_back({damaged.info.offset, damaged.info.length, what, damaged.loose ? 0U : 1U});
+  doubt(damaged);
+}
+
+void SectionCache::doubt(const Section& section) {
+  if (!index_.bySummary || misfit_) return;
+  misfit_ = !chunkIsThere(source_, section, maxRecordBytes_);
+}
+
+void SectionCache::doubtAll() {
+  for (const Section& section : index_.sections) doubt(section);
+}
+
+void SectionCache::reset() {
+  records_.clear();
+  lists_.clear();
+  noted_.assign(index_.sections.size(), false);
+  misfit_ = false;
+  ++surprises_;
 }
 
 std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
@@ -79,6 +122,7 @@ void SectionCache::distrustIndexes(std::size_t section) {
   lists_.erase(section);
   index_.damage.push_back({damaged.indexOffset, 0,
                            "the message indexes of a chunk are wrong; its messages are found by reading it"});
+  doubt(damaged);
 }
 
 }  // namespace logplayer::mcap

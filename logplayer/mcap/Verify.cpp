@@ -13,7 +13,8 @@ class Verification {
   Verification(const Source& source, FileIndex& index, SectionCache& cache, const Reader::Options& options)
       : source_(source), index_(index), cache_(cache), options_(options) {}
 
-  bool run();
+  /// Nothing: given up.
+  std::optional<Reader::Readable> run();
 
  private:
   bool goOn(std::uint64_t done);
@@ -29,26 +30,26 @@ class Verification {
   const Reader::Options& options_;
   Buffer records_;
   std::map<std::uint16_t, std::uint64_t> counts_;
-  std::uint64_t messages_ = 0;
+  Reader::Readable readable_;
 };
 
-bool Verification::run() {
+std::optional<Reader::Readable> Verification::run() {
   const std::size_t before = index_.damage.size();
   std::uint64_t done = 0;
   for (std::size_t i = 0; i < index_.sections.size(); ++i) {
-    if (!goOn(done)) return false;
+    if (!goOn(done)) return std::nullopt;
     checkSection(i);
     done += index_.sections[i].info.length;
   }
   if (index_.damage.size() == before) checkStatistics();
-  if (index_.dataEnd == 0 || index_.dataCrc == 0) return true;
+  if (index_.dataEnd == 0 || index_.dataCrc == 0) return readable_;
   const std::optional<std::uint32_t> crc = dataCrc(done);
-  if (!crc) return false;
+  if (!crc) return std::nullopt;
   // What has a CRC of its own, or contradicts something, was told of before.
   if (*crc != index_.dataCrc && index_.damage.empty()) {
     note(0, "the CRC of the data section is wrong, because of something outside of the chunks' records");
   }
-  return true;
+  return readable_;
 }
 
 bool Verification::goOn(std::uint64_t done) {
@@ -67,12 +68,13 @@ void Verification::checkSection(std::size_t number) {
   const MessageList found = MessageList::fromRecords(records_);
   for (const MessageList::Channel& channel : found.channels()) {
     counts_[channel.id] += channel.count;
-    messages_ += channel.count;
+    readable_.messages += index_.channels.contains(channel.id) ? channel.count : 0;
     if (!index_.channels.contains(channel.id)) {
       note(offset, std::to_string(channel.count) + " messages are of the unknown channel " +
                        std::to_string(channel.id));
     }
   }
+  if (!index_.sections[number].loose) ++readable_.chunks;
   checkIndexes(number, found);
 }
 
@@ -85,7 +87,7 @@ void Verification::checkIndexes(std::size_t number, const MessageList& found) {
 
 void Verification::checkStatistics() {
   const Statistics& told = index_.statistics;
-  bool same = told.messageCount == messages_;
+  bool same = told.messageCount == readable_.messages;
   for (const auto& [channel, count] : told.channelMessageCounts) {
     const auto counted = counts_.find(channel);
     same = same && count == (counted == counts_.end() ? 0 : counted->second);
@@ -105,8 +107,10 @@ std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
 
 }  // namespace
 
-bool Reader::verify() {
+std::optional<Reader::Readable> Reader::verify() {
   Implementation& self = *implementation_;
+  self.cache.doubtAll();
+  self.refit();
   for (const std::string& name : attachmentNames()) {
     if (const auto read = attachment(name); !read) self.index.damage.push_back({0, 0, read.error().text});
   }

@@ -33,17 +33,19 @@ std::optional<MessagePosition> Walk::step(const MessagePosition& than,
   if (surprises_ != cache_.surprises()) sortSections();
   if (!standing_ || than != at_ || channels != channels_) seek(than, channels);
   enterDue(than);
-  if (runs_.empty()) {
+  if (next_.empty()) {
     standing_ = false;
     return std::nullopt;
   }
-  at_ = runs_.front().position;
+  at_ = next_.front().position;
   advanceTop();
   return at_;
 }
 
 void Walk::seek(const MessagePosition& than, const std::vector<std::uint16_t>& channels) {
   runs_.clear();
+  over_.clear();
+  next_.clear();
   channels_ = channels;
   standing_ = true;
   const auto firstLater = std::ranges::partition_point(
@@ -57,7 +59,7 @@ void Walk::seek(const MessagePosition& than, const std::vector<std::uint16_t>& c
 /// Sections that open no later than the next message may hold one before it.
 void Walk::enterDue(const MessagePosition& than) {
   while (due_ < order_.size() &&
-         (runs_.empty() || !earlier(runs_.front().position.time, opening(index_.sections[order_[due_]])))) {
+         (next_.empty() || !earlier(next_.front().position.time, opening(index_.sections[order_[due_]])))) {
     enter(order_[due_++], than);
   }
 }
@@ -75,43 +77,67 @@ void Walk::enter(std::size_t section, const MessagePosition& than) {
     };
     const auto split = std::ranges::partition_point(entries, isBefore) - entries.begin();
     const auto place = static_cast<std::size_t>(split);
-    Run run{{{}, entered.info.offset, 0, channel},
-            list,
-            direction_ == Direction::kForward ? entries.subspan(place) : entries.first(place)};
-    if (run.entries.empty()) continue;
-    look(run, direction_);
-    runs_.push_back(std::move(run));
-    std::ranges::push_heap(runs_, [&](const Run& a, const Run& b) { return comesLater(a, b); });
+    const auto left = direction_ == Direction::kForward ? entries.subspan(place) : entries.first(place);
+    if (!left.empty()) add({section, list, left}, {{}, entered.info.offset, 0, channel});
   }
 }
 
-void Walk::look(Run& run, Direction direction) {
-  const MessageList::Entry& entry =
-      direction == Direction::kForward ? run.entries.front() : run.entries.back();
-  run.position.time = entry.time;
-  run.position.offset = entry.offset;
+void Walk::add(Run run, MessagePosition position) {
+  std::size_t number = runs_.size();
+  if (over_.empty()) {
+    runs_.push_back(std::move(run));
+  } else {
+    number = over_.back();
+    over_.pop_back();
+    runs_[number] = std::move(run);
+  }
+  Next next{position, number};
+  look(next);
+  next_.push_back(next);
+  std::ranges::push_heap(next_, [&](const Next& a, const Next& b) { return before(b.position, a.position); });
+}
+
+void Walk::look(Next& next) const {
+  const auto& entries = runs_[next.run].entries;
+  const MessageList::Entry& entry = direction_ == Direction::kForward ? entries.front() : entries.back();
+  next.position.time = entry.time;
+  next.position.offset = entry.offset;
+}
+
+/// If no run of a section is left, and one goes forwards: who goes backwards may well turn around.
+void Walk::leave(std::size_t section) {
+  const bool more = std::ranges::any_of(next_, [&](const Next& next) { return runs_[next.run].section == section; });
+  if (!more && direction_ == Direction::kForward) cache_.leave(section);
 }
 
 /// Moves the run on top on by a message and to its new place in the heap.
 void Walk::advanceTop() {
-  Run& top = runs_.front();
-  top.entries =
-      direction_ == Direction::kForward ? top.entries.subspan(1) : top.entries.first(top.entries.size() - 1);
-  if (top.entries.empty()) {
-    std::swap(runs_.front(), runs_.back());
-    runs_.pop_back();
-    if (runs_.empty()) return;
-  } else {
-    look(top, direction_);
+  Next top = next_.front();
+  Run& run = runs_[top.run];
+  run.entries =
+      direction_ == Direction::kForward ? run.entries.subspan(1) : run.entries.first(run.entries.size() - 1);
+  if (!run.entries.empty()) {
+    look(top);
+    return sink(top);
   }
-  for (std::size_t i = 0;;) {
-    std::size_t child = 2 * i + 1;
-    if (child >= runs_.size()) return;
-    if (child + 1 < runs_.size() && before(runs_[child + 1].position, runs_[child].position)) ++child;
-    if (!before(runs_[child].position, runs_[i].position)) return;
-    std::swap(runs_[i], runs_[child]);
-    i = child;
+  run.list.reset();
+  over_.push_back(top.run);
+  const Next last = next_.back();
+  next_.pop_back();
+  if (!next_.empty()) sink(last);
+  leave(run.section);
+}
+
+/// Puts it at the place in the heap where it belongs, from the top on, which is free.
+void Walk::sink(Next next) {
+  std::size_t hole = 0;
+  for (std::size_t child = 1; child < next_.size(); child = 2 * hole + 1) {
+    if (child + 1 < next_.size() && before(next_[child + 1].position, next_[child].position)) ++child;
+    if (!before(next_[child].position, next.position)) break;
+    next_[hole] = next_[child];
+    hole = child;
   }
+  next_[hole] = next;
 }
 
 }  // namespace logplayer::mcap

@@ -21,15 +21,20 @@ class Walk {
  private:
   /// The messages of a channel in one section that are still to come.
   struct Run {
-    MessagePosition position;  ///< of the next one
-    std::shared_ptr<const MessageList> list;
+    std::size_t section = 0;
+    std::shared_ptr<const MessageList> list;      ///< null: it is over
     std::span<const MessageList::Entry> entries;  ///< the next one is the first, or backwards the last
+  };
+  /// The next message of a run.
+  struct Next {
+    MessagePosition position;
+    std::size_t run = 0;
   };
 
   bool before(const MessagePosition& a, const MessagePosition& b) const {
+    if (a.time != b.time) return earlier(a.time, b.time);
     return direction_ == Direction::kForward ? a < b : b < a;
   }
-  bool comesLater(const Run& a, const Run& b) const { return before(b.position, a.position); }
   /// When a section can first yield something, in this direction.
   Instant opening(const Section& section) const {
     return direction_ == Direction::kForward ? section.info.start : section.info.end;
@@ -43,8 +48,11 @@ class Walk {
   void seek(const MessagePosition& than, const std::vector<std::uint16_t>& channels);
   void enter(std::size_t section, const MessagePosition& than);
   void enterDue(const MessagePosition& than);
-  static void look(Run& run, Direction direction);
+  void look(Next& next) const;
+  void add(Run run, MessagePosition position);
   void advanceTop();
+  void sink(Next next);
+  void leave(std::size_t section);
 
   Direction direction_;
   const FileIndex& index_;
@@ -58,7 +66,9 @@ class Walk {
   MessagePosition at_;
   std::vector<std::uint16_t> channels_;
   std::size_t due_ = 0;    // the first in order_ that was not entered
-  std::vector<Run> runs_;  // a heap, the next one on top
+  std::vector<Run> runs_;
+  std::vector<std::size_t> over_;  // those of them that can be used again
+  std::vector<Next> next_;         // of the others; a heap, the next one on top
 };
 
 }  // namespace logplayer::mcap

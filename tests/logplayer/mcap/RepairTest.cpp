@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gmock/gmock.h>
 
+#include <algorithm>
+#include <tuple>
+
 #include "logplayer/mcap/ByteStream.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
@@ -157,6 +160,190 @@ TEST_F(VerifyTest, aWrongMessageIndexIsToldAndDoneWithout) {
   ASSERT_THAT(reader->damage(), SizeIs(1));
   EXPECT_THAT(reader->damage()[0].what, HasSubstr("message indexes"));
   EXPECT_EQ(readForwards(*reader), messages_);
+}
+
+/// What chunks and their message indexes are in the file, one behind the other.
+class MisfitTest : public RepairTest {
+ protected:
+  std::size_t endOf(std::size_t chunk) const {
+    if (chunk + 1 < chunks_.size()) return chunks_[chunk + 1].offset;
+    // The record behind the data section.
+    std::string end{0x0F, 4, 0, 0, 0, 0, 0, 0, 0};
+    return bytes_.find(end, chunks_[chunk].offset + chunks_[chunk].length);
+  }
+  std::string part(std::size_t chunk) const {
+    return bytes_.substr(chunks_[chunk].offset, endOf(chunk) - chunks_[chunk].offset);
+  }
+  /// Two chunks change their places; the summary does not know.
+  void swap(std::size_t a, std::size_t b) {
+    const std::string swapped = bytes_.substr(0, chunks_[a].offset) + part(b) +
+                                bytes_.substr(endOf(a), chunks_[b].offset - endOf(a)) + part(a) +
+                                bytes_.substr(endOf(b));
+    ASSERT_EQ(swapped.size(), bytes_.size());
+    writeBytes(broken_, swapped);
+  }
+  static std::vector<Told> sorted(std::vector<Told> messages) {
+    std::ranges::sort(messages, {}, &Told::time);
+    return messages;
+  }
+};
+
+TEST_F(MisfitTest, aSummaryThatDoesNotFitIsNotBelieved) {
+  ASSERT_GE(chunks_.size(), 10U);
+  ASSERT_NE(part(1).size(), part(7).size());
+  swap(1, 7);
+  const auto reader = test::open(broken_);
+  EXPECT_EQ(readForwards(*reader), messages_);
+  EXPECT_EQ(readBackwards(*reader).size(), messages_.size());
+  EXPECT_EQ(sorted(readAll(*reader)), messages_);
+  EXPECT_EQ(reader->statistics().messageCount, messages_.size());
+  EXPECT_FALSE(reader->complete());
+  const auto readable = reader->verify();
+  ASSERT_TRUE(readable);
+  EXPECT_EQ(readable->messages, messages_.size());
+  ASSERT_THAT(reader->damage(), SizeIs(1));
+  EXPECT_THAT(reader->damage()[0].what, HasSubstr("summary does not fit"));
+}
+
+TEST_F(MisfitTest, nothingIsLostInARepairOfIt) {
+  swap(1, 7);
+  const auto report = repair(broken_, repaired_);
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(report->messages, messages_.size());
+  EXPECT_EQ(report->chunksLost, 0U);
+  EXPECT_EQ(report->bytesLost, 0U);
+  EXPECT_EQ(readForwards(*test::open(repaired_)), messages_);
+}
+
+TEST_F(VerifyTest, itTellsHowMuchCanBeReadNotWhatTheSummarySays) {
+  bytes_[chunks_[3].offset + chunks_[3].length - 20] ^= 0x10;
+  writeBytes(broken_, bytes_);
+  const auto reader = test::open(broken_);
+  const auto readable = reader->verify();
+  ASSERT_TRUE(readable);
+  EXPECT_EQ(readable->messages, without(3).size());
+  EXPECT_EQ(readable->chunks, chunks_.size() - 1);
+}
+
+/// Many chunks, so that not all of them are looked for when the file is opened; equally long ones.
+class ManyChunksTest : public MisfitTest {
+ protected:
+  void SetUp() override {
+    Writer::Options options;
+    options.chunkBytes = 100'000;
+    std::vector<std::size_t> flushes;
+    messages_.clear();
+    for (std::size_t i = 0; i < 600; ++i) {
+      const auto id = static_cast<std::uint16_t>(1 + i % 3);
+      messages_.push_back({id, static_cast<std::uint32_t>(i), static_cast<std::int64_t>(10 * i), std::string(i < 450 ? 40 : 50, 'x')});
+      if (i % 6 == 0) flushes.push_back(i);
+    }
+    writeLog(whole_, messages_, options, flushes);
+    bytes_ = readBytes(whole_);
+    chunks_ = test::open(whole_)->chunks();
+    ASSERT_EQ(chunks_.size(), 100U);
+  }
+};
+
+TEST_F(ManyChunksTest, chunksThatAreAsLongAsEachOtherMayChangePlaces) {
+  ASSERT_EQ(part(11).size(), part(67).size());
+  swap(11, 67);
+  const auto reader = test::open(broken_);
+  EXPECT_EQ(readForwards(*reader), messages_);
+  EXPECT_EQ(readBackwards(*reader).size(), messages_.size());
+  EXPECT_EQ(sorted(readAll(*reader)), messages_);
+}
+
+TEST_F(ManyChunksTest, whatIsFoundOnlyWhileItIsReadIsReadToo) {
+  for (const auto& [a, b] : {std::pair{13, 79}, {76, 98}, {77, 78}}) {
+    swap(static_cast<std::size_t>(a), static_cast<std::size_t>(b));
+    EXPECT_EQ(readForwards(*test::open(broken_)), messages_) << a << " " << b;
+    EXPECT_EQ(readBackwards(*test::open(broken_)).size(), messages_.size()) << a << " " << b;
+    EXPECT_EQ(sorted(readAll(*test::open(broken_))), messages_) << a << " " << b;
+    std::size_t times = 0;
+    const auto reader = test::open(broken_);
+    for (const auto& [id, channel] : reader->channels()) times += reader->times(id).size();
+    EXPECT_EQ(times, messages_.size());
+    const auto verified = test::open(broken_)->verify();
+    EXPECT_EQ(verified->messages, messages_.size());
+    const auto report = repair(broken_, repaired_);
+    ASSERT_TRUE(report);
+    EXPECT_EQ(report->messages, messages_.size());
+    std::filesystem::remove(repaired_);
+  }
+}
+
+TEST_F(ManyChunksTest, oneDamagedHeadDoesNotMakeTheSummaryALiar) {
+  bytes_[chunks_[50].offset + 9 + 16] ^= 0x10;  // what it says of its size
+  writeBytes(broken_, bytes_);
+  const auto reader = test::open(broken_);
+  EXPECT_EQ(readAll(*reader), without(50));
+  ASSERT_TRUE(reader->verify());
+  for (const Damage& damage : reader->damage()) EXPECT_EQ(damage.what.find("summary"), std::string::npos) << damage.what;
+}
+
+/// Chunks of robots' logs, larger than what is missing of one.
+class MissingPartTest : public testing::TestWithParam<std::tuple<Compression, std::size_t>> {
+ protected:
+  TemporaryFolder folder_;
+};
+
+TEST_P(MissingPartTest, costsOneChunk) {
+  const auto [compression, missing] = GetParam();
+  const std::vector<Told> messages = someMessages(4000, 100);
+  Writer::Options options;
+  options.compression = compression;
+  options.chunkBytes = 100'000;
+  writeLog(folder_ / "whole.mcap", messages, options);
+  const std::string bytes = readBytes(folder_ / "whole.mcap");
+  const auto chunks = test::open(folder_ / "whole.mcap")->chunks();
+  ASSERT_GE(chunks.size(), 4U);
+  ASSERT_GT(chunks[1].length, missing + 2000);
+  std::vector<Told> left;
+  for (const Told& message : messages) {
+    if (at(message.time) < chunks[1].start || chunks[1].end < at(message.time)) left.push_back(message);
+  }
+  writeBytes(folder_ / "broken.mcap",
+             bytes.substr(0, chunks[1].offset + 1000) + bytes.substr(chunks[1].offset + 1000 + missing));
+  const auto reader = test::open(folder_ / "broken.mcap");
+  EXPECT_EQ(readAll(*reader), left);
+  const auto report = repair(folder_ / "broken.mcap", folder_ / "repaired.mcap");
+  ASSERT_TRUE(report);
+  EXPECT_EQ(report->messages, left.size());
+  EXPECT_EQ(report->chunksLost, 1U);
+  EXPECT_LE(report->bytesLost, chunks[2].offset - chunks[1].offset);
+}
+
+INSTANTIATE_TEST_SUITE_P(Sizes, MissingPartTest,
+                         testing::Combine(testing::Values(Compression::kNone, Compression::kLz4, Compression::kZstd),
+                                          testing::Values(1, 100, 4'000, 15'000, 20'000)));
+
+class ZerosTest : public RepairTest, public testing::WithParamInterface<bool> {};
+
+TEST_P(ZerosTest, atTheEndAreNotCountedAsLost) {
+  const bool withinChunk = GetParam();
+  writeBytes(broken_, bytes_.substr(0, chunks_[5].offset + (withinChunk ? 100 : 0)));
+  std::filesystem::resize_file(broken_, std::filesystem::file_size(broken_) + (20U << 20U));
+  const auto report = repair(broken_, repaired_);
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(report->chunksLost, withinChunk ? 1U : 0U);
+  EXPECT_LE(report->bytesLost, withinChunk ? 100U : 0U);
+  EXPECT_GE(report->bytesLost, withinChunk ? 90U : 0U);
+  EXPECT_EQ(test::open(repaired_)->chunks().size(), 5U);
+  const auto isOfZeros = [](const Damage& damage) { return damage.what.find("are all 0") != std::string::npos; };
+  EXPECT_EQ(std::ranges::count_if(report->damage, isOfZeros), 1);
+}
+
+INSTANTIATE_TEST_SUITE_P(Places, ZerosTest, testing::Bool());
+
+TEST_F(RepairTest, zerosBehindACompleteFileCostNothing) {
+  writeBytes(broken_, bytes_);
+  std::filesystem::resize_file(broken_, bytes_.size() + (1U << 20U));
+  const auto report = repair(broken_, repaired_);
+  ASSERT_TRUE(report) << report.error().describe();
+  EXPECT_EQ(report->messages, messages_.size());
+  EXPECT_EQ(report->chunksLost, 0U);
+  EXPECT_EQ(report->bytesLost, 0U);
 }
 
 }  // namespace
