@@ -198,14 +198,19 @@ std::vector<Bookmark> StoredBookmarks::bookmarks() const {
 
 Result<StoredBookmarks> readStoredBookmarks(const std::filesystem::path& log,
                                             const std::function<bool(double)>& progress) {
+  if (canImport(log)) return storedBookmarksOf(log, nullptr);
+  mcap::Reader::Options options;
+  options.progress = progress;
+  const auto reader = mcap::Reader::open(log, options);
+  if (!reader) return tl::unexpected(reader.error());
+  return storedBookmarksOf(log, reader->get());
+}
+
+Result<StoredBookmarks> storedBookmarksOf(const std::filesystem::path& log, mcap::Reader* open) {
   StoredBookmarks stored;
-  if (!canImport(log)) {
-    mcap::Reader::Options options;
-    options.progress = progress;
-    const auto reader = mcap::Reader::open(log, options);
-    if (!reader) return tl::unexpected(reader.error());
-    stored.inLog = readBookmarks(**reader);
-    stored.canAppend = (*reader)->complete() && ::access(log.c_str(), W_OK) == 0;
+  if (open != nullptr) {
+    stored.inLog = readBookmarks(*open);
+    stored.canAppend = open->complete() && ::access(log.c_str(), W_OK) == 0;
   }
   auto beside = readBookmarksBeside(log);
   if (beside) {

@@ -40,6 +40,9 @@ struct StoredBookmarks {
 };
 robotlink::Result<StoredBookmarks> readStoredBookmarks(const std::filesystem::path& log,
                                                        const std::function<bool(double)>& progress);
+/// The same for a log that is open already, as an unfinished one takes long to open. Null: it is of an older format, which
+/// holds none.
+robotlink::Result<StoredBookmarks> storedBookmarksOf(const std::filesystem::path& log, mcap::Reader* open);
 
 /// What must be said to those who know `from`, so that they know `to`.
 BookmarkChanges difference(const std::vector<Bookmark>& from, const std::vector<Bookmark>& to);

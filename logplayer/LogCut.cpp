@@ -24,6 +24,7 @@ using robotlink::Result;
 
 constexpr double kOpeningShare = 0.2;  // of the progress, as most logs need no scan
 constexpr std::uint64_t kUnitsPerProgress = 256;
+constexpr std::size_t kCacheBytes = 64U << 20U;  // of all inputs together
 
 tl::unexpected<robotlink::Error> givenUp() {
   return robotlink::failure("log.given-up", "given up; nothing was written");
@@ -38,6 +39,10 @@ struct Input {
   std::optional<LogSeam> seam;               // with the part before
   std::optional<MessageCopier> copier;
   std::optional<LogUnit> unit;  // the next
+  bool begun = false;           // before, nothing of it has been read
+
+  /// When the next unit is, or before that; of those that have begun and not ended, or not begun.
+  Instant nextTime() { return (begun ? unit->time : source.reader().statistics().messageStart) + offset; }
 };
 
 /// One rewriting, from the inputs to the file.
@@ -49,9 +54,11 @@ class Rewriting {
  private:
   Result<void> openInputs();
   Result<void> join();
+  Result<void> write(const std::filesystem::path& to);
   void nameRobots(Input& input);
   void choose(Input& input);
   Result<void> writeHeld();
+  Input* nextInput();
   Result<void> writeUnits();
   Result<void> writeUnit(Input& input, const LogUnit& unit);
   static bool isRepeated(Input& input, const mcap::Message& message);
@@ -80,11 +87,18 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
   auto output = OutputFile::create(to, options_.overwrite);
   if (!output) return tl::unexpected(output.error());
   if (const auto opened = openInputs(); !opened) return tl::unexpected(opened.error());
+  if (const auto written = write(output->temporary()); !written) return tl::unexpected(output->named(written.error()));
+  conclude();
+  if (const auto named = output->commit(); !named) return tl::unexpected(named.error());
+  return std::move(report_);
+}
+
+Result<void> Rewriting::write(const std::filesystem::path& to) {
   mcap::Writer::Options wishes;
   wishes.compression = options_.compression;
   wishes.chunkBytes = options_.chunkBytes;
   wishes.library = "robotcontrol";
-  auto writer = mcap::Writer::create(output->temporary(), wishes);
+  auto writer = mcap::Writer::create(to, wishes);
   if (!writer) return tl::unexpected(writer.error());
   writer_ = std::move(*writer);
   for (const auto& input : inputs_) {
@@ -94,10 +108,7 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
   for (const auto step : {&Rewriting::writeHeld, &Rewriting::writeUnits, &Rewriting::writeRest}) {
     if (const auto done = (this->*step)(); !done) return tl::unexpected(done.error());
   }
-  if (const auto closed = writer_->close(); !closed) return tl::unexpected(closed.error());
-  conclude();
-  if (const auto named = output->commit(); !named) return tl::unexpected(named.error());
-  return std::move(report_);
+  return writer_->close();
 }
 
 Result<void> Rewriting::openInputs() {
@@ -107,7 +118,7 @@ Result<void> Rewriting::openInputs() {
     const auto progress = [&](double share) {
       return !options_.progress || options_.progress(kOpeningShare * (before + share / count));
     };
-    auto source = LogSource::open(wanted.file, progress);
+    auto source = LogSource::open(wanted.file, progress, kCacheBytes / options_.inputs.size());
     if (!source) return tl::unexpected(source.error());
     auto input = std::make_unique<Input>(std::move(*source));
     input->offset = wanted.offset;
@@ -209,15 +220,23 @@ Result<void> Rewriting::writeHeld() {
   return writer_->endGroup();
 }
 
-Result<void> Rewriting::writeUnits() {
-  for (const auto& input : inputs_) input->unit = input->source.next();
-  for (std::uint64_t count = 0;; ++count) {
+/// The one with the next unit; null at the end. Logs begin when their time comes: those that lie one behind the other need not be
+/// in memory at the same time.
+Input* Rewriting::nextInput() {
+  while (true) {
     Input* first = nullptr;
     for (const auto& input : inputs_) {
-      if (input->unit && (!first || input->unit->time + input->offset < first->unit->time + first->offset)) {
-        first = input.get();
-      }
+      if ((input->unit || !input->begun) && (!first || input->nextTime() < first->nextTime())) first = input.get();
     }
+    if (!first || first->begun) return first;
+    first->begun = true;
+    first->unit = first->source.next();
+  }
+}
+
+Result<void> Rewriting::writeUnits() {
+  for (std::uint64_t count = 0;; ++count) {
+    Input* const first = nextInput();
     if (!first) return count > 0 || !anythingThere() ? Result<void>() : nothingLeft();
     if (const auto written = writeUnit(*first, *first->unit); !written) return written;
     first->unit = first->source.next();
@@ -335,7 +354,7 @@ bool Rewriting::goOn() {
     if (options_.to) end = std::min(end, *options_.to - input->offset);
     const double length = robotlink::seconds(end - begin);
     const double here = robotlink::seconds(input->source.position() - begin);
-    done += !input->unit || length <= 0 ? 1 : std::clamp(here / length, 0.0, 1.0);
+    done += (input->begun && !input->unit) || length <= 0 ? 1 : std::clamp(here / length, 0.0, 1.0);
   }
   return options_.progress(kOpeningShare + (1 - kOpeningShare) * done / static_cast<double>(inputs_.size()));
 }

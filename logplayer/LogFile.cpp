@@ -66,8 +66,13 @@ robotlink::Result<std::shared_ptr<LogFile>> LogFile::open(const std::filesystem:
   wishes.progress = options.progress;
   auto reader = mcap::Reader::open(container->path(), std::move(wishes));
   if (!reader) return tl::unexpected(reader.error());
+  return of(file, std::move(*container), std::move(*reader));
+}
+
+std::shared_ptr<LogFile> LogFile::of(const std::filesystem::path& file, ContainerFile container,
+                                     std::unique_ptr<mcap::Reader> reader) {
   return std::shared_ptr<LogFile>(
-      new LogFile(std::make_unique<Implementation>(file, std::move(*reader), std::move(*container))));
+      new LogFile(std::make_unique<Implementation>(file, std::move(reader), std::move(container))));
 }
 
 LogFile::LogFile(std::unique_ptr<Implementation> implementation)

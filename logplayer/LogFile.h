@@ -17,6 +17,8 @@
 
 namespace logplayer {
 
+class ContainerFile;
+
 /// A log file as streams of messages, read lazily. Types that the program does not know are built from the
 /// file's own schemas; messages keep what they need alive.
 ///
@@ -47,6 +49,9 @@ class LogFile {
     bool holds(std::string_view typeName) const { return type == typeName && isDecoded(); }
   };
   static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, const Options& options);
+  /// One that is open already: `reader` reads `container`.
+  static std::shared_ptr<LogFile> of(const std::filesystem::path& file, ContainerFile container,
+                                     std::unique_ptr<mcap::Reader> reader);
   ~LogFile();
 
   const std::filesystem::path& path() const;

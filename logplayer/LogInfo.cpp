@@ -59,23 +59,19 @@ void count(const LogFile::Stream& stream, LogInfo& info) {
   if (process != "platform") info.frames += stream.count;
 }
 
-Result<void> describeStreams(const std::filesystem::path& container, const LogFile::Progress& progress,
-                             LogInfo& info) {
-  LogFile::Options options;
-  const auto log = LogFile::open(container, options);
-  if (!log) return tl::unexpected(log.error());
+Result<void> describeStreams(LogFile& log, const LogFile::Progress& progress, LogInfo& info) {
   bool givenUp = false;
-  const auto streams = (*log)->countBytes([&](double share) {
+  const auto streams = log.countBytes([&](double share) {
     givenUp = progress && !progress(kOpeningShare + (1 - kOpeningShare) * share);
     return !givenUp;
   });
   if (givenUp) return robotlink::failure("log.given-up", "given up");
   for (const LogFile::Stream& stream : streams) count(stream, info);
-  info.begin = (*log)->begin();
-  info.end = (*log)->end();
-  info.robots = (*log)->robots();
-  info.complete = (*log)->complete();
-  info.damage = (*log)->damage();
+  info.begin = log.begin();
+  info.end = log.end();
+  info.robots = log.robots();
+  info.complete = log.complete();
+  info.damage = log.damage();
   const auto damaged = lossesOf(info.file, info.complete, info.damage);
   info.losses.insert(info.losses.end(), damaged.begin(), damaged.end());
   return {};
@@ -89,7 +85,7 @@ Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Pr
   if (!container) return tl::unexpected(container.error());
   mcap::Reader::Options options;
   options.progress = opening;
-  const auto reader = mcap::Reader::open(container->path(), options);
+  auto reader = mcap::Reader::open(container->path(), options);
   if (!reader) return tl::unexpected(reader.error());
   LogInfo info;
   info.file = file;
@@ -103,11 +99,13 @@ Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Pr
     info.format = "MCAP";
     describeContainer(**reader, info);
   }
-  if (const auto described = describeStreams(container->path(), progress, info); !described) {
+  const auto stored = storedBookmarksOf(file, container->conversion() != nullptr ? nullptr : reader->get());
+  if (!stored) return tl::unexpected(stored.error());
+  // A file that was not closed is looked through only once.
+  const auto log = LogFile::of(container->path(), *container, std::move(*reader));
+  if (const auto described = describeStreams(*log, progress, info); !described) {
     return tl::unexpected(described.error());
   }
-  const auto stored = readStoredBookmarks(file, {});
-  if (!stored) return tl::unexpected(stored.error());
   info.bookmarks = stored->bookmarks();
   if (stored->problem) info.losses.push_back(stored->problem->describe());
   return info;

@@ -47,7 +47,8 @@ std::string list(const std::map<std::string, std::uint64_t>& counts) {
 LogSource::~LogSource() = default;
 LogSource::LogSource(LogSource&&) noexcept = default;
 
-Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFile::Progress& progress) {
+Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFile::Progress& progress,
+                                  std::size_t cacheBytes) {
   LogSource source;
   source.file_ = file;
   auto container = ContainerFile::of(file, progress);
@@ -56,10 +57,12 @@ Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFi
   source.container_.emplace(std::move(*container));
   Reader::Options options;
   options.progress = progress;
+  options.cacheBytes = cacheBytes;
   auto reader = Reader::open(source.container_->path(), options);
   if (!reader) return tl::unexpected(reader.error());
   source.reader_ = std::move(*reader);
-  auto stored = readStoredBookmarks(file, {});
+  const bool converted = source.container_->conversion() != nullptr;
+  auto stored = storedBookmarksOf(file, converted ? nullptr : source.reader_.get());
   if (!stored) return tl::unexpected(stored.error());
   source.bookmarks_ = stored->bookmarks();
   if (stored->problem) source.otherLosses_.push_back(stored->problem->describe());

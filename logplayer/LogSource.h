@@ -33,7 +33,7 @@ class LogSource {
  public:
   /// Fails if nothing can be read, or is given up by `progress`.
   static robotlink::Result<LogSource> open(const std::filesystem::path& file,
-                                           const LogFile::Progress& progress);
+                                           const LogFile::Progress& progress, std::size_t cacheBytes);
   ~LogSource();
   LogSource(LogSource&&) noexcept;
 
