@@ -2,6 +2,7 @@
 #include "app/core/BallTrials.h"
 
 #include <cmath>
+#include <optional>
 
 #include "robotlink/base/Random.h"
 
@@ -32,10 +33,12 @@ bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, 
   return false;
 }
 
-BallTrials::Trial playOne(SimulatedRun& run, const BallTrials& trials, BallTrials::Trial trial) {
+/// Nothing: it was stopped.
+std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& trials, BallTrials::Trial trial) {
   const robotlink::Clock& clock = run.world().clock();
   robotlink::Instant end = robotlink::Instant(robotlink::fromSeconds(trials.seconds));
   while (clock.now() < end) {
+    if (trials.stop && trials.stop()) return std::nullopt;
     run.step();
     if (trial.touched || run.world().simulation().ballContacts() == 0) continue;
     trial.touched = true;
@@ -71,7 +74,9 @@ tl::expected<std::vector<BallTrials::Trial>, robotlink::Errors> BallTrials::play
                                                {},
                                                {run.scene.string(), 0, 0}}});
     }
-    trials.push_back(playOne(simulated, *this, trial));
+    const auto played = playOne(simulated, *this, trial);
+    if (!played) break;
+    trials.push_back(*played);
     if (onTrial) onTrial(trials.back());
   }
   return trials;

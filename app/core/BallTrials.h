@@ -26,6 +26,7 @@ struct BallTrials {
   double seconds = 60;   ///< a trial's limit, simulated
   double afterTouch = 2;  ///< s, simulated, to see where the ball goes
   std::function<void(const Trial&)> onTrial;  ///< progress
+  std::function<bool()> stop;  ///< asked often; true: the trial that is played and those behind it are left out
 
   tl::expected<std::vector<Trial>, robotlink::Errors> play() const;
 };

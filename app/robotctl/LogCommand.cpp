@@ -4,7 +4,6 @@
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
-#include <csignal>
 #include <cstdio>
 #include <iostream>
 
@@ -17,9 +16,6 @@ namespace {
 
 using robotlink::Instant;
 using robotlink::Result;
-
-// A signal has no other way to say that it came.
-volatile std::sig_atomic_t interrupted = 0;
 
 constexpr auto kQuiet = std::chrono::milliseconds(500);  // what is done by then needs no progress
 
@@ -72,7 +68,10 @@ void TimeRange::addTo(CLI::App& command) {
 Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) const {
   Instants result;
   if (from.empty() && to.empty()) return result;
-  const auto file = logplayer::LogFile::open(log, {});
+  TerminalProgress progress;
+  logplayer::LogFile::Options options;
+  options.progress = progress.function();
+  const auto file = logplayer::LogFile::open(log, options);
   if (!file) return tl::unexpected(file.error());
   const auto bookmarks = logplayer::Bookmarks::open(log);
   if (!bookmarks) return tl::unexpected(bookmarks.error());
@@ -94,13 +93,9 @@ Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) cons
 }
 
 TerminalProgress::TerminalProgress()
-    : start_(std::chrono::steady_clock::now()), onTerminal_(::isatty(STDERR_FILENO) == 1) {
-  interrupted = 0;
-  std::signal(SIGINT, [](int) { interrupted = 1; });
-}
+    : start_(std::chrono::steady_clock::now()), onTerminal_(::isatty(STDERR_FILENO) == 1) {}
 
 TerminalProgress::~TerminalProgress() {
-  std::signal(SIGINT, SIG_DFL);
   erase();
 }
 
@@ -114,7 +109,7 @@ logplayer::LogFile::Progress TerminalProgress::function() {
 }
 
 bool TerminalProgress::show(double share) {
-  if (interrupted != 0) return false;
+  if (Interrupt::noted()) return false;
   const int percent = static_cast<int>(std::clamp(share, 0.0, 1.0) * 100);
   if (!onTerminal_ || percent == shown_ || std::chrono::steady_clock::now() - start_ < kQuiet) return true;
   std::fprintf(stderr, "\r%3d %% ", percent);

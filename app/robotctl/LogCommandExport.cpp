@@ -74,10 +74,7 @@ int exportFrom(const std::shared_ptr<logplayer::LogFile>& log, const ExportArgum
                                      : exportTexts(log, arguments.streams, to, options),
                "texts", to);
   }
-  std::cout.flush();
-  if (std::cout) return status.value();
-  std::cerr << "robotctl log export: cannot write to standard output\n";
-  return kFailed;
+  return status.value();
 }
 
 Result<std::shared_ptr<logplayer::LogFile>> opened(const std::filesystem::path& file) {

@@ -72,7 +72,7 @@ int import(ImportArguments& arguments) {
   arguments.options.progress = progress.function();
   const auto report = logplayer::importLog(arguments.from, output->temporary(), arguments.options);
   progress.erase();
-  if (!report) return printErrors({report.error()});
+  if (!report) return printErrors({output->named(report.error())});
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
   print(arguments, *report);
   if (report->damage.empty()) return kDone;
@@ -95,12 +95,12 @@ int repair(ImportArguments& arguments) {
   TerminalProgress progress;
   const auto report = logplayer::mcap::repair(arguments.from, output->temporary(), progress.function());
   progress.erase();
-  if (!report) return printErrors({report.error()});
+  if (!report) return printErrors({output->named(report.error())});
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
   std::cout << arguments.to << ": " << report->messages << " messages";
   if (report->chunksLost > 0 || report->bytesLost > 0) {
     std::cout << "; lost: " << report->chunksLost << (report->chunksLost == 1 ? " chunk, " : " chunks, ")
-              << report->bytesLost << " bytes";
+              << report->bytesLost << (report->bytesLost == 1 ? " byte" : " bytes");
   }
   std::cout << "\n";
   return printLosses(logplayer::lossesOf(arguments.from, true, report->damage));

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
 #include "logplayer/LogFile.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
@@ -36,8 +37,8 @@ struct TimeRange {
   robotlink::Result<Instants> of(const std::filesystem::path& log) const;
 };
 
-/// Shows on stderr how much is done, if that is a terminal and it takes a while. An interrupt (Ctrl+C) while
-/// it exists gives up what it is shown for, so that nothing half-done is left. One at a time.
+/// Shows on stderr how much is done, if that is a terminal and it takes a while. A signal (Ctrl-C) while it exists gives up
+/// what it is shown for, so that nothing half-done is left. One at a time.
 class TerminalProgress {
  public:
   TerminalProgress();
@@ -53,6 +54,7 @@ class TerminalProgress {
  private:
   bool show(double share);
 
+  Interrupt interrupt_;
   std::chrono::steady_clock::time_point start_;
   bool onTerminal_;
   int shown_ = -1;  // percent

@@ -7,14 +7,17 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "app/core/ReplayRun.h"
 #include "app/core/Workbench.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/LogCommands.h"
 #include "app/robotctl/LogInput.h"
 #include "app/robotctl/RobotName.h"
 #include "app/robotctl/RunRobotCommand.h"
 #include "logplayer/LogWriter.h"
+#include "robotlink/base/UnfinishedFile.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/session/QueueMessages.h"
 
@@ -56,6 +59,7 @@ class Recording {
     auto writer = logplayer::LogWriter::create(path, std::move(options));
     if (!writer) return tl::unexpected(writer.error());
     writer_ = std::move(*writer);
+    unfinished_.emplace(path);
     return {};
   }
 
@@ -75,6 +79,7 @@ class Recording {
 
   robotlink::Result<void> close() {
     if (writer_ && result_) result_ = writer_->container().close();
+    unfinished_.reset();
     return result_;
   }
   bool good() const { return result_.has_value(); }
@@ -87,6 +92,7 @@ class Recording {
 
   robotlink::ManualClock still_;
   std::unique_ptr<logplayer::LogWriter> writer_;
+  std::optional<robotlink::UnfinishedFile> unfinished_;
   robotlink::Result<void> result_;
   bool failed_ = false;
 };
@@ -245,7 +251,21 @@ void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
                "all=recomputed\n";
 }
 
+/// Steps to the end; how many instants there were. A signal ends it before.
+std::uint64_t play(ReplayRun& run, const Recording& recording, TerminalProgress& progress) {
+  std::uint64_t instants = 1;
+  const auto show = progress.function();
+  const double length = robotlink::seconds(run.end() - run.begin());
+  while (recording.good() && run.step()) {
+    ++instants;
+    if (!show(length > 0 ? robotlink::seconds(run.now() - run.begin()) / length : 1)) break;
+  }
+  return instants;
+}
+
 int replay(const RunArguments& arguments, ReplayOptions options) {
+  TerminalProgress progress;
+  options.progress = progress.function();
   Recording recording;
   auto run = ReplayRun::create(std::move(options), recording.listeners());
   if (!run) return printErrors(run.error());
@@ -254,10 +274,10 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
     return printErrors({opened.error()});
   }
   const auto start = std::chrono::steady_clock::now();
-  std::uint64_t instants = 1;
   // What holds from before the log's first instant is told by a jump there.
   if (const auto errors = (*run)->jump((*run)->begin()); !errors.empty()) return printErrors(errors);
-  while (recording.good() && (*run)->step()) ++instants;
+  const std::uint64_t instants = play(**run, recording, progress);
+  progress.erase();
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (auto closed = recording.close(); !closed) return printErrors({closed.error()});
   ReplayStatus status;
@@ -268,7 +288,7 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
   } else {
     printSummary(status, summary);
   }
-  if (recording.processFailed()) return kFailed;
+  if (recording.processFailed() || Interrupt::noted()) return kFailed;
   const bool damaged = std::any_of(status.logs().begin(), status.logs().end(),
                                    [](const auto& log) { return !log.damage().empty(); });
   return damaged ? kDoneWithLosses : kDone;

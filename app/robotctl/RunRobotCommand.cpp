@@ -34,7 +34,6 @@ PioneerRun::Listeners listenersFor(const RunRobotArguments& arguments) {
 
 /// Steps it to the end and tells what changes; whether the robot was ever connected.
 bool drive(PioneerRun& run, const RunRobotArguments& arguments) {
-  const Interrupt interrupt;
   const robotlink::Instant end = run.clock().now() + robotlink::fromSeconds(arguments.seconds);
   std::string told;
   bool connected = false;
@@ -83,10 +82,15 @@ int runRobot(const RunRobotArguments& arguments) {
   options.map = arguments.map;
   options.solutions = arguments.solutions;
   options.motorsOn = arguments.motorsOn;
+  const Interrupt interrupt;
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
   auto run = PioneerRun::create(std::move(options), listenersFor(arguments), recorder->get());
-  if (!run) return printErrors(run.error());
+  if (!run) {
+    std::error_code ignored;
+    if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
+    return printErrors(run.error());
+  }
   printMapNotes((*run)->map().get());
   const bool connected = drive(**run, arguments);
   const json figures = figuresOf(**run, connected);

@@ -9,6 +9,7 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <thread>
 
 #include "app/core/BallTrials.h"
@@ -17,10 +18,12 @@
 #include "app/robotctl/ArcosOptions.h"
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
 #include "app/robotctl/RecordOptions.h"
 #include "app/robotctl/SimFigures.h"
 #include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/UnfinishedFile.h"
 
 namespace app {
 namespace {
@@ -85,8 +88,9 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
   return listeners;
 }
 
-/// Steps to the end. A recording waits for the disk, and the run for the recording: nothing is in a hurry here.
-void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
+/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the recording: nothing is in
+/// a hurry here.
+bool play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
   Pace pace;
   pace.setSpeed(arguments.speed);
   const auto& clock = run.world().clock();
@@ -94,6 +98,7 @@ void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder*
   const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
   robotlink::Instant told;
   while (clock.now() < end) {
+    if (Interrupt::noted()) return false;
     if (arguments.speed > 0) std::this_thread::sleep_until(pace.due(clock.now()));
     run.step();
     if (recorder != nullptr) recorder->waitForRoom();
@@ -101,6 +106,7 @@ void play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder*
     told += kProgressEvery;
     std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(clock.now()) << " s" << std::endl;
   }
+  return true;
 }
 
 /// Says what became of the labelled images, if there are any.
@@ -112,10 +118,14 @@ int finishImages(const LabelledImages* images, const std::string& folder) {
 }
 
 int runOnce(const SimArguments& arguments) {
+  const Interrupt interrupt;
   const auto images = arguments.camera.labelledImages();
   if (!images) return printErrors({images.error()});
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
+  // Until something is in it.
+  std::optional<robotlink::UnfinishedFile> unfinished;
+  if (*recorder) unfinished.emplace(arguments.record.file);
   auto run = SimulatedRun::create(arguments.run, listenersFor(arguments, images->get()), recorder->get());
   if (!run) {
     std::error_code ignored;
@@ -124,10 +134,12 @@ int runOnce(const SimArguments& arguments) {
   }
   printMapNotes((*run)->map().get());
   const auto start = std::chrono::steady_clock::now();
-  play(**run, arguments, recorder->get());
+  unfinished.reset();
+  const bool played = play(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int status = *recorder ? finishRecording(**recorder) : kDone;
   if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone) status = written;
+  if (!played) status = kFailed;
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
     std::cout << figures["digest"].get<std::string>() << "\n";
@@ -153,6 +165,8 @@ int runTrials(const SimArguments& arguments) {
   trials.count = arguments.trials;
   trials.radius = arguments.radius;
   trials.seconds = arguments.seconds;
+  const Interrupt interrupt;
+  trials.stop = &Interrupt::noted;
   trials.onTrial = [&](const BallTrials::Trial& trial) {
     std::cerr << "seed " << trial.seed << ": "
               << (trial.touched ? fmt::format("touched after {:.1f} s", trial.touchedAfter) : "not touched")
@@ -172,7 +186,7 @@ int runTrials(const SimArguments& arguments) {
   } else {
     std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
   }
-  return kDone;
+  return results->size() < static_cast<std::size_t>(arguments.trials) ? kFailed : kDone;
 }
 
 /// Robots that are driven from outside, without programs of their own.

@@ -1,14 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <CLI/CLI.hpp>
+#include <cerrno>
+#include <csignal>
+#include <cstdio>
+#include <cstring>
 #include <exception>
 #include <iostream>
 
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
 #include "robotlink/base/Resources.h"
 
 namespace app {
 
 int printErrors(const robotlink::Errors& errors) {
+  if (Interrupt::signal() == SIGPIPE) return kFailed;  // nobody listens, and that is no error
   std::cerr << robotlink::describe(errors) << "\n";
   return kFailed;
 }
@@ -25,6 +31,8 @@ int run(int argc, char** argv) {
   app.require_subcommand(1);
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.footer("Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\n"
+             "If a signal ends it before it is done, 128 and the signal's number (130 after Ctrl-C); files are then\n"
+             "complete or not there.\n"
              "'robotctl COMMAND --help' tells more.");
   int status = kDone;
   addSimCommand(app, status);
@@ -43,14 +51,31 @@ int run(int argc, char** argv) {
   return status;
 }
 
+/// Makes sure that what was printed has arrived, and says how the program ended.
+int finish(int status) {
+  errno = 0;
+  std::cout.flush();
+  const bool written = std::fflush(stdout) == 0 && std::cout && std::ferror(stdout) == 0;
+  const std::string reason = errno != 0 ? std::string(": ") + std::strerror(errno) : std::string();
+  const int signal = Interrupt::signal();
+  if (signal == SIGPIPE && !written) return Interrupt::exitStatus(signal);
+  if (!written) {
+    std::cerr << "robotctl: cannot write to standard output" << reason << "; what was printed is not complete\n";
+    if (status == kDone) status = kFailed;
+  }
+  return signal != 0 && signal != SIGPIPE && status != kDone ? Interrupt::exitStatus(signal) : status;
+}
+
 }  // namespace
 }  // namespace app
 
 int main(int argc, char** argv) {
+  const app::SignalWatch watch;
+  int status = app::kFailed;
   try {
-    return app::run(argc, argv);
+    status = app::run(argc, argv);
   } catch (const std::exception& exception) {
     std::cerr << "robotctl: " << exception.what() << "\n";
-    return app::kFailed;
   }
+  return app::finish(status);
 }

@@ -3,6 +3,7 @@
 
 #include <gmock/gmock.h>
 
+#include <fstream>
 #include <nlohmann/json.hpp>
 
 #include "logplayer/BookmarkStorage.h"
@@ -86,6 +87,29 @@ TEST_F(LogInfoTest, itIsGivenUpByProgress) {
   const auto read = readLogInfo(folder_ / "a.mcap", [](double) { return false; });
   ASSERT_FALSE(read);
   EXPECT_EQ(read.error().id, "log.given-up");
+}
+
+/// Bytes that this program has read from files so far.
+std::uint64_t bytesRead() {
+  std::ifstream file("/proc/self/io");
+  std::string name;
+  std::uint64_t bytes = 0;
+  file >> name >> bytes;
+  return bytes;
+}
+
+TEST_F(LogInfoTest, aFileThatWasNotClosedIsLookedThroughOnce) {
+  const auto file = folder_ / "a.mcap";
+  SampleLog sample;
+  sample.close = false;
+  sample.write(file);
+  const std::uint64_t tail = 16U << 20U;
+  std::filesystem::resize_file(file, std::filesystem::file_size(file) + tail);
+  const std::uint64_t before = bytesRead();
+  const auto read = readLogInfo(file);
+  ASSERT_TRUE(read);
+  EXPECT_EQ(read->messages, 513U);
+  EXPECT_LT(bytesRead() - before, tail + tail / 2);
 }
 
 TEST_F(LogInfoTest, theRealLogHas160ImagesIn434Frames) {
