@@ -156,7 +156,7 @@ TEST_P(Signals, whatWritesAFileLeavesNothingOfIt) {
 
 TEST_P(Signals, aSimulationThatIsRecordedClosesItsFile) {
   const Watch watch(here_, IN_MODIFY);
-  Program program(here_, {"sim", kScene, "--seconds", "1000", "--speed", "1", "--record", "out.mcap"});
+  Program program(here_, {"sim", kScene, "--seconds", "1000", "--speed", "1", "--json", "--record", "out.mcap"});
   ASSERT_TRUE(watch.happens());
   program.send(GetParam());
   EXPECT_EQ(program.wait(), 128 + GetParam());
