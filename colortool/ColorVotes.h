@@ -9,6 +9,7 @@
 #include "colortool/CellSet.h"
 #include "colortool/ColorTable.h"
 #include "colortool/LearnedTables.h"
+#include "colortool/VoteKernel.h"
 
 namespace colortool {
 
@@ -18,22 +19,30 @@ struct VoteOptions {
   double radius = 8;
   /// A difference in Y counts this much against one in Cb or Cr; kLeastBrightnessWeight to 1. Below 1, since
   /// light and shadow change a colour's brightness first.
-  double brightnessWeight = 0.3;
+  double brightnessWeight = 0.2;
   /// What a class needs at least, as a share of a single sample pixel's vote for its own cell; 0 or more.
-  double rejection = 0.1;
+  double rejection = 0.05;
   /// What a sample of the background counts against one of a class; background is of many colours, and most
   /// of it is never touched by a stroke.
   double backgroundWeight = 0.3;
+  /// What a sample votes with along its shade, as a share of its vote for its own cell; 0: not at all. It
+  /// decides where no sample is near: shadow and glare change Cb and Cr along with Y.
+  double shading = 0.1;
+  /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel: walls,
+  /// clothes and shadows that no stroke has touched are gray, or nearly so.
+  double grayGuard = 6;
 
   static constexpr double kLeastRadius = 2, kMostRadius = 24;
   static constexpr double kLeastBrightnessWeight = 0.1;
+  static constexpr double kMostShading = 0.5;
   bool operator==(const VoteOptions&) const = default;
 };
 
 /// Makes a colour table of samples by voting: each sample votes for its class in the cells around its own,
 /// the less the farther, as a Gaussian; each cell goes to the class with most votes (rUNSWift 2005, with the
-/// Y axis stretched). Samples of one class in one cell count as (their number)^0.7, so that a large area does
-/// not drown a careful stroke.
+/// Y axis stretched). A second, weak vote reaches farther, along what more or less light makes of the color.
+/// Samples of one class in one cell count as (their number)^0.7, so that a large area does not drown a
+/// careful stroke.
 ///
 /// All sums are integers: to add samples and to take them away again leaves exactly what was there before.
 /// Incremental: only the cells that a change can reach are looked at. About 1 MB a class. One thread.
@@ -41,6 +50,9 @@ class ColorVotes {
  public:
   /// `classes`: how many there are with class 0, which is the background.
   explicit ColorVotes(int classes, const VoteOptions& options = {});
+  /// Which classes are colors of things, by number; see thingClasses(). Of these the gray guard asks for more.
+  /// At first none is.
+  void setThings(std::vector<bool> things);
 
   /// Adds `pixels` samples of a colour (negative: takes them away, or says that it must not be of that
   /// class). Weighs in kUnit-ths of a pixel. The table follows with the next call of update().
@@ -69,32 +81,27 @@ class ColorVotes {
   int classes() const { return static_cast<int>(votes_.size()); }
 
  private:
-  /// Cells, from `first` to `last` inclusive, that may have changed.
-  struct Box {
-    int first[3] = {ColorTable::kCells, ColorTable::kCells, ColorTable::kCells};
-    int last[3] = {-1, -1, -1};
-    void include(int axis, int from, int to);
-    void clear() { *this = {}; }
-    bool empty() const { return last[0] < 0; }
-  };
   struct Sample {
     std::int64_t pixels = 0;    ///< in kUnit-ths
     std::int32_t strength = 0;  ///< what it votes with
   };
-  void makeKernel();
+  void makeKernels();
+  void makeGuard(double peak);
   std::int32_t strengthOf(std::int64_t pixels, std::uint8_t colorClass) const;
-  void vote(std::size_t cell, std::uint8_t colorClass, std::int32_t strength);
+  void vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength);
+  /// What a class has in a cell, prior and guard included.
+  std::int32_t votesOf(std::size_t colorClass, std::size_t cell) const;
   void decide(int y, int cb, int block);
 
   VoteOptions options_;
-  int chromaReach_ = 0, brightnessReach_ = 0;  // of the kernel, cells
-  int kernelWidth_ = 0;                        // of its rows along cr, with zeros behind them
-  std::vector<std::int16_t> kernel_;           // [y][cb][cr]
+  VoteKernel near_, shade_;
   std::int32_t priorVotes_ = 0;
+  std::vector<std::int32_t> guard_;  // what a thing's votes must exceed the others' by, by Cb and Cr
+  std::vector<bool> things_;         // by class
   std::unordered_map<std::uint32_t, Sample> samples_;  // by cell and class
   std::vector<CellSet> sampled_;                       // by class
   std::vector<std::vector<std::int32_t>> votes_;       // by class and cell
-  Box changed_;
+  CellBox changed_;
   ColorTable table_;
 };
 

@@ -158,6 +158,37 @@ PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, d
   return mask.area();
 }
 
+PixelArea carefulBrushArea(const ColorImage& image, std::span<const ImagePoint> points, double radius,
+                           double tolerance) {
+  // The pixels that the line goes through are meant, whatever they are.
+  const PixelArea middle = brushArea(image.width, image.height, points, std::min(radius, 0.71));
+  struct Meant {
+    int x, y;
+  };
+  std::vector<Meant> meant;
+  for (const PixelRun& run : middle) {
+    for (int x = run.begin; x < run.end; ++x) meant.push_back({x, run.y});
+  }
+  const auto isLike = [&](int x, int y) {
+    const auto nearest = std::ranges::min_element(
+        meant, {}, [&](const Meant& m) { return (m.x - x) * (m.x - x) + (m.y - y) * (m.y - y); });
+    if (nearest == meant.end()) return true;
+    const robotlink::YCbCr a = image.at(nearest->x, nearest->y), b = image.at(x, y);
+    return std::hypot(0.5 * (a.y - b.y), a.cb - b.cb, a.cr - b.cr) <= tolerance;
+  };
+  PixelArea area;
+  for (const PixelRun& run : brushArea(image.width, image.height, points, radius)) {
+    for (int x = run.begin; x < run.end; ++x) {
+      if (!isLike(x, run.y)) continue;
+      if (!area.empty() && area.back().y == run.y && area.back().end == x)
+        ++area.back().end;
+      else
+        area.push_back({run.y, x, x + 1});
+    }
+  }
+  return area;
+}
+
 PixelArea rectangleArea(int width, int height, ImagePoint corner, ImagePoint opposite) {
   const int top = std::max(0, bounded(std::round(std::min(corner.y, opposite.y)), height)),
             bottom = bounded(std::round(std::max(corner.y, opposite.y)), height - 1);

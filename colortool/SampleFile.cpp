@@ -73,7 +73,9 @@ Json written(const TrainingSettings& s) {
              {{"radius", s.votes.radius},
               {"brightness_weight", s.votes.brightnessWeight},
               {"rejection", s.votes.rejection},
-              {"background_weight", s.votes.backgroundWeight}}},
+              {"background_weight", s.votes.backgroundWeight},
+              {"shading", s.votes.shading},
+              {"gray_guard", s.votes.grayGuard}}},
             {"gaussians", {{"most_squared_distance", s.gaussians.mostSquaredDistance}}},
             {"support_vectors",
              {{"cost", s.supportVectors.cost},
@@ -101,6 +103,8 @@ TrainingSettings readSettings(const Json& line) {
   optional(votes, "brightness_weight", s.votes.brightnessWeight);
   optional(votes, "rejection", s.votes.rejection);
   optional(votes, "background_weight", s.votes.backgroundWeight);
+  optional(votes, "shading", s.votes.shading);
+  optional(votes, "gray_guard", s.votes.grayGuard);
   optional(gaussians, "most_squared_distance", s.gaussians.mostSquaredDistance);
   optional(vectors, "cost", s.supportVectors.cost);
   optional(vectors, "gamma", s.supportVectors.gamma);

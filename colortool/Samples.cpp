@@ -146,6 +146,14 @@ bool erase(Samples& samples, const SampleImage& where, const PixelArea& area) {
   return changed;
 }
 
+void erasePart(Samples& samples, std::uint64_t id, const PixelArea& area) {
+  for (StrokePtr& stroke : samples.strokes) {
+    if (stroke->id == id) stroke = without(stroke, area);
+  }
+  std::erase(samples.strokes, nullptr);
+  removeUnusedImages(samples);
+}
+
 void removeStrokes(Samples& samples, const std::vector<std::uint64_t>& ids) {
   std::erase_if(samples.strokes,
                 [&](const StrokePtr& stroke) { return std::ranges::find(ids, stroke->id) != ids.end(); });

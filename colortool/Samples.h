@@ -89,6 +89,8 @@ std::uint64_t addStroke(Samples& samples, const SampleImage& where, const ColorI
 /// Takes an area away from all strokes of an image; strokes without a pixel left go. Whether anything
 /// changed.
 bool erase(Samples& samples, const SampleImage& where, const PixelArea& area);
+/// Takes an area away from one stroke, by id; without a pixel left it goes.
+void erasePart(Samples& samples, std::uint64_t id, const PixelArea& area);
 /// Removes strokes by id, and images that no stroke needs any more.
 void removeStrokes(Samples& samples, const std::vector<std::uint64_t>& ids);
 /// Changes what strokes say, by id: class, "must not be", weight; tool stays.

@@ -1,15 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/ColorTables.h"
 
-#include "colortool/NamedColorTable.h"
+#include "colortool/TableImport.h"
 #include "robotcontrol/Perception.pb.h"
 
 namespace app {
 
 robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
     const std::filesystem::path& file) {
-  const auto read = colortool::NamedColorTable::load(file);
-  if (!read) return tl::unexpected(read.error().front());
+  const auto imported = colortool::importTable(file);
+  if (!imported) {
+    robotlink::Error error = imported.error().front();
+    if (error.where.file.empty()) error.where.file = file.string();
+    return tl::unexpected(std::move(error));
+  }
+  const colortool::NamedColorTable* read = &imported->table;
   auto table = std::make_shared<robotcontrol::ColorTable>();
   for (const std::string& name : read->classes.names()) table->add_class_names(name);
   const std::vector<std::uint8_t> cells = read->file.singleClasses();

@@ -12,8 +12,9 @@ class ColorTable;
 
 namespace app {
 
-/// A .c64 file as a robot's program takes it (Request.set_color_table), with the names of its classes
-/// (colortool::NamedColorTable).
+/// A color table's file as a robot's program takes it (Request.set_color_table), with the names of its
+/// classes: a .c64, or a table of another team that can be imported (colortool::importTable). Errors name the
+/// file.
 robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
     const std::filesystem::path& file);
 

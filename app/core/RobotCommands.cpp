@@ -136,7 +136,7 @@ void addForProgram(CommandTable& commands, Workbench& workbench) {
                 }});
   commands.add({"robot.color-table",
                 "Gives the selected robot's program a colour table, which it uses from its next image on",
-                {{"file", Type::kText, "a colour table (.c64)"}},
+                {{"file", Type::kText, "a colour table: .c64, or another team's"}},
                 [&workbench](const Values& values) { return setColorTable(workbench, text(values, 0)); }});
   commands.add({"robot.no-color-table", "Lets the selected robot's program find colours as it does without a table", {},
                 [&workbench](const Values&) {

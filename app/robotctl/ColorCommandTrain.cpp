@@ -169,6 +169,12 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
          "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
          "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
+  number("--shading", settings.votes.shading,
+         "What a sample says of its color in shadow and glare, as a share of its own vote",
+         CLI::Range(0.0, Votes::kMostShading));
+  number("--gray-guard", settings.votes.grayGuard,
+         "What colors of things need more where they are nearly gray, in votes of a sample",
+         CLI::NonNegativeNumber);
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
          "gauss: squared Mahalanobis distance from a class past which a colour is not of it",
          CLI::PositiveNumber);

@@ -19,7 +19,23 @@ TEST(ColorTables, aFileOfARealRobotBecomesATableWithNames) {
   EXPECT_EQ(std::ranges::count((*table)->cells(), '\1'), 1051);
 }
 
-TEST(ColorTables, whatIsNoTableIsRefused) {
-  EXPECT_EQ(app::readColorTable(ROBOTCONTROL_SOURCE_DIR "/README.md").error().id, "color-table.c64");
-  EXPECT_FALSE(app::readColorTable("/no/such/table.c64"));
+TEST(ColorTables, tablesOfOtherTeamsAreTakenAsTheyAre) {
+  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour";
+  if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the real tables are not at " << folder;
+  for (const char* name : {"upenn_Germany2016_10am_Top_64bitmask.raw.bz2", "runswift2005_tightnnmc_128.cal.bz2",
+                           "nubots2013_default_RC2013.lut.bz2", "ers7/tekkotsu_7general.tm"}) {
+    const auto table = app::readColorTable(folder / name);
+    ASSERT_TRUE(table) << name << ": " << table.error().describe();
+    EXPECT_GT((*table)->class_names_size(), 3) << name;
+    ASSERT_EQ((*table)->cells().size(), 262144U) << name;
+    EXPECT_LT(std::ranges::count((*table)->cells(), '\0'), 262144) << name << " has colors";
+  }
+}
+
+TEST(ColorTables, whatIsNoTableIsRefusedWithTheNameOfItsFile) {
+  for (const std::string file : {ROBOTCONTROL_SOURCE_DIR "/README.md", "/no/such/table.c64"}) {
+    const auto table = app::readColorTable(file);
+    ASSERT_FALSE(table);
+    EXPECT_NE(table.error().describe().find(file), std::string::npos) << table.error().describe();
+  }
 }

@@ -113,6 +113,42 @@ TEST(ColorVotes, manySamplesWithAWideKernelDoNotOverflow) {
   for (int y = 0; y < 256; y += 4) EXPECT_EQ(table.classOf({static_cast<std::uint8_t>(y), 128, 128}), 1) << y;
 }
 
+TEST(ColorVotes, aBallInTheShadeIsStillOrange) {
+  ColorVotes votes(3), near(3, {.shading = 0});
+  for (ColorVotes* each : {&votes, &near}) {
+    add(*each, {160, 80, 190}, 1);
+    add(*each, kGreen, 2);
+  }
+  const YCbCr shaded{67, 104, 159};  // half the light
+  EXPECT_EQ(votes.update().classOf(shaded), 1);
+  EXPECT_EQ(near.update().classOf(shaded), 0) << "that is what the shade is for";
+}
+
+TEST(ColorVotes, whatIsNearlyGrayIsNoThingUnlessManySamplesSaySo) {
+  ColorVotes votes(3);
+  votes.setThings({false, true, false});
+  add(votes, {100, 138, 118}, 1, 2);  // a bluish goal, two pixels of it
+  add(votes, {100, 100, 100}, 2, 2);
+  const YCbCr wall{100, 129, 126};
+  EXPECT_EQ(votes.update().classOf(wall), 0);
+  EXPECT_EQ(votes.update().classOf({100, 142, 112}), 1);
+  votes.setThings({false, false, false});
+  EXPECT_EQ(votes.update().classOf(wall), 1) << "of the ground nothing more is asked";
+  votes.setThings({false, true, false});
+  add(votes, wall, 1, 20);
+  EXPECT_EQ(votes.update().classOf(wall), 1) << "a stroke there counts more";
+}
+
+TEST(ColorVotes, whatMustNotBeReachesNoFartherThanASample) {
+  ColorVotes votes(2);
+  add(votes, {160, 80, 190}, 1);
+  const YCbCr shaded{67, 104, 159};
+  ASSERT_EQ(votes.update().classOf(shaded), 1);
+  add(votes, {160, 92, 178}, 1, -100);
+  EXPECT_EQ(votes.update().classOf(shaded), 1);
+  EXPECT_EQ(votes.update().classOf({160, 92, 178}), 0);
+}
+
 TEST(ColorVotes, theMarginIsSmallBetweenClassesAndLargeWithinThem) {
   ColorVotes votes(3);
   add(votes, {150, 100, 150}, 1);
@@ -120,7 +156,7 @@ TEST(ColorVotes, theMarginIsSmallBetweenClassesAndLargeWithinThem) {
   votes.update();
   EXPECT_GT(votes.margin(ColorTable::cellOf({150, 100, 150})), 0.5);
   EXPECT_LT(votes.margin(ColorTable::cellOf({150, 112, 150})), 0.3);
-  EXPECT_EQ(votes.margin(ColorTable::cellOf({20, 128, 128})), 1) << "surely nothing";
+  EXPECT_EQ(votes.margin(ColorTable::cellOf({150, 30, 60})), 1) << "surely nothing";
   EXPECT_EQ(votes.classesOf(ColorTable::cellOf({150, 112, 150}), 0.5), 0b11);
   EXPECT_EQ(votes.classesOf(ColorTable::cellOf({150, 100, 150}), 0.5), 0b01);
 }

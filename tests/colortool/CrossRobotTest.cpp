@@ -70,11 +70,11 @@ TEST(CrossRobot, aTableOfOneAiboSortsTheColoursOfTheOthers) {
       }
     }
     // One of the robots sees green nearly as blue as others see light blue.
-    EXPECT_GT(score.share(), 0.997) << "learned from " << teacher;
+    EXPECT_GT(score.share(), 0.996) << "learned from " << teacher;
     total.right += score.right;
     total.all += score.all;
   }
-  EXPECT_GE(total.share(), 0.999) << total.right << " of " << total.all;
+  EXPECT_GE(total.share(), 0.998) << total.right << " of " << total.all;
 }
 
 }  // namespace

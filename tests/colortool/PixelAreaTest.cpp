@@ -45,6 +45,23 @@ ColorImage imageOf(const std::vector<std::string>& rows) {
 
 using Rows = std::vector<std::string>;
 
+TEST(PixelArea, aCarefulBrushLeavesOutWhatIsBesideALine) {
+  ColorImage image(40, 30);
+  for (int y = 0; y < 30; ++y) {
+    for (int x = 0; x < 40; ++x)
+      image.pixels[static_cast<std::size_t>(y * 40 + x)] =
+          y == 10 || y == 11 ? robotlink::YCbCr{200, 120, 128} : robotlink::YCbCr{80, 116, 116};
+  }
+  const ImagePoint way[] = {{5, 10}, {30, 10.4}};
+  const PixelArea careful = carefulBrushArea(image, way, 4, 24), plain = brushArea(40, 30, way, 4);
+  EXPECT_GT(pixelCount(plain), 200U);
+  for (const PixelRun& run : careful) EXPECT_TRUE(run.y == 10 || run.y == 11) << run.y;
+  EXPECT_GT(pixelCount(careful), 50U);
+  EXPECT_TRUE(isValid(careful, 40, 30));
+  const ImagePoint field[] = {{5, 22}, {30, 22}};
+  EXPECT_EQ(carefulBrushArea(image, field, 4, 24), brushArea(40, 30, field, 4)) << "where all is alike it is a brush";
+}
+
 }  // namespace
 
 TEST(PixelArea, aBrushOfRadius3Touches29Pixels) {

@@ -1,0 +1,126 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How good tables of few strokes are in an image that none of the strokes is from: each labelled image of the
+// real robot is left out in turn.
+#include <gtest/gtest.h>
+
+#include <array>
+#include <filesystem>
+#include <random>
+
+#include "colortool/ClassPresets.h"
+#include "colortool/Evaluation.h"
+#include "colortool/TableTrainer.h"
+#include "logplayer/ImageCoding.h"
+#include "robotlink/base/AtomicFile.h"
+
+namespace {
+
+using namespace colortool;
+namespace fs = std::filesystem;
+
+const fs::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+constexpr int kWidth = 320, kHeight = 240;
+constexpr int kSeeds = 5;
+constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
+
+struct Frame {
+  std::string name;
+  ColorImage image{kWidth, kHeight};
+  std::vector<std::uint8_t> labels;
+  std::array<std::vector<ImagePoint>, 9> places;  ///< by class, where a stroke lies inside of it
+};
+
+/// Pixels of (Y1, Cb, Cr).
+Frame readFrame(const std::string& stem) {
+  Frame frame;
+  frame.name = stem;
+  const std::string bytes = robotlink::readFile(kData / "yuyv" / (stem + ".yuyv")).value();
+  for (std::size_t i = 0; i < frame.image.pixels.size(); ++i) {
+    const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes.at(4 * i + at)); };
+    frame.image.pixels[i] = {byte(2), byte(1), byte(3)};
+  }
+  const std::string png = robotlink::readFile(kData / "labels" / (stem + ".png")).value();
+  frame.labels = logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
+  const auto label = [&](int x, int y) { return frame.labels[static_cast<std::size_t>(y * kWidth + x)]; };
+  for (int y = 3; y < kHeight - 3; ++y) {
+    for (int x = 3; x < kWidth - 3; ++x) {
+      bool inside = label(x, y) < frame.places.size();
+      for (int off = -3; off <= 3 && inside; ++off) {
+        const int across = std::abs(off) == 3 ? 0 : std::abs(off) == 2 ? 2 : off == 0 ? 3 : 2;
+        inside = label(x - across, y + off) == label(x, y) && label(x + across, y + off) == label(x, y);
+      }
+      if (inside) frame.places[label(x, y)].push_back({1.0 * x, 1.0 * y});
+    }
+  }
+  return frame;
+}
+
+/// Strokes of 29 pixels at random places of all images but `left`. Classes that only that one has are not
+/// learned.
+Samples strokes(const std::vector<Frame>& frames, const Frame& left, int perClass, unsigned seed) {
+  Samples samples;
+  samples.classes = findClassPreset("bhuman2009")->classes();
+  std::mt19937 random(seed);
+  for (std::uint8_t colorClass = 0; colorClass < 9; ++colorClass) {
+    std::vector<std::pair<const Frame*, ImagePoint>> places;
+    for (const Frame& frame : frames) {
+      if (&frame == &left) continue;
+      for (const ImagePoint place : frame.places[colorClass]) places.emplace_back(&frame, place);
+    }
+    for (int i = 0; i < perClass && !places.empty(); ++i) {
+      const auto& [frame, place] = places[random() % places.size()];
+      addStroke(samples, {0, frame->name, "nao", "", 0, 0}, frame->image,
+                brushArea(kWidth, kHeight, {&place, 1}, 3), {colorClass, false, 1, "brush"});
+    }
+  }
+  return samples;
+}
+
+/// Of what can be known of the images that were left out: orange, white, green, and the background.
+struct Score {
+  double recall = 0, falseColor = 0;
+};
+
+Score score(const std::vector<Frame>& frames, int perClass) {
+  Score sum;
+  for (unsigned seed = 1; seed <= kSeeds; ++seed) {
+    Evaluation all(9);
+    for (const Frame& left : frames) {
+      TableTrainer trainer;
+      const Samples samples = strokes(frames, left, perClass, seed);
+      Evaluation one(9);
+      one.add(trainer.train(samples), left.image, left.labels);
+      for (int label = 0; label < 9; ++label) {
+        const bool learned = std::ranges::any_of(samples.strokes, [&](const StrokePtr& s) { return s->colorClass == label; });
+        // Images of different sizes of a thing count the same.
+        for (int found = 0; found < 9 && learned; ++found) {
+          if (one.labelled(label) != 0)
+            all.add(static_cast<std::uint8_t>(label), static_cast<std::uint8_t>(found),
+                    1'000'000 * one.count(label, found) / one.labelled(label));
+        }
+      }
+    }
+    sum.recall += all.meanRecall() / kSeeds;
+    sum.falseColor += all.falseColor(kThings) / kSeeds;
+  }
+  return sum;
+}
+
+TEST(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStrokesKnowThemBetter) {
+  if (!fs::exists(kData)) GTEST_SKIP() << "the real images are not here: ../shared/data/colour/bhuman2009";
+  std::vector<Frame> frames;
+  for (const char* stem : {"000", "032", "066"}) frames.push_back(readFrame(stem));
+  const Score one = score(frames, 1), three = score(frames, 3), ten = score(frames, 10);
+  for (const auto& [name, each] : {std::pair("1", one), std::pair("3", three), std::pair("10", ten)})
+    std::printf("%2s strokes a class: mean recall %.2f %%, false colors %.3f %%\n", name, 100 * each.recall,
+                100 * each.falseColor);
+  EXPECT_GT(one.recall, 0.97);
+  EXPECT_GT(three.recall, 0.985);
+  EXPECT_GT(ten.recall, 0.985);
+  EXPECT_GE(three.recall, one.recall - 0.001);
+  // The ball in image 000 has 311 pixels, so that one of them is a tenth of a percent.
+  EXPECT_GE(ten.recall, three.recall - 0.005);
+  for (const Score& each : {one, three, ten}) EXPECT_LT(each.falseColor, 0.002);
+}
+
+}  // namespace
