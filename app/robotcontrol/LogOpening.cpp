@@ -14,6 +14,8 @@ namespace app {
 namespace {
 
 constexpr int kMostRecent = 10;
+const QStringList kPictures = {QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
+                               QStringLiteral("yuyv")};
 
 QStringList localFiles(const QMimeData& data) {
   QStringList files;
@@ -78,6 +80,8 @@ void LogOpening::drop(const QMimeData& data, bool add) {
       actions_.run(QStringLiteral("simulation.open"), {file.toStdString()});
     } else if (suffix == QLatin1String("yaml")) {
       actions_.run(QStringLiteral("layout.open"), {file.toStdString()});
+    } else if (QFileInfo(file).isDir() || kPictures.contains(suffix)) {
+      actions_.run(QStringLiteral("color.open-pictures"), {file.toStdString()});
     } else if (suffix == QLatin1String("c64")) {
       actions_.run(QStringLiteral("robot.color-table"), {file.toStdString()});
     } else {

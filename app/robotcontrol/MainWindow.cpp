@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/MaximizedView.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -69,6 +70,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   createLogs();
   createErrorBar();
   createMenus();
+  createMaximizing();
   connectSignals();
   restoreWindow();
   if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
@@ -172,7 +174,7 @@ void MainWindow::tick() {
   status_->refresh();
   tickDocks();
   if (connectDialog_ != nullptr) connectDialog_->tick();
-  if (sinceKept_.elapsed() < kKeepEveryMs) return;
+  if (sinceKept_.elapsed() < kKeepEveryMs || maximizedView_->active()) return;
   sinceKept_.restart();
   keepWindow();
 }

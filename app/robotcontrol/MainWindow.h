@@ -27,6 +27,7 @@ class CommandActions;
 class DockSpace;
 class LayoutHistory;
 class LogOpening;
+class MaximizedView;
 class LogToolBar;
 class LogContentsBar;
 class OpeningBar;
@@ -85,6 +86,7 @@ class MainWindow : public QMainWindow {
   void addBookmarkCommand();
   void addViewCommand();
   void createColors(const std::filesystem::path& userFolder);
+  void createMaximizing();
   bool mayLoseColors();
   void createErrorBar();
   void createMenus();
@@ -129,6 +131,7 @@ class MainWindow : public QMainWindow {
   SimulationToolBar* toolBar_ = nullptr;
   RecordingToolBar* recordingBar_ = nullptr;
   LogToolBar* logToolBar_ = nullptr;
+  MaximizedView* maximizedView_ = nullptr;
   LogOpening* opening_ = nullptr;
   OpeningBar* openingBar_ = nullptr;
   RecordedBar* recordedBar_ = nullptr;

@@ -1,9 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the main window does with the colour table that is being made: commands, recovery, unsaved samples.
+// What the main window does with the colour table that is being made: commands, recovery, unsaved samples; and
+// how a view gets all the room.
+#include <QMenu>
 #include <QStatusBar>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/DockSpace.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/MaximizedView.h"
+#include "app/robotcontrol/ViewDocks.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorCommands.h"
 #include "widgets/color/ColorFileActions.h"
@@ -26,6 +31,20 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
     statusBar()->showMessage(text.section(QLatin1Char('\n'), 0, 0), kToldShownMs);
   });
   files.startRecovery(userFolder / "colors");
+}
+
+void MainWindow::createMaximizing() {
+  maximizedView_ = new MaximizedView(*dockSpace_, this);
+  // A view that has all the room does not keep it, and the others keep their places.
+  connect(docks_, &ViewDocks::placesWanted, maximizedView_, &MaximizedView::restore);
+  auto* menu = qobject_cast<QMenu*>(perspectiveMenu_->parent());
+  auto* action = new QAction(tr("&Maximize view, and back"), this);
+  action->setObjectName(QStringLiteral("maximizeView"));
+  action->setShortcut(Qt::Key_F11);
+  action->setToolTip(tr("Gives all the room to the view with the focus or under the mouse; again: all as it was"));
+  connect(action, &QAction::triggered, maximizedView_, &MaximizedView::toggle);
+  addAction(action);
+  if (menu != nullptr) menu->insertAction(perspectiveMenu_->menuAction(), action);
 }
 
 bool MainWindow::mayLoseColors() {

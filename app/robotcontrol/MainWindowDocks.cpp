@@ -11,6 +11,7 @@
 #include "app/robotcontrol/DockSpace.h"
 #include "app/robotcontrol/LayoutHistory.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/MaximizedView.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "widgets/EmptyHint.h"
 
@@ -47,6 +48,7 @@ void MainWindow::tickDocks() {
   docks_->tick();
   dockSpace_->nameFloats();
   if (sinceLooked_.elapsed() < kLookEveryMs || QApplication::mouseButtons() != Qt::NoButton || dockSpace_->busy()) return;
+  if (maximizedView_->active()) return;  // all others are hidden for a while
   sinceLooked_.restart();
   layouts_->look();
   undoLayout_->setEnabled(layouts_->canUndo());

@@ -188,7 +188,7 @@ void MainWindow::openLayout() {
 }
 
 void MainWindow::loadColorTable() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Load colour table"), {}, tr("Colour tables (*.c64);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Load colour table"), {}, tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("robot.color-table"), {file.toStdString()});
 }
 

@@ -90,7 +90,7 @@ void buildColour(ViewDocks& docks) {
   if (samples != nullptr) samples->setAsCurrentTab();
   setSizes(samples, {560, 620});
   setSizes(space, {500, 460});
-  setSizes(timeLine, {480, 320, 160});
+  setSizes(timeLine, {620, 230, 110});
   setColumns(image, {1180, 420});
 }
 

@@ -103,6 +103,7 @@ ads::CDockWidget* ViewDocks::bringToFront(ads::CDockWidget* dock) {
 }
 
 ads::CDockWidget* ViewDocks::open(const QString& id) {
+  Q_EMIT placesWanted();
   const auto existing = docks(id);
   const auto open = std::find_if(existing.begin(), existing.end(), [](auto* dock) { return !dock->isClosed(); });
   if (open != existing.end()) return bringToFront(*open);
@@ -192,7 +193,10 @@ bool ViewDocks::restore(const QJsonObject& state) {
   return restored;
 }
 
-QString ViewDocks::layout() const { return QString::fromUtf8(space_.saveState(kLayoutVersion)); }
+QString ViewDocks::layout() const {
+  Q_EMIT placesWanted();
+  return QString::fromUtf8(space_.saveState(kLayoutVersion));
+}
 
 bool ViewDocks::hasAllOf(const QString& layout) {
   QXmlStreamReader reader(layout);

@@ -64,6 +64,10 @@ class ViewDocks : public QObject {
   /// All docks whose view is of a kind, open or closed.
   std::vector<ads::CDockWidget*> docks(const QString& id) const;
 
+ Q_SIGNALS:
+  /// The places of the docks are about to be looked at or changed: what hides some of them for a while shows them.
+  void placesWanted() const;
+
  private:
   struct Dock {
     QString id;

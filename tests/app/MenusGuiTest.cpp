@@ -182,6 +182,29 @@ class MenusGuiTest : public QObject {
     QCOMPARE(docks(desk, "image"), std::size_t{1});
   }
 
+  void aViewGetsAllTheRoomAndGivesItBack() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    const auto areas = desk.window.findChildren<ads::CDockAreaWidget*>();
+    QVERIFY(areas.size() > 2);
+    std::vector<QRect> before;
+    for (const auto* area : areas) before.push_back(area->geometry());
+    desk.choose("maximizeView");
+    int shown = 0;
+    for (const auto* area : areas) shown += area->isVisible() ? 1 : 0;
+    QCOMPARE(shown, 1);
+    desk.choose("maximizeView");
+    for (int i = 0; i < areas.size(); ++i) {
+      QVERIFY(areas[i]->isVisible() == !areas[i]->dockWidgets().isEmpty());
+      QVERIFY2((areas[i]->size() - before[static_cast<std::size_t>(i)].size()).width() < 4, "as it was");
+    }
+    desk.choose("maximizeView");
+    QVERIFY(!desk.window.docks().save().isEmpty());
+    shown = 0;
+    for (const auto* area : areas) shown += area->isVisible() ? 1 : 0;
+    QVERIFY2(shown > 2, "what is saved has all views in it");
+  }
+
   void theAppearanceIsChosenAndGivenBackToTheSystem() {
     Desk desk(home_);
     const auto lightness = [&desk] { return desk.window.palette().color(QPalette::Window).lightness(); };

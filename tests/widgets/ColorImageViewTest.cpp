@@ -4,16 +4,22 @@
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QListWidget>
 #include <QMenu>
+#include <QSignalSpy>
 #include <QSlider>
+#include <QTemporaryDir>
 #include <QTest>
 #include <QToolButton>
+#include <fstream>
 
 #include "colortool/ColorTable.h"
 #include "tests/widgets/ColorWorld.h"
+#include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/ColorCanvas.h"
+#include "widgets/color/ColorFiles.h"
 
 namespace widgets::test {
 namespace {
@@ -270,6 +276,121 @@ class ColorImageViewTest : public QObject {
     QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     s.world.advance();
     QVERIFY2(sent->text().contains(QStringLiteral("send it again")), qPrintable(sent->text()));
+  }
+
+  void anOldRefusalGoesWhenTheTableIsAnother() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    auto* sent = child<QLabel>(s.view, "colorSent");
+    s.world.refusal = "no task uses a colour table";
+    QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
+    s.world.advance();
+    s.view.tick();
+    QVERIFY(sent->text().contains(QStringLiteral("refuses it")));
+    s.click(12, 9);
+    s.view.tick();
+    QVERIFY2(sent->text().isEmpty(), qPrintable(sent->text()));
+  }
+
+  void theCarefulBrushLeavesOutWhatIsBeyondAnEdge() {
+    Shown s;
+    s.choose("orange");
+    child<QDoubleSpinBox>(s.view, "colorRadius")->setValue(5);
+    s.drag({{17, 5}, {17, 10}});
+    QVERIFY(colortool::contains(s.lastStroke().area, 19, 7));
+    QVERIFY(!colortool::contains(s.lastStroke().area, 21, 7));
+    s.tool("colorCareful");
+    s.drag({{17, 5}, {17, 10}});
+    QVERIFY(colortool::contains(s.lastStroke().area, 21, 7));
+  }
+
+  void whatAStrokeTakesFromAnotherClassIsSaidAndItsOutliersCanBeDropped() {
+    Shown s;
+    auto* effect = child<QLabel>(s.view, "colorEffect");
+    s.choose("green");
+    s.drag({{25, 4}, {35, 10}});
+    QVERIFY(!effect->isVisible() || !effect->text().contains(QStringLiteral("⚠")));
+    s.tool("colorCareful");  // off
+    s.choose("orange");
+    s.bench.setWeight(10);
+    s.tool("colorToolRectangle");
+    s.drag({{12, 2}, {37, 12}});  // over the edge
+    QVERIFY(effect->isVisible());
+    QVERIFY2(effect->text().contains(QStringLiteral("⚠")) && effect->text().contains(QStringLiteral("green (now orange)")),
+             qPrintable(effect->text()));
+    const std::size_t before = colortool::pixelCount(s.lastStroke().area);
+    keepPicture(s.view, "color-effect");
+    QTest::mouseClick(child<QToolButton>(s.view, "colorDropOutliers"), Qt::LeftButton);
+    s.settle();
+    QVERIFY(colortool::pixelCount(s.lastStroke().area) < before);
+    QVERIFY(!colortool::contains(s.lastStroke().area, 30, 7));
+    QVERIFY(colortool::contains(s.lastStroke().area, 15, 7));
+    QVERIFY2(!effect->text().contains(QStringLiteral("⚠")) || !effect->isVisible(), qPrintable(effect->text()));
+    s.bench.undoStack().undo();
+    s.bench.undoStack().undo();
+    QVERIFY(!effect->isVisible());
+  }
+
+  void theImageIsThereInAViewThatIsMadeAnewWhileNothingComes() {
+    Shown s;
+    s.choose("orange");
+    s.drag({{5, 5}, {9, 8}});
+    ColorImageView again(s.world.context);
+    again.resize(900, 560);
+    again.show();
+    QVERIFY(QTest::qWaitForWindowExposed(&again));
+    again.tick();
+    auto* left = child<ColorCanvas>(again, "colorLeft");
+    auto* right = child<ColorCanvas>(again, "colorRight");
+    QCOMPARE(s.pixel(*left, 30, 7), s.pixel(*s.left, 30, 7));
+    QCOMPARE(s.pixel(*right, 16, 12), s.shownColor("orange"));
+  }
+
+  void picturesAreOpenedAndPaintedIn() {
+    Shown s;
+    QTemporaryDir folder;
+    QImage picture(60, 40, QImage::Format_RGB888);
+    picture.fill(QColor(255, 120, 0));
+    QVERIFY(picture.save(folder.filePath(QStringLiteral("a.png"))));
+    QVERIFY(picture.save(folder.filePath(QStringLiteral("b.JPG")), "JPEG"));
+    std::ofstream(folder.filePath(QStringLiteral("c.yuyv")).toStdString(), std::ios::binary)
+        << std::string(320 * 240 * 4, '\x60');
+    std::ofstream(folder.filePath(QStringLiteral("notes.txt")).toStdString()) << "no picture";
+    ColorFiles& files = colorFiles(s.world.context);
+    const auto answer = DialogAnswer::file(folder.path());
+    QTest::mouseClick(child<QToolButton>(s.view, "colorOpenFolder"), Qt::LeftButton);
+    QTRY_COMPARE((files.tick(), s.bench.collected().size()), std::size_t{3});
+    QVERIFY2(files.message().text.contains(QStringLiteral(": 3")), qPrintable(files.message().text));
+    auto* strip = child<QListWidget>(s.view, "colorStrip");
+    QCOMPARE(strip->count(), 3);
+    QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
+    QCOMPARE(s.bench.collected()[2].frame->width(), 320);
+    s.settle();
+    s.choose("orange");
+    s.click(20, 20);
+    QCOMPARE(s.bench.samples().strokes.size(), std::size_t{1});
+    const auto& place = s.bench.samples().images.front();
+    QCOMPARE(ColorFrame::fileOfName(place.name).filename().string(), std::string("a.png"));
+    s.world.show();
+    s.view.tick();
+    QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
+    child<QAction>(s.view, "colorShowStrip")->trigger();
+    QVERIFY(!strip->isVisible());
+    s.view.resize(900, 400);
+    child<QAction>(s.view, "colorShowStrip")->trigger();
+    QVERIFY(strip->isVisible() && strip->height() < 60);
+  }
+
+  void aFolderWithoutPicturesIsToldByItsName() {
+    Shown s;
+    QTemporaryDir folder;
+    ColorFiles& files = colorFiles(s.world.context);
+    QSignalSpy failed(&s.bench, &ColorBench::failed);
+    files.openPictures({folder.path().toStdString()});
+    QTRY_VERIFY((files.tick(), failed.count() == 1));
+    const QString reason = failed[0][0].toString();
+    QVERIFY2(reason.contains(folder.path()) && reason.contains(QStringLiteral(".yuyv")), qPrintable(reason));
   }
 
   void theCorrectionOfTheRobotsCameraGoesWithTheTable() {

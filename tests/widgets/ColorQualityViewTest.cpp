@@ -127,9 +127,45 @@ class ColorQualityViewTest : public QObject {
     std::ofstream(folder.filePath(QStringLiteral("a.png")).toStdString()) << "no picture";
     const auto name = DialogAnswer::file(folder.path());
     click(*view_, "qualityOpen");
-    QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("no image here has labels"))));
+    QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("No labelled images"))));
+    QVERIFY2(hint("labelledMatrix").contains(QStringLiteral("none of the 1 images here has labels")),
+             "the whole reason, where there is room for it");
     QVERIFY(bench_->labelled().empty());
   }
+
+  void theFolderOfTheLabelsDoesAsWell() {
+    QTemporaryDir folder;
+    for (const char* name : {"images", "labels"}) QDir(folder.path()).mkpath(QLatin1String(name));
+    QImage image(8, 6, QImage::Format_RGB888), labels(8, 6, QImage::Format_Grayscale8);
+    image.fill(0xffff8000);
+    labels.fill(1);
+    QVERIFY(image.save(folder.filePath(QStringLiteral("images/a.png"))));
+    QVERIFY(labels.save(folder.filePath(QStringLiteral("labels/a.png"))));
+    for (const char* name : {"", "images", "labels"}) {
+      LabelledFolder reading(folder.filePath(QLatin1String(name)).toStdString(), "nao");
+      std::optional<robotlink::Result<LabelledFolder::Read>> read;
+      QTRY_VERIFY((read = read ? std::move(read) : reading.take()).has_value());
+      QVERIFY2(read->has_value(), name);
+      QCOMPARE((*read)->frames.size(), std::size_t{1});
+    }
+  }
+
+  void howFewStrokesTheFiguresStandOnIsSaidAndThatTheyCountAlike() {
+    goodStrokes();
+    QTRY_VERIFY(note().contains(QStringLiteral("Stands on 8 strokes, at least 2 of a class and 2 of the background")));
+    QVERIFY(note().contains(QStringLiteral("take the figures as a hint")));
+    bench_->undoStack().undo();  // the second stroke of the background
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
+    QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
+  }
+
+  void theTableThatItIsComparedWithIsScoredBesideIt() {
+    goodStrokes();
+    bench_->setReference(std::make_shared<colortool::ColorTable>(), QStringLiteral("nothing.c64"));
+    QTRY_VERIFY2(note().contains(QStringLiteral("nothing.c64: mean recall 0.00 %")), qPrintable(note()));
+    QVERIFY(note().contains(QStringLiteral("yours is better")));
+  }
+
 
   void damagedImagesAreLeftOutAndTold() {
     QTemporaryDir folder;
@@ -179,6 +215,7 @@ class ColorQualityViewTest : public QObject {
   QString summary(const char* name) const {
     return child<QLabel>(*view_, (QByteArray(name) + "Summary").constData())->text();
   }
+  QString note() const { return child<QLabel>(*view_, "strokesNote")->text(); }
   QString state() const { return child<QLabel>(*view_, "qualityState")->text(); }
   void stroke(int colorClass, double x, double y) {
     bench_->setCurrentClass(colorClass);

@@ -64,6 +64,23 @@ class ColorSamplesViewTest : public QObject {
     QCOMPARE(child<QLabel>(*view_, "samplesCount")->text(), QStringLiteral("2 strokes"));
   }
 
+  void aChangedStrokeStaysWhereItIsThoughTheOrderIsAnother() {
+    for (int i = 0; i < 12; ++i) stroke(3, 6 + i, 22);
+    for (int i = 0; i < 12; ++i) stroke(2, 26 + i, 7);
+    for (int i = 0; i < 12; ++i) stroke(3, 6 + i, 24);
+    tree_->setCurrentIndex(index(6, StrokeModel::kClass));
+    tree_->scrollTo(index(9, StrokeModel::kClass), QAbstractItemView::PositionAtBottom);
+    const int top = tree_->visualRect(tree_->currentIndex()).top();
+    const std::uint64_t id = bench_->samples().strokes[12 + 6]->id;
+    colortool::Samples next = bench_->samples();
+    colortool::restate(next, {id}, {3, false, 1});
+    bench_->change(QStringLiteral("Class white"), next);
+    QVERIFY(tree_->currentIndex().row() > 6);
+    QCOMPARE(text(tree_->currentIndex().row(), StrokeModel::kClass), QStringLiteral("white"));
+    const int off = tree_->visualRect(tree_->currentIndex()).top() - top;
+    QVERIFY2(std::abs(off) < tree_->visualRect(tree_->currentIndex()).height(), qPrintable(QString::number(off)));
+  }
+
   void whatDisagreesIsFoundBySortingByIt() {
     for (const double x : {8.0, 10.0, 12.0}) stroke(1, x, 7);
     for (const double x : {28.0, 30.0, 32.0}) stroke(2, x, 7);

@@ -12,8 +12,10 @@
 namespace widgets {
 namespace {
 
-constexpr std::size_t kMostCollectedBytes = std::size_t{128} << 20U;
 constexpr int kThumbnailHeight = 72;
+/// Of images that were seen so many are kept to try the table on, so far from each other.
+constexpr std::size_t kMostOthers = 12;
+constexpr std::chrono::seconds kLeastApart(1);
 
 /// A step of the document. It keeps its own history; this is its place on Qt's stack.
 class DocumentStep final : public QUndoCommand {
@@ -131,25 +133,45 @@ void ColorBench::erase(const colortool::PixelArea& area, const std::string& gest
 void ColorBench::setFrame(ColorFramePtr frame) {
   if (frame == frame_) return;
   frame_ = std::move(frame);
+  rememberFrame();
   ask();
   Q_EMIT frameChanged();
 }
 
+void ColorBench::rememberFrame() {
+  if (!frame_) return;
+  const bool near = std::ranges::any_of(others_, [this](const ColorFramePtr& other) {
+    return other->stream() == frame_->stream() && other->file() == frame_->file() &&
+           std::chrono::abs(other->time() - frame_->time()) < kLeastApart;
+  });
+  if (near) return;
+  if (others_.size() >= kMostOthers) others_.erase(others_.begin());
+  others_.push_back(frame_);
+}
+
 void ColorBench::collect() {
   if (!frame_) return;
-  std::size_t bytes = 0;
-  for (const CollectedFrame& collected : collected_) bytes += collected.frame->message()->data().size();
-  if (bytes > kMostCollectedBytes) {
+  const bool there = std::ranges::any_of(
+      collected_, [this](const CollectedFrame& each) { return each.frame->place() == frame_->place(); });
+  if (!there && collect({frame_}) == 0)
     Q_EMIT failed(tr("No more images can be put aside; remove some of the strip first (Delete)"));
-    return;
+}
+
+std::size_t ColorBench::collect(const std::vector<ColorFramePtr>& frames) {
+  std::size_t bytes = 0, added = 0;
+  for (const CollectedFrame& collected : collected_) bytes += collected.frame->message()->data().size();
+  for (const ColorFramePtr& frame : frames) {
+    if (others_.size() < kMostOthers && frame != frame_) others_.push_back(frame);
+    const bool there = std::ranges::any_of(
+        collected_, [&](const CollectedFrame& each) { return each.frame->place() == frame->place(); });
+    if (there || bytes > kMostCollectedBytes) continue;
+    bytes += frame->message()->data().size();
+    const QImage image = toQImage(frame->view());
+    collected_.push_back({frame, image.scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)});
+    ++added;
   }
-  const bool there = std::ranges::any_of(collected_, [this](const CollectedFrame& collected) {
-    return collected.frame->place() == frame_->place();
-  });
-  if (there) return;
-  const QImage image = toQImage(frame_->view());
-  collected_.push_back({frame_, image.scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)});
-  Q_EMIT collectedChanged();
+  if (added > 0) Q_EMIT collectedChanged();
+  return added;
 }
 
 void ColorBench::removeCollected(std::size_t index) {
@@ -183,6 +205,7 @@ void ColorBench::numberReference() {
     reference_ = std::make_shared<const colortool::ColorTable>(colortool::ColorTable::translated(
         given.table->cells(), classNumbers(given.classes, referenceClasses_)));
   }
+  ask();
   Q_EMIT referenceChanged();
 }
 
@@ -211,7 +234,7 @@ void ColorBench::setPointed(const std::optional<robotlink::YCbCr>& color) {
 }
 
 void ColorBench::ask() {
-  learner_->ask({++asked_, document_.samples(), frame_, labelled_});
+  learner_->ask({++asked_, document_.samples(), frame_, labelled_, reference_, others_});
 }
 
 void ColorBench::takeNews() {

@@ -70,6 +70,10 @@ class ColorBench final : public QObject {
   const std::vector<CollectedFrame>& collected() const { return collected_; }
   /// Puts the image aside; nothing happens if it is there already.
   void collect();
+  /// Puts these aside, as many as there is room for; those that are there already once. How many were put aside.
+  std::size_t collect(const std::vector<ColorFramePtr>& frames);
+  /// What all images that are put aside may take, bytes of pixels.
+  static constexpr std::size_t kMostCollectedBytes = std::size_t{128} << 20U;
   void removeCollected(std::size_t index);
 
   // What was learned.
@@ -129,6 +133,7 @@ class ColorBench final : public QObject {
  private:
   void changed();
   void numberReference();
+  void rememberFrame();
   void ask();
   void takeNews();
 
@@ -140,6 +145,7 @@ class ColorBench final : public QObject {
   double weight_ = 1;
   ColorFramePtr frame_;
   std::vector<CollectedFrame> collected_;
+  std::vector<ColorFramePtr> others_;  ///< that were seen, some time apart, to try the table on
   ReferenceTable givenReference_;
   std::shared_ptr<const colortool::ColorTable> reference_;
   colortool::ColorClasses referenceClasses_;  ///< that reference_ is numbered by

@@ -170,6 +170,12 @@ void addFileCommands(Commands& commands) {
                [](auto&, ColorFiles& files, auto&) { return discard(files); });
   commands.add("color.merge", "Adds the samples of another file", {file},
                [](auto&, ColorFiles& files, const Values& values) { return files.merge(text(values, 0)); });
+  commands.add("color.open-pictures", "Puts pictures aside to be painted in, and shows the first",
+               {{"path", Type::kText, "a picture (.png, .jpg, .jpeg, .yuyv) or a folder of them"}},
+               [](auto&, ColorFiles& files, const Values& values) -> Result<void> {
+                 files.openPictures({text(values, 0)});
+                 return {};
+               });
   commands.add("color.export", "Writes the colour table to a file", {{"file", Type::kText, "a .c64 file"}},
                [](auto&, ColorFiles& files, const Values& values) {
                  return files.exportTable(text(values, 0), false);

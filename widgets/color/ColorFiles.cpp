@@ -9,10 +9,13 @@
 #include "colortool/NamedColorTable.h"
 #include "colortool/SampleFile.h"
 #include "colortool/TableTrainer.h"
+#include "foxglove/Image.pb.h"
+#include "robotlink/session/Session.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorRecovery.h"
 #include "widgets/color/ColorReferences.h"
+#include "widgets/color/PictureReading.h"
 
 namespace widgets {
 namespace {
@@ -227,7 +230,41 @@ void ColorFiles::startRecovery(const std::filesystem::path& folder) {
     show((*left)->problems, said);
 }
 
+void ColorFiles::openPictures(const std::vector<std::filesystem::path>& filesOrFolders) {
+  if (filesOrFolders.empty()) return;
+  if (pictures_) {
+    nextPictures_.insert(nextPictures_.end(), filesOrFolders.begin(), filesOrFolders.end());
+    return;
+  }
+  remember(filesOrFolders.front());
+  std::size_t taken = 0;
+  for (const CollectedFrame& collected : bench_.collected()) taken += collected.frame->message()->data().size();
+  const std::size_t room = ColorBench::kMostCollectedBytes - std::min(taken, ColorBench::kMostCollectedBytes);
+  pictures_ = std::make_unique<PictureReading>(filesOrFolders, bench_.session().selectedRobot(), room);
+}
+
+void ColorFiles::takePictures() {
+  auto read = pictures_->take();
+  if (!read) return;
+  pictures_.reset();
+  if (!*read) return fail(QString::fromStdString(read->error().describe()));
+  const auto& frames = read->value().frames;
+  if (frames.empty())
+    return fail(tr("No more images can be put aside; remove some of the strip first (Delete)"));
+  bench_.collect(frames);
+  Q_EMIT bench_.frameWanted(frames.front());
+  QString said = tr("Pictures that can be painted in now: %1").arg(frames.size());
+  if (read->value().leftOut > 0)
+    said += tr("; there was no room for %1 more, remove some of the strip first (Delete)").arg(read->value().leftOut);
+  if (read->value().problems.empty())
+    tell(said);
+  else
+    show(read->value().problems, said + tr(". These could not be read:"));
+}
+
 void ColorFiles::tick() {
+  if (pictures_) takePictures();
+  if (!pictures_ && !nextPictures_.empty()) openPictures(std::exchange(nextPictures_, {}));
   if (ticksUnkept_ > 0 && ++ticksUnkept_ > kTicksUntilKept) followChanges();
 }
 

@@ -5,6 +5,7 @@
 #include <QString>
 #include <filesystem>
 #include <memory>
+#include <vector>
 
 #include "robotlink/base/Error.h"
 #include "widgets/View.h"
@@ -15,6 +16,7 @@ namespace widgets {
 
 class ColorBench;
 class ColorRecovery;
+class PictureReading;
 
 /// The files of the colour table that is being made: its samples, exported tables, a table to compare with.
 /// Knows which file the samples are from and whether they were changed since. Asks nothing: what asks a
@@ -53,6 +55,9 @@ class ColorFiles final : public QObject {
   robotlink::Result<void> exportTable(const std::filesystem::path& file, bool several);
   /// A table to compare with, of any format that can be imported.
   robotlink::Result<void> importReference(const std::filesystem::path& file);
+  /// Reads pictures, from files and folders, to be painted in; beside all else. They are put aside, the first is
+  /// shown, and told() or the bench's failed() says what came of it, after some calls of tick().
+  void openPictures(const std::vector<std::filesystem::path>& filesOrFolders);
   /// What is not saved may go: nothing of it comes back.
   void discard();
 
@@ -80,6 +85,7 @@ class ColorFiles final : public QObject {
 
  private:
   void followChanges();
+  void takePictures();
   void setFile(const std::filesystem::path& file);
   void remember(const std::filesystem::path& file);
   void tell(const QString& text);
@@ -91,6 +97,8 @@ class ColorFiles final : public QObject {
   QString folder_;
   Message message_;
   std::unique_ptr<ColorRecovery> recovery_;
+  std::unique_ptr<PictureReading> pictures_;
+  std::vector<std::filesystem::path> nextPictures_;  ///< were asked for while others were read
   int ticksUnkept_ = 0;  ///< since the first change that is not kept; 0: there is none
   bool kept_ = false;    ///< there is something in the recovery's file
 };

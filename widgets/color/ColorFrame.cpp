@@ -44,7 +44,35 @@ ColorFrame::ColorFrame(std::shared_ptr<const foxglove::RawImage> image, std::str
   place_.height = view_.height;
 }
 
+std::shared_ptr<const ColorFrame> ColorFrame::ofFile(std::shared_ptr<const foxglove::RawImage> image,
+                                                     const std::filesystem::path& file,
+                                                     const std::string& camera) {
+  auto frame = std::make_shared<ColorFrame>(std::move(image), camera + "/file", "", robotlink::Instant{});
+  std::error_code error;
+  frame->file_ = std::filesystem::absolute(file, error);
+  frame->place_.camera = camera;
+  frame->place_.name = QStringLiteral("%1 [%2]")
+                           .arg(QString::fromStdString(frame->file_.string()))
+                           .arg(fingerprint(frame->view_), 8, 16, QLatin1Char('0'))
+                           .toStdString();
+  return frame;
+}
+
+std::filesystem::path ColorFrame::fileOfName(const std::string& name) {
+  constexpr std::size_t kFingerprint = 11;  // " [0a1b2c3d]"
+  if (name.size() <= kFingerprint || name.front() != '/' || name[name.size() - kFingerprint] != ' ') return {};
+  const std::filesystem::path file = name.substr(0, name.size() - kFingerprint);
+  std::error_code error;
+  return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();
+}
+
+QString ColorFrame::label() const {
+  if (!file_.empty()) return QString::fromStdString(file_.filename().string());
+  return QStringLiteral("%1 s").arg(robotlink::seconds(time_), 0, 'f', 3);
+}
+
 QString ColorFrame::title() const {
+  if (!file_.empty()) return label();
   return QStringLiteral("%1  %2 s")
       .arg(QString::fromStdString(stream_))
       .arg(robotlink::seconds(time_), 0, 'f', 3);

@@ -63,10 +63,11 @@ void ColorGesture::touch(const ColorImage& image) {
     case ColorTool::kEraser: {
       // Only the last piece of the way is new.
       const std::size_t last = std::min<std::size_t>(way_.size(), 2);
+      const std::span piece(way_.end() - static_cast<std::ptrdiff_t>(last), way_.end());
+      const bool careful = options_.careful && options_.tool == ColorTool::kBrush;
       area_ = colortool::united(
-          area_,
-          colortool::brushArea(width, height, {way_.end() - static_cast<std::ptrdiff_t>(last), way_.end()},
-                               options_.radius));
+          area_, careful ? colortool::carefulBrushArea(image, piece, options_.radius, options_.tolerance)
+                         : colortool::brushArea(width, height, piece, options_.radius));
       break;
     }
     case ColorTool::kRectangle:

@@ -34,6 +34,9 @@ class ColorGesture {
   struct Options {
     ColorTool tool = ColorTool::kBrush;
     double radius = 3;  ///< of brush and eraser, pixels
+    /// The brush leaves out what has another color than what it is led along: what is beside a thin line.
+    bool careful = false;
+    double tolerance = 24;  ///< of the careful brush, see carefulBrushArea()
     colortool::WandOptions wand;
   };
   ColorGesture(const colortool::ColorImage& image, Options options, colortool::ImagePoint at);

@@ -5,6 +5,7 @@
 
 #include "colortool/ColorTable.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorEffectRow.h"
 #include "widgets/color/ColorImageView.h"
 #include "widgets/color/ColorToolRow.h"
 
@@ -26,6 +27,7 @@ void ColorImageView::beginGesture(const QPointF& at) {
   if (!bench_.frame()) return;
   gesture_.emplace(bench_.frame()->colors(), toolRow_->options(), imagePoint(at));
   ++gestures_;
+  if (gesture_->tool() != ColorTool::kEraser && gesture_->tool() != ColorTool::kSelect) effect_->begin();
   if (isLive(gesture_->tool())) commitGesture();
 }
 
@@ -42,6 +44,7 @@ void ColorImageView::endGesture() {
   if (!gesture_) return;
   if (!isLive(gesture_->tool())) commitGesture();
   gesture_.reset();
+  effect_->end();
   showPreview();
 }
 
@@ -50,6 +53,7 @@ void ColorImageView::cancelGesture() {
   if (isLive(gesture_->tool()) && bench_.document().continues(std::to_string(gestures_)))
     bench_.undoStack().undo();
   gesture_.reset();
+  effect_->end();
   showPreview();
 }
 

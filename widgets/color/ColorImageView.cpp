@@ -3,6 +3,7 @@
 
 #include <QAction>
 #include <QComboBox>
+#include <QFileDialog>
 #include <QFontDatabase>
 #include <QHBoxLayout>
 #include <QLabel>
@@ -15,6 +16,8 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorEffectRow.h"
+#include "widgets/color/ColorFiles.h"
 #include "widgets/color/ColorSender.h"
 #include "widgets/color/ColorStrip.h"
 #include "widgets/color/ColorToolRow.h"
@@ -33,6 +36,8 @@ const ViewRegistration kRegistration{
      "brush", false, create<ColorImageView>}};
 
 constexpr char kDefaultChoice[] = "*/camera/image";
+/// Below this height the strip is low, so that the image has the room, pixels.
+constexpr int kLowView = 480;
 
 }  // namespace
 
@@ -43,7 +48,15 @@ ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   applyTool();
+  // A picture of a file is in no stream that it could come from again.
+  if (bench_.frame() && !bench_.frame()->file().empty()) {
+    pinned_ = bench_.frame();
+    freeze_->setChecked(true);
+  }
   tick();
+  // What the bench has from before changes no more while the time line stands.
+  showFrame();
+  showColors();
 }
 
 ColorImageView::~ColorImageView() = default;
@@ -77,9 +90,41 @@ void ColorImageView::createActions() {
   autoSend_ =
       makeAction(this, "auto-send",
                  {"colorAutoSend", tr("Send always"), tr("Gives each new table to the robot at once")});
-  for (QAction* action : {freeze_, twoPictures_, showStrokes_, autoSend_}) action->setCheckable(true);
-  twoPictures_->setChecked(true);
-  showStrokes_->setChecked(true);
+  createPictureActions();
+  for (QAction* action : {freeze_, twoPictures_, showStrokes_, showStrip_, autoSend_}) action->setCheckable(true);
+  for (QAction* action : {twoPictures_, showStrokes_, showStrip_}) action->setChecked(true);
+}
+
+void ColorImageView::createPictureActions() {
+  showStrip_ = makeAction(this, "down",
+                          {"colorShowStrip", tr("Strip"), tr("Shows the images that were put aside, below this one")});
+  openPictures_ = makeAction(this, "image",
+                             {"colorOpenPictures", tr("Open pictures…"),
+                              tr("Puts pictures aside to be painted in: PNG, JPEG, .yuyv")});
+  openFolder_ = makeAction(this, "open",
+                           {"colorOpenFolder", tr("Open a folder of pictures…"),
+                            tr("Puts all pictures of a folder aside to be painted in")});
+  connect(openPictures_, &QAction::triggered, this, [this] { openPictures(false); });
+  connect(openFolder_, &QAction::triggered, this, [this] { openPictures(true); });
+}
+
+void ColorImageView::openPictures(bool folder) {
+  ColorFiles& files = colorFiles(context());
+  std::vector<std::filesystem::path> chosen;
+  if (folder) {
+    const QString name = QFileDialog::getExistingDirectory(this, tr("Folder of pictures"), files.folder());
+    if (!name.isEmpty()) chosen.emplace_back(name.toStdString());
+  } else {
+    const QStringList names = QFileDialog::getOpenFileNames(
+        this, tr("Open pictures"), files.folder(), tr("Pictures (*.png *.jpg *.jpeg *.yuyv);;All files (*)"));
+    for (const QString& name : names) chosen.emplace_back(name.toStdString());
+  }
+  files.openPictures(chosen);
+}
+
+void ColorImageView::resizeEvent(QResizeEvent* event) {
+  View::resizeEvent(event);
+  strip_->setLow(height() < kLowView);
 }
 
 void ColorImageView::createViews() {
@@ -93,12 +138,14 @@ void ColorImageView::createViews() {
   splitter_->setSizes({400, 400});
   strip_ = new ColorStrip(bench_, this);
   toolRow_ = new ColorToolRow(bench_, this);
+  effect_ = new ColorEffectRow(bench_, this);
 
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(0, 0, 0, 0);
   layout->setSpacing(0);
   layout->addWidget(createStreamRow());
   layout->addWidget(toolRow_);
+  layout->addWidget(effect_);
   layout->addWidget(splitter_, 1);
   layout->addWidget(strip_);
   layout->addWidget(createFooter());
@@ -109,7 +156,8 @@ QWidget* ColorImageView::createStreamRow() {
   streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
   describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
-  addButtons(row, {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, twoPictures_});
+  addButtons(row, {openPictures_, openFolder_});
+  addButtons(row, {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, showStrip_, twoPictures_});
   rightLayer_ = new QComboBox(row->parentWidget());
   describe(*rightLayer_, {"colorRightLayer", tr("Right picture"), tr("What the right picture shows")});
   rightLayer_->addItems({tr("Classes"), tr("Classes by the reference"), tr("Difference"), tr("Ambiguity")});
@@ -147,8 +195,9 @@ void ColorImageView::connectSignals() {
     if (!frozen) strip_->showCurrent(nullptr);
     tick();
   });
-  connect(collect_, &QAction::triggered, &bench_, &ColorBench::collect);
+  connect(collect_, &QAction::triggered, &bench_, [this] { bench_.collect(); });
   connect(twoPictures_, &QAction::toggled, right_, &QWidget::setVisible);
+  connect(showStrip_, &QAction::toggled, strip_, &ColorStrip::setWanted);
   connect(showStrokes_, &QAction::toggled, this, &ColorImageView::showMarks);
   connect(cancel_, &QAction::triggered, this, &ColorImageView::cancelGesture);
   const auto pin = [this](const ColorFramePtr& frame) {
@@ -207,6 +256,7 @@ void ColorImageView::tick() {
   if (streams_->refresh(session()))
     Q_EMIT titleChanged(tr("Colour image: %1").arg(QString::fromStdString(streams_->path(session()))));
   if (!gesture_) bench_.setFrame(shownFrame());
+  bench_.sender().tick();
   left_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
   updateStatus();
 }
@@ -215,7 +265,13 @@ ColorFramePtr ColorImageView::shownFrame() {
   if (pinned_) return pinned_;
   const std::string path = streams_->path(session());
   const auto* message = session().store().latest(path, session().timeline().shown());
-  if (message == nullptr) return nullptr;
+  if (message == nullptr) {
+    // While it is paused nothing comes again, though other views had no use for it.
+    const ColorFramePtr& last = bench_.frame();
+    const bool still = last && last->file().empty() && last->stream() == path &&
+                       last->time() <= session().timeline().shown();
+    return still ? last : nullptr;
+  }
   auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message->value);
   if (!image) return nullptr;
   const ColorFramePtr& now = bench_.frame();
@@ -317,7 +373,10 @@ void ColorImageView::showSending() {
 
 void ColorImageView::updateStatus() {
   const ColorFramePtr& frame = bench_.frame();
-  time_->setText(frame ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(frame->time())), 0, 'f', 3) : tr("no image yet"));
+  const auto since = [&] { return robotlink::seconds(session().timeline().sinceOrigin(frame->time())); };
+  time_->setText(!frame                  ? tr("no image yet")
+                 : frame->file().empty() ? tr("%1 s").arg(since(), 0, 'f', 3)
+                                         : frame->label());
   state_->setText(!frame                        ? QString()
                   : pinned_                     ? tr("frozen")
                   : session().timeline().live() ? tr("live")
@@ -359,6 +418,7 @@ QJsonObject ColorImageView::saveState() const {
           {QStringLiteral("tools"), toolRow_->saveState()},
           {QStringLiteral("two"), twoPictures_->isChecked()},
           {QStringLiteral("strokes"), showStrokes_->isChecked()},
+          {QStringLiteral("strip"), showStrip_->isChecked()},
           {QStringLiteral("right"), rightLayer_->currentIndex()},
           {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
 }
@@ -368,6 +428,7 @@ void ColorImageView::restoreState(const QJsonObject& state) {
   toolRow_->restoreState(state[QStringLiteral("tools")].toObject());
   twoPictures_->setChecked(state[QStringLiteral("two")].toBool(true));
   showStrokes_->setChecked(state[QStringLiteral("strokes")].toBool(true));
+  showStrip_->setChecked(state[QStringLiteral("strip")].toBool(true));
   rightLayer_->setCurrentIndex(
       std::clamp(state[QStringLiteral("right")].toInt(), 0, rightLayer_->count() - 1));
   streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));

@@ -18,6 +18,7 @@ class QSplitter;
 namespace widgets {
 
 class ColorBench;
+class ColorEffectRow;
 class ColorStrip;
 class ColorToolRow;
 class StreamChoice;
@@ -35,12 +36,17 @@ class ColorImageView final : public View {
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
+ protected:
+  void resizeEvent(QResizeEvent* event) override;
+
  private:
   /// What the right picture shows.
   enum class RightLayer : std::uint8_t { kClasses, kReference, kDifference, kMargins };
 
   void createActions();
+  void createPictureActions();
   void createViews();
+  void openPictures(bool folder);
   QWidget* createStreamRow();
   QWidget* createFooter();
   void connectSignals();
@@ -73,12 +79,14 @@ class ColorImageView final : public View {
   ColorCanvas *left_ = nullptr, *right_ = nullptr;
   ColorStrip* strip_ = nullptr;
   ColorToolRow* toolRow_ = nullptr;
+  ColorEffectRow* effect_ = nullptr;
   StreamChoice* streams_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QComboBox* rightLayer_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *pixel_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *oneToOne_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr;
   QAction *freeze_ = nullptr, *collect_ = nullptr, *twoPictures_ = nullptr, *showStrokes_ = nullptr;
+  QAction *showStrip_ = nullptr, *openPictures_ = nullptr, *openFolder_ = nullptr;
   QAction *cancel_ = nullptr, *send_ = nullptr, *autoSend_ = nullptr;
 
   ColorFramePtr pinned_;  ///< one of the strip, instead of the stream's

@@ -23,6 +23,8 @@ struct ColorLearner::Work {
   std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not yet known
   std::shared_ptr<const ColorTable> scoredTable;             ///< with what the quality was asked for last
   std::shared_ptr<const std::vector<LabelledFrame>> scoredImages;
+  std::shared_ptr<const ColorTable> scoredReference;
+  std::vector<ColorFramePtr> scoredOthers;
 
   LearnedColors learn(const ColorTask& task) {
     if (!samples || !(*samples == task.samples)) {
@@ -112,10 +114,13 @@ void ColorLearner::run() {
     }
     LearnedColors colors = work.learn(task);
     publish(colors);
-    if (work.scoredTable != work.table || work.scoredImages != task.labelled) {
+    if (work.scoredTable != work.table || work.scoredImages != task.labelled ||
+        work.scoredReference != task.reference || work.scoredOthers != task.others) {
       work.scoredTable = work.table;
       work.scoredImages = task.labelled;
-      scorer_.ask({task.number, task.samples, work.table, task.labelled});
+      work.scoredReference = task.reference;
+      work.scoredOthers = task.others;
+      scorer_.ask({task.number, task.samples, work.table, task.labelled, task.reference, task.others});
     }
     if (work.margins || newTask()) continue;
     work.margins = std::make_shared<std::vector<std::uint8_t>>(work.trainer.margins());

@@ -23,6 +23,9 @@ struct ColorTask {
   colortool::Samples samples;
   ColorFramePtr frame;  ///< is segmented; null: nothing is
   std::shared_ptr<const std::vector<LabelledFrame>> labelled = {};
+  // What the table is scored by, see ColorScorer::Task.
+  std::shared_ptr<const colortool::ColorTable> reference = {};
+  std::vector<ColorFramePtr> others = {};
 };
 
 /// A table, and what it makes of an image. Immutable.

@@ -7,12 +7,14 @@
 #include <QLabel>
 #include <QSplitter>
 #include <QToolButton>
+#include <algorithm>
 #include <set>
 
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ConfusionPanel.h"
 #include "widgets/color/LabelledFolder.h"
+#include "widgets/models/ConfusionModel.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -25,6 +27,8 @@ const ViewRegistration kRegistration{
 
 /// Of the place for labelled images while there are none, pixels.
 constexpr int kEmptyWidth = 200;
+/// Fewer strokes than that of a class say little.
+constexpr int kFewStrokes = 5;
 
 /// Whose images these are, if all strokes are of one camera.
 std::string onlyCamera(const colortool::Samples& samples) {
@@ -101,6 +105,7 @@ void ColorQualityView::connectSignals() {
   });
   connect(&bench_, &ColorBench::qualityChanged, this, &ColorQualityView::showQuality);
   connect(&bench_, &ColorBench::samplesChanged, this, &ColorQualityView::showQuality);
+  connect(&bench_, &ColorBench::referenceChanged, this, &ColorQualityView::showQuality);
 }
 
 void ColorQualityView::openFolder() {
@@ -108,10 +113,12 @@ void ColorQualityView::openFolder() {
   if (folder.isEmpty()) return;
   simulated_->setChecked(false);
   folder_ = folder;
+  problem_.clear();
   reading_ = std::make_unique<LabelledFolder>(folder.toStdString(), onlyCamera(bench_.samples()));
 }
 
 void ColorQualityView::closeImages() {
+  problem_.clear();
   reading_.reset();
   trueClasses_.setOn(false);
   if (simulated_->isChecked()) return simulated_->setChecked(false);
@@ -125,7 +132,11 @@ void ColorQualityView::takeRead() {
   auto read = reading_->take();
   if (!read) return;
   reading_.reset();
-  if (!*read) return say(QString::fromStdString(read->error().describe()), true);
+  if (!*read) {
+    problem_ = QString::fromStdString(read->error().describe());
+    say(tr("No labelled images: the reason stands below"), true);
+    return showQuality();
+  }
   const auto count = static_cast<int>((*read)->frames.size());
   const auto problems = static_cast<int>((*read)->problems.size());
   bench_.setLabelled(std::move((*read)->frames));
@@ -148,16 +159,81 @@ void ColorQualityView::showQuality() {
   showLabelled();
 }
 
+QString ColorQualityView::countNote() const {
+  const colortool::StrokeQuality& strokes = *bench_.quality()->strokes;
+  int all = 0, fewest = 0;
+  for (std::size_t i = 0; i < strokes.strokesOf.size(); ++i) {
+    const int count = strokes.strokesOf[i];
+    all += count;
+    if (i > 0 && count > 0 && (fewest == 0 || count < fewest)) fewest = count;
+  }
+  const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
+  QString text = tr("Stands on %1 strokes, at least %2 of a class and %3 of the background; each counts the same, "
+                    "however large it is.")
+                     .arg(all)
+                     .arg(fewest)
+                     .arg(background);
+  if (fewest < kFewStrokes || background < kFewStrokes) text += tr(" That is few: take the figures as a hint.");
+  return text;
+}
+
+QString ColorQualityView::referenceNote(const colortool::Evaluation& own,
+                                        const std::optional<colortool::Evaluation>& reference,
+                                        const std::vector<std::uint8_t>& alone) const {
+  if (!reference) return {};
+  ConfusionModel mine, theirs;
+  mine.setEvaluation(bench_.quality()->classes, own, alone);
+  theirs.setEvaluation(bench_.quality()->classes, *reference, alone);
+  const auto figure = [](std::optional<double> share) {
+    return share ? QStringLiteral("%1 %").arg(100 * *share, 0, 'f', 2) : QStringLiteral("–");
+  };
+  const double recall = mine.meanRecall().value_or(0) - theirs.meanRecall().value_or(0),
+               wrong = mine.falseColors().value_or(0) - theirs.falseColors().value_or(0);
+  const QString better = recall >= 0 && wrong <= 0   ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
+                         : recall <= 0 && wrong >= 0 ? tr("that one is better")
+                         : recall > 0                ? tr("yours finds more, but has more false colors")
+                                                     : tr("yours finds less, but has fewer false colors");
+  return tr("%1: mean recall %2, false colors %3; %4.")
+      .arg(bench_.referenceName(), figure(theirs.meanRecall()), figure(theirs.falseColors()), better);
+}
+
+QString ColorQualityView::othersNote() const {
+  const ColorQuality::Others& others = bench_.quality()->others;
+  if (others.images < 2 || others.pixels == 0) return {};
+  std::uint64_t all = 0;
+  for (const std::uint64_t pixels : others.suspicious) all += pixels;
+  const auto share = [&](std::uint64_t pixels) {
+    return QString::number(100 * static_cast<double>(pixels) / static_cast<double>(others.pixels), 'f', 2);
+  };
+  if (all == 0) return tr("In %1 images that were seen no color stands where it cannot be.").arg(others.images);
+  const auto most = std::ranges::max_element(others.suspicious);
+  const auto colorClass = static_cast<int>(most - others.suspicious.begin());
+  return tr("In %1 images that were seen %2 % of the pixels have the color of a thing where none can be, mostly %3 "
+            "(%4 %); the view Suspicious frames shows where.")
+      .arg(others.images)
+      .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));
+}
+
 QString ColorQualityView::strokesNote() const {
   const ColorQuality& quality = *bench_.quality();
   QStringList notes, alone;
-  for (const std::uint8_t colorClass : quality.strokes->alone)
-    alone << QString::fromStdString(quality.classes.name(colorClass));
+  if (quality.labelled) notes << tr("The labelled images beside this are the better judge.");
+  notes << countNote();
+  for (const std::uint8_t colorClass : quality.strokes->alone) {
+    if (colorClass != 0) alone << QString::fromStdString(quality.classes.name(colorClass));
+  }
   if (!alone.isEmpty())
     notes << tr("Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.")
                  .arg(alone.join(QStringLiteral(", ")));
   if (quality.strokes->evaluation.labelled(0) == 0)
     notes << tr("No stroke of the background: false colours are not known.");
+  else if (std::ranges::find(quality.strokes->alone, 0) != quality.strokes->alone.end())
+    notes << tr("A single stroke of the background: false colors are not known; draw a second one.");
+  const QString reference =
+      referenceNote(quality.strokes->evaluation, quality.referenceStrokes, quality.strokes->alone);
+  for (const QString& note : {reference, othersNote()}) {
+    if (!note.isEmpty()) notes << note;
+  }
   return notes.join(QLatin1Char(' '));
 }
 
@@ -178,13 +254,15 @@ void ColorQualityView::showLabelled() {
   if (some && narrow) splitter_->setSizes({width() / 2, width() / 2});
   if (!some) {
     return labelled_->showNothing(
-        simulated_->isChecked()
+        !problem_.isEmpty() ? problem_
+        : simulated_->isChecked()
             ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
             : tr("No labelled images. Open a folder of them, or take those of the simulator."));
   }
   const ColorQuality* quality = bench_.quality();
   if (quality == nullptr || !quality->labelled) return labelled_->showNothing(tr("Finding out…"));
-  labelled_->show(quality->classes, *quality->labelled, {}, {});
+  labelled_->show(quality->classes, *quality->labelled, {},
+                  referenceNote(*quality->labelled, quality->referenceLabelled, {}));
 }
 
 void ColorQualityView::say(const QString& text, bool bad) {

@@ -2,6 +2,10 @@
 #pragma once
 
 #include <memory>
+#include <optional>
+#include <vector>
+
+#include "colortool/Evaluation.h"
 
 #include "widgets/View.h"
 #include "widgets/color/ColorActions.h"
@@ -39,6 +43,11 @@ class ColorQualityView final : public View {
   void showStrokes();
   void showLabelled();
   QString strokesNote() const;
+  QString countNote() const;
+  QString othersNote() const;
+  /// How the table that it is compared with does, and which is better; empty without one.
+  QString referenceNote(const colortool::Evaluation& own, const std::optional<colortool::Evaluation>& reference,
+                        const std::vector<std::uint8_t>& alone) const;
   void say(const QString& text, bool bad = false);
 
   ColorBench& bench_;
@@ -53,6 +62,7 @@ class ColorQualityView final : public View {
   ConfusionPanel* strokes_ = nullptr;
   ConfusionPanel* labelled_ = nullptr;
   QLabel* state_ = nullptr;
+  QString problem_;  ///< why there are no labelled images
 };
 
 }  // namespace widgets

@@ -8,6 +8,7 @@
 #include <QLabel>
 #include <QMenu>
 #include <QRegularExpression>
+#include <QScrollBar>
 #include <QSortFilterProxyModel>
 #include <QSplitter>
 #include <QTreeView>
@@ -18,6 +19,7 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFiles.h"
 #include "widgets/color/ShareDelegate.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/models/ColorClassModel.h"
@@ -149,6 +151,9 @@ void ColorSamplesView::connectSignals() {
 
 void ColorSamplesView::showSamples() {
   const std::vector<std::uint64_t> before = chosen();
+  const QModelIndex current = tree_->currentIndex();
+  const std::uint64_t held = current.isValid() ? model_.stroke(sorted_->mapToSource(current).row()).id : 0;
+  const int column = current.column(), top = tree_->visualRect(current).top();
   model_.setSamples(bench_.samples());
   // Rows that were made anew lost their selection.
   if (!before.empty() && !tree_->selectionModel()->hasSelection()) {
@@ -158,8 +163,23 @@ void ColorSamplesView::showSamples() {
                                       QItemSelectionModel::Select | QItemSelectionModel::Rows);
     }
   }
+  hold(held, column, top);
   hint_->setVisible(model_.rowCount() == 0);
   updateCount();
+}
+
+void ColorSamplesView::hold(std::uint64_t stroke, int column, int top) {
+  for (int row = 0; stroke != 0 && row < model_.rowCount(); ++row) {
+    if (model_.stroke(row).id != stroke) continue;
+    const QModelIndex index = sorted_->mapFromSource(model_.index(row, column));
+    tree_->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
+    // The tree scrolls by rows, or by pixels, as its style says.
+    const int off = tree_->visualRect(index).top() - top;
+    const bool byRows = tree_->verticalScrollMode() == QAbstractItemView::ScrollPerItem;
+    const int height = std::max(1, tree_->visualRect(index).height());
+    tree_->verticalScrollBar()->setValue(tree_->verticalScrollBar()->value() + (byRows ? off / height : off));
+    return;
+  }
 }
 
 void ColorSamplesView::showQuality() {
@@ -250,6 +270,8 @@ void ColorSamplesView::showImage(const colortool::SampleImage& image) {
       return;
     }
   }
+  if (const auto file = ColorFrame::fileOfName(image.name); !file.empty())
+    return colorFiles(context()).openPictures({file});
   const auto time = timeOf(image);
   ReplayControl& replay = openLogs(context()).replay();
   const auto newest = session().timeline().newest() + std::chrono::milliseconds(1);

@@ -39,6 +39,8 @@ class ColorSamplesView final : public View {
   void createHistory();
   void connectSignals();
   void showSamples();
+  /// Lets a stroke stay where it was in the view, though its place in the order is another one.
+  void hold(std::uint64_t stroke, int column, int top);
   void showQuality();
   void updateCount();
   void openMenu(const QPoint& at);

@@ -8,6 +8,8 @@
 #include <array>
 #include <utility>
 
+#include "colortool/Suspicion.h"
+
 namespace widgets {
 namespace {
 
@@ -30,7 +32,8 @@ colortool::ColorImage seen(const ColorFrame& frame, const colortool::Samples& sa
 
 /// Adds an image to an evaluation; classes are matched by their names, and what the table has no class for is
 /// background to it.
-void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScorer::Task& task) {
+void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScorer::Task& task,
+         const colortool::ColorTable& table) {
   std::array<std::uint8_t, 256> numbers;
   numbers.fill(Evaluation::kIgnored);
   numbers[0] = colortool::ColorClasses::kNone;
@@ -38,7 +41,17 @@ void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScore
   for (std::size_t i = 1; i < names; ++i) numbers[i] = task.samples.classes.index(labelled.classNames[i]);
   std::vector<std::uint8_t> labels(labelled.labels.size());
   std::ranges::transform(labelled.labels, labels.begin(), [&](std::uint8_t label) { return numbers[label]; });
-  evaluation.add(*task.table, seen(*labelled.frame, task.samples), labels);
+  evaluation.add(table, seen(*labelled.frame, task.samples), labels);
+}
+
+/// What of an image is of a color that no thing there can have.
+void add(ColorQuality::Others& others, colortool::SuspicionMeter& meter, const ColorFrame& frame) {
+  const colortool::Suspicion suspicion = meter.measure(frame.view());
+  others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
+  for (std::size_t i = 0; i < suspicion.byClass.size(); ++i)
+    others.suspicious[i] += suspicion.byClass[i].specks + suspicion.byClass[i].enclosed + suspicion.byClass[i].vast;
+  others.pixels += static_cast<std::uint64_t>(frame.width()) * static_cast<std::uint64_t>(frame.height());
+  ++others.images;
 }
 
 }  // namespace
@@ -77,19 +90,34 @@ bool ColorScorer::goOn() const {
   return !quit_ && !task_;
 }
 
-std::optional<ColorQuality> ColorScorer::score(const Task& task) const {
-  ColorQuality quality{task.number, task.samples.classes, {}, {}};
+bool ColorScorer::scoreImages(const Task& task, ColorQuality& quality) const {
   if (task.labelled && !task.labelled->empty()) {
-    Evaluation evaluation(task.samples.classes.size());
+    Evaluation evaluation(task.samples.classes.size()), reference = evaluation;
     for (const LabelledFrame& labelled : *task.labelled) {
-      if (!goOn()) return std::nullopt;
-      add(evaluation, labelled, task);
+      if (!goOn()) return false;
+      add(evaluation, labelled, task, *task.table);
+      if (task.reference) add(reference, labelled, task, *task.reference);
     }
     quality.labelled = std::move(evaluation);
+    if (task.reference) quality.referenceLabelled = std::move(reference);
   }
+  colortool::SuspicionMeter meter(*task.table, {}, colortool::thingClasses(task.samples.classes));
+  for (const ColorFramePtr& frame : task.others) {
+    if (!goOn()) return false;
+    add(quality.others, meter, *frame);
+  }
+  return true;
+}
+
+std::optional<ColorQuality> ColorScorer::score(const Task& task) const {
+  ColorQuality quality;
+  quality.task = task.number;
+  quality.classes = task.samples.classes;
+  if (!scoreImages(task, quality)) return std::nullopt;
   if (!task.samples.strokes.empty()) {
     quality.strokes = colortool::crossValidate(task.samples, [this] { return goOn(); });
     if (!quality.strokes) return std::nullopt;
+    if (task.reference) quality.referenceStrokes = colortool::scoreStrokes(task.samples, *task.reference);
   }
   return quality;
 }

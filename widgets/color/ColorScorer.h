@@ -32,6 +32,16 @@ struct ColorQuality {
   std::optional<colortool::StrokeQuality> strokes;
   /// Over images whose classes are known; none without such images.
   std::optional<colortool::Evaluation> labelled;
+  /// The same of the table that it is compared with, if there is one: over all strokes, and over the images.
+  std::optional<colortool::Evaluation> referenceStrokes, referenceLabelled;
+  /// In other images, where no label is needed to see that a color of a thing is wrong: how many pixels of which
+  /// class are suspicious (colortool::SuspicionMeter, without what is merely ambiguous), of how many in all.
+  struct Others {
+    int images = 0;
+    std::uint64_t pixels = 0;
+    std::vector<std::uint64_t> suspicious;  ///< by class
+  };
+  Others others;
 };
 
 /// Scores tables in a thread of its own, since that takes longer than to make them, and must not hold up the
@@ -44,6 +54,8 @@ class ColorScorer {
     colortool::Samples samples;
     std::shared_ptr<const colortool::ColorTable> table;  ///< that of the samples
     std::shared_ptr<const std::vector<LabelledFrame>> labelled;
+    std::shared_ptr<const colortool::ColorTable> reference;  ///< of the samples' classes; null: none
+    std::vector<ColorFramePtr> others;                       ///< images to look for what is suspicious in
   };
   /// `news` is called in the scorer's thread whenever there is something to take; it must not block.
   explicit ColorScorer(std::function<void()> news);
@@ -59,6 +71,8 @@ class ColorScorer {
  private:
   void run();
   std::optional<ColorQuality> score(const Task& task) const;
+  /// False: it was given up.
+  bool scoreImages(const Task& task, ColorQuality& quality) const;
   bool goOn() const;
 
   const std::function<void()> news_;

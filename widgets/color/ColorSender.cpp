@@ -61,6 +61,14 @@ void ColorSender::sendNew() {
   if (autoSend_ && colors != nullptr && colors->table != sent_) send();
 }
 
+void ColorSender::tick() {
+  if (state_ != State::kFailed) return;
+  const LearnedColors* colors = bench_.colors();
+  const bool sameTable = colors == nullptr || colors->table == sent_ || sent_ == nullptr;
+  if (sameTable && bench_.session().selectedRobot() == robot_) return;
+  tell(State::kIdle, {});
+}
+
 void ColorSender::send() {
   const LearnedColors* colors = bench_.colors();
   if (colors == nullptr) return;

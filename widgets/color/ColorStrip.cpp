@@ -12,7 +12,8 @@ namespace widgets {
 namespace {
 
 constexpr int kHeight = 96;
-constexpr QSize kIcon(96, 64);
+constexpr QSize kIcon(96, 64), kLowIcon(48, 28);
+constexpr int kLowHeight = 44;
 
 }  // namespace
 
@@ -44,12 +45,30 @@ void ColorStrip::refresh() {
     for (const CollectedFrame& collected : bench_.collected()) {
       auto* item =
           new QListWidgetItem(QPixmap::fromImage(collected.thumbnail),
-                              tr("%1 s").arg(robotlink::seconds(bench_.session().timeline().sinceOrigin(collected.frame->time())), 0, 'f', 2), this);
+                              low_ ? QString() : labelOf(*collected.frame), this);
       item->setToolTip(QString::fromStdString(collected.frame->place().name));
     }
     setCurrentRow(std::min(current, count() - 1));
   }
-  setVisible(count() > 0);
+  setVisible(wanted_ && count() > 0);
+}
+
+QString ColorStrip::labelOf(const ColorFrame& frame) const {
+  if (!frame.file().empty()) return frame.label();
+  return tr("%1 s").arg(robotlink::seconds(bench_.session().timeline().sinceOrigin(frame.time())), 0, 'f', 2);
+}
+
+void ColorStrip::setWanted(bool wanted) {
+  wanted_ = wanted;
+  setVisible(wanted_ && count() > 0);
+}
+
+void ColorStrip::setLow(bool low) {
+  if (low == low_) return;
+  low_ = low;
+  setIconSize(low ? kLowIcon : kIcon);
+  setFixedHeight(low ? kLowHeight : kHeight + fontMetrics().height());
+  refresh();
 }
 
 void ColorStrip::showCurrent(const ColorFramePtr& frame) {

@@ -9,8 +9,8 @@ namespace widgets {
 
 class ColorBench;
 
-/// The images that were put aside, as a strip of small pictures. Hidden while there are none. Delete removes
-/// the current one.
+/// The images that were put aside, as a strip of small pictures. Hidden while there are none, or while it is
+/// not wanted; low where there is little room. Delete removes the current one.
 class ColorStrip final : public QListWidget {
   Q_OBJECT
  public:
@@ -18,6 +18,9 @@ class ColorStrip final : public QListWidget {
 
   /// Marks the one that is shown; null: none of them is.
   void showCurrent(const ColorFramePtr& frame);
+  void setWanted(bool wanted);
+  /// Low pictures without names, for views that are not high.
+  void setLow(bool low);
 
  Q_SIGNALS:
   void chosen(const ColorFramePtr& frame);
@@ -27,8 +30,10 @@ class ColorStrip final : public QListWidget {
 
  private:
   void refresh();
+  QString labelOf(const ColorFrame& frame) const;
 
   ColorBench& bench_;
+  bool wanted_ = true, low_ = false;
 };
 
 }  // namespace widgets

@@ -90,6 +90,12 @@ void ColorToolRow::createTools(QWidget* owner) {
     tools_->addAction(action);
     if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
+  careful_ = makeAction(owner, "filter",
+                        {"colorCareful", tr("Careful brush"),
+                         tr("The brush leaves out what has another color than what it is led along, such as the field "
+                            "beside a line")});
+  careful_->setCheckable(true);
+  careful_->setChecked(true);
   const ColorActions common = addColorActions(*owner, "color", bench_);
   undo_ = common.undo;
   redo_ = common.redo;
@@ -129,6 +135,7 @@ void ColorToolRow::createControls() {
   row->addWidget(class_);
   for (QAction* action : tools_->actions()) row->addWidget(makeButton(this, action));
   row->addWidget(radius_);
+  row->addWidget(makeButton(this, careful_));
   row->addWidget(tolerance_);
   addButtons(row, {undo_, redo_});
   note_ = new QLabel(this);
@@ -168,7 +175,10 @@ void ColorToolRow::scaleRadius(double factor) {
 }
 
 ColorGesture::Options ColorToolRow::options() const {
-  ColorGesture::Options options{tool(), radius(), {}};
+  ColorGesture::Options options;
+  options.tool = tool();
+  options.radius = radius();
+  options.careful = careful_->isChecked();
   options.wand.tolerance = tolerance_->value();
   options.wand.edge = 1.5 * tolerance_->value();
   return options;
@@ -177,6 +187,7 @@ ColorGesture::Options ColorToolRow::options() const {
 void ColorToolRow::update() {
   radius_->setEnabled(tool() == ColorTool::kBrush || tool() == ColorTool::kEraser);
   tolerance_->setEnabled(tool() == ColorTool::kWand);
+  careful_->setEnabled(tool() == ColorTool::kBrush);
   Q_EMIT toolChanged();
 }
 
@@ -200,6 +211,7 @@ void ColorToolRow::updateClass() {
 QJsonObject ColorToolRow::saveState() const {
   return {{QStringLiteral("tool"), QLatin1String(toolName(tool()))},
           {QStringLiteral("radius"), radius()},
+          {QStringLiteral("careful"), careful_->isChecked()},
           {QStringLiteral("tolerance"), tolerance_->value()},
           {QStringLiteral("opacity"), opacity_->value()}};
 }
@@ -210,6 +222,7 @@ void ColorToolRow::restoreState(const QJsonObject& state) {
     if (state[QStringLiteral("tool")].toString() == QLatin1String(toolName(tool))) action->setChecked(true);
   }
   radius_->setValue(state[QStringLiteral("radius")].toDouble(radius()));
+  careful_->setChecked(state[QStringLiteral("careful")].toBool(true));
   tolerance_->setValue(state[QStringLiteral("tolerance")].toInt(tolerance_->value()));
   opacity_->setValue(state[QStringLiteral("opacity")].toInt());
   update();

@@ -52,7 +52,7 @@ class ColorToolRow final : public QWidget {
 
   ColorBench& bench_;
   QActionGroup* tools_ = nullptr;
-  QAction *undo_ = nullptr, *redo_ = nullptr;
+  QAction *undo_ = nullptr, *redo_ = nullptr, *careful_ = nullptr;
   QToolButton* class_ = nullptr;
   QMenu* classMenu_ = nullptr;
   QDoubleSpinBox* radius_ = nullptr;

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 #include <QLabel>
 #include <QPainter>
+#include <QScrollArea>
 #include <QStyledItemDelegate>
 #include <QTableView>
 #include <cmath>
@@ -15,6 +16,8 @@
 
 namespace widgets {
 namespace {
+
+constexpr int kNoteLines = 4;
 
 /// Shades a cell by its share: what is right in one colour, what is wrong in another, stronger early on,
 /// since a few percent matter. The text stays that of the palette.
@@ -42,9 +45,18 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   describe(*summary_, {(prefix + "Summary").constData(), title, {}});
   summary_->setWordWrap(true);  // rather than to keep the dock wide
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
-  note_ = new QLabel(this);
+  noteArea_ = new QScrollArea(this);
+  note_ = new QLabel(noteArea_);
   describe(*note_, {(prefix + "Note").constData(), tr("What to know about these figures"), {}});
   note_->setWordWrap(true);
+  note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
+  // Many sentences must not take the room from other views.
+  noteArea_->setWidget(note_);
+  noteArea_->setWidgetResizable(true);
+  noteArea_->setFrameShape(QFrame::NoFrame);
+  noteArea_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  noteArea_->setMinimumHeight(fontMetrics().height() + 2);
+  noteArea_->setMaximumHeight(kNoteLines * fontMetrics().lineSpacing() + 2);
   table_ = new QTableView(this);
   describe(*table_, {(prefix + "Matrix").constData(),
                      tr("%1: true classes in rows, found ones in columns, shares in percent").arg(title),
@@ -70,13 +82,13 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   layout->setSpacing(3);
   layout->addLayout(top);
   layout->addWidget(table_, 1);
-  layout->addWidget(note_);
+  layout->addWidget(noteArea_);
   setNote({});
 }
 
 void ConfusionPanel::setNote(const QString& note) {
   note_->setText(note);
-  note_->setVisible(!note.isEmpty());
+  noteArea_->setVisible(!note.isEmpty());
 }
 
 void ConfusionPanel::show(const colortool::ColorClasses& classes, const colortool::Evaluation& evaluation,

@@ -6,6 +6,7 @@
 #include "widgets/models/ConfusionModel.h"
 
 class QLabel;
+class QScrollArea;
 class QTableView;
 
 namespace widgets {
@@ -34,6 +35,7 @@ class ConfusionPanel final : public QWidget {
   QTableView* table_ = nullptr;
   QLabel* summary_ = nullptr;
   QLabel* note_ = nullptr;
+  QScrollArea* noteArea_ = nullptr;
   EmptyHint* hint_ = nullptr;
 };
 

@@ -143,10 +143,16 @@ std::optional<Result<LabelledFolder::Read>> LabelledFolder::take() {
 }
 
 Result<LabelledFolder::Read> LabelledFolder::readAll() {
-  const fs::path labels = labelFolder(folder_);
+  std::error_code none;
+  if (!fs::is_directory(folder_, none))
+    return failure("image.labels", "there is no such folder", {folder_.string(), 0, 0});
+  const fs::path given = folder_.has_filename() ? folder_ : folder_.parent_path();
+  const bool isLabels = given.filename() == "labels";
+  const fs::path folder = isLabels ? given.parent_path() : given;
+  const fs::path labels = isLabels ? given : labelFolder(folder);
   const auto names = namesOf(labels);
   if (!names) return tl::unexpected(names.error());
-  const auto images = imagesIn(folder_, labels);
+  const auto images = imagesIn(folder, labels);
   Read read;
   std::size_t done = 0;
   for (const auto& [name, file] : images) {
@@ -169,9 +175,13 @@ Result<LabelledFolder::Read> LabelledFolder::readAll() {
   }
   if (!read.frames.empty()) return read;
   return failure("image.labels",
-                 read.problems.empty()
-                     ? "no image here has labels: a grey PNG of the same name in a folder \"labels\""
-                     : robotlink::describe(read.problems),
+                 !read.problems.empty() ? robotlink::describe(read.problems)
+                 : images.empty()
+                     ? "there are no images here. Choose the folder that holds the images, with a folder "
+                       "\"labels\" inside of it or beside it, or that folder of labels itself"
+                     : "none of the " + std::to_string(images.size()) +
+                           " images here has labels: a gray PNG of the same name in a folder \"labels\" inside "
+                           "of this one or beside it",
                  {folder_.string()});
 }
 

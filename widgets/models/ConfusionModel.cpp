@@ -53,7 +53,7 @@ std::optional<double> ConfusionModel::meanRecall() const {
 }
 
 std::optional<double> ConfusionModel::falseColors() const {
-  if (!evaluation_ || evaluation_->labelled(0) == 0) return std::nullopt;
+  if (!evaluation_ || evaluation_->labelled(0) == 0 || isAlone(0)) return std::nullopt;
   const std::vector<bool> things = colortool::thingClasses(classes_);
   std::vector<std::uint8_t> numbers;
   for (std::size_t i = 1; i < things.size(); ++i) {

@@ -1,0 +1,61 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/PictureReading.h"
+
+#include <utility>
+
+#include "foxglove/Image.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "widgets/color/PictureFile.h"
+
+namespace widgets {
+
+using robotlink::Result;
+
+PictureReading::PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera,
+                               std::size_t mostBytes)
+    : filesOrFolders_(std::move(filesOrFolders)),
+      camera_(std::move(camera)),
+      mostBytes_(mostBytes),
+      thread_([this] {
+        auto read = readAll();
+        const std::lock_guard lock(mutex_);
+        read_ = std::move(read);
+      }) {}
+
+PictureReading::~PictureReading() {
+  quit_ = true;
+  thread_.join();
+}
+
+std::optional<Result<PictureReading::Read>> PictureReading::take() {
+  const std::lock_guard lock(mutex_);
+  return std::exchange(read_, std::nullopt);
+}
+
+Result<PictureReading::Read> PictureReading::readAll() {
+  const auto files = pictureFiles(filesOrFolders_);
+  if (!files) return tl::unexpected(files.error());
+  Read read;
+  std::size_t bytes = 0, done = 0;
+  for (const auto& file : *files) {
+    if (quit_) break;
+    progress_ = static_cast<double>(done++) / static_cast<double>(files->size());
+    if (bytes > mostBytes_) {
+      ++read.leftOut;
+      continue;
+    }
+    const auto image = readPicture(file);
+    if (!image) {
+      read.problems.push_back(image.error());
+      continue;
+    }
+    bytes += image->data.size();
+    auto message = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*message, image->view(), {}, "camera");
+    read.frames.push_back(ColorFrame::ofFile(message, file, camera_));
+  }
+  if (!read.frames.empty() || read.problems.empty()) return read;
+  return tl::unexpected(read.problems.front());
+}
+
+}  // namespace widgets
