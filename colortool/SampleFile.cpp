@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <nlohmann/json.hpp>
 #include <set>
+#include <type_traits>
+#include <utility>
 
 #include "robotlink/base/AtomicFile.h"
 
@@ -45,17 +47,77 @@ std::vector<std::array<std::uint8_t, 3>> triplesOf(const std::string& hex, const
   return triples;
 }
 
+/// The value of a whole number, if it fits.
 template <typename T>
-T member(const Json& object, const char* name) {
+T whole(const Json& value, const std::string& name) {
+  if (value.is_number_unsigned()) {
+    if (const auto number = value.get<std::uint64_t>(); std::in_range<T>(number)) return static_cast<T>(number);
+  } else if (value.is_number_integer()) {
+    if (const auto number = value.get<std::int64_t>(); std::in_range<T>(number)) return static_cast<T>(number);
+  }
+  throw Wrong("\"" + name + "\" is not a whole number, or too large");
+}
+
+template <typename T>
+struct ListOf;
+template <typename T>
+struct ListOf<std::vector<T>> {
+  static std::vector<T> sized(std::size_t count, const std::string&) { return std::vector<T>(count); }
+};
+template <typename T, std::size_t kCount>
+struct ListOf<std::array<T, kCount>> {
+  static std::array<T, kCount> sized(std::size_t count, const std::string& name) {
+    if (count != kCount) throw Wrong("\"" + name + "\" does not have " + std::to_string(kCount) + " numbers");
+    return {};
+  }
+};
+
+/// The value, if it is of the type: the library converts numbers that do not fit, and throws for the rest.
+template <typename T>
+T checked(const Json& value, const std::string& name) {
+  if constexpr (std::is_same_v<T, std::string>) {
+    if (!value.is_string()) throw Wrong("\"" + name + "\" is not a text in quotes");
+    return value.get<std::string>();
+  } else if constexpr (std::is_same_v<T, bool>) {
+    if (!value.is_boolean()) throw Wrong("\"" + name + "\" is neither true nor false");
+    return value.get<bool>();
+  } else if constexpr (std::is_floating_point_v<T>) {
+    if (!value.is_number()) throw Wrong("\"" + name + "\" is not a number");
+    return value.get<T>();
+  } else if constexpr (std::is_integral_v<T>) {
+    return whole<T>(value, name);
+  } else {
+    if (!value.is_array()) throw Wrong("\"" + name + "\" is not a list of numbers");
+    T list = ListOf<T>::sized(value.size(), name);
+    std::ranges::transform(value, list.begin(), [&](const Json& element) { return checked<typename T::value_type>(element, name); });
+    return list;
+  }
+}
+
+const Json& part(const Json& object, const char* name) {
   const auto found = object.find(name);
   if (found == object.end()) throw Wrong("there is no \"" + std::string(name) + "\"");
-  return found->get<T>();
+  return *found;
+}
+
+/// A member that holds others; an empty one if there is none.
+const Json& optionalPart(const Json& object, const char* name) {
+  static const Json none = Json::object();
+  const auto found = object.find(name);
+  if (found == object.end()) return none;
+  if (!found->is_object()) throw Wrong("\"" + std::string(name) + "\" is not an object in braces");
+  return *found;
+}
+
+template <typename T>
+T member(const Json& object, const char* name) {
+  return checked<T>(part(object, name), name);
 }
 
 /// Leaves `value` as it is without such a member.
 template <typename T>
 void optional(const Json& object, const char* name, T& value) {
-  if (const auto found = object.find(name); found != object.end()) value = found->get<T>();
+  if (const auto found = object.find(name); found != object.end()) value = checked<T>(*found, name);
 }
 
 int side(const Json& object, const char* name) {
@@ -88,17 +150,15 @@ Json written(const TrainingSettings& s) {
 }
 
 TrainingSettings readSettings(const Json& line) {
-  const Json object = member<Json>(line, "settings");
+  const Json& object = optionalPart(line, "settings");
   TrainingSettings s;
   std::string method = kMethods[0];
   optional(object, "method", method);
   const auto known = std::ranges::find(kMethods, method);
   if (known == kMethods.end()) throw Wrong("there is no method \"" + method + "\"");
   s.method = static_cast<TrainingMethod>(known - kMethods.begin());
-  const Json none = Json::object();
-  const auto part = [&](const char* name) { return object.contains(name) ? object[name] : none; };
-  const Json votes = part("votes"), gaussians = part("gaussians"), vectors = part("support_vectors"),
-             cleanUp = part("clean_up");
+  const Json &votes = optionalPart(object, "votes"), &gaussians = optionalPart(object, "gaussians"),
+             &vectors = optionalPart(object, "support_vectors"), &cleanUp = optionalPart(object, "clean_up");
   optional(votes, "radius", s.votes.radius);
   optional(votes, "brightness_weight", s.votes.brightnessWeight);
   optional(votes, "rejection", s.votes.rejection);
@@ -223,7 +283,7 @@ Stroke readStroke(const Json& line, const Samples& samples) {
   if (stroke.colors.size() != pixelCount(stroke.area))
     throw Wrong("it has " + std::to_string(stroke.colors.size()) + " colours for " +
                 std::to_string(pixelCount(stroke.area)) + " pixels");
-  if (line.contains("thumbnail")) stroke.thumbnail = readThumbnail(line["thumbnail"]);
+  if (line.contains("thumbnail")) stroke.thumbnail = readThumbnail(optionalPart(line, "thumbnail"));
   return stroke;
 }
 
@@ -246,14 +306,18 @@ class Reader {
   /// The first line says what file it is.
   Result<void> begin(std::string_view line) {
     const Json head = Json::parse(line, nullptr, false);
-    if (!head.is_object() || head.value("format", "") != kFormat)
+    const auto format = head.is_object() ? head.find("format") : head.end();
+    if (format == head.end() || *format != kFormat)
       return robotlink::failure("samples.format",
                                 "this is no file of samples: its first line does not say so", {file_, 1, 0});
-    const int version =
-        head.contains("version") && head["version"].is_number_integer() ? head["version"].get<int>() : 0;
-    if (version < 1 || version > kVersion)
+    const auto version = head.find("version");
+    if (version == head.end() || !version->is_number_integer() || *version < 1)
       return robotlink::failure("samples.version",
-                                "it is of version " + std::to_string(version) +
+                                "its first line does not say which version of the format it has; it should "
+                                "end in \"version\": 1", {file_, 1, 0});
+    if (*version > kVersion)
+      return robotlink::failure("samples.version",
+                                "it is of version " + version->dump() +
                                     ", which this program does not know; use a newer one",
                                 {file_, 1, 0});
     return {};
@@ -266,8 +330,8 @@ class Reader {
       take(object);
     } catch (const Json::parse_error& error) {
       problem(number, "this is no JSON", static_cast<int>(error.byte));
-    } catch (const Json::exception& error) {
-      problem(number, error.what(), 0);
+    } catch (const Json::exception&) {
+      problem(number, "a number is too large", 0);
     } catch (const Wrong& wrong) {
       problem(number, wrong.what(), 0);
     }

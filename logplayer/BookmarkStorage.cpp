@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <limits>
 #include <nlohmann/json.hpp>
 
 #include "foxglove/Event.pb.h"
@@ -21,7 +22,7 @@ using nlohmann::json;
 using robotlink::Instant;
 using robotlink::Result;
 
-constexpr std::uint64_t kLargestId = (std::uint64_t{1} << 53U) - 1;  // what JSON readers take exactly
+constexpr std::int64_t kLargestId = (std::int64_t{1} << 53U) - 1;  // what JSON readers take exactly
 const robotlink::VersionedFormat kFormat{"robotcontrol-bookmarks", 1, "bookmarks"};
 
 const std::string* metadata(const foxglove::Event& event, std::string_view key) {
@@ -41,7 +42,7 @@ void addMetadata(foxglove::Event& event, const char* key, const std::string& val
 std::uint64_t hashOf(mcap::Bytes data) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3;
-  return hash & kLargestId;
+  return hash & static_cast<std::uint64_t>(kLargestId);
 }
 
 std::uint64_t idOf(const foxglove::Event& event, mcap::Bytes data) {
@@ -102,13 +103,36 @@ json jsonOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {
           {"text", bookmark->text}};
 }
 
-// Throws json::exception where something is of the wrong type or lacks.
-std::pair<std::uint64_t, std::optional<Bookmark>> bookmarkOf(const json& entry) {
-  const auto id = entry.at("id").get<std::uint64_t>();
-  if (entry.value("removed", false)) return {id, std::nullopt};
-  const Instant from{robotlink::Duration(entry.at("from_ns").get<std::int64_t>())};
-  const Instant to{robotlink::Duration(entry.at("to_ns").get<std::int64_t>())};
-  return {id, Bookmark{id, from, std::max(from, to), entry.at("text").get<std::string>()}};
+// A whole number within the bounds; nothing for anything else, such as a fraction.
+std::optional<std::int64_t> wholeNumber(const json& entry, const char* name, std::int64_t min, std::int64_t max) {
+  const auto found = entry.find(name);
+  if (found == entry.end() || !found->is_number_integer()) return std::nullopt;
+  if (found->is_number_unsigned() && found->get<std::uint64_t>() > static_cast<std::uint64_t>(max)) return std::nullopt;
+  const auto number = found->get<std::int64_t>();
+  return number < min || number > max ? std::nullopt : std::optional(number);
+}
+
+// What is wrong with an entry; null if nothing is. It is put into the changes then.
+const char* readEntry(const json& entry, BookmarkChanges& changes) {
+  // Differences of two times fit, too.
+  constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max() / 2;
+  if (!entry.is_object()) return "it is not an object in braces";
+  const auto id = wholeNumber(entry, "id", 0, kLargestId);
+  if (!id) return "its \"id\" is missing, or no whole number from 0 to 2^53 - 1";
+  const auto number = static_cast<std::uint64_t>(*id);
+  const auto removed = entry.find("removed");
+  if (removed != entry.end() && !removed->is_boolean()) return "\"removed\" is neither true nor false";
+  if (removed != entry.end() && removed->get<bool>()) {
+    changes.emplace(number, std::nullopt);
+    return nullptr;
+  }
+  const auto from = wholeNumber(entry, "from_ns", -kLatest, kLatest), to = wholeNumber(entry, "to_ns", -kLatest, kLatest);
+  if (!from || !to) return "\"from_ns\" or \"to_ns\" is missing, or no whole number of nanoseconds";
+  const auto text = entry.find("text");
+  if (text == entry.end() || !text->is_string()) return "its \"text\" is missing, or not in quotes";
+  const Instant begin{robotlink::Duration(*from)}, end{robotlink::Duration(*to)};
+  changes.emplace(number, Bookmark{number, begin, std::max(begin, end), text->get<std::string>()});
+  return nullptr;
 }
 
 bool earlier(const Bookmark& a, const Bookmark& b) {
@@ -167,13 +191,14 @@ Result<BookmarkChanges> readBookmarksBeside(const std::filesystem::path& log) {
   const std::filesystem::path file = fileBeside(log);
   const auto contents = robotlink::readVersioned(file, kFormat);
   if (!contents) return tl::unexpected(contents.error());
+  const robotlink::FilePosition where{file.string(), 0, 0};
   BookmarkChanges changes;
-  try {
-    for (const json& entry : contents->value("entries", json::array())) changes.insert(bookmarkOf(entry));
-  } catch (const json::exception& exception) {
-    return robotlink::failure("bookmarks.format",
-                              std::string("a bookmark cannot be understood: ") + exception.what(),
-                              {file.string(), 0, 0});
+  const auto entries = contents->find("entries");
+  if (entries == contents->end()) return changes;
+  if (!entries->is_array()) return robotlink::failure("bookmarks.format", "the \"entries\" are not a list in brackets", where);
+  for (std::size_t i = 0; i < entries->size(); ++i) {
+    if (const char* problem = readEntry((*entries)[i], changes))
+      return robotlink::failure("bookmarks.format", "bookmark " + std::to_string(i + 1) + " cannot be read: " + problem, where);
   }
   return changes;
 }

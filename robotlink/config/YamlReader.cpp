@@ -9,6 +9,7 @@
 #include <limits>
 #include <optional>
 #include <tuple>
+#include <unordered_set>
 
 #include "robotlink/base/AtomicFile.h"
 
@@ -70,25 +71,28 @@ struct Converter {
       for (const YAML::Node& item : node) value.items.push_back(convert(item, depth + 1));
     } else if (node.IsMap()) {
       value.kind = Kind::kMap;
-      for (const auto& entry : node) convertEntry(value, entry.first, entry.second, depth);
+      std::unordered_set<std::string> names;
+      for (const auto& entry : node) {
+        const bool isNew = !entry.first.IsScalar() || names.insert(entry.first.Scalar()).second;
+        convertEntry(value, entry.first, isNew ? std::optional(entry.second) : std::nullopt, depth);
+      }
     }
     return value;
   }
 
-  void convertEntry(YamlValue& map, const YAML::Node& key, const YAML::Node& node, int depth) {
+  // No node: a key that stands in the map for the second time.
+  void convertEntry(YamlValue& map, const YAML::Node& key, const std::optional<YAML::Node>& node, int depth) {
     const FilePosition where = position(key.Mark());
     if (!key.IsScalar()) {
       errors.push_back({"yaml.key", "a key must be a plain word", {}, where});
       return;
     }
     const std::string& name = key.Scalar();
-    const bool isDouble =
-        std::ranges::any_of(map.entries, [&](const auto& entry) { return entry.key == name; });
-    if (isDouble) {
+    if (!node) {
       errors.push_back({"yaml.duplicate-key", "'" + name + "' stands here twice", {name}, where});
       return;
     }
-    map.entries.push_back({name, where, convert(node, depth + 1)});
+    map.entries.push_back({name, where, convert(*node, depth + 1)});
   }
 };
 

@@ -9,6 +9,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Utf8.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Schema.h"
 
@@ -33,19 +34,19 @@ class Collector final : public pb::io::ErrorCollector {
   Errors errors_;
 };
 
-bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field);
+bool isSound(const pb::Message& message, const pb::FieldDescriptor& field);
 
-/// The name of the first number that is infinite or none at all; empty if there is none.
-std::string firstNotFinite(const pb::Message& message) {
+/// The name of the first number that is infinite or none at all, or text that is not UTF-8; empty if there is none.
+std::string firstUnsound(const pb::Message& message) {
   std::vector<const pb::FieldDescriptor*> fields;
   message.GetReflection()->ListFields(message, &fields);
   for (const pb::FieldDescriptor* field : fields) {
-    if (!isFiniteField(message, *field)) return field->name();
+    if (!isSound(message, *field)) return field->name();
   }
   return {};
 }
 
-bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field) {
+bool isSound(const pb::Message& message, const pb::FieldDescriptor& field) {
   const pb::Reflection& reflection = *message.GetReflection();
   const int count = field.is_repeated() ? reflection.FieldSize(message, &field) : 1;
   for (int i = 0; i < count; ++i) {
@@ -61,11 +62,17 @@ bool isFiniteField(const pb::Message& message, const pb::FieldDescriptor& field)
           return false;
         break;
       case pb::FieldDescriptor::CPPTYPE_MESSAGE:
-        if (!firstNotFinite(field.is_repeated() ? reflection.GetRepeatedMessage(message, &field, i)
+        if (!firstUnsound(field.is_repeated() ? reflection.GetRepeatedMessage(message, &field, i)
                                                 : reflection.GetMessage(message, &field))
                  .empty())
           return false;
         break;
+      case pb::FieldDescriptor::CPPTYPE_STRING: {
+        const std::string text = field.is_repeated() ? reflection.GetRepeatedString(message, &field, i)
+                                                     : reflection.GetString(message, &field);
+        if (field.type() == pb::FieldDescriptor::TYPE_STRING && validUtf8(text) != text) return false;
+        break;
+      }
       default:
         break;
     }
@@ -103,11 +110,11 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
   parser.RecordErrorsTo(&collector);
   const bool parsed = parser.ParseFromString(*text, message.get());
   if (!collector.errors().empty()) return tl::unexpected(collector.errors());
-  const std::string notFinite = firstNotFinite(*message);
-  if (!parsed || !notFinite.empty()) {
+  const std::string unsound = firstUnsound(*message);
+  if (!parsed || !unsound.empty()) {
     const std::string what =
-        parsed ? "'" + notFinite + "' is not a finite number" : "not readable as text of protobuf";
-    return tl::unexpected(Errors{{"parameters.value", what, {notFinite}, {file.string(), 0, 0}}});
+        parsed ? "'" + unsound + "' is not a finite number, or not a text in UTF-8" : "not readable as text of protobuf";
+    return tl::unexpected(Errors{{"parameters.value", what, {unsound}, {file.string(), 0, 0}}});
   }
   return SolutionParameters(std::move(message));
 }
@@ -123,8 +130,8 @@ Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
   if (!parsed->ParseFromString(value.data())) {
     return failure("parameters.damaged", "the bytes are no " + type, {}, {type});
   }
-  if (const std::string field = firstNotFinite(*parsed); !field.empty()) {
-    return failure("parameters.value", "'" + field + "' is not a finite number", {}, {field});
+  if (const std::string field = firstUnsound(*parsed); !field.empty()) {
+    return failure("parameters.value", "'" + field + "' is not a finite number, or not a text in UTF-8", {}, {field});
   }
   message_->CopyFrom(*parsed);
   return {};

@@ -32,6 +32,8 @@ Result<json> parse(const std::filesystem::path& file, const std::string& text) {
     return failure("settings.syntax", "the file is nested too deeply", {file.string(), 0, 0});
   } catch (const json::parse_error& error) {
     return failure("settings.syntax", "this is not valid JSON", positionOf(file, text, error.byte));
+  } catch (const json::exception&) {
+    return failure("settings.syntax", "a number in this file is too large", {file.string(), 0, 0});
   }
 }
 

@@ -5,6 +5,7 @@
 
 #include <fstream>
 #include <random>
+#include <sstream>
 
 #include "SampleFixture.h"
 #include "tests/TestFolder.h"
@@ -117,6 +118,33 @@ TEST(SampleFile, whatContradictsItselfIsSaid) {
   EXPECT_NE(problemWith("\"version\":1", "\"version\":2").find("version 2"), std::string::npos);
   EXPECT_NE(problemWith("robotcontrol samples", "something else").find("no file of samples"),
             std::string::npos);
+}
+
+TEST(SampleFile, aValueOfAnotherTypeIsAProblemOfItsLine) {
+  const auto problemWith = [](const std::string& from, const std::string& to) {
+    std::string text = samplesText(quarterSamples());
+    const auto at = text.find(from);
+    EXPECT_NE(at, std::string::npos) << from;
+    text.replace(at, from.size(), to);
+    const auto read = parseSamples(text, "f");
+    return !read ? read.error().text : read->problems.empty() ? "" : read->problems[0].text;
+  };
+  const std::vector<std::pair<std::string, std::string>> cases = {
+      {"\"format\":\"robotcontrol samples\"", "\"format\":5"}, {"\"format\":\"robotcontrol samples\"", "\"format\":[1]"},
+      {"\"version\":1", "\"version\":\"1\""},                  {"\"version\":1", "\"version\":1e99"},
+      {"\"version\":1", "\"version\":18446744073709551615"},   {"\"method\":\"votes\"", "\"method\":7"},
+      {"\"votes\":{", "\"votes\":7,\"x\":{"},                    {"\"class\":\"green\"", "\"class\":7"},
+      {"\"stroke\":1", "\"stroke\":-1"},                         {"\"stroke\":1", "\"stroke\":1.5"},
+      {"\"width\":40", "\"width\":1e300"},                       {"\"width\":40", "\"width\":\"40\""},
+      {"\"weight\":1.0", "\"weight\":true"},                     {"\"weight\":1.0", "\"weight\":1e999"},
+      {"\"must_not_be\":false", "\"must_not_be\":0"},            {"\"runs\":[", "\"runs\":[1e300,"},
+      {"\"runs\":[", "\"runs\":\"\",\"x\":["},                   {"\"name\":\"", "\"name\":7,\"x\":\""},
+      {"\"thumbnail\":{", "\"thumbnail\":0,\"x\":{"}};
+  for (const auto& [from, to] : cases) {
+    const std::string problem = problemWith(from, to);
+    EXPECT_FALSE(problem.empty()) << to;
+    EXPECT_EQ(problem.find("exception"), std::string::npos) << problem;
+  }
 }
 
 TEST(SampleFile, anyBytesAreReadWithoutHarm) {

@@ -2,6 +2,7 @@
 #include <unistd.h>
 
 #include <algorithm>
+#include <cctype>
 #include <chrono>
 #include <csignal>
 #include <cstdio>
@@ -52,10 +53,33 @@ void overwrite(std::string& input, std::size_t at, const void* bytes, std::size_
   if (at < input.size()) std::memcpy(input.data() + at, bytes, std::min(count, input.size() - at));
 }
 
+/// What readers of text take for numbers, texts, lists or none of these.
+const char* awkwardWord(Random& random) {
+  static constexpr const char* kWords[] = {"0", "-1", "7", "0.5", "-0.0", "1e300", "1e-320", "1e999", "-1e999", "2147483648",
+                                           "-9223372036854775808", "18446744073709551615", "99999999999999999999",
+                                           "true", "null", "NaN", ".inf", "\"\"", "\"x\"", "\"\\u0000\"", "[]", "[1]", "[[], {}]",
+                                           "{}", "{\"a\": 1}", "~", "*a", "&a", "x", ""};
+  return kWords[pick(random, std::size(kWords))];
+}
+
+/// Replaces a number, a word or a text in quotes by one of another type.
+void exchangeWord(std::string& input, std::size_t at, Random& random) {
+  const auto inWord = [&](std::size_t i) {
+    const auto c = static_cast<unsigned char>(input[i]);
+    return std::isalnum(c) != 0 || c == '-' || c == '.' || c == '_' || c == '"';
+  };
+  while (at < input.size() && !inWord(at)) ++at;
+  if (at >= input.size()) return;
+  std::size_t begin = at, end = at;
+  while (begin > 0 && inWord(begin - 1)) --begin;
+  while (end < input.size() && inWord(end)) ++end;
+  input.replace(begin, end - begin, awkwardWord(random));
+}
+
 void mutate(std::string& input, const std::vector<std::string>& seeds, Random& random) {
   const std::size_t at = pick(random, input.size());
   const std::size_t count = 1 + pick(random, pick(random, 2) == 0 ? 8 : 200);
-  switch (random() % 8) {
+  switch (random() % 10) {
     case 0:
       if (!input.empty()) input[at] = static_cast<char>(input[at] ^ (1 << (random() % 8)));
       break;
@@ -78,6 +102,10 @@ void mutate(std::string& input, const std::vector<std::string>& seeds, Random& r
       break;
     case 6:
       input.resize(at);
+      break;
+    case 7:
+    case 8:
+      exchangeWord(input, at, random);
       break;
     default: {
       const std::string& other = seeds[pick(random, seeds.size())];

@@ -287,6 +287,24 @@ TEST_F(BookmarksTest, aBrokenFileBesideTheLogIsToldAndKeptAside) {
   EXPECT_EQ(savedTexts(), "a");
 }
 
+TEST_F(BookmarksTest, aValueOfAnotherTypeBesideTheLogIsToldInWords) {
+  const auto problemWith = [this](const std::string& entry) {
+    std::ofstream(fileBeside(log()), std::ios::trunc)
+        << R"({"format": "robotcontrol-bookmarks", "version": 1, "bookmarks": {"entries": )" << entry << "}}";
+    const auto read = readBookmarksBeside(log());
+    return read ? std::string() : read.error().text;
+  };
+  EXPECT_EQ(problemWith(R"([{"id": 1, "from_ns": 5, "to_ns": 9, "text": "a"}])"), "");
+  for (const char* wrong :
+       {"7", "[7]", R"([{"id": -1, "from_ns": 5, "to_ns": 9, "text": "a"}])", R"([{"id": 1.5, "from_ns": 5, "to_ns": 9, "text": "a"}])",
+        R"([{"id": 1, "from_ns": 1e300, "to_ns": 9, "text": "a"}])", R"([{"id": 1, "from_ns": 5, "to_ns": 9223372036854775807, "text": "a"}])",
+        R"([{"id": 1, "from_ns": 5, "to_ns": 9, "text": 7}])", R"([{"id": 1, "removed": "yes"}])", R"([{"id": 1, "from_ns": 1e999}])"}) {
+    const std::string problem = problemWith(wrong);
+    EXPECT_NE(problem, "") << wrong;
+    EXPECT_EQ(problem.find("exception"), std::string::npos) << problem;
+  }
+}
+
 TEST_F(BookmarksTest, aFileBesideTheLogOfANewerProgramIsNotOverwritten) {
   const std::string newer = "{\"format\": \"robotcontrol-bookmarks\", \"version\": 99, \"bookmarks\": {}}";
   std::ofstream(fileBeside(log())) << newer;

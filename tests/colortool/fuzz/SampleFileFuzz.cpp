@@ -1,8 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Files of samples and lists of strokes.
+// Files of samples, lists of strokes and lists of classes.
 #include <cstdio>
 #include <cstdlib>
 
+#include "colortool/NamedColorTable.h"
 #include "colortool/SampleFile.h"
 #include "colortool/StrokeList.h"
 #include "colortool/TableTrainer.h"
@@ -46,6 +47,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     require(!read.error().text.empty(), "a refusal says why");
   if (const auto strokes = parseStrokeList(bytes, "fuzz"); !strokes)
     require(!strokes.error().empty(), "a refusal has a reason");
+  if (const auto classes = parseColorClasses(bytes, "fuzz"); !classes)
+    require(!classes.error().empty(), "a refusal has a reason");
   return 0;
 }
 
@@ -53,6 +56,6 @@ std::vector<std::string> fuzzSeeds() {
   Samples samples = quarterSamples();
   samples.corrections = {{"nao", {}}};
   restate(samples, {2}, {2, true, 3});
-  return {samplesText(samples), samplesText(emptySamples()),
+  return {samplesText(samples), samplesText(emptySamples()), colorClassesText(samples.classes),
           "image,class,x,y,radius\n000.yuyv,orange,12,13.5,3\n000.yuyv,background,1e3,-1,0\n"};
 }

@@ -239,7 +239,7 @@ TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
   ToyRobot robot;
   EXPECT_EQ("its parameters are a robotcontrol.Velocity2, not a 'robotcontrol.Pose2'",
             robot.ask(setParameters("region", robotcontrol::Pose2())).reason());
-  EXPECT_EQ("'x' is not a finite number",
+  EXPECT_EQ("'x' is not a finite number, or not a text in UTF-8",
             robot.ask(setParameters("region", velocity(std::numeric_limits<double>::infinity()))).reason());
   Request damaged = setParameters("region", velocity(1));
   damaged.mutable_set_parameters()->mutable_value()->mutable_data()->resize(5);

@@ -109,6 +109,7 @@ TEST_F(SettingsTest, filesThatAreNoneOfOursAreRefused) {
       {"{" + format + ", \"version\": \"1\"}", "settings.version"},
       {"{" + format + ", \"version\": 2, \"settings\": {}}", "settings.newer"},
       {"{" + format + ", \"version\": 1, \"settings\": []}", "settings.format"},
+      {"{" + format + ", \"version\": 1, \"settings\": {\"a\": 1e999}}", "settings.syntax"},
       {std::string(100'000, '['), "settings.syntax"},
       {"{\"a\": " + std::string(1000, '[') + std::string(1000, ']') + "}", "settings.syntax"}};
   for (const auto& [text, id] : cases) {
