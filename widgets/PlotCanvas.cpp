@@ -29,7 +29,7 @@ class TimeTicker final : public QCPAxisTicker {
 }  // namespace
 
 PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
-    : QWidget(parent), curves_(curves), plot_(new QCustomPlot(this)), mark_(new QCPItemStraightLine(plot_)) {
+    : QWidget(parent), curves_(curves), plot_(new QCustomPlot(this)), mark_(new QCPItemStraightLine(plot_)), cursor_(new QCPItemStraightLine(plot_)) {
   plot_->setObjectName(QStringLiteral("plotCanvas"));
   plot_->setAccessibleName(tr("Plot"));
   plot_->setFocusPolicy(Qt::StrongFocus);
@@ -43,6 +43,7 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
   plot_->xAxis->setLabel(tr("time [s]"));
   plot_->axisRect()->setupFullAxesBox(false);
   mark_->setVisible(false);
+  cursor_->setVisible(false);
   plot_->setAcceptDrops(true);
   plot_->installEventFilter(this);
   connect(plot_, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) {
@@ -53,6 +54,8 @@ PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
   });
   connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
     if (event->buttons().testFlag(Qt::LeftButton)) Q_EMIT touched();
+    const bool inside = plot_->axisRect()->rect().contains(event->pos());
+    Q_EMIT cursorMoved(inside ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x())) : std::nullopt);
   });
   applyTheme();
 }
@@ -73,6 +76,7 @@ void PlotCanvas::applyTheme() {
     axis->grid()->setPen(QPen(mixed(base, text, 0.18), 0, Qt::DotLine));
     axis->grid()->setZeroLinePen(QPen(mixed(base, text, 0.35), 0));
   }
+  cursor_->setPen(QPen(mixed(base, text, 0.5), 0));
   mark_->setPen(QPen(colorOf(Meaning::kBad, colors), 0, Qt::DashLine));
   matchGraphs();
   plot_->replot(QCustomPlot::rpQueuedReplot);
@@ -148,6 +152,15 @@ void PlotCanvas::setMark(std::optional<double> time) {
   mark_->point2->setCoords(*time, 1);
 }
 
+void PlotCanvas::setCursorLine(std::optional<double> time) {
+  cursor_->setVisible(time.has_value());
+  if (time) {
+    cursor_->point1->setCoords(*time, 0);
+    cursor_->point2->setCoords(*time, 1);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
 std::pair<double, double> PlotCanvas::shownTimes() const {
   return {plot_->xAxis->range().lower, plot_->xAxis->range().upper};
 }
@@ -162,6 +175,7 @@ void PlotCanvas::changeEvent(QEvent* event) {
 }
 
 bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) Q_EMIT cursorMoved(std::nullopt);
   const QString type = QString::fromLatin1(PlotTreeModel::kMimeType);
   if (event->type() == QEvent::DragEnter) {
     auto* drag = static_cast<QDragEnterEvent*>(event);

@@ -28,6 +28,8 @@ class PlotCanvas final : public QWidget {
   void setOrigin(double seconds);
   /// The instant that the time line shows; nothing: no line.
   void setMark(std::optional<double> time);
+  /// A thin line at a time that the cursor points at; nothing: no line.
+  void setCursorLine(std::optional<double> time);
   bool savePng(const QString& file);
   /// The first and the last second that are shown.
   std::pair<double, double> shownTimes() const;
@@ -36,6 +38,8 @@ class PlotCanvas final : public QWidget {
   /// Somebody zoomed or panned.
   void touched();
   void sourcesDropped(const QStringList& sources);
+  /// The cursor points at this time; nothing: it has left the curves.
+  void cursorMoved(std::optional<double> time);
 
  protected:
   void changeEvent(QEvent* event) override;
@@ -49,6 +53,7 @@ class PlotCanvas final : public QWidget {
   CurveModel& curves_;
   QCustomPlot* plot_;
   QCPItemStraightLine* mark_;
+  QCPItemStraightLine* cursor_;
 };
 
 }  // namespace widgets

@@ -13,8 +13,10 @@
 #include <QSplitter>
 #include <QToolButton>
 #include <QTreeView>
+#include <cstdlib>
 
 #include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/RobotDescription.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/PlotCanvas.h"
@@ -59,7 +61,7 @@ PlotsView::PlotsView(ViewContext& context, QWidget* parent)
 void PlotsView::createActions() {
   showTree_ =
       makeAction(this, "filter",
-                 {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+L")});
+                 {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")});
   showTree_->setIcon({});
   showTree_->setCheckable(true);
   showTree_->setChecked(true);
@@ -76,7 +78,7 @@ void PlotsView::createActions() {
   pause_->setCheckable(true);
   fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all that the curves have"), tr("Ctrl+0")});
   csv_ = makeAction(this, "save",
-                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"), QKeySequence::Save});
+                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   png_ = makeAction(this, "camera", {"plotsPng", tr("Export PNG"), tr("Writes the picture to a file")});
 }
 
@@ -116,6 +118,7 @@ void PlotsView::createLegend() {
   legend_->header()->setSectionResizeMode(CurveModel::kName, QHeaderView::Stretch);
   legend_->header()->resizeSection(CurveModel::kValue, textWidth(*legend_, tr("-0.000000")));
   legend_->header()->resizeSection(CurveModel::kUnit, textWidth(*legend_, tr("rad/s")));
+  legend_->header()->resizeSection(CurveModel::kAtCursor, textWidth(*legend_, tr("At 0000.000 s")));
   legend_->setTextElideMode(Qt::ElideMiddle);
 }
 
@@ -176,6 +179,7 @@ void PlotsView::connectSignals() {
   connect(canvas_, &PlotCanvas::sourcesDropped, this, [this](const QStringList& sources) {
     for (const QString& source : sources) addCurve(source);
   });
+  connect(canvas_, &PlotCanvas::cursorMoved, this, &PlotsView::showCursor);
   connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
     filter_->setFilterFixedString(text);
     if (!text.isEmpty()) tree_->expandAll();
@@ -230,8 +234,26 @@ void PlotsView::requestMissing() {
 void PlotsView::listSources() {
   if (listVersion_ == session().store().listVersion()) return;
   listVersion_ = session().store().listVersion();
-  sources_.setSources(plotSources(session().store()));
+  sources_.setSources(plotSources(session().store()), [this](const PlotSource& source) { return jointOf(source); });
+  tree_->header()->setStretchLastSection(false);
+  tree_->header()->setSectionResizeMode(PlotTreeModel::kName, QHeaderView::Stretch);
+  tree_->header()->setSectionResizeMode(PlotTreeModel::kUnit, QHeaderView::ResizeToContents);
   tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
+}
+
+/// "headPan" of "positions[1]" in what is asked of the joints, which the robot's description numbers.
+QString PlotsView::jointOf(const PlotSource& source) const {
+  constexpr std::string_view kPositions = "positions[";
+  const auto robot = context().robots.find(robotPart(source.stream));
+  if (source.type != "robotcontrol.JointRequest" || !source.field.starts_with(kPositions) || robot == context().robots.end()) return {};
+  const std::size_t number = std::strtoul(source.field.c_str() + kPositions.size(), nullptr, 10);
+  const auto& joints = robot->second->joints;
+  return number < joints.size() ? QString::fromStdString(joints[number].name) : QString();
+}
+
+void PlotsView::showCursor(std::optional<double> time) {
+  curves_.setCursor(time);
+  canvas_->setCursorLine(time);
 }
 
 double PlotsView::shownTime() const {

@@ -20,7 +20,7 @@ class PlotCanvas;
 
 /// Values over time: any plot value, any number in any stream. Curves come from a searchable tree by double
 /// click, Enter or drag; what a robot does not tell yet is asked for by its debug key, and that is said. The
-/// legend shows the values of the moment.
+/// legend shows the values of the moment, and those under the cursor.
 class PlotsView final : public View {
   Q_OBJECT
  public:
@@ -48,6 +48,8 @@ class PlotsView final : public View {
   void exportCsv();
   void exportPng();
   double shownTime() const;
+  QString jointOf(const PlotSource& source) const;
+  void showCursor(std::optional<double> time);
 
   PlotTreeModel sources_;
   CurveModel curves_;

@@ -60,8 +60,21 @@ bool CurveModel::update(const robotlink::StreamStore& store) {
       if (curve->taken > 0) --curve->taken;
     }
   }
-  if (news) Q_EMIT dataChanged(index(0, kValue), index(rowCount() - 1, kUnit));
+  if (news) Q_EMIT dataChanged(index(0, kValue), index(rowCount() - 1, kAtCursor));
   return news;
+}
+
+void CurveModel::setCursor(std::optional<double> time) {
+  if (cursor_ == time) return;
+  cursor_ = time;
+  if (!curves_.empty()) Q_EMIT dataChanged(index(0, kAtCursor), index(rowCount() - 1, kAtCursor));
+  Q_EMIT headerDataChanged(Qt::Horizontal, kAtCursor, kAtCursor);
+}
+
+std::optional<double> CurveModel::atCursor(const Curve& curve) const {
+  if (!cursor_) return std::nullopt;
+  const auto after = std::ranges::upper_bound(curve.points, *cursor_, {}, &PlotSeries::Point::time);
+  return after == curve.points.begin() ? std::nullopt : std::optional(std::prev(after)->value);
 }
 
 QString CurveModel::csv() const {
@@ -98,7 +111,7 @@ QVariant CurveModel::data(const QModelIndex& index, int role) const {
   const auto last = curve.series.last();
   if (role == Qt::DecorationRole && index.column() == kName)
     return curveColor(curve.color, QGuiApplication::palette());
-  if (role == Qt::TextAlignmentRole && index.column() == kValue)
+  if (role == Qt::TextAlignmentRole && (index.column() == kValue || index.column() == kAtCursor))
     return int(Qt::AlignRight | Qt::AlignVCenter);
   if (role == Qt::ToolTipRole) {
     return last ? curve.series.source().text() : tr("%1: no values yet").arg(curve.series.source().text());
@@ -107,12 +120,25 @@ QVariant CurveModel::data(const QModelIndex& index, int role) const {
   if (role != Qt::DisplayRole) return {};
   if (index.column() == kName) return curve.series.source().text();
   if (index.column() == kUnit) return curve.series.unit();
+  if (index.column() == kAtCursor) {
+    const auto value = atCursor(curve);
+    return value ? QString::number(*value, 'g', 5) : QString();
+  }
   return last ? QString::number(*last, 'g', 5) : QStringLiteral("–");
 }
 
 QVariant CurveModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  return section == kName ? tr("Curve") : section == kValue ? tr("Value") : tr("Unit");
+  switch (section) {
+    case kName:
+      return tr("Curve");
+    case kValue:
+      return tr("Value");
+    case kUnit:
+      return tr("Unit");
+    default:
+      return cursor_ ? tr("At %1 s").arg(*cursor_, 0, 'f', 3) : tr("At the cursor");
+  }
 }
 
 }  // namespace widgets

@@ -4,6 +4,7 @@
 #include <QAbstractTableModel>
 #include <deque>
 #include <memory>
+#include <optional>
 #include <vector>
 
 #include "widgets/models/PlotSource.h"
@@ -11,11 +12,11 @@
 namespace widgets {
 
 /// The curves of a plot: the plot's legend, with the values of the moment. Points are kept for as long as
-/// `history`. Columns: curve, value, unit. GUI thread.
+/// `history`. Columns: curve, the newest value, its unit, and the value under the cursor. GUI thread.
 class CurveModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
-  enum Column { kName, kValue, kUnit, kColumns };
+  enum Column { kName, kValue, kUnit, kAtCursor, kColumns };
   static constexpr double kHistory = 300;             // s
   static constexpr std::size_t kMaxPoints = 300'000;  // of a curve
 
@@ -36,6 +37,8 @@ class CurveModel final : public QAbstractTableModel {
   void clear();
   /// Takes what came; true if there is something new to draw.
   bool update(const robotlink::StreamStore& store);
+  /// The time that the cursor points at; nothing: it is elsewhere.
+  void setCursor(std::optional<double> time);
   std::vector<std::unique_ptr<Curve>>& curves() { return curves_; }
   const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
   /// All points: a column of times, then one for each curve, empty where it has no value at that time.
@@ -48,8 +51,11 @@ class CurveModel final : public QAbstractTableModel {
 
  private:
   int freeColor() const;
+  /// The value that a curve has at the cursor: that of the last point before it.
+  std::optional<double> atCursor(const Curve& curve) const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
+  std::optional<double> cursor_;
 };
 
 }  // namespace widgets

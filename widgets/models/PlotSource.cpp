@@ -11,6 +11,7 @@
 #include "robotlink/debugging/Streams.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/Numbers.h"
+#include "widgets/models/FieldUnits.h"
 
 namespace widgets {
 namespace {
@@ -44,6 +45,31 @@ void addPackages(const robotlink::StreamStore& store, std::map<std::string, std:
   }
 }
 
+/// Compares texts with their numbers as numbers.
+bool comesBefore(const std::string& a, const std::string& b) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (isDigit(a[i]) && isDigit(b[j])) {
+      const auto number = [&isDigit](const std::string& text, std::size_t& at) {
+        const std::size_t begin = std::min(text.find_first_not_of('0', at), text.size());
+        at = begin;
+        while (at < text.size() && isDigit(text[at])) ++at;
+        return std::string_view(text).substr(begin, at - begin);
+      };
+      const std::string_view left = number(a, i), right = number(b, j);
+      if (left.size() != right.size()) return left.size() < right.size();
+      if (left != right) return left < right;
+    } else if (a[i] != b[j]) {
+      return a[i] < b[j];
+    } else {
+      ++i;
+      ++j;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
 bool isOff(const robotcontrol::KeyTable::Key& key) {
   return key.mode().kind() == robotcontrol::KeyMode::OFF;
 }
@@ -57,8 +83,8 @@ QString PlotSource::text() const {
 
 PlotSource PlotSource::fromText(const QString& text) {
   const int colon = text.indexOf(QStringLiteral(": "));
-  if (colon < 0) return {text.toStdString(), {}};
-  return {text.left(colon).toStdString(), text.mid(colon + 2).toStdString()};
+  if (colon < 0) return {text.toStdString(), {}, {}};
+  return {text.left(colon).toStdString(), text.mid(colon + 2).toStdString(), {}};
 }
 
 std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
@@ -69,19 +95,18 @@ std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
     types.erase(stream->path);
     if (leftOut(stream->type) || stream->messages.empty()) continue;
     if (stream->type == kPlotType) {
-      sources.push_back({stream->path, {}});
+      sources.push_back({stream->path, {}, stream->type});
       continue;
     }
     for (const std::string& field : robotlink::numericFields(*stream->messages.back().value)) {
-      sources.push_back({stream->path, field});
+      sources.push_back({stream->path, field, stream->type});
     }
   }
   for (const auto& [path, type] : types) {
     const auto* described = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
-    for (const std::string& field : robotlink::numericFields(*described)) sources.push_back({path, field});
+    for (const std::string& field : robotlink::numericFields(*described)) sources.push_back({path, field, type});
   }
-  std::sort(sources.begin(), sources.end(),
-            [](const PlotSource& a, const PlotSource& b) { return a.stream < b.stream; });
+  std::ranges::stable_sort(sources, comesBefore, &PlotSource::stream);
   return sources;
 }
 
@@ -103,7 +128,11 @@ std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source
 }
 
 std::optional<double> PlotSeries::valueOf(const robotlink::StreamMessage& message) {
-  if (!source_.field.empty()) return robotlink::numberAt(*message.value, source_.field);
+  if (!source_.field.empty()) {
+    if (!unitKnown_) unit_ = unitOf(message.value->GetDescriptor()->full_name(), source_.field);
+    unitKnown_ = true;
+    return robotlink::numberAt(*message.value, source_.field);
+  }
   const auto* plot = dynamic_cast<const robotcontrol::PlotValue*>(message.value.get());
   if (plot == nullptr) return {};
   unit_ = QString::fromStdString(plot->unit());

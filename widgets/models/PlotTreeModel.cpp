@@ -4,6 +4,8 @@
 #include <QMimeData>
 #include <map>
 
+#include "widgets/models/FieldUnits.h"
+
 namespace widgets {
 namespace {
 
@@ -14,6 +16,16 @@ QStandardItem* addItem(QStandardItem* parent, const QString& text) {
   item->setDragEnabled(false);
   parent->appendRow(item);
   return item;
+}
+
+void addUnit(QStandardItem* item, const QString& unit) {
+  if (unit.isEmpty()) return;
+  auto* beside = new QStandardItem(unit);
+  beside->setEditable(false);
+  beside->setDropEnabled(false);
+  beside->setDragEnabled(false);
+  QStandardItem* parent = item->parent() != nullptr ? item->parent() : item->model()->invisibleRootItem();
+  parent->setChild(item->row(), PlotTreeModel::kUnit, beside);
 }
 
 /// The folders of a path, made where they are missing.
@@ -34,13 +46,17 @@ class Folders {
 
 }  // namespace
 
-void PlotTreeModel::setSources(const std::vector<PlotSource>& sources) {
+void PlotTreeModel::setSources(const std::vector<PlotSource>& sources, const Explain& explain) {
   clear();
-  setColumnCount(1);
+  setColumnCount(kColumns);
   Folders folders(invisibleRootItem());
   for (const PlotSource& source : sources) {
     QStandardItem* item = folders.at(source.stream);
-    if (!source.field.empty()) item = addItem(item, QString::fromStdString(source.field));
+    if (!source.field.empty()) {
+      item = addItem(item, QString::fromStdString(source.field));
+      if (const QString more = explain ? explain(source) : QString(); !more.isEmpty()) item->setText(item->text() + QLatin1Char(' ') + more);
+      addUnit(item, unitOf(source.type, source.field));
+    }
     item->setData(source.text(), kSourceRole);
     item->setToolTip(source.text());
     item->setDragEnabled(true);
