@@ -30,7 +30,8 @@ void DrawingsPanel::createViews() {
 
   list_ = new QListView(this);
   describe(*list_, {"drawingsList", tr("Drawings"),
-                    tr("Checked drawings are shown; what is lower in the list lies on top")});
+                    tr("Checked drawings are shown; what is lower in the list lies on top. Grey ones are off at the robot: "
+                       "check one to switch it on")});
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
   list_->setFrameShape(QFrame::NoFrame);
@@ -39,7 +40,7 @@ void DrawingsPanel::createViews() {
   auto* hint = new EmptyHint(list_);
   const auto update = [this, hint] {
     hint->setHint(model_.rowCount() == 0
-                      ? tr("Nothing is drawn. Switch a drawing on in the view \"Debug keys\".")
+                      ? tr("There is no robot that could draw anything here.")
                   : filtered_->rowCount() == 0 ? tr("No drawing has this in its name.")
                                                : QString());
   };
@@ -70,6 +71,10 @@ QWidget* DrawingsPanel::createButtons() {
       [this] { model_.setAllShown(true); });
   add("check-none", {"drawingsNone", tr("Show none"), tr("Hides all drawings")},
       [this] { model_.setAllShown(false); });
+  add("clear", {"drawingsOff", tr("Switch off"), tr("Switches the chosen drawing's debug key off: the robot no longer draws it")}, [this] {
+    const QModelIndex current = list_->currentIndex();
+    if (current.isValid()) model_.switchKey(filtered_->mapToSource(current).row(), false);
+  });
   layout->addStretch(1);
   add("up",
       {"drawingsUp", tr("Lower"), tr("Puts the drawing below the one before it"),

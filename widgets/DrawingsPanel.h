@@ -12,7 +12,7 @@ class DrawingsModel;
 
 /// The list beside a picture in which the user chooses drawings by name, searches for them and puts them in
 /// order. Lower in the list is on top in the picture. Object names: drawingsSearch, drawingsList, drawingsUp,
-/// drawingsDown, drawingsAll, drawingsNone.
+/// drawingsDown, drawingsAll, drawingsNone, drawingsOff.
 class DrawingsPanel final : public QWidget {
   Q_OBJECT
  public:

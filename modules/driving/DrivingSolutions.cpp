@@ -23,9 +23,9 @@ using robotlink::Level;
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-const DebugKey kDirectionKey{"driving/direction", "Where wandering wants to go, beside the robot"};
+const DebugKey kDirectionKey{"driving/direction", "Where wandering wants to go, beside the robot (drawn around the robot)"};
 const DebugKey kTargetKey{"driving/target",
-                          "The point of the path that is steered for, and what following it does"};
+                          "The point of the path that is steered for, and what following it does (drawn on the field)"};
 
 Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& p) {
   Wanderer::Options options;

@@ -15,7 +15,7 @@ const robotlink::DebugKey kAnglesKey{"head-control/angles", "Tilt and pan, wante
 const robotlink::DebugKey kStateKey{"head-control/state",
                                     "0 still, 1 at the ball, 2 searching it, 3 looking around (plot)"};
 const robotlink::DebugKey kGazeKey{"head-control/gaze",
-                                   "Where the head looks to, from above, and the ball that it tracks"};
+                                   "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
 
 /// What both solutions share: from packages to the controller's values and back.
 class HeadControlSolution : public robotlink::Solution {

@@ -24,7 +24,7 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 const DebugKey kRaysKey{"self-localisation/rays",
-                        "What was measured, seen from where the robot believes to be"};
+                        "What was measured, seen from where the robot believes to be (drawn on the field)"};
 const DebugKey kFilterKey{
     "self-localisation/filter",
     "Share of the measurements that the pose explains, and the number of particles (plots)"};

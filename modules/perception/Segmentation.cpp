@@ -20,7 +20,7 @@ using robotlink::DebugKey;
 const DebugKey kClassesKey{"segmentation/classes",
                            "The image in the colours of the classes its pixels were sorted into"};
 const DebugKey kRegionsKey{"segmentation/regions",
-                           "The boxes of all regions, in the colours of their classes"};
+                           "The boxes of all regions, in the colours of their classes (drawn in the image)"};
 const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
 
 /// What both solutions share: the colour table, and what they tell. The table is the one that was handed to

@@ -46,8 +46,10 @@ bool isFrameOf(const StreamMessage& drawing, const StreamMessage* frame) {
   return frame->time == drawing.time;
 }
 
-bool inLatestFrame(const StreamStore& store, const std::string& robot, const StreamMessage& drawing,
-                   Instant time) {
+}  // namespace
+
+bool isOfLatestFrame(const StreamStore& store, const std::string& robot, const StreamMessage& drawing,
+                     Instant time) {
   const std::string prefix = robot + "/" + streams::kFrames;
   if (!drawing.process.empty()) return isFrameOf(drawing, store.latest(prefix + drawing.process, time));
   const auto frames = store.streams(prefix);
@@ -55,8 +57,6 @@ bool inLatestFrame(const StreamStore& store, const std::string& robot, const Str
            return isFrameOf(drawing, store.latest(stream->path, time));
          });
 }
-
-}  // namespace
 
 std::string drawingPrefix(const std::string& robot, DrawingKind kind) {
   const char* stream = kind == DrawingKind::kImage   ? streams::kImageDrawings
@@ -82,7 +82,7 @@ std::vector<const StreamMessage*> currentDrawings(const StreamStore& store, cons
     if (!drawing) continue;
     const Stay stay = stayOf(modeOf(table, stream->path.substr(prefix.size())));
     const bool shown = stay == Stay::kUntilNextDrawing ||
-                       (stay == Stay::kUntilNextFrame && inLatestFrame(store, robot, *drawing, time));
+                       (stay == Stay::kUntilNextFrame && isOfLatestFrame(store, robot, *drawing, time));
     if (shown) current.push_back(drawing);
   }
   return current;

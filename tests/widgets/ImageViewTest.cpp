@@ -11,6 +11,7 @@
 #include <QTest>
 
 #include "foxglove/Image.pb.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -119,6 +120,27 @@ class ImageViewTest : public QObject {
     QCOMPARE(s.text("imagePixel"), QString());
   }
 
+  void aDrawingOfAnEarlierImageIsFaded() {
+    Shown s;
+    auto table = std::make_shared<robotcontrol::KeyTable>();
+    auto& entry = *table->add_keys();
+    entry.set_name("ball-percept/square");
+    entry.mutable_mode()->set_kind(robotcontrol::KeyMode::EVERY_N);
+    entry.mutable_mode()->set_n(10);
+    s.world.push("red1/tables/keys", table);
+    s.world.pushImage("red1/camera/image", kImage, kGrass);
+    s.world.pushFrame({square("ball-percept/square", colors::kRed)});
+    s.step();
+    QVERIFY(isNear(s.colorAt(40.5, 40.5), QColor(220, 40, 40), 30));
+    QVERIFY(!s.text("imageState").contains(QStringLiteral("faded")));
+    s.world.pushImage("red1/camera/image", kImage, kGrass);
+    s.world.pushFrame({});
+    s.step();
+    QVERIFY2(!isNear(s.colorAt(40.5, 40.5), QColor(220, 40, 40), 60), "it would look like what is seen in this image");
+    QVERIFY2(!isNear(s.colorAt(40.5, 40.5), qColor(kGrass), 10), "it is still there");
+    QVERIFY(s.text("imageState").contains(QStringLiteral("faded")));
+  }
+
   void tellsTheColourClassOfASegmentedPixel() {
     Shown s;
     robotlink::Image segmented(4, 4, robotlink::PixelFormat::kRgb8);
@@ -215,11 +237,50 @@ class ImageViewTest : public QObject {
     QVERIFY(isNear(s.colorAt(40, 40), QColor(40, 90, 230)));
   }
 
+  void aDrawingIsSwitchedOnWhereItIsMissed() {
+    Shown s;
+    const auto tell = [&s](robotcontrol::KeyMode::Kind kind) {
+      auto table = std::make_shared<robotcontrol::KeyTable>();
+      for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"}, {"ball-model/ball", "The ball (drawn on the field)"},
+                                       {"ball-percept/distance", "How far it is (plot)"}}) {
+        auto& key = *table->add_keys();
+        key.set_name(name);
+        key.set_help(help);
+        key.mutable_mode()->set_kind(kind);
+      }
+      s.world.push("red1/tables/keys", table);
+      s.step();
+    };
+    s.world.pushImage("red1/camera/image", kImage, kGrass);
+    tell(robotcontrol::KeyMode::OFF);
+    s.click("imageDrawings");
+    auto* list = child<QListView>(s.view, "drawingsList");
+    QCOMPARE(list->model()->rowCount(), 1);
+    const auto state = [list] { return list->model()->index(0, 0).data(Qt::CheckStateRole).toInt(); };
+    QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
+    s.world.refusal = "it sleeps";
+    s.clickDrawing(0);
+    s.step();
+    QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
+    QVERIFY(list->model()->index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("it sleeps")));
+    s.world.refusal.clear();
+    s.clickDrawing(0);
+    QCOMPARE(s.world.requests.back().set_key().name(), std::string("ball-percept/disc"));
+    QCOMPARE(s.world.requests.back().set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
+    tell(robotcontrol::KeyMode::ALWAYS);
+    QCOMPARE(state(), static_cast<int>(Qt::Checked));
+    list->setCurrentIndex(list->model()->index(0, 0));
+    s.click("drawingsOff");
+    QCOMPARE(s.world.requests.back().set_key().mode().kind(), robotcontrol::KeyMode::OFF);
+    tell(robotcontrol::KeyMode::OFF);
+    QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
+  }
+
   void theListOfDrawingsSaysWhyItIsEmpty() {
     Shown s;
     s.click("imageDrawings");
     auto* hint = child<QLabel>(*child<QListView>(s.view, "drawingsList"), "emptyHint");
-    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("Debug keys")));
+    QVERIFY(hint->isVisible() && hint->text().contains(QStringLiteral("no robot")));
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({square("ball", colors::kPink)});
     s.step();
@@ -250,7 +311,7 @@ class ImageViewTest : public QObject {
     Shown s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
-    QTest::keyClick(s.canvas, Qt::Key_1);
+    QTest::keyClick(s.canvas, Qt::Key_A);
     QCOMPARE(s.canvas->zoom(), 1.0);
     QCOMPARE(s.text("imageZoom"), QStringLiteral("100 %"));
     const QPoint before = s.at(100, 50);
@@ -270,7 +331,7 @@ class ImageViewTest : public QObject {
       const QImage image = s.canvas->grab().toImage();
       return image.width() * image.height() - countNear(image, qColor(kGrass), 3);
     };
-    QTest::keyClick(s.canvas, Qt::Key_1);
+    QTest::keyClick(s.canvas, Qt::Key_A);
     for (int i = 0; i < 8; ++i) s.click("imageZoomIn");
     QCOMPARE(s.canvas->zoom(), 16.0);
     QVERIFY(differentColors() > 1000);
@@ -282,7 +343,7 @@ class ImageViewTest : public QObject {
     Shown s;
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.step();
-    QTest::keyClick(s.canvas, Qt::Key_Space);
+    QTest::keyClick(s.canvas, Qt::Key_H);
     s.world.pushImage("red1/camera/image", kImage, kOrange);
     s.step();
     QVERIFY(isNear(s.colorAt(10, 10), qColor(kGrass), 2));
@@ -334,7 +395,7 @@ class ImageViewTest : public QObject {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("a.png"));
     DialogAnswer withDrawings = DialogAnswer::file(file);
-    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(s.canvas, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(withDrawings.asked());
     QVERIFY(isNear(QImage(file).pixelColor(s.at(40, 40)), QColor(250, 90, 170)));
     QVERIFY(QFile::remove(file));

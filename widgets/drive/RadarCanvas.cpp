@@ -55,8 +55,7 @@ void RadarCanvas::setNorthUp(bool northUp) {
 void RadarCanvas::paintContents(QPainter& painter) const {
   paintRadar(painter, readings_, look(), palette());
   const QTransform toWidget = robotToWidget(look(), readings_.heading);
-  for (const WorldDrawing& drawing : drawings_)
-    paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
+  paintFromAbove(painter, drawings_, toWidget);
 }
 
 QImage RadarCanvas::rendered() const {

@@ -145,8 +145,7 @@ void FieldCanvas::paintContents(QPainter& painter, double ratio) const {
   paintGround(painter, toWidget, ratio);
   // Figures first: what robots drew lies on top of them.
   paintFigures(painter, figures_, toWidget, palette());
-  for (const WorldDrawing& drawing : drawings_)
-    paintFromAbove(painter, *drawing.entity, drawing.frameInField, toWidget);
+  paintFromAbove(painter, drawings_, toWidget);
   paintGoals(painter, goals_, toWidget, palette());
   if (wanted_) paintWanted(painter, *wanted_, figures_, toWidget, palette());
   paintLegend(painter, size(), palette());

@@ -7,8 +7,10 @@
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "widgets/models/CurrentDrawings.h"
 #include "widgets/models/MessageColors.h"
 #include "widgets/models/MessageFonts.h"
+#include "widgets/models/WorldDrawings.h"
 
 namespace widgets {
 namespace {
@@ -163,6 +165,14 @@ void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity, cons
   painter.setRenderHint(QPainter::Antialiasing);
   AbovePainter(painter, frameInField, fieldToWidget).paint(entity);
   painter.restore();
+}
+
+void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings, const QTransform& fieldToWidget) {
+  for (const WorldDrawing& drawing : drawings) {
+    painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
+    paintFromAbove(painter, *drawing.entity, drawing.frameInField, fieldToWidget);
+  }
+  painter.setOpacity(1);
 }
 
 }  // namespace widgets

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <QTransform>
+#include <vector>
 
 #include "robotlink/base/Geometry.h"
 
@@ -12,10 +13,15 @@ class SceneEntity;
 
 namespace widgets {
 
+struct WorldDrawing;
+
 /// Paints a drawing of the world as seen from above: everything is projected to the ground, in the order in
 /// which it is stored, fills first. `frameInField` is the frame that the entity's coordinates are in. Widths
 /// and font sizes that the drawing says are independent of scale are pixels of the screen. Pure.
 void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
                     const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
+
+/// The same for all of them, what is old faded.
+void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings, const QTransform& fieldToWidget);
 
 }  // namespace widgets

@@ -7,6 +7,7 @@
 #include <algorithm>
 
 #include "foxglove/Image.pb.h"
+#include "widgets/models/CurrentDrawings.h"
 #include "widgets/models/MessageColors.h"
 #include "widgets/models/MessageFonts.h"
 
@@ -133,7 +134,10 @@ void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& p
   painter.save();
   painter.setClipRect(QRectF(QPointF(), widget), Qt::IntersectClip);
   paintPixels(painter, picture.pixels, QRectF(QPointF(), widget), toWidget);
-  for (const auto* drawing : picture.drawings) paintAnnotations(painter, *drawing, toWidget);
+  for (const ImagePicture::Drawing& drawing : picture.drawings) {
+    painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
+    paintAnnotations(painter, *drawing.annotations, toWidget);
+  }
   painter.restore();
 }
 

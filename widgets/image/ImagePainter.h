@@ -18,7 +18,11 @@ namespace widgets {
 /// else.
 struct ImagePicture {
   QImage pixels;
-  std::vector<const foxglove::ImageAnnotations*> drawings;
+  struct Drawing {
+    const foxglove::ImageAnnotations* annotations = nullptr;
+    bool old = false;  ///< of an earlier image: painted faded
+  };
+  std::vector<Drawing> drawings;
 };
 
 // Pure functions: they look the same on a widget and on a QImage.

@@ -50,14 +50,14 @@ void ImageView::createActions() {
   fit_ = makeAction(this, "fit",
                     {"imageFit", tr("Fit"), tr("Shows the whole image, as large as it fits"), Qt::Key_F});
   oneToOne_ = makeAction(this, "one-to-one",
-                         {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_1});
+                         {"imageOneToOne", tr("1:1"), tr("Shows the image pixel by pixel"), Qt::Key_A});
   zoomIn_ =
       makeAction(this, "zoom-in", {"imageZoomIn", tr("Zoom in"), tr("Enlarges the image"), Qt::Key_Plus});
   zoomOut_ = makeAction(this, "zoom-out",
                         {"imageZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
       this, "lock",
-      {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_Space});
+      {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
   showDrawings_ = makeAction(this, "layers",
                              {"imageDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   freeze_->setCheckable(true);
@@ -69,7 +69,7 @@ void ImageView::createActions() {
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
   save_ = makeAction(
       this, "save",
-      {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+      {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   saveImage_ = makeAction(this, "save",
                           {"imageSaveImage", tr("Save image only..."),
                            tr("Saves the image in its own size, without drawings, as PNG")});
@@ -147,7 +147,7 @@ void ImageView::connectSignals() {
 void ImageView::tick() {
   const bool listed = streams_->refresh(session());
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
-  drawings_->refresh(session().store());
+  drawings_->refresh(session(), robot());
   const auto* message = session().store().latest(streams_->path(session()), instant());
   // What is frozen stays, even when the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {
@@ -170,6 +170,7 @@ void ImageView::showMessage() {
   auto image = std::dynamic_pointer_cast<const foxglove::RawImage>(message_);
   auto drawings = image ? currentDrawings(session(), robot(), drawings_->shown(), instant())
                         : std::vector<CurrentDrawing>();
+  for (CurrentDrawing& drawing : drawings) drawing.old = drawing.old || drawing.time < imageTime_;
   const bool same = image == image_ && drawings == shownDrawings_;
   image_ = std::move(image);
   canvas_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));
@@ -182,7 +183,7 @@ void ImageView::showMessage() {
   for (const CurrentDrawing& drawing : shownDrawings_) {
     const auto* annotations = dynamic_cast<const foxglove::ImageAnnotations*>(drawing.message.get());
     if (annotations == nullptr) continue;
-    picture.drawings.push_back(annotations);
+    picture.drawings.push_back({annotations, drawing.old});
     keep.push_back(drawing.message);
   }
   canvas_->setPicture(std::move(picture), std::move(keep));
@@ -191,7 +192,10 @@ void ImageView::showMessage() {
 void ImageView::updateStatus() {
   canvas_->setFrozen(frozenAt_.has_value());
   time_->setText(image_ ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(imageTime_)), 0, 'f', 3) : tr("no image yet"));
-  state_->setText(image_ ? staleText() : QString());
+  const bool faded = image_ && std::ranges::any_of(shownDrawings_, &CurrentDrawing::old);
+  QStringList state{image_ ? staleText() : QString(), faded ? tr("faded: drawn in earlier images") : QString()};
+  state.removeAll(QString());
+  state_->setText(state.join(QStringLiteral(", ")));
   state_->setVisible(!state_->text().isEmpty());
   zoom_->setText(image_ ? tr("%1 %").arg(qRound(canvas_->zoom() * 100)) : QString());
 }

@@ -36,7 +36,10 @@ std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const s
   std::vector<CurrentDrawing> drawings;
   for (const QString& id : ids) {
     const auto found = byId.find(id.toStdString());
-    if (found != byId.end()) drawings.push_back({id, robot, found->second->value});
+    if (found == byId.end()) continue;
+    const robotlink::StreamMessage& message = *found->second;
+    drawings.push_back({id, robot, message.value, message.time,
+                        !robotlink::isOfLatestFrame(session.store(), robot, message, shown)});
   }
   return drawings;
 }

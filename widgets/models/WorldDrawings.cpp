@@ -41,7 +41,7 @@ std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const Scene
       if (update == nullptr) continue;
       for (const auto& entity : update->entities()) {
         const auto pose = poseOfFrame(entity.frame_id(), scene, beliefs);
-        if (pose) drawings.push_back({&entity, *pose, current.message});
+        if (pose) drawings.push_back({&entity, *pose, current.message, current.old});
       }
     }
   }

@@ -26,6 +26,7 @@ struct WorldDrawing {
   const foxglove::SceneEntity* entity = nullptr;
   robotlink::Pose3 frameInField = robotlink::Pose3::Identity();
   robotlink::PackagePtr keep;
+  bool old = false;  ///< as CurrentDrawing says
 };
 
 /// The inverse of robotlink::groundPose() for what stands upright on the ground.

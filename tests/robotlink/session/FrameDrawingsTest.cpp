@@ -96,6 +96,21 @@ TEST_F(FrameDrawingsTest, whatIsNotDrawnInEveryFrameStaysUntilTheNext) {
   EXPECT_THAT(shown(2.5), IsEmpty());
 }
 
+TEST_F(FrameDrawingsTest, whatStaysIsNotOfTheLatestFrame) {
+  mode(0, "a", KeyMode::EVERY_N, 10);
+  frame("cognition", 1, {"a", "b"});
+  const auto isOld = [&](double time) {
+    const auto drawings = currentDrawings(session_.store(), "red1", DrawingKind::kImage, at(time));
+    return drawings.empty() || !isOfLatestFrame(session_.store(), "red1", *drawings.front(), at(time));
+  };
+  EXPECT_FALSE(isOld(1));
+  frame("motion", 1.5, {});
+  EXPECT_FALSE(isOld(1.5)) << "another process has frames of its own";
+  frame("cognition", 2, {});
+  EXPECT_TRUE(isOld(2));
+  EXPECT_FALSE(isOld(1.9)) << "looking back shows what was new then";
+}
+
 TEST_F(FrameDrawingsTest, theLastOfNTimesStaysButWhatIsSwitchedOffGoes) {
   mode(0, "a", KeyMode::N_TIMES, 1);
   frame("cognition", 1, {"a"});
