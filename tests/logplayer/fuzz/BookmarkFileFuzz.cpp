@@ -24,6 +24,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const TestFolder folder;
   const auto log = folder / "game.mcap";
   {
+    std::filesystem::remove(fileBeside(log));  // disks take their time with files that are written over
     std::ofstream file(fileBeside(log), std::ios::binary);
     file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }

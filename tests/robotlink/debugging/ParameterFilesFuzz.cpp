@@ -20,6 +20,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   solution.name = "solution";
   solution.parameters = &prototype;
   {
+    std::filesystem::remove(folder / "task.solution.textproto");  // disks take their time with files that are written over
     std::ofstream file(folder / "task.solution.textproto", std::ios::binary);
     file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }

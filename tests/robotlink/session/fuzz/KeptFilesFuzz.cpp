@@ -22,7 +22,10 @@ void require(bool condition, const char* what) {
   std::abort();
 }
 
+/// Anew: disks take their time with files that are written over.
 void write(const std::filesystem::path& path, const std::uint8_t* data, std::size_t size) {
+  std::filesystem::remove(path);
+  std::filesystem::remove(path.string() + ".broken");
   std::ofstream file(path, std::ios::binary);
   file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
 }
