@@ -45,13 +45,13 @@ DebugKeysView::DebugKeysView(ViewContext& context, QWidget* parent)
 void DebugKeysView::createActions() {
   activeOnly_ = makeAction(this, "filter",
                            {"keysActiveOnly", tr("Only those that are on"),
-                            tr("Shows only the keys that are not off"), tr("Ctrl+L")});
+                            tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
   activeOnly_->setCheckable(true);
   allOff_ =
-      makeAction(this, "clear", {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+0")});
+      makeAction(this, "clear", {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
   savePreset_ = makeAction(this, "save",
                            {"keysSavePreset", tr("Save preset"),
-                            tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+S")});
+                            tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
   removePreset_ = makeAction(
       this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
 }
@@ -197,7 +197,7 @@ void DebugKeysView::allOff() {
 bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != tree_ || event->type() != QEvent::KeyPress) return View::eventFilter(watched, event);
   auto* key = static_cast<QKeyEvent*>(event);
-  if (key->key() == Qt::Key_Space) {
+  if (key->key() == Qt::Key_Space || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
     toggle(tree_->currentIndex());
     return true;
   }

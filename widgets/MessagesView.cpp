@@ -65,7 +65,7 @@ MessagesView::MessagesView(ViewContext& context, QWidget* parent)
 void MessagesView::createActions() {
   regex_ = makeAction(this, "debug",
                       {"messagesRegex", tr("Regular expression"),
-                       tr("Reads the filter as a regular expression"), tr("Ctrl+Shift+E")});
+                       tr("Reads the filter as a regular expression"), tr("Ctrl+G")});
   regex_->setIcon({});
   regex_->setIconText(QStringLiteral(".*"));
   regex_->setCheckable(true);

@@ -50,7 +50,7 @@ MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, pa
 void MotionView::createActions() {
   take_ = makeButton(this, makeAction(this, "take-over",
                                       {"motionTakeOver", tr("Take over"),
-                                       tr("Switches the behavior to obeying you, and back"), tr("Ctrl+T")}));
+                                       tr("Switches the behavior to obeying you, and back"), tr("Ctrl+Shift+T")}));
   take_->defaultAction()->setCheckable(true);
   take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   take_->setAutoRaise(false);

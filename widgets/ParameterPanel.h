@@ -42,7 +42,7 @@ class ParameterPanel final : public QWidget {
 
   robotlink::Session& session_;
   ParameterModel model_;
-  QUndoStack undo_;
+  QUndoStack undo_{this};  ///< a child, so that the window finds it
   QTreeView* tree_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* state_ = nullptr;

@@ -40,7 +40,7 @@ SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(conte
 void SolutionsView::createActions() {
   defaults_ = makeAction(this, "reset",
                          {"solutionsDefaults", tr("Defaults"),
-                          tr("Switches every task to the solution that its layout names"), tr("Ctrl+D")});
+                          tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
   showParameters_ = makeAction(this, "settings",
                                {"solutionsParameters", tr("Parameters"),
                                 tr("Shows the parameters of the current solution"), tr("Ctrl+P")});

@@ -40,7 +40,7 @@ TimingView::TimingView(ViewContext& context, QWidget* parent)
 void TimingView::createActions() {
   measure_ = makeAction(this, "timing",
                         {"timingMeasure", tr("Measure"),
-                         tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+M")});
+                         tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+Shift+M")});
   measure_->setCheckable(true);
   measure_->setChecked(true);
   reset_ = makeAction(this, "reset",

@@ -22,6 +22,7 @@ QAction* CommandActions::make(const QString& text, const char* icon, const QStri
 }
 
 void CommandActions::run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments) {
+  if (guard_ && !guard_(command)) return;
   const auto done = commands_.run(command.toStdString(), arguments);
   if (!done) Q_EMIT refused(QString::fromStdString(done.error().text));
 }

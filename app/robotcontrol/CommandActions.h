@@ -21,12 +21,15 @@ class CommandActions : public QObject {
                 const std::vector<robotlink::CommandTable::Value>& arguments = {},
                 const QList<QKeySequence>& shortcuts = {});
   void run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
+  /// Asked before each command that a person runs, with its name; false: it is not run. Scripts are not asked.
+  void setGuard(std::function<bool(const QString& command)> guard) { guard_ = std::move(guard); }
 
  Q_SIGNALS:
   void refused(const QString& reason);
 
  private:
   robotlink::CommandTable& commands_;
+  std::function<bool(const QString& command)> guard_;
 };
 
 }  // namespace app

@@ -38,6 +38,8 @@ class LogToolBar : public QToolBar {
   bool press(const QKeyEvent& event);
   /// The one that switches between times since the beginning and time stamps, in all views.
   QAction* timeStampsAction() const { return timeStamps_; }
+  /// What a key does; the action's text says what that is now.
+  QAction* action(widgets::ReplayKey key) const { return keyed_.at(key); }
   /// The speeds to choose from, times real time.
   static std::vector<double> speeds() { return {0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50}; }
 

@@ -25,6 +25,7 @@
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/StatusLine.h"
 #include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/WindowKeys.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Icon.h"
@@ -75,6 +76,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
   restoreWindow();
   if (!perspectives_.problems().empty()) showErrors(perspectives_.problems());
   createColors(userFolder);
+  createKeys();
 }
 
 MainWindow::~MainWindow() {

@@ -35,7 +35,9 @@ class RecordedBar;
 class RecordingToolBar;
 class SimulationToolBar;
 class StatusLine;
+class UndoOrder;
 class ViewDocks;
+class WindowKeys;
 class Workbench;
 struct LoadedPlatform;
 
@@ -87,6 +89,15 @@ class MainWindow : public QMainWindow {
   void addViewCommand();
   void createColors(const std::filesystem::path& userFolder);
   void createMaximizing();
+  void createKeys();
+  void addReplayKeys();
+  void addColorKeys();
+  void addEditingKeys();
+  /// One of them may be below the widget.
+  void findUndoStacks(QWidget* widget);
+  bool showsColors() const;
+  void saveWork();
+  bool mayReplace(const QString& command);
   bool mayLoseColors();
   void createErrorBar();
   void createMenus();
@@ -123,6 +134,8 @@ class MainWindow : public QMainWindow {
   std::vector<robotlink::CommandTable::Value> lastSetup_;  // of SimulationSetupDialog
   CommandActions* actions_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
+  WindowKeys* keys_ = nullptr;
+  UndoOrder* undoOrder_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
   QAction* undoLayout_ = nullptr;

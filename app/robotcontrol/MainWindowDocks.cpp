@@ -13,6 +13,7 @@
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/MaximizedView.h"
 #include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/WindowKeys.h"
 #include "widgets/EmptyHint.h"
 
 namespace app {
@@ -73,6 +74,7 @@ void MainWindow::showPerspective(const QString& name) {
     perspectives_.show(name, *docks_);
     layouts_->forget();
     fillPerspectiveMenu();
+    keys_->focusContent();
   });
 }
 

@@ -14,6 +14,7 @@
 #include "app/robotcontrol/LayoutHistory.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
+#include "app/robotcontrol/ShortcutsDialog.h"
 #include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/ViewDocks.h"
@@ -210,14 +211,7 @@ void MainWindow::setAppearance(Appearance appearance) {
 }
 
 void MainWindow::showShortcuts() {
-  QString rows;
-  for (const QAction* action : findChildren<QAction*>()) {
-    if (action->shortcuts().isEmpty()) continue;
-    rows += QStringLiteral("<tr><td>%1</td><td>&nbsp;&nbsp;%2</td></tr>")
-                .arg(QKeySequence::listToString(action->shortcuts(), QKeySequence::NativeText).toHtmlEscaped(),
-                     action->text().remove(QLatin1Char('&')).toHtmlEscaped());
-  }
-  QMessageBox::information(this, tr("Keyboard shortcuts"), QStringLiteral("<table>%1</table>").arg(rows));
+  ShortcutsDialog(*keys_, this).exec();
 }
 
 void MainWindow::showAbout() {

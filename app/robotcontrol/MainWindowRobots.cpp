@@ -24,6 +24,7 @@ std::vector<std::pair<QString, QString>> pioneerLayouts() {
 }  // namespace
 
 void MainWindow::connectRobot() {
+  if (!mayReplace(QStringLiteral("robot.connect"))) return;
   if (connectDialog_ == nullptr) {
     widgets::ConnectDialog::Choices choices;
     choices.recent = recentRobots_;

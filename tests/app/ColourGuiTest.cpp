@@ -167,7 +167,7 @@ class ColourGuiTest : public QObject {
     Painter painter(desk);
     desk.click("simulation.start");
     QTRY_VERIFY_WITH_TIMEOUT(!painter.image().isNull(), kWaitMs);
-    painter.key(Qt::Key_Space);
+    painter.key(Qt::Key_H);
     painter.settle();
     const QPoint grass(painter.image().width() / 2, painter.image().height() - 12);
     painter.stroke(Qt::Key_5, grass, grass + QPoint(20, 0));
@@ -188,7 +188,7 @@ class ColourGuiTest : public QObject {
     Painter painter(desk);
     desk.click("simulation.start");
     QTRY_VERIFY_WITH_TIMEOUT(violet(painter.image()).size() > 60, kWaitMs);
-    painter.key(Qt::Key_Space);  // keep this image
+    painter.key(Qt::Key_H);  // keep this image
     wantBallPercepts(desk);
     QTRY_VERIFY_WITH_TIMEOUT(ballPercept(desk) != nullptr, kWaitMs);
     QVERIFY2(!ballPercept(desk)->seen(), "to the table of the field's colours nothing is violet");

@@ -5,6 +5,7 @@
 #include <QMessageBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
+#include <QTreeWidget>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
 
@@ -224,10 +225,14 @@ class MenusGuiTest : public QObject {
       DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
     };
     QVERIFY(QTest::qWaitForWindowActive(&desk.window));
-    DialogAnswer keys(read);
+    DialogAnswer keys([&said](QDialog& dialog) {
+      const auto* list = dialog.findChild<QTreeWidget*>(QStringLiteral("shortcutsList"));
+      for (const QTreeWidgetItem* row : list->findItems(QStringLiteral("F5"), Qt::MatchExactly | Qt::MatchRecursive, 1)) said += row->text(0);
+      DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
+    });
     QTest::keyClick(&desk.window, Qt::Key_F1);
     QVERIFY(keys.asked());
-    QVERIFY2(said.contains(QStringLiteral("<td>F5</td><td>&nbsp;&nbsp;Start</td>")), qPrintable(said));
+    QCOMPARE(said, QStringLiteral("Start"));
     DialogAnswer about(read);
     desk.choose("help.about");
     QVERIFY(about.asked());

@@ -81,7 +81,7 @@ class BookmarksTest : public QObject {
     BookmarkBench bench;
     bench.showTime(17);
     auto view = bench.openView<TimeLineView>();
-    QTest::keyClick(&canvasOf(*view), Qt::Key_B);
+    QTest::keyClick(&canvasOf(*view), Qt::Key_B, Qt::ControlModifier);
     typeName(*view, QStringLiteral("b: missed [here]"));  // all of these are keys of the player
     QCOMPARE(bench.bookmarks().size(), std::size_t{1});
     QCOMPARE(bench.bookmarks()[0].from, at(17));

@@ -312,7 +312,7 @@ class FieldViewTest : public QObject {
     const QString file = folder.filePath(QStringLiteral("field.png"));
     DialogAnswer answer = DialogAnswer::file(file);
     s.canvas->setFocus();
-    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(s.canvas, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(answer.asked());
     QVERIFY(isNear(QImage(file).pixelColor(s.at(0.5, -0.4)), s.named("orange"), 4));
   }

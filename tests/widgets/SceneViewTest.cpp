@@ -263,7 +263,7 @@ class SceneViewTest : public QObject {
       QVERIFY(seen(-1 + 0.02 * i, 0.5));
     }
     // The camera that a person chooses stays until he follows again.
-    QTest::keyClick(canvas, Qt::Key_1);
+    QTest::keyClick(canvas, Qt::Key_A);
     QVERIFY(canvas->camera().elevation > robotlink::radians(89));
     world.pushPoses({-1, -1, 0.3}, {kBall.x(), kBall.y()});
     world.advance();
@@ -278,7 +278,7 @@ class SceneViewTest : public QObject {
     const Vector3 far(5, 5, 0);  // the ball plays no part
     s.world.pushPoses({-1, 0.5, 0.3}, {far.x(), far.y()});
     QVERIFY(s.step());
-    QTest::keyClick(s.canvas, Qt::Key_3);
+    QTest::keyClick(s.canvas, Qt::Key_F);
     const Vector3 before = s.canvas->camera().target;
     s.world.pushPoses({-0.6, 0.8, 0.3}, {far.x(), far.y()});
     s.world.advance();
@@ -316,7 +316,7 @@ class SceneViewTest : public QObject {
     Shown s;
     s.world.session.setRobots({"red1"});
     QVERIFY(s.placeThings());
-    QTest::keyClick(s.canvas, Qt::Key_3);
+    QTest::keyClick(s.canvas, Qt::Key_F);
     s.settle();
     const Vector3 top(-1, 0.5, 0.17);
     const SceneCamera before = s.canvas->camera();
@@ -496,7 +496,7 @@ class SceneViewTest : public QObject {
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("scene.png"));
     DialogAnswer answer = DialogAnswer::file(file);
-    QTest::keyClick(s.canvas, Qt::Key_S, Qt::ControlModifier);
+    QTest::keyClick(s.canvas, Qt::Key_E, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(answer.asked());
     QCOMPARE(QImage(file).pixelColor(s.at(kBall)).hue(), s.colorAt(kBall).hue());
   }

@@ -221,9 +221,9 @@ class TimeLineTest : public QObject {
     QCOMPARE(asked(Qt::Key_Period).action(), ControlReplay::STEP_MESSAGE);
     QCOMPARE(bench.asked().stream(), std::string("nao/camera/image"));
     QCOMPARE(asked(Qt::Key_Comma).count(), -1);
-    QVERIFY(isAbout(asked(Qt::Key_BracketLeft).range().from(), 20));
+    QVERIFY(isAbout(asked(Qt::Key_I).range().from(), 20));
     QVERIFY(isAbout(bench.asked().range().to(), 40));
-    QVERIFY(isAbout(asked(Qt::Key_BracketRight).range().to(), 20));
+    QVERIFY(isAbout(asked(Qt::Key_O).range().to(), 20));
     QVERIFY(isAbout(asked(Qt::Key_End).time(), 40));
     bench.answer(true);
     bench.tell();

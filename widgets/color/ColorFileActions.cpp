@@ -59,6 +59,10 @@ bool askAndSave(ColorFiles& files, QWidget* parent) {
 
 }  // namespace
 
+bool saveSamples(ColorFiles& files, QWidget* parent) {
+  return files.file().empty() ? askAndSave(files, parent) : saveTo(files, files.file());
+}
+
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
   QMessageBox box(QMessageBox::Warning, translated("Colour samples"),
@@ -70,7 +74,7 @@ bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:
-      return files.file().empty() ? askAndSave(files, parent) : saveTo(files, files.file());
+      return saveSamples(files, parent);
     case QMessageBox::Discard:
       return true;
     default:
@@ -88,7 +92,7 @@ void ColorFileActions::createActions() {
   new_ = makeAction(view_, "file-new",
                     {"colorNew", tr("New"), tr("Begins samples anew, with the classes of 2002")});
   open_ = makeAction(view_, "open",
-                     {"colorOpen", tr("Open…"), tr("Opens samples from a file"), QKeySequence::Open});
+                     {"colorOpen", tr("Open…"), tr("Opens samples from a file")});
   save_ = makeAction(view_, "save",
                      {"colorSave", tr("Save"), tr("Saves the samples to their file"), QKeySequence::Save});
   menu_ = new QMenu(tr("Files"), view_);
@@ -151,10 +155,7 @@ void ColorFileActions::open() {
 }
 
 void ColorFileActions::save() {
-  if (files_.file().empty())
-    askAndSave(files_, view_);
-  else
-    saveTo(files_, files_.file());
+  saveSamples(files_, view_);
 }
 
 void ColorFileActions::saveAs() {

@@ -48,6 +48,9 @@ class ColorFileActions final : public QObject {
   QMenu* menu_ = nullptr;
 };
 
+/// Saves the samples to their file, or asks for one. False: that did not work, or nobody wanted it.
+bool saveSamples(ColorFiles& files, QWidget* parent);
+
 /// Asks whether samples that are not saved should be, before something takes their place. False: that must
 /// not happen. Without changes nobody is asked.
 bool mayLoseSamples(ColorFiles& files, QWidget* parent);

@@ -57,7 +57,7 @@ void ColorFramesView::createActions() {
   search_ = makeAction(this, "search",
                        {"colorFramesSearch", tr("Search"),
                         tr("Looks through all images for those in which the table does suspicious things"),
-                        QKeySequence(QKeySequence::Refresh)});
+                        QKeySequence(tr("Ctrl+Shift+F"))});
   cancel_ = makeAction(
       this, "close",
       {"colorFramesCancel", tr("Cancel"), tr("Searches no further"), QKeySequence(Qt::Key_Escape)});

@@ -72,7 +72,7 @@ void ColorImageView::createActions() {
                         {"colorZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
       this, "lock",
-      {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_Space});
+      {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
   collect_ =
       makeAction(this, "add",
                  {"colorCollect", tr("Collect"), tr("Puts this image aside, to come back to it"), Qt::Key_C});

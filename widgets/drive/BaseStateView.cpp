@@ -80,7 +80,7 @@ void BaseStateView::createActions() {
       this, "motors",
       {"baseMotors", tr("Motors"), tr("Switches the motors on and off, at the base"), tr("Ctrl+M")});
   sonar_ = makeAction(this, "sonar",
-                      {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+S")});
+                      {"baseSonar", tr("Sonars"), tr("Switches the sonars on and off"), tr("Ctrl+Shift+N")});
   resetOdometry_ =
       makeAction(this, "reset",
                  {"baseResetOdometry", tr("Odometry to 0"), tr("Here is the odometry's origin from now on")});

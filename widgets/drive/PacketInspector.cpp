@@ -55,7 +55,7 @@ PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
 void PacketInspector::createActions() {
   damaged_ = makeAction(
       this, "warning",
-      {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"), tr("Ctrl+D")});
+      {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"), tr("Ctrl+Shift+D")});
   follow_ = makeAction(this, "follow",
                        {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
   pause_ = makeAction(
@@ -71,10 +71,10 @@ void PacketInspector::createActions() {
   save_ = makeAction(
       this, "save",
       {"packetsSave", tr("Save conversation..."),
-       tr("Saves all packets of the list, whatever the filters, as a .wire file"), QKeySequence::Save});
+       tr("Saves all packets of the list, whatever the filters, as a .wire file"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   open_ = makeAction(this, "open",
                      {"packetsOpen", tr("Open conversation..."),
-                      tr("Shows a .wire file, whose client's half can be said again"), QKeySequence::Open});
+                      tr("Shows a .wire file, whose client's half can be said again")});
   goLive_ = makeAction(
       this, "close",
       {"packetsLive", tr("Back to the line"), tr("Closes the file and shows what goes over the line now")});

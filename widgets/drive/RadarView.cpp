@@ -62,7 +62,7 @@ void RadarView::createActions() {
                      {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
   save_ = makeAction(
       this, "save",
-      {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+      {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void RadarView::createViews() {
@@ -125,7 +125,7 @@ void RadarView::connectSignals() {
 
 void RadarView::tick() {
   robots_->refresh(session());
-  drawings_->refresh(session().store());
+  drawings_->refresh(session(), session().selectedRobot());
   const std::string robot = robots_->robot(session());
   wish_.want(session(), robot,
              {robotlink::kDriveState.name, robotlink::kSonar.name, robotlink::kLaser.name,
@@ -156,7 +156,7 @@ std::vector<WorldDrawing> RadarView::drawings(const std::string& robot) const {
     if (update == nullptr) continue;
     for (const auto& entity : update->entities()) {
       if (entity.frame_id() == robot)
-        drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message});
+        drawings.push_back({&entity, robotlink::Pose3::Identity(), current.message, current.old});
     }
   }
   return drawings;

@@ -81,7 +81,7 @@ void FieldView::createActions() {
                      {"fieldCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
   save_ = makeAction(
       this, "save",
-      {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+      {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void FieldView::createViews() {
@@ -173,7 +173,7 @@ void FieldView::connectDrag() {
 void FieldView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
-  drawings_->refresh(session().store());
+  drawings_->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
   updateGround();
   const std::vector<RobotBelief> shownRobots = beliefs();

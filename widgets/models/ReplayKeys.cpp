@@ -25,17 +25,15 @@ constexpr Binding kBindings[] = {
     {ReplayKey::kMessageOn, Qt::Key_Period},
     {ReplayKey::kStart, Qt::Key_Home},
     {ReplayKey::kEnd, Qt::Key_End},
-    {ReplayKey::kRangeStart, Qt::Key_BracketLeft},
-    {ReplayKey::kRangeEnd, Qt::Key_BracketRight},
-    {ReplayKey::kBookmark, Qt::Key_B},
+    {ReplayKey::kRangeStart, Qt::Key_I},
+    {ReplayKey::kRangeEnd, Qt::Key_O},
+    {ReplayKey::kBookmark, Qt::Key_B, Qt::ControlModifier},
 };
 
 }  // namespace
 
 std::optional<ReplayKey> replayKey(const QKeyEvent& event) {
-  Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
-  // On many keyboards brackets are typed with AltGr, which comes as a modifier or as two, or not at all.
-  if (event.key() == Qt::Key_BracketLeft || event.key() == Qt::Key_BracketRight) modifiers = Qt::NoModifier;
+  const Qt::KeyboardModifiers modifiers = event.modifiers() & ~Qt::KeypadModifier;
   for (const Binding& binding : kBindings) {
     if (event.key() == binding.key && modifiers == binding.modifier) return binding.does;
   }
@@ -48,6 +46,8 @@ QKeySequence keySequence(ReplayKey key) {
   }
   return {};
 }
+
+bool isEverywhere(ReplayKey key) { return key != ReplayKey::kRangeStart && key != ReplayKey::kRangeEnd; }
 
 void press(ReplayKey key, ReplayControl& replay) {
   constexpr std::chrono::seconds kSecond{1};

@@ -77,20 +77,20 @@ void SceneView::createActions() {
                      {"sceneCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
   save_ = makeAction(
       this, "save",
-      {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence::Save});
+      {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void SceneView::createCameraActions() {
   reset_ = makeAction(
       this, "fit", {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
   fromAbove_ = makeAction(this, "top-view",
-                          {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_1});
+                          {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_A});
   behind_ =
       makeAction(this, "behind",
-                 {"sceneBehind", tr("Over the shoulder"), tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_2});
+                 {"sceneBehind", tr("Over the shoulder"), tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_B});
   follow_ =
       makeAction(this, "follow",
-                 {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_3});
+                 {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F});
   for (QAction* action : {behind_, follow_}) action->setCheckable(true);
   follow_->setChecked(true);
   ride_.setMode(CameraRide::Mode::kBeside);
@@ -190,7 +190,7 @@ void SceneView::tick() {
   const auto shown = session().timeline().shown();
   scene_.update(session().store(), shown);
   followMap();
-  drawings_->refresh(session().store());
+  drawings_->refresh(session(), session().selectedRobot());
   robots_->refresh(session());
   beliefs_ = robotBeliefs(session(), scene_, context().field.get(), shown);
   drag_.tick(session());

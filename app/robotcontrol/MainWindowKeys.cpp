@@ -1,0 +1,139 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys that mean the same in the whole window, and what is asked before unsaved work would be replaced.
+#include <QAction>
+#include <QApplication>
+#include <QComboBox>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QStatusBar>
+#include <QToolBar>
+#include <QUndoStack>
+#include <array>
+#include <qtadvanceddocking/DockWidget.h>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/UndoOrder.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/WindowKeys.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFileActions.h"
+#include "widgets/color/ColorFiles.h"
+#include "widgets/log/OpenLogs.h"
+
+namespace app {
+namespace {
+
+using widgets::ReplayKey;
+
+constexpr int kDoneShownMs = 5000;
+
+constexpr std::array kReplayKeys = {ReplayKey::kPlayOrPause, ReplayKey::kFrameBack, ReplayKey::kFrameOn, ReplayKey::kTenFramesBack,
+                                    ReplayKey::kTenFramesOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn, ReplayKey::kMessageBack,
+                                    ReplayKey::kMessageOn,   ReplayKey::kStart,     ReplayKey::kEnd,     ReplayKey::kBookmark};
+
+/// Whether a command closes what is open.
+bool replaces(const QString& command) {
+  static const QStringList commands = {QStringLiteral("simulation.open"), QStringLiteral("simulation.setup"), QStringLiteral("log.open"),
+                                       QStringLiteral("log.close"), QStringLiteral("robot.connect")};
+  return commands.contains(command);
+}
+
+}  // namespace
+
+void MainWindow::createKeys() {
+  keys_ = new WindowKeys(*this);
+  undoOrder_ = new UndoOrder(this);
+  undoOrder_->add(&widgets::colorBench(context_).undoStack());
+  undoOrder_->add(&widgets::openLogs(context_).undoStack());
+  connect(qApp, &QApplication::focusChanged, this, [this](QWidget*, QWidget* now) { findUndoStacks(now); });
+  actions_->setGuard([this](const QString& command) { return mayReplace(command); });
+  addReplayKeys();
+  addColorKeys();
+  addEditingKeys();
+  // A box that was used with the mouse does not keep the focus: the next keys are for the view.
+  for (QComboBox* box : findChildren<QComboBox*>()) {
+    if (qobject_cast<QToolBar*>(box->parentWidget()) != nullptr) box->setFocusPolicy(Qt::TabFocus);
+  }
+}
+
+void MainWindow::addReplayKeys() {
+  auto& replay = widgets::openLogs(context_).replay();
+  for (const ReplayKey key : kReplayKeys) {
+    QAction* action = logToolBar_->action(key);
+    const bool repeats = key != ReplayKey::kPlayOrPause && key != ReplayKey::kBookmark;
+    keys_->add({widgets::keySequence(key), action->text(), [&replay] { return replay.open(); }, [action] { action->trigger(); },
+                key == ReplayKey::kBookmark, repeats});
+  }
+}
+
+bool MainWindow::showsColors() const {
+  for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
+    const QString id = QLatin1String(type.id);
+    if (!id.startsWith(QLatin1String("color-"))) continue;
+    for (const ads::CDockWidget* dock : docks_->docks(id)) {
+      if (dock->widget() != nullptr && dock->widget()->isVisible()) return true;
+    }
+  }
+  return false;
+}
+
+void MainWindow::addColorKeys() {
+  auto& bench = widgets::colorBench(context_);
+  for (int digit = 0; digit <= 9; ++digit) {
+    const QString text = digit == 0 ? tr("Strokes are background, while a colour view is shown")
+                                    : tr("Strokes are of class %1, while a colour view is shown").arg(digit);
+    keys_->add({{static_cast<int>(Qt::Key_0) + digit}, text, [this] { return showsColors(); }, [&bench, digit] { bench.setCurrentClass(digit); }});
+  }
+}
+
+void MainWindow::addEditingKeys() {
+  const auto tell = [this](QUndoStack* stack, const QString& done, const QString& nothing) {
+    const QString what = stack == nullptr ? QString() : stack->objectName();
+    statusBar()->showMessage(stack == nullptr ? nothing : what.isEmpty() ? done : QStringLiteral("%1 %2").arg(done, what), kDoneShownMs);
+  };
+  const auto undo = [this, tell] { tell(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back")); };
+  const auto redo = [this, tell] { tell(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again")); };
+  keys_->add({QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo"), {}, undo, false, true});
+  keys_->add({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo"), {}, redo, false, true});
+  keys_->add({QKeySequence(QStringLiteral("Ctrl+Y")), tr("Redo"), {}, redo, false, true});
+  keys_->add({QKeySequence(QStringLiteral("Ctrl+S")), tr("Save"), {}, [this] { saveWork(); }, true});
+}
+
+void MainWindow::findUndoStacks(QWidget* widget) {
+  for (; widget != nullptr && widget != this; widget = widget->parentWidget()) {
+    for (QUndoStack* stack : widget->findChildren<QUndoStack*>(QString(), Qt::FindDirectChildrenOnly)) undoOrder_->add(stack);
+  }
+}
+
+void MainWindow::saveWork() {
+  auto& files = widgets::colorFiles(context_);
+  widgets::openLogs(context_).saveBookmarks();
+  if (!files.changed()) {
+    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the colour table"), kDoneShownMs);
+  } else if (widgets::saveSamples(files, this)) {
+    statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())), kDoneShownMs);
+  }
+}
+
+bool MainWindow::mayReplace(const QString& command) {
+  auto& files = widgets::colorFiles(context_);
+  const LoadedPlatform* loaded = workbench_.loaded();
+  if (!replaces(command) || loaded == nullptr || !files.changed()) return true;
+  const QString name = QString::fromStdString(loaded->name());
+  QMessageBox box(QMessageBox::Warning, tr("Unsaved samples"),
+                  tr("You have painted samples of colours that are not saved, and are about to close %1.")
+                      .arg(name.isEmpty() ? tr("what is open") : name),
+                  QMessageBox::Save | QMessageBox::Cancel, this);
+  box.setObjectName(QStringLiteral("unsavedWork"));
+  box.setInformativeText(tr("Save them first? They stay in the colour views either way."));
+  auto* goOn = box.addButton(tr("Go on without saving"), QMessageBox::DestructiveRole);
+  box.setDefaultButton(QMessageBox::Save);
+  const int answer = box.exec();
+  if (box.clickedButton() == goOn) return true;
+  return answer == QMessageBox::Save && widgets::saveSamples(files, this);
+}
+
+}  // namespace app

@@ -1,0 +1,308 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The keys of the workbench: that they mean the same wherever the focus is, and that no two of them clash.
+#include <QComboBox>
+#include <QDialog>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMessageBox>
+#include <QPushButton>
+#include <QScreen>
+#include <QShortcut>
+#include <QStatusBar>
+#include <QTreeWidget>
+#include <QUndoStack>
+#include <QtTest>
+#include <map>
+#include <qtadvanceddocking/DockWidget.h>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/ShortcutsDialog.h"
+#include "app/robotcontrol/UndoOrder.h"
+#include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/WindowKeys.h"
+#include "robotcontrol/Requests.pb.h"
+#include "tests/widgets/Bench.h"
+#include "tests/widgets/DialogAnswer.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFiles.h"
+
+using robotcontrol::ControlReplay;
+
+namespace {
+
+/// A window in which a log is open, whose requests the test keeps.
+class Desk {
+ public:
+  explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
+    workbench.session().setRequestSink([this](const robotcontrol::Request& request) {
+      if (request.has_control_replay()) asked.push_back(request.control_replay());
+    });
+    window.resize(1400, 900);
+    window.show();
+    if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
+  }
+  void openLog() {
+    robotcontrol::ReplayStatus status;
+    status.set_begin(10'000'000'000);
+    status.set_end(40'000'000'000);
+    status.set_time(20'000'000'000);
+    status.set_step_process("nao/cognition");
+    status.add_processes()->set_name("nao/cognition");
+    status.add_logs()->set_path("/no/such/folder/game.mcap");
+    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)), std::make_shared<const robotcontrol::ReplayStatus>(status)});
+    window.tick();
+  }
+  widgets::View* open(const char* id) {
+    ads::CDockWidget* dock = window.docks().open(QLatin1String(id));
+    dock->setAsCurrentTab();
+    window.tick();
+    return qobject_cast<widgets::View*>(dock->widget());
+  }
+  app::WindowKeys& keys() { return *window.findChild<app::WindowKeys*>(QStringLiteral("windowKeys")); }
+  widgets::ColorBench& bench() { return *window.context().colors; }
+
+  app::Workbench workbench;
+  app::MainWindow window;
+  std::vector<ControlReplay> asked;
+};
+
+/// All below a widget that can have the focus now, and are no text fields.
+std::vector<QWidget*> focusable(QWidget& in) {
+  std::vector<QWidget*> found;
+  for (QWidget* widget : in.findChildren<QWidget*>()) {
+    if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus && !app::isTextField(*widget)) found.push_back(widget);
+  }
+  return found;
+}
+
+QByteArray nameOf(const QWidget& widget) {
+  return widget.window()->objectName().toUtf8() + " " + widget.metaObject()->className() + " " + widget.objectName().toUtf8();
+}
+
+/// Plays, steps, jumps, chooses a class, takes back and saves with the focus on a widget.
+void pressAll(Desk& desk, QWidget& widget, bool colors) {
+  const QByteArray name = nameOf(widget);
+  const auto asks = [&](int key, Qt::KeyboardModifiers modifiers, ControlReplay::Action action, int count) {
+    desk.asked.clear();
+    widget.setFocus();
+    QTest::keyClick(&widget, static_cast<Qt::Key>(key), modifiers);
+    if (desk.asked.size() != 1 || desk.asked.front().action() != action || desk.asked.front().count() != count)
+      qFatal("%s: the key %s does something else", name.constData(), qPrintable(QKeySequence(key).toString()));
+  };
+  asks(Qt::Key_Space, {}, ControlReplay::PLAY, 0);
+  asks(Qt::Key_Left, {}, ControlReplay::STEP_FRAME, -1);
+  asks(Qt::Key_Right, {}, ControlReplay::STEP_FRAME, 1);
+  asks(Qt::Key_Right, Qt::ShiftModifier, ControlReplay::STEP_FRAME, 10);
+  asks(Qt::Key_Left, Qt::ControlModifier, ControlReplay::JUMP_TO_TIME, 0);
+  asks(Qt::Key_Home, {}, ControlReplay::JUMP_TO_TIME, 0);
+  asks(Qt::Key_End, {}, ControlReplay::JUMP_TO_TIME, 0);
+  if (colors) {
+    for (const int digit : {3, 0, 5}) {
+      QTest::keyClick(&widget, static_cast<Qt::Key>(Qt::Key_0 + digit));
+      if (desk.bench().currentClass() != digit) qFatal("%s: the digit %d chose nothing", name.constData(), digit);
+    }
+  }
+  QUndoStack& stack = desk.bench().undoStack();
+  stack.push(new QUndoCommand);
+  const int index = stack.index();
+  QTest::keyClick(&widget, Qt::Key_Z, Qt::ControlModifier);
+  if (stack.index() != index - 1) qFatal("%s: Ctrl+Z took nothing back", name.constData());
+  for (const auto& [key, modifiers] : {std::pair{Qt::Key_Y, Qt::KeyboardModifiers(Qt::ControlModifier)}, {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier}}) {
+    QTest::keyClick(&widget, key, modifiers);
+    if (stack.index() != index) qFatal("%s: nothing was done again", name.constData());
+    stack.undo();
+  }
+  stack.clear();
+  desk.window.statusBar()->clearMessage();
+  QTest::keyClick(&widget, Qt::Key_S, Qt::ControlModifier);
+  if (!desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("All is saved"))) qFatal("%s: Ctrl+S saved nothing", name.constData());
+}
+
+/// Keys with Ctrl or Alt, and those of the top row, mean one thing in the whole program.
+bool meansOneThing(const QKeySequence& key) {
+  const int code = key[0];
+  const int plain = code & ~static_cast<int>(Qt::KeyboardModifierMask);
+  return (code & static_cast<int>(Qt::ControlModifier | Qt::AltModifier)) != 0 || (plain >= Qt::Key_F1 && plain <= Qt::Key_F35);
+}
+
+/// What the texts of actions come down to: "Copy picture" is a way to copy.
+QString meaning(const QKeySequence& key, const QString& text) {
+  static const std::map<QString, QString> families = {{QStringLiteral("Ctrl+C"), QStringLiteral("copies what is chosen or seen")},
+                                                      {QStringLiteral("Ctrl+Shift+E"), QStringLiteral("writes what is seen to a file")},
+                                                      {QStringLiteral("Ctrl+Return"), QStringLiteral("does it with what is chosen")},
+                                                      {QStringLiteral("Ctrl+Backspace"), QStringLiteral("gives it what it was at first")},
+                                                      {QStringLiteral("Shift+F5"), QStringLiteral("asks the robot again")}};
+  const auto family = families.find(key.toString());
+  return family != families.end() ? family->second : text;
+}
+
+}  // namespace
+
+class KeysGuiTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() {
+    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
+    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+  }
+  void init() { std::filesystem::remove_all(home_); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void everyKeyMeansTheSameInEveryView() {
+    Desk desk(home_);
+    desk.openLog();
+    for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
+      desk.window.docks().closeAll();
+      widgets::View* view = desk.open(type.id);
+      QVERIFY2(view != nullptr, type.id);
+      const bool colors = QByteArray(type.id).startsWith("color-");
+      pressAll(desk, *view, colors);
+      for (QWidget* widget : focusable(*view)) pressAll(desk, *widget, colors);
+    }
+  }
+
+  void everyKeyMeansTheSameInTheToolBarsAndInAFloatingDock() {
+    Desk desk(home_);
+    desk.openLog();
+    desk.window.showPerspective(QStringLiteral("Colour"));
+    for (QToolBar* bar : desk.window.findChildren<QToolBar*>()) {
+      if (!bar->isVisible()) continue;
+      for (QWidget* widget : focusable(*bar)) pressAll(desk, *widget, true);
+    }
+    auto* dock = desk.window.docks().docks(QStringLiteral("time-line")).front();
+    dock->setFloating();
+    desk.window.tick();
+    for (QWidget* widget : focusable(*dock->widget())) pressAll(desk, *widget, true);
+  }
+
+  void aTextFieldKeepsItsKeys() {
+    Desk desk(home_);
+    desk.openLog();
+    desk.open("color-image");
+    auto* keys = desk.open("debug-keys");
+    auto& search = child<QLineEdit>(*keys, "keysSearch");
+    search.setFocus();
+    desk.asked.clear();
+    const int before = desk.bench().currentClass();
+    QTest::keyClicks(&search, QStringLiteral("a 3.,5"));
+    for (const auto key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Left, Qt::Key_Right}) QTest::keyClick(&search, key);
+    QTest::keyClick(&search, Qt::Key_Z, Qt::ControlModifier);
+    QVERIFY(desk.asked.empty());
+    QCOMPARE(desk.bench().currentClass(), before);
+  }
+
+  void aDialogKeepsItsKeys() {
+    Desk desk(home_);
+    desk.openLog();
+    desk.asked.clear();
+    QDialog dialog(&desk.window);
+    QPushButton button(&dialog);
+    dialog.show();
+    QSignalSpy clicked(&button, &QPushButton::clicked);
+    QTest::keyClick(&button, Qt::Key_Space);
+    QCOMPARE(clicked.count(), 1);
+    QVERIFY(desk.asked.empty());
+  }
+
+  void theFocusBelongsToAViewAtTheStartAndAfterAPerspectiveWasChosen() {
+    Desk desk(home_);
+    const auto inView = [&desk] {
+      const QWidget* widget = desk.window.focusWidget();
+      while (widget != nullptr && qobject_cast<const widgets::View*>(widget) == nullptr) widget = widget->parentWidget();
+      return widget != nullptr;
+    };
+    QVERIFY(inView());
+    for (const char* perspective : {"Log", "Colour", "Play"}) {
+      desk.window.showPerspective(QLatin1String(perspective));
+      QVERIFY2(inView(), perspective);
+    }
+  }
+
+  void noTwoKeysClash() {
+    Desk desk(home_);
+    desk.openLog();
+    for (const widgets::ViewType& type : widgets::ViewRegistry::all()) desk.open(type.id);
+    const auto all = app::shortcutsOf(desk.window, desk.keys());
+    QVERIFY(all.size() > 100);
+    QStringList clashes;
+    for (const app::Shortcut& a : all) {
+      for (const app::Shortcut& b : all) {
+        if (&a >= &b || a.key != b.key || meaning(a.key, a.text) == meaning(b.key, b.text)) continue;
+        const bool together = a.view.isEmpty() || b.view.isEmpty() || a.view == b.view;
+        if (!together && !meansOneThing(a.key)) continue;
+        clashes << QStringLiteral("%1: %2 \"%3\" and %4 \"%5\"").arg(a.key.toString(), a.view, a.text, b.view, b.text);
+      }
+    }
+    QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
+  }
+
+  void theListOfKeysFitsTheScreenAndIsSearched() {
+    Desk desk(home_);
+    app::ShortcutsDialog dialog(desk.keys(), &desk.window);
+    dialog.show();
+    const QSize screen = desk.window.screen()->availableSize();
+    QVERIFY(dialog.height() <= screen.height() && dialog.width() <= screen.width());
+    auto& list = child<QTreeWidget>(dialog, "shortcutsList");
+    QVERIFY(list.topLevelItemCount() > 3);
+    QCOMPARE(list.topLevelItem(0)->text(0), QStringLiteral("Everywhere"));
+    QTest::keyClicks(&child<QLineEdit>(dialog, "shortcutsSearch"), QStringLiteral("frame back"));
+    int shown = 0;
+    for (int i = 0; i < list.topLevelItem(0)->childCount(); ++i) shown += list.topLevelItem(0)->child(i)->isHidden() ? 0 : 1;
+    QCOMPARE(shown, 1);
+    QVERIFY(list.topLevelItem(1)->isHidden());
+  }
+
+  void undoTakesBackWhatWasEditedLast() {
+    QUndoStack first, second;
+    app::UndoOrder order;
+    order.add(&first);
+    order.add(&second);
+    QVERIFY(order.undo() == nullptr);
+    first.push(new QUndoCommand);
+    second.push(new QUndoCommand);
+    second.push(new QUndoCommand);
+    QVERIFY(order.undo() == &second);
+    QVERIFY(order.redo() == &second);
+    QVERIFY(order.undo() == &second);
+    QVERIFY(order.undo() == &second);
+    QVERIFY(order.undo() == &first);
+    first.redo();
+    {
+      QUndoStack third;
+      order.add(&third);
+      third.push(new QUndoCommand);
+      QVERIFY(order.undo() == &third);
+    }
+    QVERIFY(order.undo() == &first);
+  }
+
+  void whatIsOpenIsNotReplacedUnaskedWhileSamplesAreUnsaved() {
+    Desk desk(home_);
+    desk.workbench.load(app::Workbench::defaultOptions());
+    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr, 20000);
+    desk.bench().undoStack().push(new QUndoCommand);
+    QVERIFY(widgets::colorFiles(const_cast<widgets::ViewContext&>(desk.window.context())).changed());
+    auto& scenes = child<QComboBox>(desk.window, "sceneBox");
+    const auto choose = [&scenes] { Q_EMIT scenes.activated(0); };
+    DialogAnswer cancel([](QDialog& dialog) {
+      if (dialog.objectName() != QStringLiteral("unsavedWork")) qFatal("another dialog");
+      DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
+    });
+    choose();
+    QVERIFY(cancel.asked());
+    QVERIFY(!desk.workbench.loading());
+    DialogAnswer goOn([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::DestructiveRole); });
+    choose();
+    QVERIFY(goOn.asked());
+    QVERIFY(desk.workbench.loading());
+    QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading() || (desk.window.tick(), false), 20000);
+    desk.bench().undoStack().clear();
+  }
+
+ private:
+  std::filesystem::path home_;
+};
+
+QTEST_MAIN(KeysGuiTest)
+#include "KeysGuiTest.moc"
