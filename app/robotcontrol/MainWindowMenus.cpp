@@ -57,7 +57,10 @@ void MainWindow::createMenus() {
   createHelpMenu();
   // Floating docks are windows of their own: the menus' keys are for them, too.
   for (const QMenu* menu : menuBar()->findChildren<QMenu*>()) {
-    for (QAction* action : menu->actions()) action->setShortcutContext(Qt::ApplicationShortcut);
+    for (QAction* action : menu->actions()) {
+      // Those that play a log are left to WindowKeys: text fields and lists need some of their keys.
+      if (action->shortcutContext() == Qt::WindowShortcut) action->setShortcutContext(Qt::ApplicationShortcut);
+    }
   }
 }
 
