@@ -74,7 +74,7 @@ void MainWindow::showPerspective(const QString& name) {
     perspectives_.show(name, *docks_);
     layouts_->forget();
     fillPerspectiveMenu();
-    keys_->focusContent();
+    QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // when the old views are gone
   });
 }
 

@@ -12,7 +12,6 @@
 #include <QSlider>
 #include <QTabBar>
 #include <QTextEdit>
-#include <QToolBar>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "widgets/View.h"
@@ -102,7 +101,7 @@ bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
 
 void WindowKeys::focusContent() {
   QWidget* focus = window_.focusWidget();
-  if (focus != nullptr && focus->isVisible() && ancestor<QToolBar>(focus) == nullptr) return;
+  if (focus != nullptr && focus->isVisible() && ancestor<widgets::View>(focus) != nullptr) return;
   QWidget* best = nullptr;
   const auto isLarger = [&](QWidget* widget) { return best == nullptr || areaOf(*widget) > areaOf(*best); };
   for (widgets::View* view : window_.findChildren<widgets::View*>()) {

@@ -33,7 +33,7 @@ class WindowKeys final : public QObject {
 
   void add(Binding binding);
   const std::vector<Binding>& bindings() const { return bindings_; }
-  /// Gives the focus to the largest view, if it is nowhere or in a toolbar.
+  /// Gives the focus to the largest view, if no view has it.
   void focusContent();
 
   bool eventFilter(QObject* watched, QEvent* event) override;
