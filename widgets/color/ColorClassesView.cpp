@@ -222,7 +222,8 @@ void ColorClassesView::showQuality() {
   const ColorQuality* quality = bench_.quality();
   std::vector<std::optional<double>> recalls;
   if (quality != nullptr && quality->strokes && quality->classes == bench_.samples().classes) {
-    const auto& [evaluation, strokes, alone] = *quality->strokes;
+    const auto& evaluation = quality->strokes->evaluation;
+    const auto& alone = quality->strokes->alone;
     for (int i = 0; i < evaluation.classes(); ++i) {
       const bool known = evaluation.labelled(i) > 0 && std::ranges::find(alone, i) == alone.end();
       recalls.push_back(known ? std::optional(evaluation.recall(i)) : std::nullopt);
