@@ -116,9 +116,9 @@ void MainWindow::createRobotMenus() {
   QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
-  QAction* none = robot->addAction(tr("Use the tr("&Without colour table")built-in color table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
+  QAction* none = robot->addAction(tr("Use the &built-in color table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));
-  none->setToolTip(tr("The selected robot's program finds colours as it does without a table"));
+  none->setToolTip(tr("The selected robot's program makes a color table of the field's colors, as it does until it is given one"));
   robot->setToolTipsVisible(true);
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
   simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
