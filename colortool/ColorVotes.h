@@ -19,7 +19,7 @@ struct VoteOptions {
   double radius = 8;
   /// A difference in Y counts this much against one in Cb or Cr; kLeastBrightnessWeight to 1. Below 1, since
   /// light and shadow change a colour's brightness first.
-  double brightnessWeight = 0.2;
+  double brightnessWeight = 0.3;
   /// What a class needs at least, as a share of a single sample pixel's vote for its own cell; 0 or more.
   double rejection = 0.05;
   /// What a sample of the background counts against one of a class; background is of many colours, and most

@@ -2,6 +2,7 @@
 #include "widgets/DebugKeysView.h"
 
 #include <QAction>
+#include <QApplication>
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QHeaderView>
@@ -196,6 +197,9 @@ void DebugKeysView::allOff() {
 
 bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != tree_ || event->type() != QEvent::KeyPress) return View::eventFilter(watched, event);
+  // What an editor in the tree left over is not for the tree.
+  const QWidget* focused = QApplication::focusWidget();
+  if (focused != tree_ && tree_->isAncestorOf(focused)) return View::eventFilter(watched, event);
   auto* key = static_cast<QKeyEvent*>(event);
   if (key->key() == Qt::Key_Space || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
     toggle(tree_->currentIndex());

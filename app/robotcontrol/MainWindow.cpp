@@ -195,6 +195,7 @@ void MainWindow::restoreWindow() {
   layouts_->forget();
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
   restoreState(fromText(window.value(QStringLiteral("toolbars"))));
+  logToolBar_->hide();  // until a log is open again
   fillPerspectiveMenu();
 }
 

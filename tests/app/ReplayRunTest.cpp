@@ -274,7 +274,7 @@ TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
   EXPECT_FALSE(jumped.digestOn("red1/joints/request").empty());
   // Nobody heard what was computed on the way: one instant counts, and what came after it.
   const auto status = jumped.status();
-  for (const auto& difference : status.differences()) EXPECT_LT(difference.compared(), 102U) << difference.package();
+  for (const auto& difference : status.differences()) EXPECT_LE(difference.compared(), 102U) << difference.package();
 }
 
 TEST_F(ReplayRunTest, framesAreCountedFromNowAndFoundByTheirNumbers) {

@@ -375,10 +375,10 @@ class ColorImageViewTest : public QObject {
     s.world.show();
     s.view.tick();
     QCOMPARE(s.bench.frame()->label(), QStringLiteral("a.png"));
-    child<QAction>(s.view, "colorShowStrip")->trigger();
+    child<QAction>(s.view, "colorShowStripAction")->trigger();
     QVERIFY(!strip->isVisible());
     s.view.resize(900, 400);
-    child<QAction>(s.view, "colorShowStrip")->trigger();
+    child<QAction>(s.view, "colorShowStripAction")->trigger();
     QVERIFY(strip->isVisible() && strip->height() < 60);
   }
 

@@ -94,7 +94,7 @@ class PlotsViewTest : public QObject {
     QStringList names;
     const QModelIndex joints = find(tree, QStringLiteral("joints"));
     for (int row = 0; row < tree.model()->rowCount(joints); ++row) names << tree.model()->index(row, 0, joints).data().toString();
-    QCOMPARE(names.mid(1, 3), QStringList({QStringLiteral("positions[0] headTilt"), QStringLiteral("positions[1] headPan"), QStringLiteral("positions[2]")}));
+    QCOMPARE(names.mid(0, 3), QStringList({QStringLiteral("positions[0] headTilt"), QStringLiteral("positions[1] headPan"), QStringLiteral("positions[2]")}));
     QVERIFY(names.indexOf(QStringLiteral("positions[11]")) == names.indexOf(QStringLiteral("positions[2]")) + 9);
     QCOMPARE(find(tree, QStringLiteral("positions[1] headPan"), 1).data().toString(), QStringLiteral("rad"));
     QCOMPARE(find(tree, QStringLiteral("velocity.x"), 1).data().toString(), QStringLiteral("m/s"));
