@@ -18,6 +18,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 #include "widgets/LevelDelegate.h"
 #include "widgets/log/OpenLogs.h"
 #include "widgets/models/LogFilter.h"
@@ -348,7 +349,7 @@ QJsonObject MessagesView::saveState() const {
       {QStringLiteral("filter"), pattern_->text()},
       {QStringLiteral("regex"), regex_->isChecked()},
       {QStringLiteral("follow"), follow_->isChecked()},
-      {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void MessagesView::restoreState(const QJsonObject& state) {
@@ -356,9 +357,7 @@ void MessagesView::restoreState(const QJsonObject& state) {
   regex_->setChecked(state.value(QStringLiteral("regex")).toBool());
   pattern_->setText(state.value(QStringLiteral("filter")).toString());
   follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
-  const QString columns = state.value(QStringLiteral("columns")).toString();
-  if (!columns.isEmpty())
-    table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

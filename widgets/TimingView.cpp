@@ -15,6 +15,7 @@
 #include "widgets/BarDelegate.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 #include "widgets/Requests.h"
 
 namespace widgets {
@@ -167,14 +168,12 @@ void TimingView::tick() {
 QJsonObject TimingView::saveState() const {
   return {
       {QStringLiteral("measure"), measure_->isChecked()},
-      {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void TimingView::restoreState(const QJsonObject& state) {
   measure_->setChecked(state.value(QStringLiteral("measure")).toBool(true));
-  const QString columns = state.value(QStringLiteral("columns")).toString();
-  if (!columns.isEmpty())
-    table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

@@ -14,6 +14,7 @@
 #include "colortool/ColorTable.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorReferences.h"
@@ -269,14 +270,12 @@ void ColorCompareView::selectCells(const QModelIndex& index) {
 QJsonObject ColorCompareView::saveState() const {
   return {
       {QStringLiteral("folder"), files_.folder()},
-      {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void ColorCompareView::restoreState(const QJsonObject& state) {
   if (files_.folder().isEmpty()) files_.setFolder(state[QStringLiteral("folder")].toString());
-  const QString columns = state[QStringLiteral("columns")].toString();
-  if (!columns.isEmpty())
-    table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

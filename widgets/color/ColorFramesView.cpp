@@ -15,6 +15,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/models/Theme.h"
@@ -242,16 +243,14 @@ void ColorFramesView::tick() {
 QJsonObject ColorFramesView::saveState() const {
   return {
       {QStringLiteral("classes"), QJsonArray::fromStringList(finder_.choices())},
-      {QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void ColorFramesView::restoreState(const QJsonObject& state) {
   QStringList choices;
   for (const QJsonValue& choice : state[QStringLiteral("classes")].toArray()) choices << choice.toString();
   finder_.setChoices(choices);
-  const QString columns = state[QStringLiteral("columns")].toString();
-  if (!columns.isEmpty())
-    table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets

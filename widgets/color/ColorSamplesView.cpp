@@ -18,6 +18,7 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/ShareDelegate.h"
@@ -329,7 +330,7 @@ void ColorSamplesView::openMenu(const QPoint& at) {
 
 QJsonObject ColorSamplesView::saveState() const {
   return {{QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())},
-          {QStringLiteral("header"), QString::fromLatin1(tree_->header()->saveState().toBase64())}};
+          {QStringLiteral("header"), headerState(*tree_->header())}};
 }
 
 void ColorSamplesView::restoreState(const QJsonObject& state) {
@@ -338,7 +339,7 @@ void ColorSamplesView::restoreState(const QJsonObject& state) {
   };
   if (state.contains(QStringLiteral("splitter"))) splitter_->restoreState(bytes(QStringLiteral("splitter")));
   if (state.contains(QStringLiteral("header")))
-    tree_->header()->restoreState(bytes(QStringLiteral("header")));
+    restoreHeader(*tree_->header(), state.value(QStringLiteral("header")));
 }
 
 }  // namespace widgets

@@ -10,6 +10,7 @@
 
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
 
 namespace widgets {
 namespace {
@@ -114,12 +115,11 @@ void StreamsView::showSummary() {
 }
 
 QJsonObject StreamsView::saveState() const {
-  return {{QStringLiteral("columns"), QString::fromLatin1(table_->horizontalHeader()->saveState().toBase64())}};
+  return {{QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void StreamsView::restoreState(const QJsonObject& state) {
-  const QString columns = state.value(QStringLiteral("columns")).toString();
-  if (!columns.isEmpty()) table_->horizontalHeader()->restoreState(QByteArray::fromBase64(columns.toLatin1()));
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
 }
 
 }  // namespace widgets
