@@ -29,8 +29,8 @@ struct ChannelLine {
 struct ColorCorrection {
   /// What vignetting divides Y by stays within these.
   static constexpr double kLeastShade = 0.125, kMostShade = 8;
-  /// What is done to a channel at any place has no larger gain or offset than these, so that ImageCorrector can
-  /// do the same in integers.
+  /// What is done to a channel at any place has no larger gain or offset than these, so that ImageCorrector
+  /// can do the same in integers.
   static constexpr double kMostGain = 15, kMostOffset = 1000;
 
   Vignetting vignetting;

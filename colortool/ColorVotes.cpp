@@ -52,8 +52,7 @@ void ColorVotes::makeKernels() {
   const double chroma = options_.radius / ColorTable::kCellSize;
   const double brightness = chroma / options_.brightnessWeight;
   near_ = VoteKernel({chroma, brightness, kReach, false, 1});
-  shade_ = VoteKernel(
-      {kShadeWidth * chroma, kShadeLength * brightness, kShadeReach, true, options_.shading});
+  shade_ = VoteKernel({kShadeWidth * chroma, kShadeLength * brightness, kShadeReach, true, options_.shading});
   const double strongest = kStrengthScale * std::pow(static_cast<double>(kMostPixels), kExponent);
   const double sum = near_.largestSum() + shade_.largestSum();
   const double peak = std::min(kFinestPeak, kMostVotes / (sum * strongest));

@@ -50,8 +50,8 @@ class ColorVotes {
  public:
   /// `classes`: how many there are with class 0, which is the background.
   explicit ColorVotes(int classes, const VoteOptions& options = {});
-  /// Which classes are colors of things, by number; see thingClasses(). Of these the gray guard asks for more.
-  /// At first none is.
+  /// Which classes are colors of things, by number; see thingClasses(). Of these the gray guard asks for
+  /// more. At first none is.
   void setThings(std::vector<bool> things);
 
   /// Adds `pixels` samples of a colour (negative: takes them away, or says that it must not be of that

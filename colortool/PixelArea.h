@@ -32,8 +32,8 @@ struct ImagePoint {
 /// All pixels whose centre is within `radius` of the line through `points` (one point: of a disc).
 PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, double radius);
 /// The same without what has another color than the pixels along the line: a brush that is wider than what is
-/// painted. `tolerance`: how far a color may be from that of the nearest of these pixels, in values of a channel,
-/// Y weighing 0.5.
+/// painted. `tolerance`: how far a color may be from that of the nearest of these pixels, in values of a
+/// channel, Y weighing 0.5.
 PixelArea carefulBrushArea(const ColorImage& image, std::span<const ImagePoint> points, double radius,
                            double tolerance);
 /// Between two corners, both of them inclusive, in any order.

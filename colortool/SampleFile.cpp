@@ -51,9 +51,11 @@ std::vector<std::array<std::uint8_t, 3>> triplesOf(const std::string& hex, const
 template <typename T>
 T whole(const Json& value, const std::string& name) {
   if (value.is_number_unsigned()) {
-    if (const auto number = value.get<std::uint64_t>(); std::in_range<T>(number)) return static_cast<T>(number);
+    if (const auto number = value.get<std::uint64_t>(); std::in_range<T>(number))
+      return static_cast<T>(number);
   } else if (value.is_number_integer()) {
-    if (const auto number = value.get<std::int64_t>(); std::in_range<T>(number)) return static_cast<T>(number);
+    if (const auto number = value.get<std::int64_t>(); std::in_range<T>(number))
+      return static_cast<T>(number);
   }
   throw Wrong("\"" + name + "\" is not a whole number, or too large");
 }
@@ -89,7 +91,9 @@ T checked(const Json& value, const std::string& name) {
   } else {
     if (!value.is_array()) throw Wrong("\"" + name + "\" is not a list of numbers");
     T list = ListOf<T>::sized(value.size(), name);
-    std::ranges::transform(value, list.begin(), [&](const Json& element) { return checked<typename T::value_type>(element, name); });
+    std::ranges::transform(value, list.begin(), [&](const Json& element) {
+      return checked<typename T::value_type>(element, name);
+    });
     return list;
   }
 }
@@ -314,12 +318,13 @@ class Reader {
     if (version == head.end() || !version->is_number_integer() || *version < 1)
       return robotlink::failure("samples.version",
                                 "its first line does not say which version of the format it has; it should "
-                                "end in \"version\": 1", {file_, 1, 0});
-    if (*version > kVersion)
-      return robotlink::failure("samples.version",
-                                "it is of version " + version->dump() +
-                                    ", which this program does not know; use a newer one",
+                                "end in \"version\": 1",
                                 {file_, 1, 0});
+    if (*version > kVersion)
+      return robotlink::failure(
+          "samples.version",
+          "it is of version " + version->dump() + ", which this program does not know; use a newer one",
+          {file_, 1, 0});
     return {};
   }
 

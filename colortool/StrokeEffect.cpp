@@ -41,7 +41,8 @@ std::vector<ClassLoss> StrokeEffect::losses(double leastShare) const {
     for (std::size_t to = 0; to < 256 && had > 0; ++to) {
       const std::uint64_t lost = counts_[indexOf(from, to)];
       const double share = static_cast<double>(lost) / static_cast<double>(had);
-      if (from == to || share < leastShare || static_cast<double>(lost) < kLeastOfAll * static_cast<double>(all))
+      if (from == to || share < leastShare ||
+          static_cast<double>(lost) < kLeastOfAll * static_cast<double>(all))
         continue;
       losses.push_back({static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), lost, share});
     }
@@ -71,7 +72,8 @@ PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const Co
     }
   }
   const double uncontested = static_cast<double>(at - count);
-  return uncontested < kLeastUncontested * static_cast<double>(at) || stroke.mustNotBe ? PixelArea{} : contested;
+  return uncontested < kLeastUncontested * static_cast<double>(at) || stroke.mustNotBe ? PixelArea{}
+                                                                                       : contested;
 }
 
 }  // namespace colortool

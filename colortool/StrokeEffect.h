@@ -24,10 +24,12 @@ class StrokeEffect {
   /// Both must outlive this.
   StrokeEffect(const ColorTable& before, const ColorTable& after) : before_(before), after_(after) {}
 
-  /// An image as the table sees it. What lies in `area`, the stroke itself, does not count. About 2 ns a pixel.
+  /// An image as the table sees it. What lies in `area`, the stroke itself, does not count. About 2 ns a
+  /// pixel.
   void add(const robotlink::ImageView& image, const PixelArea& area = {});
-  /// The largest share first. Losses of less than `leastShare` of what the class had, or less than a thousandth
-  /// of all pixels, are left out. What becomes of no class is no other class's gain, but a loss all the same.
+  /// The largest share first. Losses of less than `leastShare` of what the class had, or less than a
+  /// thousandth of all pixels, are left out. What becomes of no class is no other class's gain, but a loss
+  /// all the same.
   std::vector<ClassLoss> losses(double leastShare = 0.02) const;
 
  private:
@@ -36,9 +38,9 @@ class StrokeEffect {
   std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(256U * 256U, 0);
 };
 
-/// The pixels of a stroke that a table made without it takes for another class, while it takes others for none
-/// or for the stroke's own: what a brush touched beside a thin line. Empty if all are of other classes, since
-/// then the stroke is meant to correct them, or if less than a tenth is not.
+/// The pixels of a stroke that a table made without it takes for another class, while it takes others for
+/// none or for the stroke's own: what a brush touched beside a thin line. Empty if all are of other classes,
+/// since then the stroke is meant to correct them, or if less than a tenth is not.
 PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const ColorTable& before);
 
 }  // namespace colortool

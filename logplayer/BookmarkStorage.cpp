@@ -104,10 +104,12 @@ json jsonOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {
 }
 
 // A whole number within the bounds; nothing for anything else, such as a fraction.
-std::optional<std::int64_t> wholeNumber(const json& entry, const char* name, std::int64_t min, std::int64_t max) {
+std::optional<std::int64_t> wholeNumber(const json& entry, const char* name, std::int64_t min,
+                                        std::int64_t max) {
   const auto found = entry.find(name);
   if (found == entry.end() || !found->is_number_integer()) return std::nullopt;
-  if (found->is_number_unsigned() && found->get<std::uint64_t>() > static_cast<std::uint64_t>(max)) return std::nullopt;
+  if (found->is_number_unsigned() && found->get<std::uint64_t>() > static_cast<std::uint64_t>(max))
+    return std::nullopt;
   const auto number = found->get<std::int64_t>();
   return number < min || number > max ? std::nullopt : std::optional(number);
 }
@@ -126,7 +128,8 @@ const char* readEntry(const json& entry, BookmarkChanges& changes) {
     changes.emplace(number, std::nullopt);
     return nullptr;
   }
-  const auto from = wholeNumber(entry, "from_ns", -kLatest, kLatest), to = wholeNumber(entry, "to_ns", -kLatest, kLatest);
+  const auto from = wholeNumber(entry, "from_ns", -kLatest, kLatest),
+             to = wholeNumber(entry, "to_ns", -kLatest, kLatest);
   if (!from || !to) return "\"from_ns\" or \"to_ns\" is missing, or no whole number of nanoseconds";
   const auto text = entry.find("text");
   if (text == entry.end() || !text->is_string()) return "its \"text\" is missing, or not in quotes";
@@ -195,10 +198,12 @@ Result<BookmarkChanges> readBookmarksBeside(const std::filesystem::path& log) {
   BookmarkChanges changes;
   const auto entries = contents->find("entries");
   if (entries == contents->end()) return changes;
-  if (!entries->is_array()) return robotlink::failure("bookmarks.format", "the \"entries\" are not a list in brackets", where);
+  if (!entries->is_array())
+    return robotlink::failure("bookmarks.format", "the \"entries\" are not a list in brackets", where);
   for (std::size_t i = 0; i < entries->size(); ++i) {
     if (const char* problem = readEntry((*entries)[i], changes))
-      return robotlink::failure("bookmarks.format", "bookmark " + std::to_string(i + 1) + " cannot be read: " + problem, where);
+      return robotlink::failure("bookmarks.format",
+                                "bookmark " + std::to_string(i + 1) + " cannot be read: " + problem, where);
   }
   return changes;
 }

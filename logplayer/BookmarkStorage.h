@@ -40,8 +40,8 @@ struct StoredBookmarks {
 };
 robotlink::Result<StoredBookmarks> readStoredBookmarks(const std::filesystem::path& log,
                                                        const std::function<bool(double)>& progress);
-/// The same for a log that is open already, as an unfinished one takes long to open. Null: it is of an older format, which
-/// holds none.
+/// The same for a log that is open already, as an unfinished one takes long to open. Null: it is of an older
+/// format, which holds none.
 robotlink::Result<StoredBookmarks> storedBookmarksOf(const std::filesystem::path& log, mcap::Reader* open);
 
 /// What must be said to those who know `from`, so that they know `to`.

@@ -55,7 +55,8 @@ std::vector<std::string> chosenStreams(const LogFile& log, const StreamChoice& s
   return paths;
 }
 
-Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::string& text, ExportReport& report) {
+Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::string& text,
+                                              ExportReport& report) {
   const auto exactly = [&](const LogFile::Stream& stream) { return stream.path == text; };
   const auto& all = log.streams();
   StreamChoice choice{{text}, {}};
@@ -74,12 +75,16 @@ Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::str
       paths.push_back(stream.path);
       continue;
     }
-    undecoded = "the messages of " + stream.path + " are in the encoding '" + stream.encoding + "', which is not read";
-    report.losses.push_back(log.path().string() + ": " + undecoded + "; " + plural(stream.count, "message") + " left out");
+    undecoded = "the messages of " + stream.path + " are in the encoding '" + stream.encoding +
+                "', which is not read";
+    report.losses.push_back(log.path().string() + ": " + undecoded + "; " + plural(stream.count, "message") +
+                            " left out");
   }
   if (!paths.empty()) return paths;
-  if (!undecoded.empty()) return robotlink::failure("export.encoding", undecoded, {log.path().string(), 0, 0}, {text});
-  return robotlink::failure("export.stream", "there is no stream " + text + " in it; 'robotctl log info' lists them",
+  if (!undecoded.empty())
+    return robotlink::failure("export.encoding", undecoded, {log.path().string(), 0, 0}, {text});
+  return robotlink::failure("export.stream",
+                            "there is no stream " + text + " in it; 'robotctl log info' lists them",
                             {log.path().string(), 0, 0}, {text});
 }
 

@@ -33,9 +33,11 @@ robotlink::Result<Unread> forEachMessage(
 std::vector<std::string> chosenStreams(const LogFile& log, const StreamChoice& streams,
                                        const std::function<bool(const LogFile::Stream&)>& fitting);
 
-/// The streams that a text names: one by its path, or several as in readSelection() ("red1/models/*,-*/pose"). Those in encodings
-/// that are not read are left out, and reported as losses. Fails if none is left.
-robotlink::Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::string& text, ExportReport& report);
+/// The streams that a text names: one by its path, or several as in readSelection()
+/// ("red1/models/*,-*/pose"). Those in encodings that are not read are left out, and reported as losses.
+/// Fails if none is left.
+robotlink::Result<std::vector<std::string>> namedStreams(const LogFile& log, const std::string& text,
+                                                         ExportReport& report);
 
 /// Writes a file by `write`; it gets its name when it is complete.
 robotlink::Result<ExportReport> exportTo(

@@ -12,9 +12,9 @@
 
 namespace logplayer {
 
-/// Frames on their way to a file, and between them jobs, which are done in their turn and never dropped. Holds a
-/// bounded number of bytes: past that the frame with the largest message goes first, of equal ones the newest.
-/// Frames in which something holds until it is told anew go only when there are no others.
+/// Frames on their way to a file, and between them jobs, which are done in their turn and never dropped.
+/// Holds a bounded number of bytes: past that the frame with the largest message goes first, of equal ones
+/// the newest. Frames in which something holds until it is told anew go only when there are no others.
 ///
 /// Costs logarithmic time however many frames wait. One thread at a time.
 class FrameQueue {

@@ -9,8 +9,8 @@
 
 namespace logplayer {
 
-/// The last seconds of a recording in memory, by the platform's clock, and what held before them. One thread at a
-/// time.
+/// The last seconds of a recording in memory, by the platform's clock, and what held before them. One thread
+/// at a time.
 class FrameRing {
  public:
   /// What is kept at a time: a log, when it is written.

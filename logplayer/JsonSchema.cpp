@@ -15,8 +15,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kMaxFields = 4000;     // of all messages; what is past that stands among the other fields
-constexpr int kMaxReferences = 16;    // from one $ref to the next
+constexpr int kMaxFields = 4000;    // of all messages; what is past that stands among the other fields
+constexpr int kMaxReferences = 16;  // from one $ref to the next
 constexpr char kTimestamp[] = ".google.protobuf.Timestamp";
 constexpr char kDuration[] = ".google.protobuf.Duration";
 
@@ -53,7 +53,8 @@ std::string typeOfConstants(const json& schema) {
   const json* values = memberAt(schema, "enum", json::value_t::array);
   if (values == nullptr || values->empty()) return {};
   const std::string type = typeOfValue(values->front());
-  const bool same = std::all_of(values->begin(), values->end(), [&](const json& value) { return typeOfValue(value) == type; });
+  const bool same = std::all_of(values->begin(), values->end(),
+                                [&](const json& value) { return typeOfValue(value) == type; });
   return same ? type : std::string();
 }
 
@@ -221,14 +222,17 @@ std::string JsonSchema::rowFor(const Kind& value, const std::string& hint) {
 std::string JsonSchema::addField(DescriptorProto& to, const std::string& property, const Kind& kind) {
   std::string name = identifier(property);
   const auto taken = [&](const std::string& wanted) {
-    return std::any_of(to.field().begin(), to.field().end(), [&](const auto& field) { return field.name() == wanted; });
+    return std::any_of(to.field().begin(), to.field().end(),
+                       [&](const auto& field) { return field.name() == wanted; });
   };
   for (int number = 2; taken(name); ++number) name = identifier(property) + "_" + std::to_string(number);
   FieldDescriptorProto& field = *to.add_field();
   field.set_name(name);
-  field.set_number(to.field_size() < 19'000 ? to.field_size() : to.field_size() + 1000);  // some numbers are Protobuf's own
+  field.set_number(to.field_size() < 19'000 ? to.field_size()
+                                            : to.field_size() + 1000);  // some numbers are Protobuf's own
   field.set_type(kind.type);
-  field.set_label(kind.repeated ? FieldDescriptorProto::LABEL_REPEATED : FieldDescriptorProto::LABEL_OPTIONAL);
+  field.set_label(kind.repeated ? FieldDescriptorProto::LABEL_REPEATED
+                                : FieldDescriptorProto::LABEL_OPTIONAL);
   if (kind.type == FieldDescriptorProto::TYPE_MESSAGE) field.set_type_name(kind.typeName);
   return name;
 }

@@ -19,12 +19,14 @@ class JsonSchema {
     std::string typeName;  ///< of a message
     bool repeated = false;
   };
-  static constexpr char kRowValues[] = "values";  ///< the field of a message that is a row of an array of arrays
+  static constexpr char kRowValues[] =
+      "values";  ///< the field of a message that is a row of an array of arrays
 
   /// `root` must outlive it.
   explicit JsonSchema(const nlohmann::json& root) : root_(root) {}
 
-  /// The file with the type, called as like `name` as may be, behind `package`. Without dependencies but time stamps and durations.
+  /// The file with the type, called as like `name` as may be, behind `package`. Without dependencies but time
+  /// stamps and durations.
   google::protobuf::FileDescriptorProto describe(const std::string& name, const std::string& package);
   /// The full name of the type in it.
   const std::string& typeName() const { return typeName_; }
@@ -43,7 +45,8 @@ class JsonSchema {
   std::string messageFor(const nlohmann::json& properties, const std::string& hint);
   std::string rowFor(const Kind& value, const std::string& hint);
   google::protobuf::DescriptorProto& addMessage(const std::string& hint);
-  static std::string addField(google::protobuf::DescriptorProto& to, const std::string& property, const Kind& kind);
+  static std::string addField(google::protobuf::DescriptorProto& to, const std::string& property,
+                              const Kind& kind);
   std::string qualified(const std::string& message) const;
 
   const nlohmann::json& root_;

@@ -43,7 +43,8 @@ std::vector<const Descriptor*> reachable(const Descriptor& type) {
   for (std::size_t next = 0; next < found.size(); ++next) {
     for (int i = 0; i < found[next]->field_count(); ++i) {
       const Descriptor* inner = found[next]->field(i)->message_type();
-      if (inner != nullptr && std::find(found.begin(), found.end(), inner) == found.end()) found.push_back(inner);
+      if (inner != nullptr && std::find(found.begin(), found.end(), inner) == found.end())
+        found.push_back(inner);
     }
   }
   return found;
@@ -90,7 +91,8 @@ bool JsonType::Implementation::takeOwn(const std::string& wanted, const JsonSche
 }
 
 bool JsonType::Implementation::build(JsonSchema& schema, const std::string& wanted, bool apart) {
-  for (const auto* imported : {google::protobuf::Timestamp::descriptor(), google::protobuf::Duration::descriptor()}) {
+  for (const auto* imported :
+       {google::protobuf::Timestamp::descriptor(), google::protobuf::Duration::descriptor()}) {
     FileDescriptorProto file;
     imported->file()->CopyTo(&file);
     pool.BuildFileCollectingErrors(file, &silence);
@@ -110,7 +112,8 @@ bool JsonType::Implementation::build(JsonSchema& schema, const std::string& want
   return true;
 }
 
-JsonType::JsonType(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+JsonType::JsonType(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 
 JsonType::~JsonType() = default;
 
@@ -146,7 +149,8 @@ robotlink::PackagePtr JsonType::read(const std::shared_ptr<const JsonType>& type
   const auto value = parseJsonObject(viewOf(data));
   if (!value) return nullptr;
   const Implementation& self = *type->implementation_;
-  const std::shared_ptr<Message> message(self.prototype->New(), [keep = type](const Message* dead) { delete dead; });
+  const std::shared_ptr<Message> message(self.prototype->New(),
+                                         [keep = type](const Message* dead) { delete dead; });
   json others = json::object();
   assignJson(*message, *value, self.fields, others);
   if (!others.empty() && self.others != nullptr) {

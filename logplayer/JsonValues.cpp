@@ -28,7 +28,8 @@ std::optional<Number> integerOf(const json& value) {
   using Limits = std::numeric_limits<Number>;
   if (value.is_number_unsigned()) {
     const auto number = value.get<std::uint64_t>();
-    return number <= static_cast<std::uint64_t>(Limits::max()) ? std::optional(static_cast<Number>(number)) : std::nullopt;
+    return number <= static_cast<std::uint64_t>(Limits::max()) ? std::optional(static_cast<Number>(number))
+                                                               : std::nullopt;
   }
   if (value.is_number_integer()) {
     const auto number = value.get<std::int64_t>();
@@ -48,7 +49,8 @@ std::optional<Number> integerOf(const json& value) {
   const auto& text = value.get_ref<const std::string&>();
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(number) : std::nullopt;
+  return error == std::errc() && end == text.data() + text.size() && !text.empty() ? std::optional(number)
+                                                                                   : std::nullopt;
 }
 
 /// JSON has no infinite numbers: null stands for one that is none, and some write names.
@@ -100,7 +102,8 @@ class Assignment {
         const auto found = known->second.find(property);
         if (found != known->second.end()) field = found->second;
       }
-      if (field != nullptr && (field->is_repeated() ? assignAll(to, *field, value, where) : assignOne(to, *field, value, where))) {
+      if (field != nullptr && (field->is_repeated() ? assignAll(to, *field, value, where)
+                                                    : assignOne(to, *field, value, where))) {
         continue;
       }
       others_[where] = value;
@@ -155,8 +158,8 @@ bool Assignment::add(Message& to, const FieldDescriptor& field, const json& valu
     case FieldDescriptor::CPPTYPE_UINT64:
       return put(to, field, integerOf<std::uint64_t>(value), &Reflection::SetUInt64, &Reflection::AddUInt64);
     case FieldDescriptor::CPPTYPE_BOOL:
-      return put(to, field, value.is_boolean() ? std::optional(value.get<bool>()) : std::nullopt, &Reflection::SetBool,
-                 &Reflection::AddBool);
+      return put(to, field, value.is_boolean() ? std::optional(value.get<bool>()) : std::nullopt,
+                 &Reflection::SetBool, &Reflection::AddBool);
     case FieldDescriptor::CPPTYPE_ENUM:
       return addEnum(to, field, value);
     case FieldDescriptor::CPPTYPE_STRING:
@@ -194,9 +197,11 @@ bool Assignment::addText(Message& to, const FieldDescriptor& field, const json& 
   return true;
 }
 
-bool Assignment::addMessage(Message& to, const FieldDescriptor& field, const json& value, const std::string& path) {
+bool Assignment::addMessage(Message& to, const FieldDescriptor& field, const json& value,
+                            const std::string& path) {
   const Reflection* reflection = to.GetReflection();
-  Message& inner = field.is_repeated() ? *reflection->AddMessage(&to, &field) : *reflection->MutableMessage(&to, &field);
+  Message& inner =
+      field.is_repeated() ? *reflection->AddMessage(&to, &field) : *reflection->MutableMessage(&to, &field);
   const Descriptor& type = *inner.GetDescriptor();
   if (isTime(type)) return assignTime(inner, value);
   // Only rows of arrays of arrays are arrays.

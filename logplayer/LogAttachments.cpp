@@ -24,9 +24,10 @@ constexpr std::size_t kMaxBytes = std::size_t{1} << 30U;
 
 std::string mediaTypeOf(const fs::path& file) {
   static const std::map<std::string, std::string> kTypes{
-      {".txt", "text/plain"},        {".md", "text/markdown"},    {".csv", "text/csv"},   {".json", "application/json"},
-      {".yaml", "application/yaml"}, {".yml", "application/yaml"}, {".png", "image/png"},  {".jpg", "image/jpeg"},
-      {".jpeg", "image/jpeg"},       {".pdf", "application/pdf"},  {".xml", "text/xml"},   {".zip", "application/zip"},
+      {".txt", "text/plain"},        {".md", "text/markdown"},      {".csv", "text/csv"},
+      {".json", "application/json"}, {".yaml", "application/yaml"}, {".yml", "application/yaml"},
+      {".png", "image/png"},         {".jpg", "image/jpeg"},        {".jpeg", "image/jpeg"},
+      {".pdf", "application/pdf"},   {".xml", "text/xml"},          {".zip", "application/zip"},
   };
   const auto found = kTypes.find(file.extension().string());
   return found == kTypes.end() ? "application/octet-stream" : found->second;
@@ -74,15 +75,17 @@ Result<void> attach(const fs::path& log, const fs::path& file, const AttachmentO
     const auto reader = opened(log);
     if (!reader) return tl::unexpected(reader.error());
     if (!(*reader)->complete()) {
-      return robotlink::failure("attachment.incomplete",
-                                "it was not closed, so that nothing can be added; 'robotctl log repair' makes a complete one",
-                                {log.string(), 0, 0});
+      return robotlink::failure(
+          "attachment.incomplete",
+          "it was not closed, so that nothing can be added; 'robotctl log repair' makes a complete one",
+          {log.string(), 0, 0});
     }
     const auto names = (*reader)->attachmentNames();
     if (std::find(names.begin(), names.end(), attachment.name) != names.end()) {
-      return robotlink::failure("attachment.exists",
-                                "there is an attachment " + attachment.name + " in it already; give this one another name (--name)",
-                                {log.string(), 0, 0}, {attachment.name});
+      return robotlink::failure(
+          "attachment.exists",
+          "there is an attachment " + attachment.name + " in it already; give this one another name (--name)",
+          {log.string(), 0, 0}, {attachment.name});
     }
     attachment.logTime = (*reader)->statistics().messageEnd;
   }
@@ -92,12 +95,14 @@ Result<void> attach(const fs::path& log, const fs::path& file, const AttachmentO
   return appendToLog(log, [&](mcap::Writer& writer) { return writer.attach(attachment); });
 }
 
-Result<void> extractAttachment(const fs::path& log, const std::string& name, const fs::path& to, bool overwrite) {
+Result<void> extractAttachment(const fs::path& log, const std::string& name, const fs::path& to,
+                               bool overwrite) {
   const auto reader = opened(log);
   if (!reader) return tl::unexpected(reader.error());
   const auto names = (*reader)->attachmentNames();
   if (std::find(names.begin(), names.end(), name) == names.end()) {
-    return robotlink::failure("attachment.none", "there is no attachment " + name + " in it", {log.string(), 0, 0}, {name});
+    return robotlink::failure("attachment.none", "there is no attachment " + name + " in it",
+                              {log.string(), 0, 0}, {name});
   }
   const auto attachment = (*reader)->attachment(name);
   if (!attachment) return tl::unexpected(attachment.error());

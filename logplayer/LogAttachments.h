@@ -25,8 +25,8 @@ struct AttachmentOptions {
   std::string name;       ///< empty: the file's
   std::string mediaType;  ///< empty: by the file's ending, else application/octet-stream
 };
-/// Appends a file to a log without rewriting it. Fails if the log is not complete, not writable, not MCAP, or has an attachment
-/// of this name already.
+/// Appends a file to a log without rewriting it. Fails if the log is not complete, not writable, not MCAP, or
+/// has an attachment of this name already.
 robotlink::Result<void> attach(const std::filesystem::path& log, const std::filesystem::path& file,
                                const AttachmentOptions& options);
 

@@ -35,9 +35,11 @@ LogChannels::LogChannels(mcap::Reader& reader) : reader_(reader) {
     const auto schema = reader.schemas().find(channel.schemaId);
     const mcap::Schema* known = schema == reader.schemas().end() ? nullptr : &schema->second;
     const auto sample = [this, number = id] { return firstOf(number); };
-    states_.emplace(id, State{channel.topic, processOf(channel), MessageType(known, channel.messageEncoding, sample)});
+    states_.emplace(
+        id, State{channel.topic, processOf(channel), MessageType(known, channel.messageEncoding, sample)});
     const auto count = counts.find(id);
-    if (!channel.topic.empty() && count != counts.end() && count->second > 0) streams_[channel.topic].push_back(id);
+    if (!channel.topic.empty() && count != counts.end() && count->second > 0)
+      streams_[channel.topic].push_back(id);
   }
   findFrames();
 }
@@ -49,7 +51,8 @@ std::set<std::string> LogChannels::robots() const {
     if (slash == std::string::npos || slash == 0) continue;
     const bool ours = std::any_of(channels.begin(), channels.end(), [&](std::uint16_t id) {
       const State& state = states_.at(id);
-      return state.type.isDecoded() && (!state.process.empty() || state.type.name().starts_with("robotcontrol."));
+      return state.type.isDecoded() &&
+             (!state.process.empty() || state.type.name().starts_with("robotcontrol."));
     });
     if (ours) robots.insert(path.substr(0, slash));
   }
@@ -105,7 +108,8 @@ std::optional<robotlink::StreamMessage> LogChannels::read(const mcap::MessagePos
   const auto data = reader_.read(position);
   if (!data) return std::nullopt;
   const State& state = states_.at(position.channelId);
-  robotlink::StreamMessage message{state.path, position.time, state.type.read(data->message.data), state.process};
+  robotlink::StreamMessage message{state.path, position.time, state.type.read(data->message.data),
+                                   state.process};
   if (!message.value) return std::nullopt;
   if (!state.process.empty()) message.frame = widenFrame(data->message.sequence, state.firstFrame);
   message.bytes = data->message.data.size() + 256;  // as robotlink::sizeOf() has it, without measuring again

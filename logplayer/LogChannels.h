@@ -14,8 +14,9 @@
 
 namespace logplayer {
 
-/// The channels of a log file as parts of streams: which process told them, in which frames, and up to when its frames
-/// are complete. Asks the reader, and like it is for one thread at a time. The reader must outlive it.
+/// The channels of a log file as parts of streams: which process told them, in which frames, and up to when
+/// its frames are complete. Asks the reader, and like it is for one thread at a time. The reader must outlive
+/// it.
 class LogChannels {
  public:
   explicit LogChannels(mcap::Reader& reader);
@@ -26,7 +27,8 @@ class LogChannels {
   const std::map<std::string, std::vector<std::uint16_t>>& streams() const { return streams_; }
   const std::string& path(std::uint16_t channel) const { return states_.at(channel).path; }
   const MessageType& type(std::uint16_t channel) const { return states_.at(channel).type; }
-  /// Those that the log says to be robots: that have a program, processes or frames, not any first part of a path.
+  /// Those that the log says to be robots: that have a program, processes or frames, not any first part of a
+  /// path.
   std::set<std::string> robots() const;
 
   /// Whether a message belongs to a frame that was not written to its end.

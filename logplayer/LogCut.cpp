@@ -73,7 +73,8 @@ class Rewriting {
 
   const RewriteOptions& options_;
   std::vector<std::unique_ptr<Input>> inputs_;
-  std::set<std::tuple<std::string, Instant, std::size_t>> attachments_;  // name, time and hash of those written
+  std::set<std::tuple<std::string, Instant, std::size_t>>
+      attachments_;                              // name, time and hash of those written
   std::string whyBeside_;                        // the logs are put beside each other
   std::set<std::string> robots_, worldStreams_;  // of all inputs so far
   std::unique_ptr<mcap::Writer> writer_;
@@ -87,7 +88,8 @@ Result<RewriteReport> Rewriting::run(const std::filesystem::path& to) {
   auto output = OutputFile::create(to, options_.overwrite);
   if (!output) return tl::unexpected(output.error());
   if (const auto opened = openInputs(); !opened) return tl::unexpected(opened.error());
-  if (const auto written = write(output->temporary()); !written) return tl::unexpected(output->named(written.error()));
+  if (const auto written = write(output->temporary()); !written)
+    return tl::unexpected(output->named(written.error()));
   conclude();
   if (const auto named = output->commit(); !named) return tl::unexpected(named.error());
   return std::move(report_);
@@ -142,7 +144,8 @@ Result<void> Rewriting::openInputs() {
 
 /// Puts parts of one log into their order.
 Result<void> Rewriting::join() {
-  const bool moved = std::any_of(inputs_.begin(), inputs_.end(), [](const auto& input) { return input->offset.count() != 0; });
+  const bool moved = std::any_of(inputs_.begin(), inputs_.end(),
+                                 [](const auto& input) { return input->offset.count() != 0; });
   if (inputs_.size() < 2 || options_.joining == Joining::kSeparate) return {};
   if (moved && options_.joining == Joining::kAutomatic) return {};  // Parts of one log have one clock.
   const auto part = [](Input& input) { return LogPart{input.source, input.offset}; };
@@ -150,12 +153,15 @@ Result<void> Rewriting::join() {
   for (const auto& input : inputs_) {
     if (input->source.reader().statistics().messageCount > 0) parts.push_back(input.get());
   }
-  std::stable_sort(parts.begin(), parts.end(), [&](Input* a, Input* b) { return part(*a).begin() < part(*b).begin(); });
+  std::stable_sort(parts.begin(), parts.end(),
+                   [&](Input* a, Input* b) { return part(*a).begin() < part(*b).begin(); });
   std::string why;
-  for (std::size_t i = 1; i < parts.size() && why.empty(); ++i) why = whyNotJoined(part(*parts[i - 1]), part(*parts[i]));
+  for (std::size_t i = 1; i < parts.size() && why.empty(); ++i)
+    why = whyNotJoined(part(*parts[i - 1]), part(*parts[i]));
   if (why.empty()) {
     report_.concatenated = true;
-    for (std::size_t i = 1; i < parts.size(); ++i) parts[i]->seam.emplace(part(*parts[i - 1]), part(*parts[i]));
+    for (std::size_t i = 1; i < parts.size(); ++i)
+      parts[i]->seam.emplace(part(*parts[i - 1]), part(*parts[i]));
     std::stable_sort(inputs_.begin(), inputs_.end(),
                      [&](const auto& a, const auto& b) { return part(*a).begin() < part(*b).begin(); });
   } else if (options_.joining == Joining::kConcatenate) {
@@ -220,13 +226,14 @@ Result<void> Rewriting::writeHeld() {
   return writer_->endGroup();
 }
 
-/// The one with the next unit; null at the end. Logs begin when their time comes: those that lie one behind the other need not be
-/// in memory at the same time.
+/// The one with the next unit; null at the end. Logs begin when their time comes: those that lie one behind
+/// the other need not be in memory at the same time.
 Input* Rewriting::nextInput() {
   while (true) {
     Input* first = nullptr;
     for (const auto& input : inputs_) {
-      if ((input->unit || !input->begun) && (!first || input->nextTime() < first->nextTime())) first = input.get();
+      if ((input->unit || !input->begun) && (!first || input->nextTime() < first->nextTime()))
+        first = input.get();
     }
     if (!first || first->begun) return first;
     first->begun = true;
@@ -266,7 +273,8 @@ bool Rewriting::isRepeated(Input& input, const mcap::Message& message) {
   mcap::Reader& reader = input.source.reader();
   const mcap::Channel& channel = reader.channels().at(message.channelId);
   const auto schema = reader.schemas().find(channel.schemaId);
-  return input.seam->isRepeated(channel, schema == reader.schemas().end() ? "" : schema->second.name, message);
+  return input.seam->isRepeated(channel, schema == reader.schemas().end() ? "" : schema->second.name,
+                                message);
 }
 
 Result<void> Rewriting::writeUnit(Input& input, const LogUnit& unit) {

@@ -36,7 +36,7 @@ struct RewriteOptions {
   Joining joining = Joining::kAutomatic;
   mcap::Compression compression = mcap::Compression::kZstd;
   std::size_t chunkBytes = 1U << 20U;  ///< when a chunk is complete; frames stay whole
-  bool overwrite = false;  ///< a file of the new one's name; else it must not exist
+  bool overwrite = false;              ///< a file of the new one's name; else it must not exist
   LogFile::Progress progress = {};
 };
 
@@ -47,7 +47,7 @@ struct RewriteReport {
   std::uint64_t bookmarks = 0;
   std::uint64_t bytes = 0;  ///< of the file
   robotlink::Instant begin, end;
-  bool concatenated = false;  ///< the logs were put behind each other
+  bool concatenated = false;                   ///< the logs were put behind each other
   std::map<std::string, std::string> renamed;  ///< "b.mcap: red1" -> "red1-2"
   std::vector<std::string> notes;              ///< what is good to know, a sentence each
   std::vector<std::string> losses;             ///< what of the inputs could not be read; empty if all was
@@ -59,10 +59,11 @@ struct RewriteReport {
 /// FrameInfos stay with whatever is kept of their process, unless they are excluded. Bookmarks in the range
 /// are in it, also those from beside the logs. Fails if nothing would be left.
 ///
-/// Logs whose times do not overlap, and in which robots of equal names run the same program, are parts of one: they are put behind
-/// each other, and what two of them repeat where they meet is written once. Otherwise, if several logs have a robot of the same
-/// name, the later ones get "-2", "-3" behind it, and of streams that belong to no robot (the scene) those of the first log that
-/// has them are taken. Memory is bounded by the readers' caches and the largest frames.
+/// Logs whose times do not overlap, and in which robots of equal names run the same program, are parts of
+/// one: they are put behind each other, and what two of them repeat where they meet is written once.
+/// Otherwise, if several logs have a robot of the same name, the later ones get "-2", "-3" behind it, and of
+/// streams that belong to no robot (the scene) those of the first log that has them are taken. Memory is
+/// bounded by the readers' caches and the largest frames.
 ///
 /// The new file gets its name when it is complete; if anything fails, or is given up by progress, nothing is
 /// left.

@@ -9,7 +9,8 @@
 
 namespace logplayer {
 
-// Times of logs that count from 1970, as those of real robots do, are dates for people; those of simulations are not.
+// Times of logs that count from 1970, as those of real robots do, are dates for people; those of simulations
+// are not.
 
 /// Whether a time lies in this century, so that it is a date.
 bool isDate(robotlink::Instant time);

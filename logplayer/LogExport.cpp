@@ -68,7 +68,8 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
     return stream.type == foxglove::Log::descriptor()->full_name() && !stream.isDecoded();
   });
   for (const std::string& path : undecoded) {
-    report.losses.push_back(log->path().string() + ": the texts of " + path + " are in an encoding that is not read; left out");
+    report.losses.push_back(log->path().string() + ": the texts of " + path +
+                            " are in an encoding that is not read; left out");
   }
   if (!paths.empty()) {
     const auto done =

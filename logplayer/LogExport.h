@@ -40,19 +40,22 @@ robotlink::Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log
 /// Streams as a table (RFC 4180, UTF-8) with a row for each message: its time in seconds, the process that
 /// told it and its frame, and all fields that occur, nested ones as "position.x", repeated ones as
 /// "joints[0].position". Time stamps and durations are seconds, enumerations names, bytes base64, what is
-/// unset is empty. `streams` is a path, or several as in readSelection(): then a row says of which stream it is, and
-/// each stream has columns of its own, "red1/models/ball.position.x". Rows that are left out are losses.
+/// unset is empty. `streams` is a path, or several as in readSelection(): then a row says of which stream it
+/// is, and each stream has columns of its own, "red1/models/ball.position.x". Rows that are left out are
+/// losses.
 robotlink::Result<ExportReport> exportCsv(const std::shared_ptr<LogFile>& log, const std::string& streams,
                                           const std::filesystem::path& file, const ExportOptions& options);
 robotlink::Result<ExportReport> writeCsv(const std::shared_ptr<LogFile>& log, const std::string& streams,
                                          std::ostream& out, const ExportOptions& options);
 
-/// Streams as lines of JSON, one object a message in order of time: stream, log_time in seconds, process, frame, type, and the
-/// message as Protobuf's JSON has it, with the fields' own names.
-robotlink::Result<ExportReport> exportJsonLines(const std::shared_ptr<LogFile>& log, const std::string& streams,
-                                                const std::filesystem::path& file, const ExportOptions& options);
-robotlink::Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const std::string& streams,
-                                               std::ostream& out, const ExportOptions& options);
+/// Streams as lines of JSON, one object a message in order of time: stream, log_time in seconds, process,
+/// frame, type, and the message as Protobuf's JSON has it, with the fields' own names.
+robotlink::Result<ExportReport> exportJsonLines(const std::shared_ptr<LogFile>& log,
+                                                const std::string& streams, const std::filesystem::path& file,
+                                                const ExportOptions& options);
+robotlink::Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log,
+                                               const std::string& streams, std::ostream& out,
+                                               const ExportOptions& options);
 
 /// Texts (foxglove.Log) of the streams chosen, one a line with time, level and who said it; further lines of
 /// a text are indented.

@@ -37,25 +37,28 @@ class CsvTable {
   }
 
   Result<void> write(std::ostream& out, const ExportOptions& options, ExportReport& report) {
-    const auto learned = forEachMessage(log_, streams_, options, {0, 0.5}, [this](const StreamMessage& message) -> Result<void> {
-      Part& part = parts_.at(message.path);
-      if (!isUndecoded(*log_, message) && part.takes(message)) part.table.learn(*message.value);
-      return {};
-    });
+    const auto learned = forEachMessage(log_, streams_, options, {0, 0.5},
+                                        [this](const StreamMessage& message) -> Result<void> {
+                                          Part& part = parts_.at(message.path);
+                                          if (!isUndecoded(*log_, message) && part.takes(message))
+                                            part.table.learn(*message.value);
+                                          return {};
+                                        });
     if (!learned) return tl::unexpected(learned.error());
     out << csvLine(head());
-    const auto written = forEachMessage(log_, streams_, options, {0.5, 1}, [&](const StreamMessage& message) -> Result<void> {
-      Part& part = parts_.at(message.path);
-      if (isUndecoded(*log_, message)) {
-        ++part.undecoded;
-      } else if (!part.takes(message)) {
-        ++part.ofOtherTypes;
-      } else {
-        out << csvLine(row(message));
-        ++report.written;
-      }
-      return {};
-    });
+    const auto written =
+        forEachMessage(log_, streams_, options, {0.5, 1}, [&](const StreamMessage& message) -> Result<void> {
+          Part& part = parts_.at(message.path);
+          if (isUndecoded(*log_, message)) {
+            ++part.undecoded;
+          } else if (!part.takes(message)) {
+            ++part.ofOtherTypes;
+          } else {
+            out << csvLine(row(message));
+            ++report.written;
+          }
+          return {};
+        });
     if (!written) return tl::unexpected(written.error());
     noteUnread(*written, report);
     noteLosses(report);
@@ -101,7 +104,8 @@ class CsvTable {
     cells.push_back(message.frame > 0 ? std::to_string(message.frame) : std::string());
     cells.resize(width_);
     auto values = parts_.at(message.path).table.row(*message.value);
-    std::move(values.begin(), values.end(), cells.begin() + static_cast<std::ptrdiff_t>(begins_.at(message.path)));
+    std::move(values.begin(), values.end(),
+              cells.begin() + static_cast<std::ptrdiff_t>(begins_.at(message.path)));
     return cells;
   }
 
@@ -110,8 +114,8 @@ class CsvTable {
     for (const auto& [stream, part] : parts_) {
       leftOut += part.table.leftOut();
       if (part.ofOtherTypes > 0) {
-        report.losses.push_back(plural(part.ofOtherTypes, "message") + " of " + stream + " are of another type than " +
-                                part.type + "; left out");
+        report.losses.push_back(plural(part.ofOtherTypes, "message") + " of " + stream +
+                                " are of another type than " + part.type + "; left out");
       }
       if (part.undecoded > 0) {
         report.losses.push_back(plural(part.undecoded, "message") + " of " + stream +
@@ -139,13 +143,15 @@ Result<std::string> jsonLine(const LogFile& log, const StreamMessage& message) {
       message.value->GetDescriptor()->file()->syntax() == google::protobuf::FileDescriptor::SYNTAX_PROTO3;
   std::string value;
   // It fails, for example, for a time stamp past the year 9999.
-  if (isUndecoded(log, message) || !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
+  if (isUndecoded(log, message) ||
+      !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
     return robotlink::failure("export.json", "it has no JSON");
   }
   std::string line = "{\"stream\":" + jsonText(message.path) + ",\"log_time\":" + timeText(message.time);
   if (!message.process.empty()) line += ",\"process\":" + jsonText(message.process);
   if (message.frame > 0) line += ",\"frame\":" + std::to_string(message.frame);
-  line += ",\"type\":" + jsonText(message.value->GetDescriptor()->full_name()) + ",\"message\":" + value + "}\n";
+  line +=
+      ",\"type\":" + jsonText(message.value->GetDescriptor()->full_name()) + ",\"message\":" + value + "}\n";
   return line;
 }
 
@@ -175,15 +181,16 @@ Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const s
   const auto paths = namedStreams(*log, streams, report);
   if (!paths) return tl::unexpected(paths.error());
   std::map<std::string, std::uint64_t> failed;
-  const auto done = forEachMessage(log, *paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
-    if (const auto line = jsonLine(*log, message)) {
-      out << *line;
-      ++report.written;
-    } else {
-      ++failed[message.path];
-    }
-    return {};
-  });
+  const auto done =
+      forEachMessage(log, *paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
+        if (const auto line = jsonLine(*log, message)) {
+          out << *line;
+          ++report.written;
+        } else {
+          ++failed[message.path];
+        }
+        return {};
+      });
   if (!done) return tl::unexpected(done.error());
   noteUnread(*done, report);
   for (const auto& [stream, count] : failed) {

@@ -77,8 +77,10 @@ Result<ExportReport> exportImages(const std::shared_ptr<LogFile>& log, const Str
   const auto paths = chosenStreams(*log, streams, isImage);
   if (paths.empty()) {
     const auto undecoded = chosenStreams(*log, streams, isUndecodedImage);
-    const std::string why = undecoded.empty() ? "" : "; those of " + undecoded.front() + " are in an encoding that is not read";
-    return robotlink::failure("export.images", "no chosen stream holds images" + why, {log->path().string(), 0, 0});
+    const std::string why =
+        undecoded.empty() ? "" : "; those of " + undecoded.front() + " are in an encoding that is not read";
+    return robotlink::failure("export.images", "no chosen stream holds images" + why,
+                              {log->path().string(), 0, 0});
   }
   std::error_code error;
   fs::create_directories(folder, error);

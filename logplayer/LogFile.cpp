@@ -108,8 +108,8 @@ void LogFile::Implementation::listStreams() {
 std::uint64_t LogFile::Implementation::countOf(std::uint16_t id) {
   if (!channels->cutShort(id)) return reader->statistics().channelMessageCounts.at(id);
   const auto times = reader->times(id);
-  return static_cast<std::uint64_t>(std::upper_bound(times.begin(), times.end(), channels->completeUntil(id)) -
-                                    times.begin());
+  return static_cast<std::uint64_t>(
+      std::upper_bound(times.begin(), times.end(), channels->completeUntil(id)) - times.begin());
 }
 
 LogFile::Stream LogFile::Implementation::describe(const std::string& streamPath,
@@ -193,7 +193,8 @@ std::string LogFile::damageText() const {
   std::string text;
   if (const auto lost = implementation_->reader->cutOffBytes(); lost > 0) {
     text = "the file was cut short while it was open: " + plural(lost, "byte") + " are gone from its end";
-  } else if (!implementation_->reader->complete()) text = "it was not closed: its end may be missing";
+  } else if (!implementation_->reader->complete())
+    text = "it was not closed: its end may be missing";
   if (!damage.empty()) {
     std::uint64_t bytes = 0;
     for (const auto& place : damage) bytes += place.bytes;

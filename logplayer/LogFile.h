@@ -22,8 +22,8 @@ class ContainerFile;
 /// A log file as streams of messages, read lazily. Types that the program does not know are built from the
 /// file's own schemas; messages keep what they need alive.
 ///
-/// Files of older formats (see LogImport.h) are converted into a temporary file first, which is removed in the
-/// end, and are read-only. If a recorder was killed, what its last frames lack is not shown: a frame is
+/// Files of older formats (see LogImport.h) are converted into a temporary file first, which is removed in
+/// the end, and are read-only. If a recorder was killed, what its last frames lack is not shown: a frame is
 /// complete or absent.
 ///
 /// Thread-safe; a call may wait for another one's disk access.
@@ -37,10 +37,11 @@ class LogFile {
   };
   struct Stream {
     std::string path;
-    std::string type;      ///< as the schema says; of the newest channel, if there are several
-    std::string encoding;  ///< of the messages, as the file says: "protobuf", "json", "cdr"; of the newest channel
+    std::string type;  ///< as the schema says; of the newest channel, if there are several
+    std::string
+        encoding;  ///< of the messages, as the file says: "protobuf", "json", "cdr"; of the newest channel
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  ///< of its messages, uncompressed; 0 until counted
+    std::uint64_t bytes = 0;      ///< of its messages, uncompressed; 0 until counted
     std::uint64_t undecoded = 0;  ///< messages in an encoding that is not read; they stay bytes
     robotlink::Instant first, last;
 
@@ -48,7 +49,8 @@ class LogFile {
     /// Whether its messages are values of this type.
     bool holds(std::string_view typeName) const { return type == typeName && isDecoded(); }
   };
-  static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file, const Options& options);
+  static robotlink::Result<std::shared_ptr<LogFile>> open(const std::filesystem::path& file,
+                                                          const Options& options);
   /// One that is open already: `reader` reads `container`.
   static std::shared_ptr<LogFile> of(const std::filesystem::path& file, ContainerFile container,
                                      std::unique_ptr<mcap::Reader> reader);
@@ -62,8 +64,8 @@ class LogFile {
   std::vector<Stream> countBytes(const Progress& progress);
   /// Those that the log says to be robots, not any first part of a path.
   std::vector<std::string> robots() const;
-  /// Of the first and the last message of what robots told, apart from what holds until it is told anew, which
-  /// may be older than the recording; equal if there is none.
+  /// Of the first and the last message of what robots told, apart from what holds until it is told anew,
+  /// which may be older than the recording; equal if there is none.
   robotlink::Instant begin() const;
   robotlink::Instant end() const;
   bool complete() const;
@@ -80,7 +82,8 @@ class LogFile {
   /// The times of all its messages, sorted.
   std::vector<robotlink::Instant> times(const std::string& stream);
 
-  /// Goes over the messages of some streams (empty: all) in order of time; equal times in the order of the file.
+  /// Goes over the messages of some streams (empty: all) in order of time; equal times in the order of the
+  /// file.
   class Cursor {
    public:
     Cursor(std::shared_ptr<LogFile> file, const std::vector<std::string>& streams);

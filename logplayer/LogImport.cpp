@@ -125,10 +125,11 @@ bool canImport(const std::filesystem::path& file) {
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                const ImportOptions& options) {
   if (!isRobotName(options.robot)) {
-    return robotlink::failure("import.robot",
-                              "'" + options.robot +
-                                  "' is no name for a robot; take letters, digits, '-', '_' and '.', as in nao or red-1",
-                              {}, {options.robot});
+    return robotlink::failure(
+        "import.robot",
+        "'" + options.robot +
+            "' is no name for a robot; take letters, digits, '-', '_' and '.', as in nao or red-1",
+        {}, {options.robot});
   }
   const auto bytes = bhuman::openFile(from);
   if (!bytes) return tl::unexpected(bytes.error());

@@ -44,8 +44,8 @@ void describeContainer(mcap::Reader& reader, LogInfo& info) {
 void count(const LogFile::Stream& stream, LogInfo& info) {
   const double length = robotlink::seconds(stream.last - stream.first);
   const double rate = stream.count > 1 && length > 0 ? static_cast<double>(stream.count - 1) / length : 0;
-  info.streams.push_back(
-      {stream.path, stream.type, stream.encoding, stream.undecoded, stream.count, stream.bytes, rate, stream.first, stream.last});
+  info.streams.push_back({stream.path, stream.type, stream.encoding, stream.undecoded, stream.count,
+                          stream.bytes, rate, stream.first, stream.last});
   info.messages += stream.count;
   if (stream.holds(foxglove::RawImage::descriptor()->full_name()) ||
       stream.holds(foxglove::CompressedImage::descriptor()->full_name())) {

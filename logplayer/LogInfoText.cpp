@@ -67,8 +67,9 @@ std::string encodingText(const LogInfo::Stream& stream) {
 }
 
 bool allProtobuf(const LogInfo& info) {
-  return std::all_of(info.streams.begin(), info.streams.end(),
-                     [](const auto& stream) { return stream.encoding == "protobuf" && stream.undecoded == 0; });
+  return std::all_of(info.streams.begin(), info.streams.end(), [](const auto& stream) {
+    return stream.encoding == "protobuf" && stream.undecoded == 0;
+  });
 }
 
 /// "12 messages (cdr)" of what stays bytes; empty if nothing does.
@@ -82,7 +83,8 @@ std::string undecodedText(const LogInfo& info) {
   }
   std::vector<std::string> names;
   for (const auto& [name, streams] : encodings) names.push_back(name);
-  return count == 0 ? "" : countText(count) + (count == 1 ? " message (" : " messages (") + joined(names) + ")";
+  return count == 0 ? ""
+                    : countText(count) + (count == 1 ? " message (" : " messages (") + joined(names) + ")";
 }
 
 std::string percentText(std::uint64_t part, std::uint64_t whole) {
@@ -285,8 +287,8 @@ std::string toText(const LogInfo& info) {
   };
   addRow({"stream", "type", "messages", "rate", "size", "share"}, "encoding");
   for (const auto& stream : info.streams) {
-    addRow({stream.path, stream.type, countText(stream.count), rateText(stream.rate),
-            bytesText(stream.bytes), percentText(stream.bytes, allBytes)},
+    addRow({stream.path, stream.type, countText(stream.count), rateText(stream.rate), bytesText(stream.bytes),
+            percentText(stream.bytes, allBytes)},
            encodingText(stream));
   }
   return text + "\n" + streams.text();

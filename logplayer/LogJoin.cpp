@@ -37,11 +37,13 @@ std::optional<ProgramSetup> setupOf(Reader& reader, const std::string& robot, bo
     if (program && typeOf(reader, channel) == ProgramSetup::descriptor()->full_name()) channels.push_back(id);
   }
   if (channels.empty()) return std::nullopt;
-  const auto position = last ? reader.previous({Instant::max(), ~std::uint64_t{0}, ~std::uint64_t{0}, 0xFFFF}, channels)
-                             : reader.next({Instant::min(), 0, 0, 0}, channels);
+  const auto position =
+      last ? reader.previous({Instant::max(), ~std::uint64_t{0}, ~std::uint64_t{0}, 0xFFFF}, channels)
+           : reader.next({Instant::min(), 0, 0, 0}, channels);
   const auto data = position ? reader.read(*position) : tl::unexpected(robotlink::Error{});
   ProgramSetup setup;
-  if (!data || !setup.ParseFromArray(data->message.data.data(), static_cast<int>(data->message.data.size()))) {
+  if (!data ||
+      !setup.ParseFromArray(data->message.data.data(), static_cast<int>(data->message.data.size()))) {
     return std::nullopt;
   }
   return setup;
@@ -107,8 +109,10 @@ LogSeam::LogSeam(const LogPart& earlier, const LogPart& later)
   });
 }
 
-bool LogSeam::isRepeated(const mcap::Channel& channel, const std::string& type, const mcap::Message& message) const {
-  if (message.logTime <= until_ && both_.contains(keyOf(channel.topic, message.sequence, message.data))) return true;
+bool LogSeam::isRepeated(const mcap::Channel& channel, const std::string& type,
+                         const mcap::Message& message) const {
+  if (message.logTime <= until_ && both_.contains(keyOf(channel.topic, message.sequence, message.data)))
+    return true;
   return message.sequence == 0 && message.logTime == begin_ && holdsUntilToldAnew(channel.topic, type) &&
          held_.contains(keyOf(channel.topic, message.publishTime.time_since_epoch().count(), message.data));
 }

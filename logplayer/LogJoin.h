@@ -19,12 +19,13 @@ struct LogPart {
   robotlink::Instant end() const { return source.reader().statistics().messageEnd + offset; }
 };
 
-/// Why the later log cannot go on where the earlier one ends: their times overlap, or a robot runs another program in them. Empty
-/// if it can. Frames of several processes may overlap a little where a log was cut.
+/// Why the later log cannot go on where the earlier one ends: their times overlap, or a robot runs another
+/// program in them. Empty if it can. Frames of several processes may overlap a little where a log was cut.
 std::string whyNotJoined(const LogPart& earlier, const LogPart& later);
 
-/// What two parts of one log both hold where they meet: messages at the instant at which it was cut, and what a cut says anew at
-/// its start because it holds there. One thread; the earlier log is read at the start only.
+/// What two parts of one log both hold where they meet: messages at the instant at which it was cut, and what
+/// a cut says anew at its start because it holds there. One thread; the earlier log is read at the start
+/// only.
 class LogSeam {
  public:
   LogSeam(const LogPart& earlier, const LogPart& later);
@@ -32,13 +33,14 @@ class LogSeam {
   bool isRepeated(const mcap::Channel& channel, const std::string& type, const mcap::Message& message) const;
 
  private:
-  using Key = std::tuple<std::string, std::int64_t, std::size_t, std::size_t>;  // topic, number, size and hash of the data
+  using Key = std::tuple<std::string, std::int64_t, std::size_t,
+                         std::size_t>;  // topic, number, size and hash of the data
   static Key keyOf(const std::string& topic, std::int64_t number, mcap::Bytes data);
 
   robotlink::Instant begin_;  // of the later one, in its own time
   robotlink::Instant until_;  // of what may be in both, in the later one's time
   std::set<Key> both_;        // at the seam in the earlier one, by their sequence
-  std::set<Key> held_;        // of what holds until it is told anew, all of the earlier one, by when it was told
+  std::set<Key> held_;  // of what holds until it is told anew, all of the earlier one, by when it was told
 };
 
 }  // namespace logplayer

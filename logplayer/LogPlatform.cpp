@@ -9,7 +9,9 @@ namespace logplayer {
 class LogPlatform::Turn final : public robotlink::Process {
  public:
   Turn(LogPlatform& platform, std::string process)
-      : Process(process + " as logged", platform.clock()), platform_(platform), process_(std::move(process)) {}
+      : Process(process + " as logged", platform.clock()),
+        platform_(platform),
+        process_(std::move(process)) {}
 
  protected:
   void execute() override { platform_.sendTurn(process_); }

@@ -15,11 +15,13 @@ class Descriptor;
 
 namespace logplayer {
 
-/// The platform of a logged robot: sends the packages that a log holds, at the instants at which they were told.
+/// The platform of a logged robot: sends the packages that a log holds, at the instants at which they were
+/// told.
 ///
-/// Each in its turn: those of the platform first, those of a process when that process would have sent them, so that a
-/// process before it in the order of a step sees them as late as it did. turnOf() is to be run before the process for which
-/// it stands, or in its place. Nothing is actuated. The clock must outlive it; lockstep only.
+/// Each in its turn: those of the platform first, those of a process when that process would have sent them,
+/// so that a process before it in the order of a step sees them as late as it did. turnOf() is to be run
+/// before the process for which it stands, or in its place. Nothing is actuated. The clock must outlive it;
+/// lockstep only.
 class LogPlatform final : public robotlink::Platform {
  public:
   struct Package {
@@ -30,8 +32,8 @@ class LogPlatform final : public robotlink::Platform {
   LogPlatform(const robotlink::Clock& clock, std::vector<Package> packages);
   ~LogPlatform() override;
 
-  /// Sends it at the next turn. False, and nothing happens, if the log is not asked for this package or the value is of another
-  /// type.
+  /// Sends it at the next turn. False, and nothing happens, if the log is not asked for this package or the
+  /// value is of another type.
   bool put(const std::string& package, const robotlink::PackagePtr& value);
   /// Null if no package is sent in the turn of that process.
   robotlink::Process* turnOf(const std::string& process);
@@ -51,7 +53,7 @@ class LogPlatform final : public robotlink::Platform {
   };
   void sendTurn(const std::string& process);
 
-  std::map<std::string, Entry> entries_;  // by package
+  std::map<std::string, Entry> entries_;                // by package
   std::map<std::string, std::unique_ptr<Turn>> turns_;  // by process
 };
 

@@ -86,8 +86,9 @@ Result<void> LogWriter::Implementation::writeMessage(const StreamMessage& messag
   buffer.clear();
   if (!message.value->SerializeToString(&buffer)) {
     return robotlink::failure("log.message",
-                              "a message of " + message.path + " is larger than the 2 GiB that a package may have; "
-                              "leave this stream out",
+                              "a message of " + message.path +
+                                  " is larger than the 2 GiB that a package may have; "
+                                  "leave this stream out",
                               {}, {message.path});
   }
   mcap::Message record;

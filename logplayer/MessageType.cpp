@@ -71,7 +71,8 @@ const Message* MessageType::Dynamic::prototype(const std::string& name) {
 }
 
 MessageType::MessageType(const mcap::Schema* schema, const std::string& messageEncoding, const Sample& sample)
-    : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown"), encoding_(messageEncoding) {
+    : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown"),
+      encoding_(messageEncoding) {
   if (encoding_ == "json") {
     readJsonSchema(schema, sample);
   } else if (encoding_ == "protobuf" && schema != nullptr && schema->encoding == "protobuf") {
@@ -100,7 +101,8 @@ void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sampl
     if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
   }
   // One that is called like a type of this program, but is another one.
-  if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr) name_ = json_->name();
+  if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr)
+    name_ = json_->name();
 }
 
 MessageType::~MessageType() = default;

@@ -12,10 +12,10 @@ namespace logplayer {
 
 class JsonType;
 
-/// The type of a channel's messages, by its schema in the file. Protobuf of a type of this program is read into its class, any
-/// other into a message that knows itself by the file's descriptors, which it keeps alive; JSON becomes such messages, too, see
-/// JsonType. What is otherwise encoded (cdr, ros1), or has a schema that makes no sense, stays bytes
-/// (robotcontrol.PackageCopy). Immutable; any thread.
+/// The type of a channel's messages, by its schema in the file. Protobuf of a type of this program is read
+/// into its class, any other into a message that knows itself by the file's descriptors, which it keeps
+/// alive; JSON becomes such messages, too, see JsonType. What is otherwise encoded (cdr, ros1), or has a
+/// schema that makes no sense, stays bytes (robotcontrol.PackageCopy). Immutable; any thread.
 class MessageType {
  public:
   /// A message of the channel, which may be asked for where JSON has no schema; empty if there is none.

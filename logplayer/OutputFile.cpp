@@ -60,7 +60,8 @@ Result<OutputFile> OutputFile::create(const fs::path& file, bool overwrite) {
   result.overwrite_ = overwrite;
   std::random_device random;
   do {
-    result.temporary_ = folder / ("." + target.filename().string() + "." + std::to_string(random()) + ".part");
+    result.temporary_ =
+        folder / ("." + target.filename().string() + "." + std::to_string(random()) + ".part");
   } while (fs::exists(result.temporary_, error));
   result.unfinished_.emplace(result.temporary_);
   return result;
@@ -95,7 +96,8 @@ robotlink::Error OutputFile::named(robotlink::Error error) const {
   if (error.where.file != temporary_.string()) return error;
   error.where.file = given_.string();
   const auto kept = error.text.find(mcap::kWhatIsKept);
-  if (kept != std::string::npos) error.text.replace(kept, std::strlen(mcap::kWhatIsKept), "; nothing is left of it");
+  if (kept != std::string::npos)
+    error.text.replace(kept, std::strlen(mcap::kWhatIsKept), "; nothing is left of it");
   return error;
 }
 

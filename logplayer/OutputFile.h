@@ -13,8 +13,8 @@ namespace logplayer {
 /// commit(). Without that nothing is left of it, also if a signal ends the program. Moved, not copied.
 class OutputFile {
  public:
-  /// Fails if there is such a file already and it may not be overwritten, or if the folder does not exist. A symbolic link is
-  /// kept: the file that it points to is overwritten.
+  /// Fails if there is such a file already and it may not be overwritten, or if the folder does not exist. A
+  /// symbolic link is kept: the file that it points to is overwritten.
   static robotlink::Result<OutputFile> create(const std::filesystem::path& file, bool overwrite);
   ~OutputFile();
   OutputFile(OutputFile&& other) noexcept;
@@ -24,7 +24,8 @@ class OutputFile {
   const std::filesystem::path& temporary() const { return temporary_; }
   /// A file that got the name meanwhile is overwritten only if it may be.
   robotlink::Result<void> commit();
-  /// An error of whoever wrote temporary(), as one of this file: that name means nothing to people, and is soon removed.
+  /// An error of whoever wrote temporary(), as one of this file: that name means nothing to people, and is
+  /// soon removed.
   robotlink::Error named(robotlink::Error error) const;
 
  private:

@@ -9,8 +9,8 @@
 
 namespace logplayer {
 
-/// Messages that are in a log as a whole or not at all: what one frame of one process told, its FrameInfo last.
-/// Immutable and shared by those who keep it.
+/// Messages that are in a log as a whole or not at all: what one frame of one process told, its FrameInfo
+/// last. Immutable and shared by those who keep it.
 struct RecordedFrame {
   std::vector<robotlink::StreamMessage> messages;
   std::size_t bytes = 0;    ///< about what they occupy

@@ -36,10 +36,10 @@ robotlink::Result<robotcontrol::StreamSelection> readSelection(std::string_view 
     const bool excluded = part.starts_with('-');
     const std::string pattern(excluded ? trimmed(part.substr(1)) : part);
     if (pattern.empty() || pattern.find_first_of(" \t") != std::string::npos) {
-      return robotlink::failure("selection.pattern",
-                                "'" + std::string(part) +
-                                    "' is no stream's path; write them like red1/*,-*/transforms",
-                                {}, {std::string(part)});
+      return robotlink::failure(
+          "selection.pattern",
+          "'" + std::string(part) + "' is no stream's path; write them like red1/*,-*/transforms", {},
+          {std::string(part)});
     }
     *(excluded ? selection.add_exclude() : selection.add_include()) = pattern;
     if (comma == std::string_view::npos) return selection;
@@ -73,7 +73,8 @@ bool RecordedStreams::excludes(std::string_view path) const {
 
 bool RecordedStreams::decide(std::string_view path) const {
   if (excludes(path)) return false;
-  if (path == streams::kBookmarks || isOfARobot(path, streams::kProgram) || isOfARobot(path, streams::kRequests))
+  if (path == streams::kBookmarks || isOfARobot(path, streams::kProgram) ||
+      isOfARobot(path, streams::kRequests))
     return true;
   if (!choice_.include.empty()) return choice_.has(path);
   return !fits(path, "*/images/*") && !fits(path, "*/logged/*");

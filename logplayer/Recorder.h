@@ -19,9 +19,9 @@ namespace logplayer {
 /// request, to be saved. What holds until it is told anew (tables, parameters, colour tables, the scene,
 /// set-ups of programs) is kept from the beginning and opens every file.
 ///
-/// When a platform is set back (restart(), or a process whose time goes back) the recording goes on in a new file,
-/// so that in each of them time goes on only forwards; what was kept in memory is forgotten. A disk that is full
-/// ends the recording; status() says so, and the file is readable.
+/// When a platform is set back (restart(), or a process whose time goes back) the recording goes on in a new
+/// file, so that in each of them time goes on only forwards; what was kept in memory is forgotten. A disk
+/// that is full ends the recording; status() says so, and the file is readable.
 ///
 /// All functions from any thread.
 class Recorder {

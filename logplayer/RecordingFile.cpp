@@ -48,7 +48,8 @@ std::filesystem::path numbered(const std::filesystem::path& path, int first) {
   if (first < 2 && !std::filesystem::exists(path, error)) return path;
   for (int number = std::max(first, 2);; ++number) {
     auto candidate = path;
-    candidate.replace_filename(path.stem().string() + "-" + std::to_string(number) + path.extension().string());
+    candidate.replace_filename(path.stem().string() + "-" + std::to_string(number) +
+                               path.extension().string());
     if (!std::filesystem::exists(candidate, error)) return candidate;
   }
 }
@@ -128,9 +129,10 @@ Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wish
     in = folder;
     std::filesystem::create_directories(in, error);
     if (error) {
-      return robotlink::failure("recording.folder",
-                                "the folder for recordings cannot be made (" + error.message() + "); choose another one",
-                                {in.string(), 0, 0}, {in.string()});
+      return robotlink::failure(
+          "recording.folder",
+          "the folder for recordings cannot be made (" + error.message() + "); choose another one",
+          {in.string(), 0, 0}, {in.string()});
     }
   } else if (!std::filesystem::is_directory(wished, error)) {
     return wished;

@@ -53,8 +53,8 @@ class RecordingFile {
   std::uint64_t messages_ = 0;
 };
 
-/// A file that does not exist yet: `wished`; if that is a folder, or nothing, "robotcontrol-YYYYMMDD-HHMMSS.mcap" in
-/// it, or in `folder`, which is made.
+/// A file that does not exist yet: `wished`; if that is a folder, or nothing,
+/// "robotcontrol-YYYYMMDD-HHMMSS.mcap" in it, or in `folder`, which is made.
 robotlink::Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wished,
                                                           const std::filesystem::path& folder);
 /// "game.mcap" gives "game-2.mcap", the first number that is free: where a recording goes on.

@@ -7,8 +7,8 @@ namespace logplayer {
 namespace {
 
 constexpr std::chrono::milliseconds kTick{50};
-/// Less than this need not wake the thread: the next tick takes it. Then it takes many frames at once, so that those who push
-/// seldom meet it.
+/// Less than this need not wake the thread: the next tick takes it. Then it takes many frames at once, so
+/// that those who push seldom meet it.
 constexpr std::size_t kWorthWaking = 1U << 20U;
 constexpr std::size_t kMostAtOnce = 256;
 constexpr std::chrono::seconds kWarnEvery{5};

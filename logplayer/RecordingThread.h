@@ -15,8 +15,8 @@
 
 namespace logplayer {
 
-/// Writes frames into one file after the other, in the order in which frames and files came; nobody who pushes
-/// waits for the disk. Frames that come while no file is open, or after one has failed, are let go.
+/// Writes frames into one file after the other, in the order in which frames and files came; nobody who
+/// pushes waits for the disk. Frames that come while no file is open, or after one has failed, are let go.
 ///
 /// All functions from any thread; the callbacks come from its own.
 class RecordingThread {
@@ -24,7 +24,8 @@ class RecordingThread {
   using Held = std::vector<robotlink::StreamMessage>;
   struct Options {
     std::size_t queueBytes = 64U << 20U;
-    /// A file failed: it is closed, and what was written before can be read. `newest`: none was opened after it.
+    /// A file failed: it is closed, and what was written before can be read. `newest`: none was opened after
+    /// it.
     std::function<void(const robotlink::Error&, bool newest)> failed;
     std::function<void(const std::string&)> warn;
   };
@@ -44,7 +45,8 @@ class RecordingThread {
 
   /// What is pushed from now on goes into this file, behind what held before.
   void open(std::shared_ptr<RecordingFile> file, Held before);
-  /// The same with a file that is yet to be made, named after the one before; the same one if nothing is in it.
+  /// The same with a file that is yet to be made, named after the one before; the same one if nothing is in
+  /// it.
   void openNext(const RecordingFile::Options& how, Held before);
   void push(RecordedFramePtr frame);
   void close();
@@ -78,8 +80,8 @@ class RecordingThread {
 
   // Its own.
   std::shared_ptr<RecordingFile> file_;
-  std::filesystem::path path_;     // of the newest file
-  std::filesystem::path wished_;   // of the one that was opened; those where it went on are named after it
+  std::filesystem::path path_;    // of the newest file
+  std::filesystem::path wished_;  // of the one that was opened; those where it went on are named after it
   Clock::time_point tickedAt_, warnedAt_;
   std::uint64_t warnedOf_ = 0;
 

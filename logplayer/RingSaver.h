@@ -14,8 +14,8 @@
 
 namespace logplayer {
 
-/// Writes what a ring kept into a file, in a thread of its own, one at a time, so that a recording that goes on
-/// meanwhile is not held up. All functions from any thread.
+/// Writes what a ring kept into a file, in a thread of its own, one at a time, so that a recording that goes
+/// on meanwhile is not held up. All functions from any thread.
 class RingSaver {
  public:
   struct Job {

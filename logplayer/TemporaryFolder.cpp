@@ -14,7 +14,8 @@ robotlink::Result<TemporaryFolder> TemporaryFolder::make() {
   std::string name = (parent / "robotcontrol-XXXXXX").string();
   if (error || ::mkdtemp(name.data()) == nullptr) {
     const std::string why = error ? error.message() : std::strerror(errno);
-    return robotlink::failure("log.temporary", "no temporary folder can be made: " + why + "; TMPDIR names the place",
+    return robotlink::failure("log.temporary",
+                              "no temporary folder can be made: " + why + "; TMPDIR names the place",
                               {parent.string(), 0, 0}, {why});
   }
   return TemporaryFolder(name);

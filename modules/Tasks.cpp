@@ -15,13 +15,14 @@ const TaskRegistration kBallPercept("ball-percept",
 const TaskRegistration kLandmarkPercepts("landmark-percepts", "Finds beacons and goals in the image.");
 const TaskRegistration kRobotPercepts("robot-percepts", "Finds other robots in the image.");
 const TaskRegistration kBallModel("ball-model", "Tells where the ball is, seen or not, and how it rolls.");
-const TaskRegistration kSelfLocalisation("self-localisation", "Tells where the robot is on the field, or in the building.");
+const TaskRegistration kSelfLocalisation("self-localisation",
+                                         "Tells where the robot is on the field, or in the building.");
 const TaskRegistration kPlayersModel("players-model", "Tells where the other robots are on the field.");
 const TaskRegistration kBehavior("behavior", "Decides what the robot does: where it goes, looks and kicks.");
 const TaskRegistration kPathPlanning("path-planning", "Plans the way to the goal that a person set.");
 const TaskRegistration kDriving("driving", "Decides where a robot on wheels goes.");
-const TaskRegistration kObstacleAvoidance("obstacle-avoidance",
-                                          "Drives as is wished where that is safe, and around what is in the way.");
+const TaskRegistration kObstacleAvoidance(
+    "obstacle-avoidance", "Drives as is wished where that is safe, and around what is in the way.");
 const TaskRegistration kHeadControl("head-control",
                                     "Turns the head to where the behaviour wants it to look.");
 const TaskRegistration kMotion("motion", "Moves the joints: stands, walks, kicks and gets up.");

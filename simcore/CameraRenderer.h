@@ -9,9 +9,9 @@
 
 namespace simcore {
 
-/// What a lens lets through less and less from the image's centre to its corners, as that of a real Aibo does.
-/// With r the distance from the centre, 1 in the corners, all light is multiplied by 1 - falloff * r^2, and
-/// red and green by 1 - tint * r^2 besides, which makes the corners bluish.
+/// What a lens lets through less and less from the image's centre to its corners, as that of a real Aibo
+/// does. With r the distance from the centre, 1 in the corners, all light is multiplied by 1 - falloff * r^2,
+/// and red and green by 1 - tint * r^2 besides, which makes the corners bluish.
 struct Vignetting {
   double falloff = 0;  ///< 0 to 1
   double tint = 0;     ///< 0 to 1
@@ -81,7 +81,8 @@ class CameraRenderer {
 
   /// What the last image shows, whatever its light, noise and lens: a kMono8 image of its size with
   /// labels[i] where the pixel's centre sees instance i of the scene, else `background`. Instances past the
-  /// end of `labels` are background, too. Little work, as nothing is drawn anew; empty before the first image.
+  /// end of `labels` are background, too. Little work, as nothing is drawn anew; empty before the first
+  /// image.
   void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:

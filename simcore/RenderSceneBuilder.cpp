@@ -11,7 +11,8 @@ namespace {
 using MeshKey = std::tuple<Shape::Kind, double, double, double, double, double, const Mesh*>;
 
 MeshKey keyOf(const Shape& shape) {
-  return {shape.kind, shape.size.x(), shape.size.y(), shape.size.z(), shape.radius, shape.length, shape.mesh.get()};
+  return {shape.kind,   shape.size.x(), shape.size.y(),  shape.size.z(),
+          shape.radius, shape.length,   shape.mesh.get()};
 }
 
 Mesh planeMesh(const Vector3& size) {

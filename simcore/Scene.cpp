@@ -98,7 +98,8 @@ Draft readMapScene(const fs::path& file, Errors& errors) {
 /// The first of the world's own models that fits; null if there is none.
 template <typename Fits>
 const ModelInstance* firstModel(const WorldDescription& world, Fits fits) {
-  const auto found = std::ranges::find_if(world.models, [&](const ModelInstance& model) { return fits(*model.type); });
+  const auto found =
+      std::ranges::find_if(world.models, [&](const ModelInstance& model) { return fits(*model.type); });
   return found == world.models.end() ? nullptr : &*found;
 }
 
@@ -118,14 +119,15 @@ std::shared_ptr<const ModelDescription> readRobot(Draft& draft, const std::strin
 void putRobots(Draft& draft, RobotsToAdd robots, const fs::path& file, const SdfSpec& spec, Errors& errors) {
   std::shared_ptr<const ModelDescription> type;
   if (robots.model.empty()) {
-    const auto* own =
-        firstModel(draft.world, [](const ModelDescription& model) { return !model.robot.empty() && !model.isStatic; });
+    const auto* own = firstModel(
+        draft.world, [](const ModelDescription& model) { return !model.robot.empty() && !model.isStatic; });
     if (own != nullptr) type = own->type;
     robots.model = own != nullptr ? own->type->name : RobotsToAdd{}.model;
   }
   if (!type) type = readRobot(draft, robots.model, file, spec, errors);
   if (!type) return;
-  const auto added = addRobots(draft.world, draft.map.get(), type, robots, draft.files.palette, file.string());
+  const auto added =
+      addRobots(draft.world, draft.map.get(), type, robots, draft.files.palette, file.string());
   if (!added) errors.push_back(added.error());
 }
 
@@ -159,7 +161,8 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
     if (!model.type->robot.empty()) implementation.robots.push_back({model.name, model.type->robot});
     if (model.type->isBall) implementation.balls.push_back(model.name);
   }
-  if (const auto* field = firstModel(implementation.world, [](const auto& model) { return !model.field.empty(); })) {
+  if (const auto* field =
+          firstModel(implementation.world, [](const auto& model) { return !model.field.empty(); })) {
     implementation.field = field->type->field;
   }
   implementation.renderScene = buildRenderScene(implementation.world);

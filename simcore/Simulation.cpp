@@ -67,7 +67,8 @@ struct Simulation::Implementation {
       if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
     }
     if (!ports.ranges.empty()) {
-      ranging = std::make_unique<RangeSensing>(scene->implementation().renderScene, ports.ranges, ports.rangeOwners);
+      ranging = std::make_unique<RangeSensing>(scene->implementation().renderScene, ports.ranges,
+                                               ports.rangeOwners);
     }
     start();
   }

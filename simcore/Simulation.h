@@ -44,9 +44,9 @@ struct Servo {
 
 /// Driven wheels on a robot's two sides ("skid steering"). A side's wheels are told one speed.
 struct WheelDrive {
-  PortInfo info;           ///< "p3at1/drive": the speeds of the left and the right rims, {2}, m/s
-  double wheelRadius = 0;  ///< m
-  double track = 0;        ///< m; while nothing is in the way, the robot turns by (right - left) / track
+  PortInfo info;            ///< "p3at1/drive": the speeds of the left and the right rims, {2}, m/s
+  double wheelRadius = 0;   ///< m
+  double track = 0;         ///< m; while nothing is in the way, the robot turns by (right - left) / track
   double maximumSpeed = 0;  ///< m/s, of the rims
 };
 
@@ -95,8 +95,8 @@ class Simulation {
   std::span<const Sensor> sensors() const;
   std::span<const CameraSensor> cameras() const;
   std::span<const RangeSensor> rangeSensors() const;
-  /// Writes what a range sensor measures now, m, into a span of as many as its readings. It costs something only when it
-  /// is called. The same within a step however often, and whether others are asked for or not.
+  /// Writes what a range sensor measures now, m, into a span of as many as its readings. It costs something
+  /// only when it is called. The same within a step however often, and whether others are asked for or not.
   void measure(std::size_t rangeSensor, std::span<double> ranges) const;
   std::span<const Servo> servos() const;
   /// An angle for a servo; limited to its range.
@@ -106,8 +106,8 @@ class Simulation {
 
   std::span<const WheelDrive> drives() const;
   const WheelState& wheelState(std::size_t drive) const;
-  /// Speeds of a drive's rims, m/s, limited to what it can, from the next step on. How fast they may change is
-  /// up to whoever asks.
+  /// Speeds of a drive's rims, m/s, limited to what it can, from the next step on. How fast they may change
+  /// is up to whoever asks.
   void requestWheelSpeeds(std::size_t drive, double left, double right);
   /// Motors without power roll out against their gears' friction. They are on at first.
   void setDriveOn(std::size_t drive, bool on);

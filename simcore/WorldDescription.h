@@ -23,7 +23,7 @@ struct Shape {
   Kind kind = Kind::kBox;
   Vector3 size = Vector3::Zero();  ///< box: edges; plane: x and y are those of its picture
   double radius = 0;
-  double length = 0;  ///< of a cylinder, and of a capsule's cylindrical part
+  double length = 0;                      ///< of a cylinder, and of a capsule's cylindrical part
   std::shared_ptr<const Mesh> mesh = {};  ///< kMesh, which is for visuals only
 };
 
@@ -108,7 +108,7 @@ struct SensorDescription {
 
 /// Where a robot of a team stands at the start, on a field.
 struct HomeDescription {
-  std::string team;  ///< empty: of any
+  std::string team;        ///< empty: of any
   robotlink::Pose2 place;  ///< in the model
 };
 

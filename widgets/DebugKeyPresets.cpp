@@ -19,7 +19,9 @@ robotlink::KeyPresets presets() {
   return robotlink::KeyPresets(robotlink::userDirectory() / "presets");
 }
 
-robotlink::KeyPresets shippedPresets() { return robotlink::KeyPresets(robotlink::resource("presets")); }
+robotlink::KeyPresets shippedPresets() {
+  return robotlink::KeyPresets(robotlink::resource("presets"));
+}
 
 }  // namespace
 
@@ -46,7 +48,8 @@ void DebugKeysView::notify(const QString& notice) {
 
 void DebugKeysView::loadPreset(const QString& name) {
   const QString shipped = shippedName();
-  const auto preset = shipped.isEmpty() ? presets().load(name.toStdString()) : shippedPresets().load(shipped.toStdString());
+  const auto preset =
+      shipped.isEmpty() ? presets().load(name.toStdString()) : shippedPresets().load(shipped.toStdString());
   if (!preset) return notify(QString::fromStdString(preset.error().describe()));
   std::map<std::string, KeyValue> wanted;
   for (const auto& key : preset->keys()) wanted[key.name()] = keyValue(key.mode());
@@ -72,8 +75,10 @@ void DebugKeysView::savePreset() {
   if (const QString shipped = shippedName(); name.isEmpty() || !shipped.isEmpty()) {
     presets_->lineEdit()->setFocus();
     presets_->lineEdit()->selectAll();
-    return notify(name.isEmpty() ? tr("Type a name for the preset, then save.")
-                                 : tr("%1 is a shipped preset and stays as it is. Type another name, then save.").arg(shipped));
+    return notify(
+        name.isEmpty()
+            ? tr("Type a name for the preset, then save.")
+            : tr("%1 is a shipped preset and stays as it is. Type another name, then save.").arg(shipped));
   }
   const auto saved = presets().save(name.toStdString(), table);
   listPresets();
@@ -90,7 +95,8 @@ void DebugKeysView::removePreset() {
   if (removed) presets_->setEditText({});
   listPresets();
   if (removed) presets_->setEditText({});
-  notify(removed ? tr("Deleted the preset %1.").arg(name) : QString::fromStdString(removed.error().describe()));
+  notify(removed ? tr("Deleted the preset %1.").arg(name)
+                 : QString::fromStdString(removed.error().describe()));
 }
 
 }  // namespace widgets

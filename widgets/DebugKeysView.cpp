@@ -48,11 +48,12 @@ void DebugKeysView::createActions() {
                            {"keysActiveOnly", tr("Only those that are on"),
                             tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
   activeOnly_->setCheckable(true);
-  allOff_ =
-      makeAction(this, "clear", {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
-  savePreset_ = makeAction(this, "save",
-                           {"keysSavePreset", tr("Save preset"),
-                            tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
+  allOff_ = makeAction(this, "clear",
+                       {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
+  savePreset_ =
+      makeAction(this, "save",
+                 {"keysSavePreset", tr("Save preset"),
+                  tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
   removePreset_ = makeAction(
       this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
 }
@@ -126,7 +127,8 @@ void DebugKeysView::connectSignals() {
 
 void DebugKeysView::tick() {
   const std::string& robot = session().selectedRobot();
-  const auto tables = latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
+  const auto tables =
+      latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
   auto values = valuesOf(tables);
   if (robot == robot_ && values == shown_) return;
   const std::size_t before = robot == robot_ ? model_.keys().size() : 0;
@@ -150,9 +152,10 @@ void DebugKeysView::showState() {
   });
   allOff_->setEnabled(on > 0);
   // Most keys have no number: its place is the names' then.
-  tree_->setColumnHidden(KeyTreeModel::kNumber, std::none_of(keys.begin(), keys.end(), [this](const KeyEntry& key) {
-    return hasNumber(model_.shownValue(key).kind);
-  }));
+  tree_->setColumnHidden(KeyTreeModel::kNumber,
+                         std::none_of(keys.begin(), keys.end(), [this](const KeyEntry& key) {
+                           return hasNumber(model_.shownValue(key).kind);
+                         }));
   QStringList said;
   if (!notice_.isEmpty()) said << notice_;
   if (!keys.empty()) said << tr("%1 of %2 keys are on").arg(on).arg(keys.size());

@@ -30,7 +30,8 @@ void DrawingsPanel::createViews() {
 
   list_ = new QListView(this);
   describe(*list_, {"drawingsList", tr("Drawings"),
-                    tr("Checked drawings are shown; what is lower in the list lies on top. Grey ones are off at the robot: "
+                    tr("Checked drawings are shown; what is lower in the list lies on top. Grey ones are off "
+                       "at the robot: "
                        "check one to switch it on")});
   list_->setModel(filtered_);
   list_->setUniformItemSizes(true);
@@ -39,8 +40,7 @@ void DrawingsPanel::createViews() {
   list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
   auto* hint = new EmptyHint(list_);
   const auto update = [this, hint] {
-    hint->setHint(model_.rowCount() == 0
-                      ? tr("There is no robot that could draw anything here.")
+    hint->setHint(model_.rowCount() == 0       ? tr("There is no robot that could draw anything here.")
                   : filtered_->rowCount() == 0 ? tr("No drawing has this in its name.")
                                                : QString());
   };
@@ -71,10 +71,13 @@ QWidget* DrawingsPanel::createButtons() {
       [this] { model_.setAllShown(true); });
   add("check-none", {"drawingsNone", tr("Show none"), tr("Hides all drawings")},
       [this] { model_.setAllShown(false); });
-  add("clear", {"drawingsOff", tr("Switch off"), tr("Switches the chosen drawing's debug key off: the robot no longer draws it")}, [this] {
-    const QModelIndex current = list_->currentIndex();
-    if (current.isValid()) model_.switchKey(filtered_->mapToSource(current).row(), false);
-  });
+  add("clear",
+      {"drawingsOff", tr("Switch off"),
+       tr("Switches the chosen drawing's debug key off: the robot no longer draws it")},
+      [this] {
+        const QModelIndex current = list_->currentIndex();
+        if (current.isValid()) model_.switchKey(filtered_->mapToSource(current).row(), false);
+      });
   layout->addStretch(1);
   add("up",
       {"drawingsUp", tr("Lower"), tr("Puts the drawing below the one before it"),

@@ -17,7 +17,8 @@ struct RobotDescription;
 namespace widgets {
 
 /// What the head shall do: a list of modes, and sliders for its joints in degrees. Moving a slider chooses
-/// the mode "angles". Ranges are those of the robot's description. Who steers asks for wish() as often as he commands.
+/// the mode "angles". Ranges are those of the robot's description. Who steers asks for wish() as often as he
+/// commands.
 class HeadPanel final : public QGroupBox {
   Q_OBJECT
  public:

@@ -41,7 +41,8 @@ void restoreHeader(QHeaderView& header, const QJsonValue& state) {
   }
   const int sorted = state[QLatin1String("sorted_by")].toInt(-1);
   if (!header.isSortIndicatorShown() || sorted < 0 || sorted >= header.count()) return;
-  header.setSortIndicator(sorted, state[QLatin1String("descending")].toBool() ? Qt::DescendingOrder : Qt::AscendingOrder);
+  header.setSortIndicator(
+      sorted, state[QLatin1String("descending")].toBool() ? Qt::DescendingOrder : Qt::AscendingOrder);
 }
 
 }  // namespace widgets

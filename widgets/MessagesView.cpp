@@ -233,7 +233,8 @@ void MessagesView::takeLogs() {
     if (log->overview->texts == nullptr) continue;
     for (LogEntry entry : *log->overview->texts) {
       entry.time += log->offset;
-      entry.robot = QString::fromStdString(robotPart(OpenLogs::toldAs(*log, entry.robot.toStdString() + "/")));
+      entry.robot =
+          QString::fromStdString(robotPart(OpenLogs::toldAs(*log, entry.robot.toStdString() + "/")));
       entry.logged = true;
       logged_.insert(keyOf(entry));
       entries.push_back(std::move(entry));
@@ -335,8 +336,9 @@ void MessagesView::showState() {
                   : all == 1  ? tr("1 message")
                               : tr("%1 messages").arg(all));
   if (all == 0) {
-    hint_->setHint(logs_.replay().open() ? tr("The log holds no messages.")
-                                         : tr("No messages yet. They appear here when a robot's program says something."));
+    hint_->setHint(logs_.replay().open()
+                       ? tr("The log holds no messages.")
+                       : tr("No messages yet. They appear here when a robot's program says something."));
   } else {
     hint_->setHint(shown == 0 ? tr("No message passes the filters. Clear the filter or lower the level.")
                               : QString());
@@ -344,12 +346,11 @@ void MessagesView::showState() {
 }
 
 QJsonObject MessagesView::saveState() const {
-  return {
-      {QStringLiteral("level"), level_->currentData().toInt()},
-      {QStringLiteral("filter"), pattern_->text()},
-      {QStringLiteral("regex"), regex_->isChecked()},
-      {QStringLiteral("follow"), follow_->isChecked()},
-      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
+  return {{QStringLiteral("level"), level_->currentData().toInt()},
+          {QStringLiteral("filter"), pattern_->text()},
+          {QStringLiteral("regex"), regex_->isChecked()},
+          {QStringLiteral("follow"), follow_->isChecked()},
+          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void MessagesView::restoreState(const QJsonObject& state) {

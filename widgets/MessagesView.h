@@ -23,8 +23,9 @@ class EmptyHint;
 class LogFilter;
 
 /// What the robots say in words: a table with filters for level, robot and text, a search, follow, pause,
-/// clear and copy. While the time line stands at an instant, the row of that instant is the current one. Of open logs all
-/// messages are listed, those after the play head muted; a double click goes to a message's time.
+/// clear and copy. While the time line stands at an instant, the row of that instant is the current one. Of
+/// open logs all messages are listed, those after the play head muted; a double click goes to a message's
+/// time.
 class MessagesView final : public View {
   Q_OBJECT
  public:
@@ -68,8 +69,9 @@ class MessagesView final : public View {
   std::map<std::string, StreamCursor> cursors_;  // by stream
   std::uint64_t generation_ = 0;                 // of the store that was read
   OpenLogs& logs_;
-  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>> listed_;  // of the logs, with offsets
-  std::set<std::string> logged_;                 // keys of the messages that the logs hold
+  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>>
+      listed_;                    // of the logs, with offsets
+  std::set<std::string> logged_;  // keys of the messages that the logs hold
   robotlink::Instant shown_;
 };
 

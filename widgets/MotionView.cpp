@@ -48,9 +48,10 @@ MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, pa
 }
 
 void MotionView::createActions() {
-  take_ = makeButton(this, makeAction(this, "take-over",
-                                      {"motionTakeOver", tr("Take over"),
-                                       tr("Switches the behavior to obeying you, and back"), tr("Ctrl+Shift+T")}));
+  take_ = makeButton(this,
+                     makeAction(this, "take-over",
+                                {"motionTakeOver", tr("Take over"),
+                                 tr("Switches the behavior to obeying you, and back"), tr("Ctrl+Shift+T")}));
   take_->defaultAction()->setCheckable(true);
   take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
   take_->setAutoRaise(false);
@@ -177,8 +178,10 @@ void MotionView::nameRobot() {
   const QString name = QString::fromStdString(robot_);
   robotName_->setText(name);
   robotName_->setVisible(!name.isEmpty());
-  stop_->setToolTip(name.isEmpty() ? tr("Stops the robot at its platform, whatever its program does; stays until released")
-                                   : tr("Stops %1 at its platform, whatever its program does; stays until released").arg(name));
+  stop_->setToolTip(
+      name.isEmpty()
+          ? tr("Stops the robot at its platform, whatever its program does; stays until released")
+          : tr("Stops %1 at its platform, whatever its program does; stays until released").arg(name));
 }
 
 void MotionView::keepLimits() {
@@ -226,7 +229,8 @@ void MotionView::switchMotors(bool on) {
   request.mutable_control_drive()->set_motors(on);
   ask(session(), robot_, std::move(request));
   const auto* state = driveState();
-  motors_->defaultAction()->setChecked(state != nullptr && state->motors_on());  // what the base says, not what was clicked
+  motors_->defaultAction()->setChecked(state != nullptr &&
+                                       state->motors_on());  // what the base says, not what was clicked
 }
 
 void MotionView::tick() {
@@ -349,7 +353,8 @@ QString MotionView::stateText() const {
   const auto* base = drive_ ? driveState() : nullptr;
   if (base == nullptr || takeOver_.state() != TakeOver::State::kTaken) return takeOver_.text();
   if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
-  return base->motors_on() ? takeOver_.text() : tr("You steer the robot, but its motors are off: switch them on.");
+  return base->motors_on() ? takeOver_.text()
+                           : tr("You steer the robot, but its motors are off: switch them on.");
 }
 
 void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
@@ -363,11 +368,13 @@ void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
   }
   const auto walk = commander_.command().motion().walk();
   speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
-  WalkPad::Picture picture{commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
+  WalkPad::Picture picture{
+      commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
   // Of real robots nobody knows the truth: what they say of themselves is shown.
   if (const auto real = measured ? measured : drive_ ? believed : std::nullopt) {
     const auto limits = commander_.limits();
-    picture.measured = WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
+    picture.measured =
+        WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
   }
   walkPad_->show(std::move(picture));
 }

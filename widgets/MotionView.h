@@ -16,7 +16,7 @@ class QToolButton;
 namespace robotcontrol {
 class DriveState;
 class MotionStatus;
-}
+}  // namespace robotcontrol
 
 namespace widgets {
 

@@ -29,7 +29,11 @@ class TimeTicker final : public QCPAxisTicker {
 }  // namespace
 
 PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
-    : QWidget(parent), curves_(curves), plot_(new QCustomPlot(this)), mark_(new QCPItemStraightLine(plot_)), cursor_(new QCPItemStraightLine(plot_)) {
+    : QWidget(parent),
+      curves_(curves),
+      plot_(new QCustomPlot(this)),
+      mark_(new QCPItemStraightLine(plot_)),
+      cursor_(new QCPItemStraightLine(plot_)) {
   plot_->setObjectName(QStringLiteral("plotCanvas"));
   plot_->setAccessibleName(tr("Plot"));
   plot_->setFocusPolicy(Qt::StrongFocus);

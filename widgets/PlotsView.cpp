@@ -38,7 +38,8 @@ constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
 /// Whether a stream is a package that an open log holds and that is not recomputed.
 bool isAsLogged(const robotcontrol::ReplayStatus& status, const std::string& stream) {
   return std::any_of(status.packages().begin(), status.packages().end(), [&](const auto& package) {
-    return package.package() == stream && package.logged() && package.source() == robotcontrol::ControlReplay::AS_LOGGED;
+    return package.package() == stream && package.logged() &&
+           package.source() == robotcontrol::ControlReplay::AS_LOGGED;
   });
 }
 
@@ -59,9 +60,9 @@ PlotsView::PlotsView(ViewContext& context, QWidget* parent)
 }
 
 void PlotsView::createActions() {
-  showTree_ =
-      makeAction(this, "filter",
-                 {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")});
+  showTree_ = makeAction(
+      this, "filter",
+      {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")});
   showTree_->setIcon({});
   showTree_->setCheckable(true);
   showTree_->setChecked(true);
@@ -78,7 +79,8 @@ void PlotsView::createActions() {
   pause_->setCheckable(true);
   fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all that the curves have"), tr("Ctrl+0")});
   csv_ = makeAction(this, "save",
-                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
+                     QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   png_ = makeAction(this, "camera", {"plotsPng", tr("Export PNG"), tr("Writes the picture to a file")});
 }
 
@@ -214,7 +216,8 @@ void PlotsView::requestMissing() {
   for (auto& curve : curves_.curves()) {
     if (curve->requested) continue;
     const PlotSource& source = curve->series.source();
-    if (isAsLogged(openLogs(context()).replay().status(), source.stream)) continue;  // it comes without being asked for
+    if (isAsLogged(openLogs(context()).replay().status(), source.stream))
+      continue;  // it comes without being asked for
     const std::string key = keyFor(session().store(), source, session().timeline().newest());
     if (key.empty()) continue;
     curve->requested = true;
@@ -234,7 +237,8 @@ void PlotsView::requestMissing() {
 void PlotsView::listSources() {
   if (listVersion_ == session().store().listVersion()) return;
   listVersion_ = session().store().listVersion();
-  sources_.setSources(plotSources(session().store()), [this](const PlotSource& source) { return jointOf(source); });
+  sources_.setSources(plotSources(session().store()),
+                      [this](const PlotSource& source) { return jointOf(source); });
   tree_->header()->setStretchLastSection(false);
   tree_->header()->setSectionResizeMode(PlotTreeModel::kName, QHeaderView::Stretch);
   tree_->header()->setSectionResizeMode(PlotTreeModel::kUnit, QHeaderView::ResizeToContents);
@@ -245,7 +249,9 @@ void PlotsView::listSources() {
 QString PlotsView::jointOf(const PlotSource& source) const {
   constexpr std::string_view kPositions = "positions[";
   const auto robot = context().robots.find(robotPart(source.stream));
-  if (source.type != "robotcontrol.JointRequest" || !source.field.starts_with(kPositions) || robot == context().robots.end()) return {};
+  if (source.type != "robotcontrol.JointRequest" || !source.field.starts_with(kPositions) ||
+      robot == context().robots.end())
+    return {};
   const std::size_t number = std::strtoul(source.field.c_str() + kPositions.size(), nullptr, 10);
   const auto& joints = robot->second->joints;
   return number < joints.size() ? QString::fromStdString(joints[number].name) : QString();

@@ -57,8 +57,8 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
   const QRectF row = port.rect.adjusted(kMargin, 0, -kMargin, 0);
-  // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in the
-  // tool tip.
+  // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in
+  // the tool tip.
   const bool lossy = !output && port.falls;
   const QString figures = lossy ? ProcessGraphWidget::tr("%1 missed").arg(port.missed) : rateText(port.rate);
   const double width = painter.fontMetrics().horizontalAdvance(figures);

@@ -10,7 +10,8 @@ namespace widgets {
 
 /// Draws a ProcessGraph and lets one look at it: wheel zooms at the cursor, dragging pans, F or a double
 /// click fits, + and - zoom, the arrows pan; a click chooses a process. Solid edges block their receiver,
-/// dashed ones do not; where a process does not keep up with what it waits for it is orange, a process that failed is red and says why.
+/// dashed ones do not; where a process does not keep up with what it waits for it is orange, a process that
+/// failed is red and says why.
 class ProcessGraphWidget final : public QWidget {
   Q_OBJECT
  public:

@@ -7,7 +7,8 @@
 namespace widgets {
 
 RobotChoice::RobotChoice(const char* name, QWidget* parent, Offer offer) : QComboBox(parent), offer_(offer) {
-  describe(*this, {name, tr("Robot"), offer == Offer::kAll ? tr("Whose drawings are shown") : tr("Which robot is shown")});
+  describe(*this, {name, tr("Robot"),
+                   offer == Offer::kAll ? tr("Whose drawings are shown") : tr("Which robot is shown")});
   setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
   setMinimumContentsLength(9);
   list({});

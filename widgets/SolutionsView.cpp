@@ -27,7 +27,6 @@ const ViewRegistration kRegistration{
      QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
      "solutions", false, create<SolutionsView>}};
 
-
 }  // namespace
 
 SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(context, parent) {
@@ -38,9 +37,10 @@ SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(conte
 }
 
 void SolutionsView::createActions() {
-  defaults_ = makeAction(this, "reset",
-                         {"solutionsDefaults", tr("Defaults"),
-                          tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
+  defaults_ =
+      makeAction(this, "reset",
+                 {"solutionsDefaults", tr("Defaults"),
+                  tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
   showParameters_ = makeAction(this, "settings",
                                {"solutionsParameters", tr("Parameters"),
                                 tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
@@ -98,7 +98,8 @@ void SolutionsView::connectSignals() {
 
 void SolutionsView::tick() {
   const std::string& robot = session().selectedRobot();
-  const auto tables = latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().shown());
+  const auto tables =
+      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().shown());
   auto values = valuesOf(tables);
   if (robot != robot_ || values != shown_) {
     const int before = robot == robot_ ? model_.rowCount() : 0;

@@ -36,7 +36,7 @@ class SpeedPanel final : public QGroupBox {
   void showRow(Row row, const std::optional<Speed>& speed);
 
   std::array<std::array<QLabel*, 3>, kRows> cells_{};
-  QLabel* sideways_ = nullptr;  // the head of its column
+  QLabel* sideways_ = nullptr;          // the head of its column
   QDoubleSpinBox* speed_ = nullptr;     // mm/s
   QDoubleSpinBox* rotation_ = nullptr;  // rad/s
 };

@@ -7,7 +7,8 @@ namespace widgets {
 
 QString stopStyle(const QString& widgetClass) {
   return QStringLiteral(
-             "%1 { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; border-radius: 5px;"
+             "%1 { background: #c62828; color: white; font-weight: bold; border: 2px solid #8e1b1b; "
+             "border-radius: 5px;"
              " padding: 2px 12px; }"
              "%1:hover { background: #d83a3a; } %1:pressed { background: #8e1b1b; }"
              "%1:checked { background: #ffd54f; color: #5d1212; border-color: #c62828; }"
@@ -17,7 +18,8 @@ QString stopStyle(const QString& widgetClass) {
 }
 
 QString stopText(bool engaged) {
-  return engaged ? QCoreApplication::translate("Stop", "STOPPED: click to release") : QCoreApplication::translate("Stop", "STOP");
+  return engaged ? QCoreApplication::translate("Stop", "STOPPED: click to release")
+                 : QCoreApplication::translate("Stop", "STOP");
 }
 
 }  // namespace widgets

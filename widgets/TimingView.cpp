@@ -23,8 +23,8 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"timing", QT_TRANSLATE_NOOP("View", "Timing"),
-     QT_TRANSLATE_NOOP("View", "Shows how long each task takes, and its share of its process's period."), "timing",
-     false, create<TimingView>}};
+     QT_TRANSLATE_NOOP("View", "Shows how long each task takes, and its share of its process's period."),
+     "timing", false, create<TimingView>}};
 
 constexpr char kKey[] = "timing/tasks";
 
@@ -39,9 +39,10 @@ TimingView::TimingView(ViewContext& context, QWidget* parent)
 }
 
 void TimingView::createActions() {
-  measure_ = makeAction(this, "timing",
-                        {"timingMeasure", tr("Measure"),
-                         tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+Shift+M")});
+  measure_ =
+      makeAction(this, "timing",
+                 {"timingMeasure", tr("Measure"),
+                  tr("Lets the robot measure its tasks (debug key timing/tasks)"), tr("Ctrl+Shift+M")});
   measure_->setCheckable(true);
   measure_->setChecked(true);
   reset_ = makeAction(this, "reset",
@@ -129,8 +130,8 @@ void TimingView::followRobot() {
 
 /// What another layout does not have any more; whether the program was another one.
 bool TimingView::forgetDead() {
-  const auto* table = session().store().latestAs<robotcontrol::ProcessTable>(robot_ + '/' + robotlink::streams::kProcesses,
-                                                                            session().timeline().newest());
+  const auto* table = session().store().latestAs<robotcontrol::ProcessTable>(
+      robot_ + '/' + robotlink::streams::kProcesses, session().timeline().newest());
   if (table == nullptr || model_.rowCount() == 0) return false;
   std::string program;
   for (const auto& process : table->processes()) {
@@ -166,9 +167,8 @@ void TimingView::tick() {
 }
 
 QJsonObject TimingView::saveState() const {
-  return {
-      {QStringLiteral("measure"), measure_->isChecked()},
-      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
+  return {{QStringLiteral("measure"), measure_->isChecked()},
+          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void TimingView::restoreState(const QJsonObject& state) {

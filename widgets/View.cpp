@@ -15,7 +15,9 @@ std::vector<ViewType>& registeredViews() {
 
 View::View(ViewContext& context, QWidget* parent) : QWidget(parent), context_(context) {}
 
-const std::vector<ViewType>& ViewRegistry::all() { return registeredViews(); }
+const std::vector<ViewType>& ViewRegistry::all() {
+  return registeredViews();
+}
 
 const ViewType* ViewRegistry::find(const std::string& id) {
   const auto& types = registeredViews();
@@ -23,6 +25,8 @@ const ViewType* ViewRegistry::find(const std::string& id) {
   return found == types.end() ? nullptr : &*found;
 }
 
-ViewRegistration::ViewRegistration(ViewType type) { registeredViews().push_back(std::move(type)); }
+ViewRegistration::ViewRegistration(ViewType type) {
+  registeredViews().push_back(std::move(type));
+}
 
 }  // namespace widgets

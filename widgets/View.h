@@ -28,23 +28,26 @@ struct ViewContext {
   robotlink::Session& session;
   robotlink::CommandTable& commands;
   std::shared_ptr<const robotlink::FieldDescription> field;  ///< null: none is known
-  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> robots;  ///< by robot's name, "red1"
-  std::shared_ptr<OpenLogs> logs = {};  ///< those of the replay; see openLogs()
+  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>>
+      robots;                               ///< by robot's name, "red1"
+  std::shared_ptr<OpenLogs> logs = {};      ///< those of the replay; see openLogs()
   std::shared_ptr<ColorBench> colors = {};  ///< the colour table that is being made; see colorBench()
 };
 
-/// A dockable view of a session: everything it shows comes from the session's streams, everything it does is a request.
+/// A dockable view of a session: everything it shows comes from the session's streams, everything it does is
+/// a request.
 ///
-/// tick() is called 30 times a second while the view is visible, after the session took in what is new; a view looks at the
-/// session then and updates once. What the user chose (robot, stream, zoom, filter) survives in saveState(). GUI thread.
+/// tick() is called 30 times a second while the view is visible, after the session took in what is new; a
+/// view looks at the session then and updates once. What the user chose (robot, stream, zoom, filter)
+/// survives in saveState(). GUI thread.
 class View : public QWidget {
   Q_OBJECT
  public:
   explicit View(ViewContext& context, QWidget* parent = nullptr);
 
   virtual void tick() = 0;
-  /// What the user chose here, to be kept over restarts and perspectives. Unknown or missing entries must be harmless in
-  /// restoreState().
+  /// What the user chose here, to be kept over restarts and perspectives. Unknown or missing entries must be
+  /// harmless in restoreState().
   virtual QJsonObject saveState() const { return {}; }
   virtual void restoreState(const QJsonObject& state) { (void)state; }
 
@@ -72,7 +75,8 @@ struct ViewType {
 
 /// All kinds of views, filled before main() starts. A view registers itself with one line in its .cpp:
 ///
-///     const ViewRegistration kRegistration{{"image", QT_TR_NOOP("Image"), QT_TR_NOOP("..."), "image", true, create<ImageView>}};
+///     const ViewRegistration kRegistration{{"image", QT_TR_NOOP("Image"), QT_TR_NOOP("..."), "image", true,
+///     create<ImageView>}};
 class ViewRegistry {
  public:
   static const std::vector<ViewType>& all();

@@ -84,9 +84,11 @@ WalkPad::WalkPad(QWidget* parent) : QWidget(parent) {
 }
 
 void WalkPad::describeUse() {
-  const QString walk = tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
+  const QString walk =
+      tr("Drag to walk, up is forwards. Keys: W/A/S/D or the arrows walk, Q and E turn, Shift halves.");
   const QString drive =
-      tr("Drag to drive: up is forwards, left turns left. Keys: W and S or the arrows drive, A and D or the arrows turn, Shift halves.");
+      tr("Drag to drive: up is forwards, left turns left. Keys: W and S or the arrows drive, A and D or the "
+         "arrows turn, Shift halves.");
   describe(*this, {"walkPad", wheels_ ? tr("Driving pad") : tr("Walk pad"), wheels_ ? drive : walk});
 }
 
@@ -167,7 +169,8 @@ void WalkPad::useKeys(bool halved) {
   const double sideways = scale * direction(keys_, {Qt::Key_A, Qt::Key_Left}, {Qt::Key_D, Qt::Key_Right});
   const double turn = scale * direction(keys_, {Qt::Key_Q}, {Qt::Key_E});
   const double forward = scale * direction(keys_, {Qt::Key_W, Qt::Key_Up}, {Qt::Key_S, Qt::Key_Down});
-  setAxes(wheels_ ? WalkAxes{forward, 0, std::clamp(sideways + turn, -scale, scale)} : WalkAxes{forward, sideways, turn});
+  setAxes(wheels_ ? WalkAxes{forward, 0, std::clamp(sideways + turn, -scale, scale)}
+                  : WalkAxes{forward, sideways, turn});
 }
 
 void WalkPad::keyPressEvent(QKeyEvent* event) {

@@ -11,8 +11,9 @@
 namespace widgets {
 
 /// A pad to walk by: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrows, Q and E
-/// to turn; Shift halves. Robots on wheels cannot go sideways: for them left and right turn. All is zero as soon as button or keys are released or the focus goes. Shows what is
-/// asked for (filled) and what is measured (outlined).
+/// to turn; Shift halves. Robots on wheels cannot go sideways: for them left and right turn. All is zero as
+/// soon as button or keys are released or the focus goes. Shows what is asked for (filled) and what is
+/// measured (outlined).
 class WalkPad final : public QWidget {
   Q_OBJECT
  public:

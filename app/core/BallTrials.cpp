@@ -34,7 +34,8 @@ bool placeBall(SimulatedRun& run, const BallTrials& trials, std::uint64_t seed, 
 }
 
 /// Nothing: it was stopped.
-std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& trials, BallTrials::Trial trial) {
+std::optional<BallTrials::Trial> playOne(SimulatedRun& run, const BallTrials& trials,
+                                         BallTrials::Trial trial) {
   const robotlink::Clock& clock = run.world().clock();
   robotlink::Instant end = robotlink::Instant(robotlink::fromSeconds(trials.seconds));
   while (clock.now() < end) {

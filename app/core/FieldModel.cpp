@@ -91,8 +91,8 @@ class ModelWriter {
     for (const auto& [team, turn] : {std::pair("red", 0.0), std::pair("blue", kPi)}) {
       for (const robotlink::Pose2& place : field_.kickOff) {
         const robotlink::Pose2 home = robotlink::Pose2{0, 0, turn} * place;
-        text_ += fmt::format("    <robotcontrol:home team=\"{}\">{:.6g} {:.6g} {:.6g}</robotcontrol:home>\n", team,
-                             tidy(home.x), tidy(home.y), tidy(home.heading));
+        text_ += fmt::format("    <robotcontrol:home team=\"{}\">{:.6g} {:.6g} {:.6g}</robotcontrol:home>\n",
+                             team, tidy(home.x), tidy(home.y), tidy(home.heading));
       }
     }
   }

@@ -27,7 +27,8 @@ std::unique_ptr<KickOff> KickOff::create(std::shared_ptr<const robotlink::FieldD
 KickOff::KickOff(std::shared_ptr<const robotlink::FieldDescription> field, simcore::Simulation& simulation)
     : field_(std::move(field)), simulation_(simulation), ball_(simulation.scene().balls().front()) {
   for (const auto& robot : simulation.scene().robots()) {
-    if (const auto pose = simulation.modelPose(robot.name)) robots_.push_back({robot.name, robotlink::groundPose(*pose)});
+    if (const auto pose = simulation.modelPose(robot.name))
+      robots_.push_back({robot.name, robotlink::groundPose(*pose)});
   }
   restart();
 }
@@ -42,8 +43,8 @@ std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
     const double direction = goal.x < 0 ? -1 : 1;
     // All of the ball has crossed the line.
     const double beyond = direction * (ball.x() - goal.x) - field_->ballRadius;
-    const bool inside = beyond > 0 && beyond < field_->goalDepth && std::abs(ball.y()) < 0.5 * field_->goalWidth &&
-                        ball.z() < field_->goalHeight;
+    const bool inside = beyond > 0 && beyond < field_->goalDepth &&
+                        std::abs(ball.y()) < 0.5 * field_->goalWidth && ball.z() < field_->goalHeight;
     if (inside) return goal.x < 0 ? kTowardsMinusX : kTowardsPlusX;
   }
   return std::nullopt;
@@ -51,11 +52,13 @@ std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
 
 bool KickOff::onField(const Vector3& ball) const {
   const double margin = field_->hasBoundary() ? field_->ballRadius : field_->wallThickness;
-  return std::abs(ball.x()) < field_->goalLineX() + margin && std::abs(ball.y()) < field_->touchLineY() + margin;
+  return std::abs(ball.x()) < field_->goalLineX() + margin &&
+         std::abs(ball.y()) < field_->touchLineY() + margin;
 }
 
 std::string KickOff::score() const {
-  return "Red " + std::to_string(goals_.at(kTowardsPlusX)) + ", blue " + std::to_string(goals_.at(kTowardsMinusX)) + ".";
+  return "Red " + std::to_string(goals_.at(kTowardsPlusX)) + ", blue " +
+         std::to_string(goals_.at(kTowardsMinusX)) + ".";
 }
 
 std::optional<std::string> KickOff::step() {

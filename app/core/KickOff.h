@@ -16,11 +16,12 @@ class Simulation;
 
 namespace app {
 
-/// Does what people do around a field until there is a referee: counts the goals, and a moment after a goal puts the ball back to
-/// the middle and the robots to where they stood at the start. A ball that left the field comes back, too.
+/// Does what people do around a field until there is a referee: counts the goals, and a moment after a goal
+/// puts the ball back to the middle and the robots to where they stood at the start. A ball that left the
+/// field comes back, too.
 ///
-/// Where the goals are is up to the field's description. Decides by the state of the simulation alone, so that a run stays
-/// reproducible. The simulation must outlive it; its thread.
+/// Where the goals are is up to the field's description. Decides by the state of the simulation alone, so
+/// that a run stays reproducible. The simulation must outlive it; its thread.
 class KickOff {
  public:
   /// How long the ball stays in the goal, simulated.

@@ -8,7 +8,7 @@
 namespace app {
 namespace {
 
-constexpr int kMostKept = 2000;             // packets between two calls of takePackets()
+constexpr int kMostKept = 2000;  // packets between two calls of takePackets()
 constexpr std::size_t kMostSamples = 20000;
 
 }  // namespace
@@ -25,9 +25,12 @@ void LinkMeter::packet(bool fromRobot, std::span<const std::uint8_t> bytes, robo
   keep(fromRobot, false, bytes, now);
 }
 
-void LinkMeter::damage(std::span<const std::uint8_t> bytes, robotlink::Instant now) { keep(true, true, bytes, now); }
+void LinkMeter::damage(std::span<const std::uint8_t> bytes, robotlink::Instant now) {
+  keep(true, true, bytes, now);
+}
 
-void LinkMeter::keep(bool fromRobot, bool damaged, std::span<const std::uint8_t> bytes, robotlink::Instant now) {
+void LinkMeter::keep(bool fromRobot, bool damaged, std::span<const std::uint8_t> bytes,
+                     robotlink::Instant now) {
   if (!keeping_) return;
   if (kept_.packets_size() >= kMostKept) {
     ++dropped_;
@@ -54,8 +57,9 @@ void LinkMeter::forgetOld(robotlink::Instant now) {
 void LinkMeter::fill(robotcontrol::LinkStatus& status, robotlink::Instant now) {
   forgetOld(now);
   // Shortly after the beginning the window is not yet full.
-  const double span = samples_.empty() ? 1 : std::clamp(robotlink::seconds(now - samples_.front().time), 0.5,
-                                                        robotlink::seconds(kWindow));
+  const double span = samples_.empty() ? 1
+                                       : std::clamp(robotlink::seconds(now - samples_.front().time), 0.5,
+                                                    robotlink::seconds(kWindow));
   double packets = 0, bytes = 0, commands = 0;
   for (const Sample& sample : samples_) {
     if (sample.fromRobot) {

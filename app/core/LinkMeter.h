@@ -12,8 +12,8 @@
 
 namespace app {
 
-/// Counts what goes over a line: how much in the last seconds, the longest gap, and, while somebody wants to see them, the
-/// packets themselves. One thread.
+/// Counts what goes over a line: how much in the last seconds, the longest gap, and, while somebody wants to
+/// see them, the packets themselves. One thread.
 class LinkMeter {
  public:
   /// Over which rates and gaps are told.

@@ -52,8 +52,12 @@ class Logs {
   Workbench* workbench_;
 };
 
-const std::string& text(const Values& values, std::size_t index) { return std::get<std::string>(values[index]); }
-double number(const Values& values, std::size_t index) { return std::get<double>(values[index]); }
+const std::string& text(const Values& values, std::size_t index) {
+  return std::get<std::string>(values[index]);
+}
+double number(const Values& values, std::size_t index) {
+  return std::get<double>(values[index]);
+}
 
 Result<std::int32_t> wholeCount(double value) {
   constexpr double kMost = std::numeric_limits<std::int32_t>::max();
@@ -89,15 +93,20 @@ void addOpening(CommandTable& commands, const Logs& logs) {
                   logs.workbench().openLogs({{text(values, 0)}});
                   return {};
                 }});
-  commands.add({"log.add",
-                "Opens one more log file on the same time line",
-                {{"file", Type::kText, "a log file"},
-                 {"offset", Type::kNumber, "seconds that are added to its times; 0: it begins with the first log unless their times overlap"}},
-                [logs](const Values& values) -> Result<void> {
-                  logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
-                  return {};
-                }});
-  commands.add({"log.cancel", "Gives up opening a log; what ran before goes on", {}, [logs](const Values&) -> Result<void> {
+  commands.add(
+      {"log.add",
+       "Opens one more log file on the same time line",
+       {{"file", Type::kText, "a log file"},
+        {"offset", Type::kNumber,
+         "seconds that are added to its times; 0: it begins with the first log unless their times overlap"}},
+       [logs](const Values& values) -> Result<void> {
+         logs.workbench().addLog({text(values, 0), robotlink::fromSeconds(number(values, 1))});
+         return {};
+       }});
+  commands.add({"log.cancel",
+                "Gives up opening a log; what ran before goes on",
+                {},
+                [logs](const Values&) -> Result<void> {
                   logs.workbench().cancelOpening();
                   return {};
                 }});
@@ -108,7 +117,8 @@ void addOpening(CommandTable& commands, const Logs& logs) {
                 }});
   commands.add({"log.offset",
                 "Shifts one of the open logs on the time line",
-                {{"file", Type::kText, "an open log file"}, {"offset", Type::kNumber, "seconds that are added to its times"}},
+                {{"file", Type::kText, "an open log file"},
+                 {"offset", Type::kNumber, "seconds that are added to its times"}},
                 [logs](const Values& values) -> Result<void> {
                   const auto status = logs.status();
                   if (!status) return tl::unexpected(status.error());
@@ -138,7 +148,8 @@ void addPlaying(CommandTable& commands, const Logs& logs) {
                   control.set_speed(speed);
                   return logs.control(control);
                 }});
-  const auto option = [&](const char* name, const char* help, const char* argument, void (ControlReplay::*set)(bool)) {
+  const auto option = [&](const char* name, const char* help, const char* argument,
+                          void (ControlReplay::*set)(bool)) {
     commands.add({name, help, {{"on", Type::kBool, argument}}, [logs, set](const Values& values) {
                     ControlReplay control;
                     (control.*set)(std::get<bool>(values[0]));
@@ -147,21 +158,22 @@ void addPlaying(CommandTable& commands, const Logs& logs) {
   };
   option("log.loop", "Plays again and again, all of the log or the selected range", "off pauses at the end",
          &ControlReplay::set_loop);
-  option("log.skip-gaps", "Goes on at once where nothing was logged for more than a second", "off waits as long",
-         &ControlReplay::set_skip_gaps);
-  commands.add({"log.range",
-                "Selects a range, for example to be played in a loop; equal times select none",
-                {{"from", Type::kNumber, "seconds since the begin"}, {"to", Type::kNumber, "seconds since the begin"}},
-                [logs](const Values& values) -> Result<void> {
-                  const auto status = logs.status();
-                  if (!status) return tl::unexpected(status.error());
-                  const auto from = timeAt(**status, number(values, 0)), to = timeAt(**status, number(values, 1));
-                  if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
-                  ControlReplay control;
-                  control.mutable_range()->set_from(std::min(*from, *to));
-                  control.mutable_range()->set_to(std::max(*from, *to));
-                  return logs.control(control);
-                }});
+  option("log.skip-gaps", "Goes on at once where nothing was logged for more than a second",
+         "off waits as long", &ControlReplay::set_skip_gaps);
+  commands.add(
+      {"log.range",
+       "Selects a range, for example to be played in a loop; equal times select none",
+       {{"from", Type::kNumber, "seconds since the begin"}, {"to", Type::kNumber, "seconds since the begin"}},
+       [logs](const Values& values) -> Result<void> {
+         const auto status = logs.status();
+         if (!status) return tl::unexpected(status.error());
+         const auto from = timeAt(**status, number(values, 0)), to = timeAt(**status, number(values, 1));
+         if (!from || !to) return tl::unexpected(from ? to.error() : from.error());
+         ControlReplay control;
+         control.mutable_range()->set_from(std::min(*from, *to));
+         control.mutable_range()->set_to(std::max(*from, *to));
+         return logs.control(control);
+       }});
 }
 
 void addStepping(CommandTable& commands, const Logs& logs) {
@@ -178,7 +190,8 @@ void addStepping(CommandTable& commands, const Logs& logs) {
                 }});
   commands.add({"log.step-message",
                 "Pauses the log and goes on to messages of a stream",
-                {{"stream", Type::kText, "its path: red1/camera/image"}, {"count", Type::kNumber, "how many; negative: backwards"}},
+                {{"stream", Type::kText, "its path: red1/camera/image"},
+                 {"count", Type::kNumber, "how many; negative: backwards"}},
                 [logs](const Values& values) -> Result<void> {
                   const auto count = wholeCount(number(values, 1));
                   if (!count) return tl::unexpected(count.error());
@@ -251,19 +264,22 @@ Result<void> choosePackage(const Logs& logs, const std::string& name, const std:
     choice.set_source(ControlReplay::AUTOMATIC);
   } else {
     return failure("log.package-source",
-                   "the source of a package must be logged, recomputed or automatic, not \"" + source + "\"", {}, {source});
+                   "the source of a package must be logged, recomputed or automatic, not \"" + source + "\"",
+                   {}, {source});
   }
   return logs.control(control);
 }
 
 void addProgram(CommandTable& commands, const Logs& logs) {
-  commands.add({"log.package",
-                "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
-                {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
-                 {"source", Type::kText, "logged, recomputed or automatic"}},
-                [logs](const Values& values) { return choosePackage(logs, text(values, 0), text(values, 1)); }});
+  commands.add(
+      {"log.package",
+       "Chooses whether a package is taken from the log or recomputed by the program that runs on it",
+       {{"name", Type::kText, "models/ball, or with the robot red1/models/ball"},
+        {"source", Type::kText, "logged, recomputed or automatic"}},
+       [logs](const Values& values) { return choosePackage(logs, text(values, 0), text(values, 1)); }});
   commands.add({"log.layout",
-                "Starts the program that runs on the log anew in another process layout, by its path or the name of a shipped one",
+                "Starts the program that runs on the log anew in another process layout, by its path or the "
+                "name of a shipped one",
                 {{"layout", Type::kText, "a layout file"}},
                 [logs](const Values& values) -> Result<void> {
                   if (const auto status = logs.status(); !status) return tl::unexpected(status.error());

@@ -32,7 +32,8 @@ LoggedPaths::LoggedPaths(const ReplayPlan& plan) {
   }
   for (const auto& solution : robotlink::SolutionRegistry::all()) {
     if (!tasks_.contains(solution.task)) continue;
-    for (const int key : solution.keys) keys_.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
+    for (const int key : solution.keys)
+      keys_.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
   }
 }
 
@@ -47,12 +48,13 @@ bool LoggedPaths::isToldAnew(const std::string& path, const google::protobuf::Me
 }
 
 bool LoggedPaths::decide(const std::string& path) const {
-  // Only the debug process runs, and tells nothing but what it knows of processes and of tasks that are not there.
+  // Only the debug process runs, and tells nothing but what it knows of processes and of tasks that are not
+  // there.
   if (path == streams::kSolutions || path == streams::kProcesses || path == streams::kProgram) return true;
   if (path == streams::kKeys) return !tasks_.empty();
   if (recomputed_.contains(path)) return true;
-  for (const char* prefix : {streams::kImages, streams::kImageDrawings, streams::kFieldDrawings, streams::kRobotDrawings,
-                             streams::kPlots}) {
+  for (const char* prefix : {streams::kImages, streams::kImageDrawings, streams::kFieldDrawings,
+                             streams::kRobotDrawings, streams::kPlots}) {
     if (const std::string key = below(path, prefix); !key.empty()) return keyIsToldAnew(key);
   }
   for (const char* prefix : {streams::kFrames, streams::kStopwatches, "tables/keys/", "tables/solutions/"}) {
@@ -77,7 +79,8 @@ bool LoggedPaths::textIsToldAnew(const std::string& source) const {
   const auto slash = source.find('/');
   const std::string teller = slash == std::string::npos ? "" : source.substr(slash + 1);
   const auto& all = robotlink::SolutionRegistry::all();
-  const bool isTask = std::any_of(all.begin(), all.end(), [&](const auto& solution) { return solution.task == teller; });
+  const bool isTask =
+      std::any_of(all.begin(), all.end(), [&](const auto& solution) { return solution.task == teller; });
   return isTask ? tasks_.contains(teller) : runs(source.substr(0, slash));
 }
 

@@ -10,8 +10,9 @@
 
 namespace app {
 
-/// Where what a robot's log holds is told while a program runs on it: on its own path, unless the program tells the same, which
-/// then goes there while the logged goes to "<robot>/logged/<path>". The rule stands in robotlink/session/STREAMS.md.
+/// Where what a robot's log holds is told while a program runs on it: on its own path, unless the program
+/// tells the same, which then goes there while the logged goes to "<robot>/logged/<path>". The rule stands in
+/// robotlink/session/STREAMS.md.
 class LoggedPaths {
  public:
   LoggedPaths() = default;
@@ -30,7 +31,7 @@ class LoggedPaths {
   std::set<std::string> tasks_;  // that run
   std::set<std::string> processes_;
   std::set<std::string> recomputed_;  // packages
-  std::set<std::string> keys_;  // of solutions of these tasks
+  std::set<std::string> keys_;        // of solutions of these tasks
   mutable std::map<std::string, bool> known_;
 };
 

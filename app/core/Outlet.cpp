@@ -44,12 +44,14 @@ void Outlet::pass(std::function<void()> push) {
   push();
 }
 
-/// What belongs to frames whose end is not among it belongs to none here: after a jump these are the newest of each stream.
+/// What belongs to frames whose end is not among it belongs to none here: after a jump these are the newest
+/// of each stream.
 void Outlet::record(std::vector<robotlink::StreamMessage> frame) {
   if (recorder_ == nullptr) return;
   std::set<std::pair<std::string, std::uint64_t>> whole;
   for (const auto& message : frame) {
-    if (dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr) whole.emplace(message.process, message.frame);
+    if (dynamic_cast<const robotcontrol::FrameInfo*>(message.value.get()) != nullptr)
+      whole.emplace(message.process, message.frame);
   }
   for (auto& message : frame) {
     if (!whole.contains({message.process, message.frame})) message.frame = 0;
@@ -57,7 +59,8 @@ void Outlet::record(std::vector<robotlink::StreamMessage> frame) {
   recorder_->add(std::move(frame));
 }
 
-void Outlet::recordQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+void Outlet::recordQueue(const std::string& robot,
+                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
   if (recorder_ == nullptr || !recorder_->active()) return;
   auto parts = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
   for (auto& frame : robotlink::framesOf(std::move(parts.messages))) record(std::move(frame));
@@ -89,8 +92,8 @@ void Outlet::tellError(const std::string& robot, const std::string& source, robo
   tellText(robot, source, time, foxglove::Log::ERROR, text);
 }
 
-robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
-                                     const std::string& text) {
+robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source,
+                                     robotlink::Instant time, int level, const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
   log->set_level(static_cast<foxglove::Log::Level>(level));
   log->set_name(source);
@@ -104,12 +107,14 @@ void Outlet::tellText(const std::string& robot, const std::string& source, robot
   tell(textMessage(robot, source, time, level, text));
 }
 
-void Outlet::tellMapNotes(const std::string& robot, robotlink::Instant time, const robotlink::GroundMap& map) {
+void Outlet::tellMapNotes(const std::string& robot, robotlink::Instant time,
+                          const robotlink::GroundMap& map) {
   const int level = map.incomplete ? foxglove::Log::WARNING : foxglove::Log::INFO;
   for (const std::string& note : map.notes) tellText(robot, "map", time, level, note);
 }
 
-void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process, const std::string& text) {
+void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process,
+                         const std::string& text) {
   tellError(robot, process.name(), process.clock().now(), text);
 }
 

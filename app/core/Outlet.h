@@ -24,14 +24,15 @@ struct GroundMap;
 namespace app {
 
 /// A text in a robot's log. `level`: a foxglove::Log::Level.
-robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
-                                     const std::string& text);
+robotlink::StreamMessage textMessage(const std::string& robot, const std::string& source,
+                                     robotlink::Instant time, int level, const std::string& text);
 
-/// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back: a run tells things
-/// while it is being made, when the session still belongs to another one that goes on if that fails.
+/// The way of all that a run tells to the session. While it is closed, as at first, it keeps everything back:
+/// a run tells things while it is being made, when the session still belongs to another one that goes on if
+/// that fails.
 ///
-/// A recorder may be told the same (that of a simulation taps the run itself, at full rate): each time that the outlet is opened
-/// with something kept back is another telling, for which it begins a new file.
+/// A recorder may be told the same (that of a simulation taps the run itself, at full rate): each time that
+/// the outlet is opened with something kept back is another telling, for which it begins a new file.
 ///
 /// Any thread. Session and recorder must outlive it.
 class Outlet {
@@ -49,7 +50,8 @@ class Outlet {
   void tellFrame(std::vector<robotlink::StreamMessage> frame);
   void tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue);
   /// In the robot's log.
-  void tellError(const std::string& robot, const std::string& source, robotlink::Instant time, const std::string& text);
+  void tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
+                 const std::string& text);
   /// `level`: a foxglove::Log::Level.
   void tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
                 const std::string& text);
@@ -65,7 +67,7 @@ class Outlet {
 
   robotlink::Session& session_;
   logplayer::Recorder* recorder_;  // null: there is none
-  std::mutex mutex_;  // protects the following
+  std::mutex mutex_;               // protects the following
   bool open_ = false;
   std::vector<std::function<void()>> kept_;
 };

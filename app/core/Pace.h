@@ -7,10 +7,11 @@
 
 namespace app {
 
-/// Says when in real time an instant of a platform is due, at a speed. A plain value: the real time is passed in.
+/// Says when in real time an instant of a platform is due, at a speed. A plain value: the real time is passed
+/// in.
 ///
-/// Who falls behind by more than kMaxLag does not catch up: after a breakpoint has stopped the world, or a program was too slow
-/// for its speed, it goes on from where it is, without a jump.
+/// Who falls behind by more than kMaxLag does not catch up: after a breakpoint has stopped the world, or a
+/// program was too slow for its speed, it goes on from where it is, without a jump.
 class Pace {
  public:
   using RealTime = std::chrono::steady_clock::time_point;

@@ -11,8 +11,8 @@
 
 namespace app {
 
-/// A thread that does jobs in the order in which they came, and between them makes steps when they are due. Jobs go first:
-/// what a person asks for is done between two steps.
+/// A thread that does jobs in the order in which they came, and between them makes steps when they are due.
+/// Jobs go first: what a person asks for is done between two steps.
 ///
 /// The functions of `Work` are called in this thread only; what they use must outlive it.
 class PacedThread {
@@ -20,7 +20,8 @@ class PacedThread {
   using Clock = std::chrono::steady_clock;
   using Job = std::function<void()>;
   struct Work {
-    /// When the next step is to be made; nothing: not before a job has changed that. Asked after each step and each job.
+    /// When the next step is to be made; nothing: not before a job has changed that. Asked after each step
+    /// and each job.
     std::function<std::optional<Clock::time_point>()> due;
     std::function<void()> step;
     std::function<void()> end;  ///< the thread's last call

@@ -19,7 +19,8 @@ using robotlink::Instant;
 
 namespace {
 
-/// Whether a field is a direction in rad, of which a full turn more is the same; by its name, as the packages have them.
+/// Whether a field is a direction in rad, of which a full turn more is the same; by its name, as the packages
+/// have them.
 bool isDirection(std::string_view field) {
   constexpr std::array<std::string_view, 4> kDirections{"heading", "bearing", "compass", "yaw"};
   const std::string_view name = field.substr(field.rfind('.') + 1);

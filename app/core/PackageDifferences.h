@@ -12,12 +12,14 @@
 
 namespace app {
 
-/// How recomputed packages differ from those logged at the same instants. An instant that is gone over again counts with what it
-/// gave last. Costs 16 bytes an instant and package, more where they differ. One thread.
+/// How recomputed packages differ from those logged at the same instants. An instant that is gone over again
+/// counts with what it gave last. Costs 16 bytes an instant and package, more where they differ. One thread.
 class PackageDifferences {
  public:
   // Of the current instant.
-  void addLogged(const std::string& package, const robotlink::PackagePtr& value) { logged_[package].push_back(value); }
+  void addLogged(const std::string& package, const robotlink::PackagePtr& value) {
+    logged_[package].push_back(value);
+  }
   void addRecomputed(const std::string& package, const robotlink::PackagePtr& value) {
     recomputed_[package].push_back(value);
   }
@@ -65,8 +67,8 @@ class PackageDifferences {
     Largest largest_;
   };
   static Counts compare(const Values& logged, const Values& recomputed, Largest& largest);
-  static void compareNumbers(const google::protobuf::Message& logged, const google::protobuf::Message& recomputed,
-                             Largest& largest);
+  static void compareNumbers(const google::protobuf::Message& logged,
+                             const google::protobuf::Message& recomputed, Largest& largest);
 
   std::map<std::string, Values> logged_, recomputed_;
   std::map<std::string, Summary> summaries_;  // by package

@@ -34,7 +34,8 @@ robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes
                                                     arcos::describe(std::get<arcos::Damage>(*found).kind));
     }
   }
-  if (parser.isPartial()) return robotlink::failure("drive.packet", "what is to be sent ends within a packet");
+  if (parser.isPartial())
+    return robotlink::failure("drive.packet", "what is to be sent ends within a packet");
   return packets;
 }
 
@@ -85,7 +86,9 @@ void PioneerDriver::lineOpened(Instant now) {
   session_.linkOpened(now);
 }
 
-void PioneerDriver::lineLost(const robotlink::Error& why, Instant now) { session_.linkClosed(why, now); }
+void PioneerDriver::lineLost(const robotlink::Error& why, Instant now) {
+  session_.linkClosed(why, now);
+}
 
 void PioneerDriver::take(std::span<const std::uint8_t> bytes, Instant now) {
   lastBytes_ = now;
@@ -129,7 +132,8 @@ void PioneerDriver::use(const arcos::Packet& packet, Instant now) {
       packages_.setBumpers(configuration->frontBumpers, configuration->rearBumpers);
     }
   }
-  if (packet.id == arcos::StandardInformation::kStandingId || packet.id == arcos::StandardInformation::kMovingId) {
+  if (packet.id == arcos::StandardInformation::kStandingId ||
+      packet.id == arcos::StandardInformation::kMovingId) {
     const auto information = arcos::decodeStandardInformation(packet);
     if (!information) return;
     meter_.cycle(now);
@@ -178,8 +182,10 @@ void PioneerDriver::becomeConnected(Instant now) {
   driving_ = false;
   command(CommandId::kSonar, 1, now);
   if (options_.laser && description_.laser && isSimulator(session_)) {
-    command(CommandId::kLegacyLaserStart, static_cast<int>(std::lround(robotlink::degrees(description_.laser->startAngle))), now);
-    command(CommandId::kLegacyLaserEnd, static_cast<int>(std::lround(robotlink::degrees(description_.laser->endAngle))), now);
+    command(CommandId::kLegacyLaserStart,
+            static_cast<int>(std::lround(robotlink::degrees(description_.laser->startAngle))), now);
+    command(CommandId::kLegacyLaserEnd,
+            static_cast<int>(std::lround(robotlink::degrees(description_.laser->endAngle))), now);
     command(CommandId::kLegacyLaserResolution, 100, now);
     command(CommandId::kLegacyLaserEnable, 2, now);
   }
@@ -196,8 +202,11 @@ void PioneerDriver::drive(Instant now) {
     return;
   }
   const auto& limits = *description_.drive;
-  const auto limited = [](double value, double limit) { return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0; };
-  const auto speedMmS = static_cast<int>(std::lround(1000 * limited(request->velocity().x(), limits.maximumSpeed)));
+  const auto limited = [](double value, double limit) {
+    return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
+  };
+  const auto speedMmS =
+      static_cast<int>(std::lround(1000 * limited(request->velocity().x(), limits.maximumSpeed)));
   const auto rotationDegS = static_cast<int>(
       std::lround(robotlink::degrees(limited(request->velocity().rotation(), limits.maximumRotation))));
   const bool same = driving_ && speedMmS == speedMmS_ && rotationDegS == rotationDegS_;
@@ -224,9 +233,9 @@ std::vector<arcos::Packet> PioneerDriver::takeOutgoing(Instant now) {
 
 robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive& wish, Instant now) {
   if (!session_.isConnected()) {
-    return robotlink::failure("drive.not-connected", otherClient_.empty()
-                                                         ? "the robot is not connected: " + session_.describe()
-                                                         : "a client at " + otherClient_ + " drives the robot now");
+    return robotlink::failure("drive.not-connected",
+                              otherClient_.empty() ? "the robot is not connected: " + session_.describe()
+                                                   : "a client at " + otherClient_ + " drives the robot now");
   }
   std::vector<arcos::Packet> packets;
   for (const std::string& bytes : wish.packets()) {
@@ -235,7 +244,8 @@ robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive&
     packets.insert(packets.end(), found->begin(), found->end());
   }
   if (wish.has_motors()) {
-    if (wish.motors() && held_) return robotlink::failure("drive.stopped", "STOP is engaged; release it first");
+    if (wish.motors() && held_)
+      return robotlink::failure("drive.stopped", "STOP is engaged; release it first");
     motorsWanted_ = wish.motors();
     command(CommandId::kEnable, wish.motors() ? 1 : 0, now);
   }

@@ -21,12 +21,13 @@ class ControlDrive;
 
 namespace app {
 
-/// The driver of a Pioneer: the part of a platform that speaks ARCOS with it, whether it is real or simulated. Sends
-/// drive/state, range/sonar, range/laser, link/status and, on request, link/packets; drives as drive/request wants.
+/// The driver of a Pioneer: the part of a platform that speaks ARCOS with it, whether it is real or
+/// simulated. Sends drive/state, range/sonar, range/laser, link/status and, on request, link/packets; drives
+/// as drive/request wants.
 ///
-/// A program that says nothing for kSilence is told of as stopped, and the robot stands: it never goes on with what a program
-/// that hangs wanted last. While STOP is engaged the motors are off. Whether they are switched on when the robot is connected is
-/// for the owner to say: a real robot waits for a person.
+/// A program that says nothing for kSilence is told of as stopped, and the robot stands: it never goes on
+/// with what a program that hangs wanted last. While STOP is engaged the motors are off. Whether they are
+/// switched on when the robot is connected is for the owner to say: a real robot waits for a person.
 ///
 /// The owner moves the packets; now and then are those of the platform's clock. One thread.
 class PioneerDriver {
@@ -34,20 +35,22 @@ class PioneerDriver {
   static constexpr robotlink::Duration kSilence = std::chrono::seconds(1);
 
   struct Options {
-    std::string address;      ///< for people
-    bool motorsOn = false;    ///< as soon as it is connected
+    std::string address;    ///< for people
+    bool motorsOn = false;  ///< as soon as it is connected
     /// Ask a simulator for its laser. That of a real robot has a line of its own, which nobody reads here.
     bool laser = true;
   };
 
   /// Both must outlive it.
-  PioneerDriver(robotlink::Process& platform, std::string robot, const robotlink::RobotDescription& description,
-                Options options);
+  PioneerDriver(robotlink::Process& platform, std::string robot,
+                const robotlink::RobotDescription& description, Options options);
 
   // The line: its owner opens it when wanted, and says how that went.
   bool wantsLine() const { return session_.wantsLink(); }
   /// It cannot go on before lineOpened().
-  bool waitsForLine() const { return session_.state() == robotlink::arcos::ClientSession::State::kWaitingForLink; }
+  bool waitsForLine() const {
+    return session_.state() == robotlink::arcos::ClientSession::State::kWaitingForLink;
+  }
   void lineOpened(robotlink::Instant now);
   void lineLost(const robotlink::Error& why, robotlink::Instant now);
   void take(std::span<const std::uint8_t> bytes, robotlink::Instant now);

@@ -16,9 +16,8 @@ constexpr std::chrono::milliseconds kStatusEvery{100};
 
 }  // namespace
 
-tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(PioneerOptions options,
-                                                                                  robotlink::Session& session,
-                                                                                  logplayer::Recorder& recorder) {
+tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
+    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
   auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
   auto run = PioneerRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));

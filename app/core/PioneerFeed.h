@@ -9,7 +9,8 @@
 
 namespace app {
 
-/// A PioneerRun in the workbench: tells a session what the robot and its program say, and a recorder. Both must outlive it.
+/// A PioneerRun in the workbench: tells a session what the robot and its program say, and a recorder. Both
+/// must outlive it.
 class PioneerFeed final : public PlatformFeed {
  public:
   static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(PioneerOptions options,
@@ -30,7 +31,8 @@ class PioneerFeed final : public PlatformFeed {
  private:
   using Clock = PacedThread::Clock;
 
-  PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder) : outlet_(session), recorder_(recorder) {}
+  PioneerFeed(robotlink::Session& session, logplayer::Recorder& recorder)
+      : outlet_(session), recorder_(recorder) {}
   PioneerRun::Listeners listeners();
 
   Outlet outlet_;

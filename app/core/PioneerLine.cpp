@@ -18,7 +18,9 @@ constexpr Duration kOpeningLimit = std::chrono::seconds(3);
 }  // namespace
 
 PioneerLine::PioneerLine(std::string url, const robotlink::Clock& clock)
-    : url_(std::move(url)), clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), thread_([this] { run(); }) {}
+    : url_(std::move(url)), clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), thread_([this] {
+        run();
+      }) {}
 
 PioneerLine::~PioneerLine() {
   {
@@ -34,7 +36,9 @@ void PioneerLine::send(Bytes bytes) {
   if (open_) outgoing_.push(std::move(bytes));
 }
 
-void PioneerLine::tell(std::variant<Opened, Bytes, Lost> what) { events_.push({std::move(what), clock_.now()}); }
+void PioneerLine::tell(std::variant<Opened, Bytes, Lost> what) {
+  events_.push({std::move(what), clock_.now()});
+}
 
 void PioneerLine::open() {
   {

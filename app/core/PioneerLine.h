@@ -19,10 +19,12 @@ class ByteStream;
 
 namespace app {
 
-/// The line to a real robot: opened, read and written in a thread of its own. When it is opened is for its owner to say.
+/// The line to a real robot: opened, read and written in a thread of its own. When it is opened is for its
+/// owner to say.
 ///
-/// Any thread may call; none of the functions waits, but for the destructor, while a line is being opened. Memory is bounded: what
-/// nobody takes is dropped, and so is what the robot does not take. The clock must outlive it.
+/// Any thread may call; none of the functions waits, but for the destructor, while a line is being opened.
+/// Memory is bounded: what nobody takes is dropped, and so is what the robot does not take. The clock must
+/// outlive it.
 class PioneerLine {
  public:
   using Bytes = std::vector<std::uint8_t>;

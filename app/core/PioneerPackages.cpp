@@ -12,7 +12,7 @@ using robotlink::arcos::LaserPacket;
 using robotlink::arcos::RobotState;
 using robotlink::arcos::StandardInformation;
 
-constexpr double kMetre = 1000;         // mm
+constexpr double kMetre = 1000;  // mm
 // More between two packets is no way that it has gone: its client has set the robot's odometry.
 constexpr double kMostStep = 1.0;  // m
 constexpr double kMostTurn = robotlink::radians(90.0);
@@ -44,13 +44,16 @@ void PioneerPackages::setBumpers(int front, int rear) {
   rearBumpers_ = rear;
 }
 
-void PioneerPackages::resetOdometry() { odometry_ = {}; }
+void PioneerPackages::resetOdometry() {
+  odometry_ = {};
+}
 
 void PioneerPackages::followOdometry() {
   const robotlink::Pose2 now = decoder_.state().pose;
   if (last_) {
     const robotlink::Pose2 step = last_->inverse() * now;
-    if (step.translation().norm() <= kMostStep && std::abs(step.heading) <= kMostTurn) odometry_ = odometry_ * step;
+    if (step.translation().norm() <= kMostStep && std::abs(step.heading) <= kMostTurn)
+      odometry_ = odometry_ * step;
   }
   last_ = now;
 }
@@ -82,12 +85,13 @@ std::shared_ptr<const robotcontrol::DriveState> PioneerPackages::state(const Sta
   state->set_digital_out(said.digitalOut);
   state->set_analog_in(said.analogIn);
   state->set_fault_flags(said.faultFlags);
-  if (information.rotationRateDeciDegS) state->set_rotation_rate(robotlink::radians(*information.rotationRateDeciDegS / 10.0));
+  if (information.rotationRateDeciDegS)
+    state->set_rotation_rate(robotlink::radians(*information.rotationRateDeciDegS / 10.0));
   return state;
 }
 
-std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(const StandardInformation& information,
-                                                                           robotlink::Instant now) const {
+std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(
+    const StandardInformation& information, robotlink::Instant now) const {
   if (information.sonars.empty() || !description_.sonars) return nullptr;
   auto readings = std::make_shared<robotcontrol::SonarReadings>();
   robotlink::assign(*readings->mutable_timestamp(), now);
@@ -104,7 +108,8 @@ std::shared_ptr<const robotcontrol::SonarReadings> PioneerPackages::sonars(const
   return readings;
 }
 
-std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(const LaserPacket& part, robotlink::Instant now) {
+std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(const LaserPacket& part,
+                                                                  robotlink::Instant now) {
   const auto whole = assembler_.take(part, nullptr, now);
   if (!whole || !description_.laser) return nullptr;
   auto scan = std::make_shared<foxglove::LaserScan>();

@@ -15,8 +15,8 @@
 
 namespace app {
 
-/// Turns what a Pioneer says over its line into packages: the state of its base, the readings of its sonars and its laser.
-/// The description says where its sensors are. One thread.
+/// Turns what a Pioneer says over its line into packages: the state of its base, the readings of its sonars
+/// and its laser. The description says where its sensors are. One thread.
 class PioneerPackages {
  public:
   PioneerPackages(std::string robot, const robotlink::RobotDescription& description);
@@ -30,13 +30,15 @@ class PioneerPackages {
   /// The odometry is to begin at 0 again; it is for the owner to tell the robot, if it shall know.
   void resetOdometry();
 
-  std::shared_ptr<const robotcontrol::DriveState> state(const robotlink::arcos::StandardInformation& information,
-                                                        robotlink::Instant now);
-  /// Of the packet that state() was asked for last. Null if there are none in it, as in those that come while the sonars are off.
-  std::shared_ptr<const robotcontrol::SonarReadings> sonars(const robotlink::arcos::StandardInformation& information,
-                                                            robotlink::Instant now) const;
+  std::shared_ptr<const robotcontrol::DriveState> state(
+      const robotlink::arcos::StandardInformation& information, robotlink::Instant now);
+  /// Of the packet that state() was asked for last. Null if there are none in it, as in those that come while
+  /// the sonars are off.
+  std::shared_ptr<const robotcontrol::SonarReadings> sonars(
+      const robotlink::arcos::StandardInformation& information, robotlink::Instant now) const;
   /// A part of a scan: the whole of it once the last part has come, else null.
-  std::shared_ptr<const foxglove::LaserScan> laser(const robotlink::arcos::LaserPacket& part, robotlink::Instant now);
+  std::shared_ptr<const foxglove::LaserScan> laser(const robotlink::arcos::LaserPacket& part,
+                                                   robotlink::Instant now);
 
  private:
   void followOdometry();

@@ -15,8 +15,11 @@ Overloaded(Functions...) -> Overloaded<Functions...>;
 }  // namespace
 
 PioneerPlatform::PioneerPlatform(const robotlink::Clock& clock, std::string robot,
-                                 const robotlink::RobotDescription& description, PioneerDriver::Options options)
-    : Platform("platform", clock), driver_(*this, std::move(robot), description, options), line_(options.address, clock) {}
+                                 const robotlink::RobotDescription& description,
+                                 PioneerDriver::Options options)
+    : Platform("platform", clock),
+      driver_(*this, std::move(robot), description, options),
+      line_(options.address, clock) {}
 
 PioneerPlatform::~PioneerPlatform() {
   driver_.end(clock().now());
@@ -40,7 +43,8 @@ void PioneerPlatform::engageStop(bool engaged) {
   stopEngaged_.store(engaged);
   if (!engaged) return;  // The motors are switched on again by actuate(), if they were.
   using robotlink::arcos::CommandId;
-  for (const auto& command : {robotlink::arcos::command(CommandId::kEStop), robotlink::arcos::command(CommandId::kEnable, 0)})
+  for (const auto& command :
+       {robotlink::arcos::command(CommandId::kEStop), robotlink::arcos::command(CommandId::kEnable, 0)})
     line_.send(robotlink::arcos::encode(toPacket(command)));
 }
 
@@ -55,6 +59,8 @@ void PioneerPlatform::actuate() {
   }
 }
 
-void PioneerPlatform::execute() { driver_.sendPackages(clock().now()); }
+void PioneerPlatform::execute() {
+  driver_.sendPackages(clock().now());
+}
 
 }  // namespace app

@@ -10,24 +10,29 @@
 
 namespace app {
 
-/// The platform of a Pioneer at the far end of a line: a real one, or one of another simulator. Its time is real time.
+/// The platform of a Pioneer at the far end of a line: a real one, or one of another simulator. Its time is
+/// real time.
 ///
-/// Its owner lets it run a frame some hundred times a second; what came over the line meanwhile is taken then. As long as it does
-/// so the robot is kept from stopping by itself; a workbench that hangs lets it stop.
+/// Its owner lets it run a frame some hundred times a second; what came over the line meanwhile is taken
+/// then. As long as it does so the robot is kept from stopping by itself; a workbench that hangs lets it
+/// stop.
 class PioneerPlatform final : public robotlink::Platform {
  public:
-  PioneerPlatform(const robotlink::Clock& clock, std::string robot, const robotlink::RobotDescription& description,
-                  PioneerDriver::Options options);
+  PioneerPlatform(const robotlink::Clock& clock, std::string robot,
+                  const robotlink::RobotDescription& description, PioneerDriver::Options options);
   /// Ends the connection in good order: motors off, CLOSE.
   ~PioneerPlatform() override;
 
   void actuate() override;
-  /// Stops the robot at once, by the line's own thread: whoever steps this may be held up by a program that hangs.
+  /// Stops the robot at once, by the line's own thread: whoever steps this may be held up by a program that
+  /// hangs.
   void engageStop(bool engaged) override;
   bool stopEngaged() const { return stopEngaged_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   /// What a person asks of the base, not of its program.
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) { return driver_.control(wish, clock().now()); }
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) {
+    return driver_.control(wish, clock().now());
+  }
   /// Does not wait any longer before it tries to connect again.
   void connectNow() { driver_.connectNow(clock().now()); }
   const PioneerDriver& driver() const { return driver_; }

@@ -23,7 +23,9 @@ namespace {
 
 const std::filesystem::path kFieldFile = "fields/2002.yaml";
 
-std::filesystem::path descriptionFile(const std::string& kind) { return robotlink::resource("robots/" + kind + ".yaml"); }
+std::filesystem::path descriptionFile(const std::string& kind) {
+  return robotlink::resource("robots/" + kind + ".yaml");
+}
 
 }  // namespace
 
@@ -39,7 +41,8 @@ PioneerRun::~PioneerRun() {
   if (tap_) tap_->clear();
 }
 
-tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOptions options, Listeners listeners,
+tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOptions options,
+                                                                     Listeners listeners,
                                                                      logplayer::Recorder* recorder) {
   const auto url = robotlink::arcos::parseUrl(options.url);
   if (!url) return tl::unexpected(Errors{url.error()});
@@ -68,7 +71,8 @@ Errors PioneerRun::load() {
     Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
     if (!errors.empty()) return errors;
   }
-  stopSwitch_ = std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
+  stopSwitch_ =
+      std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
   auto program = makeProgram(layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();
@@ -77,10 +81,12 @@ Errors PioneerRun::load() {
 }
 
 std::filesystem::path PioneerRun::layout() const {
-  return !options_.layout.empty() ? options_.layout : robotlink::resource("layouts/" + description_->layout + ".yaml");
+  return !options_.layout.empty() ? options_.layout
+                                  : robotlink::resource("layouts/" + description_->layout + ".yaml");
 }
 
-tl::expected<std::unique_ptr<RobotProgram>, Errors> PioneerRun::makeProgram(const std::filesystem::path& file) {
+tl::expected<std::unique_ptr<RobotProgram>, Errors> PioneerRun::makeProgram(
+    const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
   const robotlink::RobotSetup setup{options_.robot, "red", *description_, field_, map_};
@@ -98,12 +104,17 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> PioneerRun::makeProgram(cons
 void PioneerRun::start(std::unique_ptr<RobotProgram> program) {
   program_ = std::move(program);
   threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-      .onFailed = [this](const auto& process) { tellTrouble(process, "was stopped because it threw: " + process.failure()); },
-      .onPriorityRefused = [this](const auto& process, const auto& why) {
-        tellTrouble(process, "runs with normal priority: " + why);
-      }});
+      .onFailed =
+          [this](const auto& process) {
+            tellTrouble(process, "was stopped because it threw: " + process.failure());
+          },
+      .onPriorityRefused =
+          [this](const auto& process, const auto& why) {
+            tellTrouble(process, "runs with normal priority: " + why);
+          }});
   if (tap_) {
-    const ProgramFiles files{layout(), descriptionFile(options_.kind), robotlink::resource(kFieldFile), "threads"};
+    const ProgramFiles files{layout(), descriptionFile(options_.kind), robotlink::resource(kFieldFile),
+                             "threads"};
     tap_->attach(options_.robot, *platform_, *program_, programSetup(*program_, *platform_, files));
     if (map_) tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map_, clock_.now())});
   }
@@ -120,7 +131,8 @@ void PioneerRun::stop() {
 }
 
 void PioneerRun::tellTrouble(const robotlink::Process& process, const std::string& text) const {
-  if (listeners_.trouble) listeners_.trouble(options_.robot, process, "Process " + process.name() + " " + text);
+  if (listeners_.trouble)
+    listeners_.trouble(options_.robot, process, "Process " + process.name() + " " + text);
 }
 
 void PioneerRun::step() {
@@ -147,7 +159,8 @@ bool PioneerRun::isOfPlatform(const robotcontrol::Request& request) {
 
 robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request) {
   if (request.robot() != options_.robot) {
-    return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {}, {request.robot()});
+    return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
+                              {request.robot()});
   }
   if (request.has_stop()) {
     platform_->engageStop(request.stop().engaged());
@@ -156,7 +169,8 @@ robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request
   if (request.has_control_drive()) return platform_->control(request.control_drive());
   if (requests_->ask(request) && handIn()) return {};
   return robotlink::failure("request.queue-full",
-                            options_.robot + " does not take requests now: too many wait already", {}, {options_.robot});
+                            options_.robot + " does not take requests now: too many wait already", {},
+                            {options_.robot});
 }
 
 /// False: too many wait, some were dropped.

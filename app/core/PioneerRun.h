@@ -31,36 +31,39 @@ class RecordingTap;
 
 /// A robot at the far end of a line, and what runs on it. Paths are files.
 struct PioneerOptions {
-  std::string url;                         ///< "tcp://localhost:8101", "serial:///dev/ttyUSB0?baud=9600"
-  std::string robot = "p3at1";             ///< what it is called here
-  std::string kind = "p3at";               ///< which resources/robots/<kind>.yaml it is
-  std::filesystem::path layout = {};       ///< empty: that of its kind
-  std::filesystem::path map = {};          ///< of where it drives; empty: it knows none
-  std::map<std::string, std::string> solutions = {};  ///< task -> solution at the start, instead of the layout's
-  bool motorsOn = false;                   ///< as soon as it is connected
+  std::string url;                    ///< "tcp://localhost:8101", "serial:///dev/ttyUSB0?baud=9600"
+  std::string robot = "p3at1";        ///< what it is called here
+  std::string kind = "p3at";          ///< which resources/robots/<kind>.yaml it is
+  std::filesystem::path layout = {};  ///< empty: that of its kind
+  std::filesystem::path map = {};     ///< of where it drives; empty: it knows none
+  std::map<std::string, std::string> solutions =
+      {};                 ///< task -> solution at the start, instead of the layout's
+  bool motorsOn = false;  ///< as soon as it is connected
 };
 
-/// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its processes, in real time.
+/// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its
+/// processes, in real time.
 ///
-/// Stepped by its caller some hundred times a second. Built as a whole or refused with all reasons; that the robot does not
-/// answer is no reason: the line is opened again and again, and link/status says how that goes. One thread at a time; listeners
-/// are called in the processes' threads.
+/// Stepped by its caller some hundred times a second. Built as a whole or refused with all reasons; that the
+/// robot does not answer is no reason: the line is opened again and again, and link/status says how that
+/// goes. One thread at a time; listeners are called in the processes' threads.
 class PioneerRun {
  public:
   struct Listeners {
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
     /// A process was stopped, or could not get its priority.
-    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
+    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
+        trouble;
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
-  static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(PioneerOptions options, Listeners listeners,
-                                                                             logplayer::Recorder* recorder = nullptr);
+  static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(
+      PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
   ~PioneerRun();
 
   void step();
-  /// Starts the program anew in another layout while the robot stays connected. If that is not possible, all goes on as before.
-  /// What a person chose stays so where the layout has it.
+  /// Starts the program anew in another layout while the robot stays connected. If that is not possible, all
+  /// goes on as before. What a person chose stays so where the layout has it.
   robotlink::Errors setLayout(const std::filesystem::path& file);
   /// What of the choices the program that runs now cannot fulfill, a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
@@ -86,7 +89,8 @@ class PioneerRun {
  private:
   PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
-  tl::expected<std::unique_ptr<robotlink::RobotProgram>, robotlink::Errors> makeProgram(const std::filesystem::path& file);
+  tl::expected<std::unique_ptr<robotlink::RobotProgram>, robotlink::Errors> makeProgram(
+      const std::filesystem::path& file);
   void start(std::unique_ptr<robotlink::RobotProgram> program);
   void stop();
   void tellTrouble(const robotlink::Process& process, const std::string& text) const;

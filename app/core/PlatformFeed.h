@@ -27,7 +27,7 @@ struct LoadedPlatform {
   std::filesystem::path layout;  ///< empty: the one in the log, or none
   std::optional<RunOptions> simulation;
   std::optional<PioneerOptions> pioneer;  ///< a real robot
-  std::vector<ReplayLog> logs;  ///< not empty: they are replayed
+  std::vector<ReplayLog> logs;            ///< not empty: they are replayed
   /// What a person chose for the programs before, and they cannot fulfill in this layout; a sentence each.
   std::vector<std::string> lostChoices;
 
@@ -35,8 +35,8 @@ struct LoadedPlatform {
   std::string name() const;
 };
 
-/// A platform with its robots' programs as the workbench runs it: feeds a session with what happens, at a speed, and fulfils
-/// requests. One thread, that of PlatformThread.
+/// A platform with its robots' programs as the workbench runs it: feeds a session with what happens, at a
+/// speed, and fulfils requests. One thread, that of PlatformThread.
 class PlatformFeed {
  public:
   enum class Answer { kHere, kByProgram };  ///< who answers a request that was accepted
@@ -53,7 +53,8 @@ class PlatformFeed {
   /// Starts the programs anew in another layout; if that is not possible, all goes on as before.
   virtual robotlink::Errors setLayout(const std::filesystem::path& file) = 0;
   virtual LoadedPlatform describe() const = 0;
-  /// Stops a real robot from any thread, whatever this one waits for. Null: what runs here stands while this thread is held up.
+  /// Stops a real robot from any thread, whatever this one waits for. Null: what runs here stands while this
+  /// thread is held up.
   virtual std::shared_ptr<StopSwitch> stopSwitch() const { return nullptr; }
   /// Whether it runs, how fast, where it is.
   virtual void publishStatus() = 0;

@@ -20,7 +20,8 @@ struct PlatformThread::Asked {
 PlatformThread::PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder)
     : session_(session),
       recorder_(recorder),
-      thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); }, [this] { feed_.reset(); }}) {}
+      thread_({[this] { return feed_ ? feed_->due() : std::nullopt; }, [this] { feed_->step(); },
+               [this] { feed_.reset(); }}) {}
 
 void PlatformThread::postOther(PacedThread::Job job) {
   {
@@ -30,7 +31,9 @@ void PlatformThread::postOther(PacedThread::Job job) {
   thread_.post(std::move(job));
 }
 
-LoadedPlatform PlatformThread::describe() const { return feed_ ? feed_->describe() : LoadedPlatform{}; }
+LoadedPlatform PlatformThread::describe() const {
+  return feed_ ? feed_->describe() : LoadedPlatform{};
+}
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   feed_.reset();  // What it still tells must not get into the next one's history.
@@ -99,7 +102,8 @@ void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress
   postOther([this, log = std::move(log), progress = std::move(progress), handler = std::move(handler)] {
     const auto* before = dynamic_cast<const ReplayFeed*>(feed_.get());
     if (before == nullptr) {
-      handler(tl::unexpected(robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}}));
+      handler(tl::unexpected(
+          robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}}));
       return;
     }
     ReplayOptions options = before->options();
@@ -118,7 +122,11 @@ void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress
 
 void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) {
   postOther([this, file = std::move(file), handler = std::move(handler)] {
-    robotlink::Errors errors{{"platform.none", "nothing runs that could use a layout; open a scene or a log, or connect a robot first", {}, {}}};
+    robotlink::Errors errors{
+        {"platform.none",
+         "nothing runs that could use a layout; open a scene or a log, or connect a robot first",
+         {},
+         {}}};
     if (feed_) errors = feed_->setLayout(file);
     if (errors.empty()) {
       handler(describe());
@@ -161,8 +169,8 @@ void PlatformThread::request(const robotcontrol::Request& request) {
 }
 
 void PlatformThread::fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids) {
-  robotlink::Result<PlatformFeed::Answer> done =
-      robotlink::failure("platform.none", "nothing runs that could do this; open a scene or a log, or connect a robot first");
+  robotlink::Result<PlatformFeed::Answer> done = robotlink::failure(
+      "platform.none", "nothing runs that could do this; open a scene or a log, or connect a robot first");
   if (feed_) done = feed_->fulfil(request);
   if (done && *done == PlatformFeed::Answer::kByProgram) return;
   for (const std::uint64_t id : ids) {

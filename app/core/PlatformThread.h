@@ -18,11 +18,11 @@ class Session;
 
 namespace app {
 
-/// Runs one platform at a time, a simulation or logs, in a thread of its own: never on the GUI's thread, and no view slows it.
-/// Opening another one ends the one before, once it is known that the other can be run.
+/// Runs one platform at a time, a simulation or logs, in a thread of its own: never on the GUI's thread, and
+/// no view slows it. Opening another one ends the one before, once it is known that the other can be run.
 ///
-/// All functions may be called from any thread and return at once; what they ask for is done in their order, between two
-/// steps. Session and recorder must outlive it.
+/// All functions may be called from any thread and return at once; what they ask for is done in their order,
+/// between two steps. Session and recorder must outlive it.
 class PlatformThread {
  public:
   /// Called in the platform's thread: what runs now, or why what ran before goes on.
@@ -42,8 +42,8 @@ class PlatformThread {
   void setLayout(std::filesystem::path file, LoadHandler handler);
   /// Nothing runs then.
   void close(LoadHandler handler);
-  /// Requests for robots and for what runs; each is answered once, to the session. Jumps and steps in a log that are asked for
-  /// faster than they are done are made one: of jumps the newest counts, steps add up.
+  /// Requests for robots and for what runs; each is answered once, to the session. Jumps and steps in a log
+  /// that are asked for faster than they are done are made one: of jumps the newest counts, steps add up.
   void request(const robotcontrol::Request& request);
 
  private:
@@ -57,10 +57,11 @@ class PlatformThread {
   logplayer::Recorder& recorder_;
   std::unique_ptr<PlatformFeed> feed_;  // the platform's thread only; null: nothing runs
 
-  std::mutex mutex_;                // protects newest_ and stopSwitch_
+  std::mutex mutex_;                        // protects newest_ and stopSwitch_
   std::shared_ptr<StopSwitch> stopSwitch_;  // of the robot that runs; null: none
-  std::shared_ptr<Asked> newest_;  // what was asked for last, if it still waits and another request may join it
-  PacedThread thread_;              // last: it uses the others
+  std::shared_ptr<Asked>
+      newest_;          // what was asked for last, if it still waits and another request may join it
+  PacedThread thread_;  // last: it uses the others
 };
 
 }  // namespace app

@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// How a log is played: whether, how fast, what becomes of gaps and what follows at the end. It knows no log: it is told where one
-/// stands and says what is to be done next. A plain value; real time is passed in.
+/// How a log is played: whether, how fast, what becomes of gaps and what follows at the end. It knows no log:
+/// it is told where one stands and says what is to be done next. A plain value; real time is passed in.
 class Playback {
  public:
   using RealTime = Pace::RealTime;
@@ -29,7 +29,7 @@ class Playback {
   struct Next {
     enum class What { kStep, kJump, kPause };
     What what = What::kPause;
-    RealTime due;              ///< not before this
+    RealTime due;             ///< not before this
     robotlink::Instant to{};  ///< of a jump
   };
 

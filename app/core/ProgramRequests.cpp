@@ -15,7 +15,9 @@ constexpr std::size_t kMaxOpen = 1000;
 /// Ids of what is asked anew on behalf of a person; sessions count from 1.
 constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63U;
 
-bool isOwn(const Request& request) { return (request.id() & kOwnIds) != 0; }
+bool isOwn(const Request& request) {
+  return (request.id() & kOwnIds) != 0;
+}
 
 /// Whether both ask for another value of the same thing.
 bool setTheSame(const Request& a, const Request& b) {
@@ -39,10 +41,12 @@ bool setTheSame(const Request& a, const Request& b) {
 std::string inWords(const Request& request) {
   switch (request.what_case()) {
     case Request::kSelectSolution:
-      return "solution " + request.select_solution().solution() + " of task " + request.select_solution().task();
+      return "solution " + request.select_solution().solution() + " of task " +
+             request.select_solution().task();
     case Request::kSetParameters: {
       const auto& wish = request.set_parameters();
-      return "the parameters of " + wish.task() + (wish.solution().empty() ? "" : ", solution " + wish.solution());
+      return "the parameters of " + wish.task() +
+             (wish.solution().empty() ? "" : ", solution " + wish.solution());
     }
     case Request::kSetColorTable:
       return "the color table that was sent";
@@ -77,9 +81,11 @@ void ProgramRequests::addOwn(Request request) {
   open_.push_back({std::move(request)});
 }
 
-/// So that a color that is painted or a slider that is dragged in a pause does not leave a heap of old values behind.
+/// So that a color that is painted or a slider that is dragged in a pause does not leave a heap of old values
+/// behind.
 bool ProgramRequests::replacesLast(const Request& request) const {
-  return !open_.empty() && open_.back().told && !open_.back().handed && setTheSame(open_.back().request, request);
+  return !open_.empty() && open_.back().told && !open_.back().handed &&
+         setTheSame(open_.back().request, request);
 }
 
 bool ProgramRequests::ask(const Request& request) {
@@ -107,16 +113,17 @@ void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
   if (open_.empty()) return;
   for (const auto& message : queue.messages()) {
     if (!message.has_result()) continue;
-    const auto found = std::find_if(open_.begin(), open_.end(),
-                                    [&](const Open& open) { return open.request.id() == message.result().id(); });
+    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& open) {
+      return open.request.id() == message.result().id();
+    });
     if (found == open_.end()) continue;
     if (message.result().accepted() && !found->told && !isOwn(found->request)) wishes_.note(found->request);
     open_.erase(found);
   }
 }
 
-std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(robotlink::RobotProgram& program,
-                                                                               robotlink::Instant now) {
+std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
+    robotlink::RobotProgram& program, robotlink::Instant now) {
   const std::lock_guard lock(mutex_);
   if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.told; })) return nullptr;
   if (!preview_) {

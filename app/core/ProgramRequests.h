@@ -21,16 +21,19 @@ class RobotProgram;
 
 namespace app {
 
-/// The requests to one robot's program, over all the programs that are made for the robot: those that wait until they are handed
-/// to it, those that it has not answered yet, and what was accepted and shall hold for the next program, too.
+/// The requests to one robot's program, over all the programs that are made for the robot: those that wait
+/// until they are handed to it, those that it has not answered yet, and what was accepted and shall hold for
+/// the next program, too.
 ///
-/// ask(), take() and answered() may be called from any thread; the others while no process of the program runs.
+/// ask(), take() and answered() may be called from any thread; the others while no process of the program
+/// runs.
 class ProgramRequests {
  public:
   explicit ProgramRequests(std::string robot) : robot_(std::move(robot)) {}
 
-  /// A program was made that has not run yet, in the place of the one before, if there was one: take() gives what a person chose
-  /// so far, and what was asked and not yet answered. Returns a sentence for each choice that this program cannot fulfill.
+  /// A program was made that has not run yet, in the place of the one before, if there was one: take() gives
+  /// what a person chose so far, and what was asked and not yet answered. Returns a sentence for each choice
+  /// that this program cannot fulfill.
   std::vector<std::string> begin(robotlink::RobotProgram& program);
   /// False: too many wait already.
   bool ask(const robotcontrol::Request& request);
@@ -41,7 +44,8 @@ class ProgramRequests {
   /// The program has run: what it would do is to be found anew.
   void ran() { preview_.reset(); }
   /// The answers that it will give in its next frames, if they were not given yet; null: there are none.
-  std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program, robotlink::Instant now);
+  std::shared_ptr<const robotcontrol::DebugQueue> answersToCome(robotlink::RobotProgram& program,
+                                                                robotlink::Instant now);
 
   ProgramWishes wishes() const;
 

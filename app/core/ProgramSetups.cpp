@@ -92,8 +92,8 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
 
 }  // namespace
 
-tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(const std::filesystem::path& file,
-                                                                  const std::map<std::string, std::string>& solutions) {
+tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
+    const std::filesystem::path& file, const std::map<std::string, std::string>& solutions) {
   auto layout = robotlink::readLayout(file);
   if (!layout) return layout;
   for (auto& process : layout->processes) {
@@ -115,7 +115,8 @@ ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlin
   fill(*setup.mutable_field(), files.field);
   Choices chosen = solutionsOf(program.layout());
   for (const auto& [task, solution] : defaultsOf(setup)) {
-    if (const auto found = chosen.find(task); found != chosen.end() && found->second == solution) chosen.erase(found);
+    if (const auto found = chosen.find(task); found != chosen.end() && found->second == solution)
+      chosen.erase(found);
   }
   assign(setup, chosen);
   for (auto& values : program.parameters()) *setup.add_parameters() = std::move(values);

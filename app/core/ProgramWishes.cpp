@@ -24,7 +24,8 @@ bool ProgramWishes::note(const Request& request) {
                         : std::make_shared<const robotcontrol::ColorTable>(request.set_color_table().table());
       return true;
     case Request::kRecordPackages:
-      recordedPackages_ = {request.record_packages().packages().begin(), request.record_packages().packages().end()};
+      recordedPackages_ = {request.record_packages().packages().begin(),
+                           request.record_packages().packages().end()};
       return true;
     default:
       return false;
@@ -65,7 +66,8 @@ std::vector<Request> ProgramWishes::requests(const std::string& robot) const {
       all.push_back(request);
     }
   };
-  // Before solutions: these may read them when they are made. Those of the active solution need it to be chosen.
+  // Before solutions: these may read them when they are made. Those of the active solution need it to be
+  // chosen.
   addParameters(false);
   for (const auto& [task, solution] : solutions_) {
     request.mutable_select_solution()->set_task(task);

@@ -13,10 +13,10 @@
 
 namespace app {
 
-/// What a person chose for a robot's program against its layout and its files, and what every program that is made for this
-/// robot shall have again, after a reset, in another layout, at another place of a log: modes of debug keys, solutions,
-/// parameters, the color table, and what is recorded. What a layout cannot fulfill is kept for one that can. A plain value, the
-/// same for simulated, real and logged robots.
+/// What a person chose for a robot's program against its layout and its files, and what every program that is
+/// made for this robot shall have again, after a reset, in another layout, at another place of a log: modes
+/// of debug keys, solutions, parameters, the color table, and what is recorded. What a layout cannot fulfill
+/// is kept for one that can. A plain value, the same for simulated, real and logged robots.
 class ProgramWishes {
  public:
   using TaskSolution = std::pair<std::string, std::string>;
@@ -24,7 +24,9 @@ class ProgramWishes {
   /// A request that the program does; of other kinds nothing is kept. Whether anything was.
   bool note(const robotcontrol::Request& request);
   void chooseSolution(const std::string& task, const std::string& solution) { solutions_[task] = solution; }
-  void chooseColorTable(std::shared_ptr<const robotcontrol::ColorTable> table) { colorTable_ = std::move(table); }
+  void chooseColorTable(std::shared_ptr<const robotcontrol::ColorTable> table) {
+    colorTable_ = std::move(table);
+  }
 
   /// What to ask a program that has not run yet; the last one asks for its tables.
   std::vector<robotcontrol::Request> requests(const std::string& robot) const;

@@ -73,8 +73,10 @@ Result<void> Recording::control(const ControlRecording& control) {
 
 void Recording::remember(const ControlRecording& control) {
   if (control.has_selection()) settings_.set(kStreams, logplayer::textOf(control.selection()));
-  if (control.has_image_coding()) settings_.set(kImages, ControlRecording::ImageCoding_Name(control.image_coding()));
-  if (control.has_compression()) settings_.set(kCompression, ControlRecording::Compression_Name(control.compression()));
+  if (control.has_image_coding())
+    settings_.set(kImages, ControlRecording::ImageCoding_Name(control.image_coding()));
+  if (control.has_compression())
+    settings_.set(kCompression, ControlRecording::Compression_Name(control.compression()));
   if (control.has_keep_last()) settings_.set(kKeep, control.keep_last());
   if (control.has_trigger()) settings_.set(kTrigger, control.trigger());
   if (const auto saved = settings_.save(); !saved) problems_.push_back(saved.error());
@@ -88,8 +90,8 @@ std::filesystem::path Recording::folder() const {
 Result<void> Recording::setFolder(const std::filesystem::path& folder) {
   std::error_code error;
   if (!std::filesystem::is_directory(folder, error)) {
-    return robotlink::failure("recording.folder", "this is no folder that recordings could go into", {folder.string(), 0, 0},
-                              {folder.string()});
+    return robotlink::failure("recording.folder", "this is no folder that recordings could go into",
+                              {folder.string(), 0, 0}, {folder.string()});
   }
   settings_.set(kFolder, std::filesystem::absolute(folder, error).string());
   recorder_.setFolder(this->folder());
@@ -99,7 +101,8 @@ Result<void> Recording::setFolder(const std::filesystem::path& folder) {
 Result<void> Recording::bookmark(const std::string& text, robotlink::Instant time) {
   const robotcontrol::RecordingStatus status = recorder_.status();
   if (!status.recording() && status.kept_bytes() == 0) {
-    return robotlink::failure("recording.none", "nothing is being recorded or kept that could be marked; start a recording first");
+    return robotlink::failure(
+        "recording.none", "nothing is being recorded or kept that could be marked; start a recording first");
   }
   auto event = std::make_shared<foxglove::Event>();
   robotlink::assign(*event->mutable_start_time(), time);
@@ -121,7 +124,8 @@ Result<void> Recording::bookmark(const std::string& text, robotlink::Instant tim
 
 robotlink::Errors Recording::takeWarnings() {
   robotlink::Errors warnings = std::exchange(problems_, {});
-  for (std::string& text : warnings_.drain()) warnings.push_back({"recording.warning", std::move(text), {}, {}});
+  for (std::string& text : warnings_.drain())
+    warnings.push_back({"recording.warning", std::move(text), {}, {}});
   return warnings;
 }
 

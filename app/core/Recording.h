@@ -11,8 +11,8 @@
 
 namespace app {
 
-/// The recorder of a workbench, with what a person chose for it: what is recorded, how, and where, kept from one start to the
-/// next. The GUI's thread, but for the recorder itself.
+/// The recorder of a workbench, with what a person chose for it: what is recorded, how, and where, kept from
+/// one start to the next. The GUI's thread, but for the recorder itself.
 class Recording {
  public:
   /// What was chosen is kept in `userFolder`/recording.json.
@@ -27,8 +27,8 @@ class Recording {
   std::filesystem::path folder() const;
   robotlink::Result<void> setFolder(const std::filesystem::path& folder);
 
-  /// Marks an instant in the recording that runs; if none does, saves the last seconds with the mark, if some are kept. Fails if
-  /// neither is so.
+  /// Marks an instant in the recording that runs; if none does, saves the last seconds with the mark, if some
+  /// are kept. Fails if neither is so.
   robotlink::Result<void> bookmark(const std::string& text, robotlink::Instant time);
 
   /// What the recorder had to say since the last call, and what could not be remembered.

@@ -15,7 +15,9 @@ using robotlink::Result;
 using Type = CommandTable::Type;
 using Values = std::vector<CommandTable::Value>;
 
-const std::string& text(const Values& values) { return std::get<std::string>(values[0]); }
+const std::string& text(const Values& values) {
+  return std::get<std::string>(values[0]);
+}
 
 Result<void> act(Workbench& workbench, ControlRecording::Action action, const std::string& path = {}) {
   ControlRecording control;
@@ -25,28 +27,42 @@ Result<void> act(Workbench& workbench, ControlRecording::Action action, const st
 }
 
 void addActions(CommandTable& commands, Workbench& workbench) {
-  commands.add({"recording.start", "Starts recording into a new file in the folder for recordings", {},
+  commands.add({"recording.start",
+                "Starts recording into a new file in the folder for recordings",
+                {},
                 [&workbench](const Values&) { return act(workbench, ControlRecording::START); }});
-  commands.add({"recording.start-file", "Starts recording into a file",
-                {{"file", Type::kText, "a log file that does not exist yet"}},
-                [&workbench](const Values& values) { return act(workbench, ControlRecording::START, text(values)); }});
-  commands.add({"recording.stop", "Ends the recording", {},
-                [&workbench](const Values&) { return act(workbench, ControlRecording::STOP); }});
-  commands.add({"recording.toggle", "Starts recording into a new file, or ends the recording", {},
+  commands.add(
+      {"recording.start-file",
+       "Starts recording into a file",
+       {{"file", Type::kText, "a log file that does not exist yet"}},
+       [&workbench](const Values& values) { return act(workbench, ControlRecording::START, text(values)); }});
+  commands.add({"recording.stop", "Ends the recording", {}, [&workbench](const Values&) {
+                  return act(workbench, ControlRecording::STOP);
+                }});
+  commands.add({"recording.toggle",
+                "Starts recording into a new file, or ends the recording",
+                {},
                 [&workbench](const Values&) {
                   const bool running = workbench.recording().status().recording();
                   return act(workbench, running ? ControlRecording::STOP : ControlRecording::START);
                 }});
-  commands.add({"recording.save-last", "Saves the last seconds that are kept in memory into a new file", {},
+  commands.add({"recording.save-last",
+                "Saves the last seconds that are kept in memory into a new file",
+                {},
                 [&workbench](const Values&) { return act(workbench, ControlRecording::SAVE_LAST); }});
-  commands.add({"recording.save-last-file", "Saves the last seconds that are kept in memory into a file",
+  commands.add({"recording.save-last-file",
+                "Saves the last seconds that are kept in memory into a file",
                 {{"file", Type::kText, "a log file that does not exist yet"}},
-                [&workbench](const Values& values) { return act(workbench, ControlRecording::SAVE_LAST, text(values)); }});
-  commands.add({"recording.bookmark", "Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark",
-                {{"text", Type::kText, "what is to be seen there"}},
                 [&workbench](const Values& values) {
-                  return workbench.recording().bookmark(text(values), workbench.session().timeline().shown());
+                  return act(workbench, ControlRecording::SAVE_LAST, text(values));
                 }});
+  commands.add(
+      {"recording.bookmark",
+       "Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark",
+       {{"text", Type::kText, "what is to be seen there"}},
+       [&workbench](const Values& values) {
+         return workbench.recording().bookmark(text(values), workbench.session().timeline().shown());
+       }});
 }
 
 Result<void> chooseImages(Recording& recording, const std::string& coding) {
@@ -58,7 +74,8 @@ Result<void> chooseImages(Recording& recording, const std::string& coding) {
   } else if (coding == "png") {
     control.set_image_coding(ControlRecording::PNG);
   } else {
-    return failure("recording.images", "images are recorded as-is, as jpeg or as png, not as \"" + coding + "\"", {}, {coding});
+    return failure("recording.images",
+                   "images are recorded as-is, as jpeg or as png, not as \"" + coding + "\"", {}, {coding});
   }
   return recording.control(control);
 }
@@ -72,7 +89,8 @@ Result<void> chooseCompression(Recording& recording, const std::string& compress
   } else if (compression == "zstd") {
     control.set_compression(ControlRecording::ZSTD);
   } else {
-    return failure("recording.compression", "files are compressed by none, lz4 or zstd, not by \"" + compression + "\"", {},
+    return failure("recording.compression",
+                   "files are compressed by none, lz4 or zstd, not by \"" + compression + "\"", {},
                    {compression});
   }
   return recording.control(control);
@@ -87,27 +105,38 @@ Result<void> chooseStreams(Recording& recording, const std::string& selection) {
 }
 
 void addChoices(CommandTable& commands, Recording& recording) {
-  commands.add({"recording.streams", "Chooses what is recorded; nothing is all that a replay needs",
-                {{"selection", Type::kText, "paths with * for any text between commas, - before what is left out: red1/*,-*/log"}},
+  commands.add({"recording.streams",
+                "Chooses what is recorded; nothing is all that a replay needs",
+                {{"selection", Type::kText,
+                  "paths with * for any text between commas, - before what is left out: red1/*,-*/log"}},
                 [&recording](const Values& values) { return chooseStreams(recording, text(values)); }});
-  commands.add({"recording.images", "Chooses how images are recorded", {{"coding", Type::kText, "as-is, jpeg or png"}},
+  commands.add({"recording.images",
+                "Chooses how images are recorded",
+                {{"coding", Type::kText, "as-is, jpeg or png"}},
                 [&recording](const Values& values) { return chooseImages(recording, text(values)); }});
-  commands.add({"recording.compression", "Chooses how new files are compressed", {{"compression", Type::kText, "none, lz4 or zstd"}},
+  commands.add({"recording.compression",
+                "Chooses how new files are compressed",
+                {{"compression", Type::kText, "none, lz4 or zstd"}},
                 [&recording](const Values& values) { return chooseCompression(recording, text(values)); }});
-  commands.add({"recording.keep", "Keeps the last seconds in memory, to be saved when something has happened; 0 keeps nothing",
-                {{"seconds", Type::kNumber, "0 to 3600"}}, [&recording](const Values& values) {
+  commands.add({"recording.keep",
+                "Keeps the last seconds in memory, to be saved when something has happened; 0 keeps nothing",
+                {{"seconds", Type::kNumber, "0 to 3600"}},
+                [&recording](const Values& values) {
                   ControlRecording control;
                   control.set_keep_last(std::get<double>(values[0]));
                   return recording.control(control);
                 }});
-  commands.add({"recording.trigger", "Saves the last seconds when something is told in a stream; nothing: never by itself",
+  commands.add({"recording.trigger",
+                "Saves the last seconds when something is told in a stream; nothing: never by itself",
                 {{"stream", Type::kText, "its path, with * for any text: red1/plots/ball-model/*"}},
                 [&recording](const Values& values) {
                   ControlRecording control;
                   control.set_trigger(text(values));
                   return recording.control(control);
                 }});
-  commands.add({"recording.folder", "Chooses the folder for new recordings", {{"folder", Type::kText, "its path"}},
+  commands.add({"recording.folder",
+                "Chooses the folder for new recordings",
+                {{"folder", Type::kText, "its path"}},
                 [&recording](const Values& values) { return recording.setFolder(text(values)); }});
 }
 

@@ -40,7 +40,8 @@ void tapSenders(const robotlink::Process& process, const std::shared_ptr<TappedF
     frame->paths.insert(path);
     sender->addTap([&recorder, frame, path, from = &process](const robotlink::PackagePtr& package) {
       StreamMessage message{path, from->clock().now(), package, frame->process, from->frames() + 1};
-      if (recorder.active() || robotlink::holdsUntilToldAnew(message)) frame->messages.push_back(std::move(message));
+      if (recorder.active() || robotlink::holdsUntilToldAnew(message))
+        frame->messages.push_back(std::move(message));
     });
   }
 }
@@ -57,7 +58,8 @@ StreamMessage frameInfo(const std::string& robot, const std::string& process, ro
 /// Whether something in it is to be known also while nothing is recorded.
 bool tellsWhatHolds(const DebugQueue& queue) {
   return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
-    return message.has_keys() || message.has_solutions() || message.has_processes() || message.has_parameters();
+    return message.has_keys() || message.has_solutions() || message.has_processes() ||
+           message.has_parameters();
   });
 }
 
@@ -76,7 +78,8 @@ struct RecordingTap::Robot {
   robotlink::Instant lastTime;
 
   StreamMessage setupMessage(robotlink::Instant time) const {
-    return {name + "/" + robotlink::streams::kProgram, time, std::make_shared<robotcontrol::ProgramSetup>(setup)};
+    return {name + "/" + robotlink::streams::kProgram, time,
+            std::make_shared<robotcontrol::ProgramSetup>(setup)};
   }
   std::set<std::string> wanted(const logplayer::Recorder& recorder) const {
     std::set<std::string> packages;
@@ -96,8 +99,8 @@ RecordingTap::Robot* RecordingTap::find(const std::string& name) const {
   return nullptr;
 }
 
-void RecordingTap::attach(const std::string& name, robotlink::Platform& platform, robotlink::RobotProgram& program,
-                          robotcontrol::ProgramSetup setup) {
+void RecordingTap::attach(const std::string& name, robotlink::Platform& platform,
+                          robotlink::RobotProgram& program, robotcontrol::ProgramSetup setup) {
   auto robot = std::make_shared<Robot>();
   robot->name = name;
   robot->platform = &platform;
@@ -131,7 +134,8 @@ void RecordingTap::askForPackages() {
     request.set_robot(robot->name);
     request.mutable_record_packages();
     for (const std::string& package : packages) request.mutable_record_packages()->add_packages(package);
-    if (!robot->program->debugProcess().request(request)) return;  // Too many requests wait: the next step tries again.
+    if (!robot->program->debugProcess().request(request))
+      return;  // Too many requests wait: the next step tries again.
     robot->asked = std::move(packages);
   }
   demand_ = demand;
@@ -172,7 +176,8 @@ void RecordingTap::add(const std::string& name, const std::shared_ptr<const Debu
       });
       if (own && !frame.empty()) {  // What was sent in this frame was so before its end.
         auto wishes = std::exchange(robot->wishes->messages, {});
-        frame.insert(frame.end() - 1, std::make_move_iterator(wishes.begin()), std::make_move_iterator(wishes.end()));
+        frame.insert(frame.end() - 1, std::make_move_iterator(wishes.begin()),
+                     std::make_move_iterator(wishes.end()));
       }
       recorder_.add(std::move(frame));
     }

@@ -19,10 +19,10 @@ class RobotProgram;
 
 namespace app {
 
-/// Hands all that the robots of one run tell to a recorder, in complete frames: debug queues, taken apart; what the platform and
-/// the debug process send, tapped at their senders at full rate; requests, when they are handed in; and what the programs are
-/// made of. While nothing is recorded it costs one look at a flag for each package, but what holds until told anew is always
-/// handed on.
+/// Hands all that the robots of one run tell to a recorder, in complete frames: debug queues, taken apart;
+/// what the platform and the debug process send, tapped at their senders at full rate; requests, when they
+/// are handed in; and what the programs are made of. While nothing is recorded it costs one look at a flag
+/// for each package, but what holds until told anew is always handed on.
 ///
 /// Made for one run; the recorder must outlive the run's platforms and programs.
 class RecordingTap {
@@ -37,8 +37,9 @@ class RecordingTap {
   void clear() { robots_.clear(); }
   /// The platforms' clocks start anew.
   void restart() { recorder_.restart(); }
-  /// A program that has not run yet, on a platform that was not tapped before, or in the place of the one that ran there. Tells its set-up and has the program tell what is
-  /// to be recorded from its first frame on.
+  /// A program that has not run yet, on a platform that was not tapped before, or in the place of the one
+  /// that ran there. Tells its set-up and has the program tell what is to be recorded from its first frame
+  /// on.
   void attach(const std::string& robot, robotlink::Platform& platform, robotlink::RobotProgram& program,
               robotcontrol::ProgramSetup setup);
 

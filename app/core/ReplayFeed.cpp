@@ -28,7 +28,8 @@ std::string imagesOf(const ReplayRun& run) {
 
 }  // namespace
 
-tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptions options, robotlink::Session& session,
+tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptions options,
+                                                                     robotlink::Session& session,
                                                                      logplayer::Recorder& recorder,
                                                                      std::optional<Instant> time) {
   auto feed = std::unique_ptr<ReplayFeed>(new ReplayFeed(session, recorder));
@@ -54,7 +55,9 @@ ReplayRun::Listeners ReplayFeed::listeners() {
           }};
 }
 
-Playback::Place ReplayFeed::place() const { return {run_->now(), run_->begin(), run_->end(), run_->nextTime()}; }
+Playback::Place ReplayFeed::place() const {
+  return {run_->now(), run_->begin(), run_->end(), run_->nextTime()};
+}
 
 void ReplayFeed::goOnLike(const ReplayFeed& before) {
   playback_ = before.playback_;
@@ -106,7 +109,8 @@ Result<void> ReplayFeed::jump(Instant time) {
   return changed([&] { return run_->jump(aim); });
 }
 
-/// Over what lies between, if that is not farther than what a jump runs over, too: then nothing needs to be told anew.
+/// Over what lies between, if that is not farther than what a jump runs over, too: then nothing needs to be
+/// told anew.
 Result<void> ReplayFeed::goTo(Instant time) {
   if (time < run_->now() || time - run_->now() > run_->options().preroll) return jump(time);
   while (run_->nextTime() && *run_->nextTime() <= time) {
@@ -156,8 +160,8 @@ void ReplayFeed::tellFailure(const Result<void>& done) {
   stale_ = false;
   const std::string& process = run_->stepProcess();
   const auto slash = std::min(process.find('/'), process.size());
-  outlet_.tellError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())), run_->now(),
-                    "The log is paused: " + done.error().describe());
+  outlet_.tellError(process.substr(0, slash), process.substr(std::min(slash + 1, process.size())),
+                    run_->now(), "The log is paused: " + done.error().describe());
   publishStatus();
 }
 
@@ -192,7 +196,8 @@ void ReplayFeed::publishStatus() {
     status->mutable_range()->set_to(range->to.time_since_epoch().count());
   }
   outlet_.tell({robotlink::streams::kReplay, run_->now(), std::move(status)});
-  outlet_.tell({robotlink::streams::kRecording, run_->now(), std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  outlet_.tell({robotlink::streams::kRecording, run_->now(),
+                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

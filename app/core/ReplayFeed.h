@@ -14,18 +14,18 @@
 
 namespace app {
 
-/// A ReplayRun in the workbench: played, stepped and jumped in as requests say, it tells a session what the logs hold and what the
-/// programs say that run on them, and its own status on the stream "replay"; and a recorder. Both must outlive it.
+/// A ReplayRun in the workbench: played, stepped and jumped in as requests say, it tells a session what the
+/// logs hold and what the programs say that run on them, and its own status on the stream "replay"; and a
+/// recorder. Both must outlive it.
 ///
-/// After a jump, the session is told anew, as a whole. While it is paused, what was asked of a program is shown at once: the
-/// programs run again up to where the log stands.
+/// After a jump, the session is told anew, as a whole. While it is paused, what was asked of a program is
+/// shown at once: the programs run again up to where the log stands.
 class ReplayFeed final : public PlatformFeed {
  public:
   /// Paused: at `time`, or, if that is not given, at the first image.
-  static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(ReplayOptions options,
-                                                                             robotlink::Session& session,
-                                                                             logplayer::Recorder& recorder,
-                                                                             std::optional<robotlink::Instant> time = {});
+  static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(
+      ReplayOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
+      std::optional<robotlink::Instant> time = {});
   /// Plays as another one did that it takes the place of; both have logs in common.
   void goOnLike(const ReplayFeed& before);
 
@@ -74,7 +74,8 @@ class ReplayFeed final : public PlatformFeed {
   Outlet outlet_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
-  bool stale_ = false;  // a program was asked for something that it has not yet done with the log where it stands
+  bool stale_ =
+      false;  // a program was asked for something that it has not yet done with the log where it stands
   Clock::time_point lastStatus_;
 };
 

@@ -15,7 +15,9 @@ using robotlink::Result;
 
 namespace {
 
-Instant instantOf(std::int64_t time) { return Instant(robotlink::Duration(time)); }
+Instant instantOf(std::int64_t time) {
+  return Instant(robotlink::Duration(time));
+}
 
 }  // namespace
 
@@ -51,7 +53,8 @@ Result<void> ReplayFeed::control(const ControlReplay& control) {
 
 /// What needs no telling anew. All or nothing.
 Result<void> ReplayFeed::set(const ControlReplay& control) {
-  if (control.has_speed() && !(control.speed() >= Playback::kSlowest && control.speed() <= Playback::kFastest)) {
+  if (control.has_speed() &&
+      !(control.speed() >= Playback::kSlowest && control.speed() <= Playback::kFastest)) {
     return failure("replay.speed", "the speed must be between 0.05 and 50 times real time");
   }
   if (control.has_step_process() && !run_->setStepProcess(control.step_process())) {
@@ -62,9 +65,12 @@ Result<void> ReplayFeed::set(const ControlReplay& control) {
   if (control.has_loop()) playback_.setLoop(control.loop());
   if (control.has_skip_gaps()) playback_.setSkipsGaps(control.skip_gaps());
   if (control.has_range()) {
-    const auto inside = [this](std::int64_t time) { return std::clamp(instantOf(time), run_->begin(), run_->end()); };
+    const auto inside = [this](std::int64_t time) {
+      return std::clamp(instantOf(time), run_->begin(), run_->end());
+    };
     const Instant from = inside(control.range().from()), to = inside(control.range().to());
-    playback_.setRange(from == to ? std::nullopt : std::optional(Playback::Range{std::min(from, to), std::max(from, to)}));
+    playback_.setRange(from == to ? std::nullopt
+                                  : std::optional(Playback::Range{std::min(from, to), std::max(from, to)}));
   }
   return {};
 }
@@ -79,11 +85,14 @@ Result<void> ReplayFeed::change(const ControlReplay& control) {
   if (control.offsets_size() == 0) return {};
   for (const auto& offset : control.offsets()) {
     const auto& logs = run_->options().logs;
-    const bool known = std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return log.file == offset.log(); });
-    if (!known) return failure("replay.log", offset.log() + " is not open", {offset.log(), 0, 0}, {offset.log()});
+    const bool known =
+        std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return log.file == offset.log(); });
+    if (!known)
+      return failure("replay.log", offset.log() + " is not open", {offset.log(), 0, 0}, {offset.log()});
   }
   return changed([&] {
-    for (const auto& offset : control.offsets()) run_->setOffset(offset.log(), robotlink::Duration(offset.offset()));
+    for (const auto& offset : control.offsets())
+      run_->setOffset(offset.log(), robotlink::Duration(offset.offset()));
     return robotlink::Errors();
   });
 }
@@ -121,7 +130,9 @@ Result<void> ReplayFeed::play() {
 }
 
 /// At the ends of the log no step leads on.
-bool ReplayFeed::leads(Instant to, int count) const { return count < 0 ? to < run_->now() : to > run_->now(); }
+bool ReplayFeed::leads(Instant to, int count) const {
+  return count < 0 ? to < run_->now() : to > run_->now();
+}
 
 Result<void> ReplayFeed::stepFrames(const ControlReplay& control) {
   playback_.pause();
@@ -136,7 +147,8 @@ Result<void> ReplayFeed::stepMessages(const ControlReplay& control) {
   const auto time = run_->messageTime(control.stream(), control.count());
   if (time && leads(*time, control.count())) return goTo(*time);
   const std::string where = control.count() < 0 ? "before" : "after";
-  return failure("replay.stream", where + " here the log has no message of " + control.stream(), {}, {control.stream()});
+  return failure("replay.stream", where + " here the log has no message of " + control.stream(), {},
+                 {control.stream()});
 }
 
 Result<void> ReplayFeed::jumpToFrame(const ControlReplay& control) {

@@ -17,7 +17,9 @@ using robotlink::Instant;
 
 namespace {
 
-std::int64_t nanoseconds(Instant time) { return time.time_since_epoch().count(); }
+std::int64_t nanoseconds(Instant time) {
+  return time.time_since_epoch().count();
+}
 
 std::uint64_t numberOf(const std::optional<robotlink::StreamMessage>& message) {
   const auto* info = message ? dynamic_cast<const FrameInfo*>(message->value.get()) : nullptr;
@@ -33,7 +35,9 @@ bool blocksOnImages(const robotlink::Layout::Process& process) {
 
 // ---- Time
 
-Instant ReplayRun::now() const { return implementation_->now; }
+Instant ReplayRun::now() const {
+  return implementation_->now;
+}
 
 Instant ReplayRun::begin() const {
   Instant earliest = Instant::max();
@@ -60,7 +64,9 @@ std::optional<Instant> ReplayRun::Implementation::nextTime() const {
   return next;
 }
 
-std::optional<Instant> ReplayRun::nextTime() const { return implementation_->nextTime(); }
+std::optional<Instant> ReplayRun::nextTime() const {
+  return implementation_->nextTime();
+}
 
 // ---- Robots, streams, frames
 
@@ -119,14 +125,16 @@ std::optional<Instant> ReplayRun::messageTime(const std::string& stream, int cou
 }
 
 /// Numbers grow with time, so few of them need be read.
-std::optional<Instant> ReplayRun::Implementation::timeOfFrame(const std::string& process, std::uint64_t frame) const {
+std::optional<Instant> ReplayRun::Implementation::timeOfFrame(const std::string& process,
+                                                              std::uint64_t frame) const {
   const Place place = placeOf(framesOf(process));
   if (place.source == nullptr) return std::nullopt;
   const auto& times = place.source->reader.times(place.stream);
   const auto found = std::partition_point(times.begin(), times.end(), [&](Instant time) {
     return numberOf(place.source->reader.latest(place.stream, time)) < frame;
   });
-  if (found == times.end() || numberOf(place.source->reader.latest(place.stream, *found)) != frame) return std::nullopt;
+  if (found == times.end() || numberOf(place.source->reader.latest(place.stream, *found)) != frame)
+    return std::nullopt;
   return place.source->onLine(*found);
 }
 
@@ -144,7 +152,8 @@ void ReplayRun::Implementation::findStepProcess() {
         if (!stream.path.starts_with(prefix)) continue;
         const std::string process = stream.path.substr(prefix.size());
         const auto& all = robot->setup().layout.processes;
-        const auto known = std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == process; });
+        const auto known =
+            std::find_if(all.begin(), all.end(), [&](const auto& p) { return p.name == process; });
         const bool takesImages = known != all.end() && blocksOnImages(*known);
         names.insert(takesImages ? names.end() : names.begin(), robot->name() + "/" + process);
       }
@@ -160,7 +169,9 @@ bool ReplayRun::setStepProcess(const std::string& process) {
   return true;
 }
 
-const std::string& ReplayRun::stepProcess() const { return implementation_->stepProcess; }
+const std::string& ReplayRun::stepProcess() const {
+  return implementation_->stepProcess;
+}
 
 // ---- Solutions that were chosen
 
@@ -178,7 +189,8 @@ Errors ReplayRun::Implementation::checkChosenSolutions() const {
       for (const auto& [task, solution] : options.solutions) {
         const std::string why = robot->whyNotDoneBy(task, solution);
         if (why.empty()) continue;
-        errors.push_back({"replay.solution", robot->name() + ": task " + task + " cannot be done by " + solution + ": " + why,
+        errors.push_back({"replay.solution",
+                          robot->name() + ": task " + task + " cannot be done by " + solution + ": " + why,
                           {robot->name(), task, solution},
                           {}});
       }
@@ -194,8 +206,9 @@ std::vector<std::string> ReplayRun::unusedSolutions() const {
       for (const auto& absence : robot->plan().layout.absent) {
         const auto chosen = implementation_->options.solutions.find(absence.task);
         if (chosen == implementation_->options.solutions.end()) continue;
-        sentences.push_back(robot->name() + ": task " + absence.task + " does not run, so that its solution " + chosen->second +
-                            " changes nothing; " + absence.reason);
+        sentences.push_back(robot->name() + ": task " + absence.task +
+                            " does not run, so that its solution " + chosen->second + " changes nothing; " +
+                            absence.reason);
       }
     }
   }
@@ -204,7 +217,9 @@ std::vector<std::string> ReplayRun::unusedSolutions() const {
 
 // ---- What is told of it
 
-const ReplayOptions& ReplayRun::options() const { return implementation_->options; }
+const ReplayOptions& ReplayRun::options() const {
+  return implementation_->options;
+}
 
 std::vector<std::string> ReplayRun::robots() const {
   std::vector<std::string> names;

@@ -40,7 +40,8 @@ bool joinMoves(ControlReplay& first, const ControlReplay& second) {
     first = second;
     return true;
   }
-  if (first.action() != second.action() || first.process() != second.process() || first.stream() != second.stream()) {
+  if (first.action() != second.action() || first.process() != second.process() ||
+      first.stream() != second.stream()) {
     return false;
   }
   // At the ends of the log a step there and one back do not lead to where one was.

@@ -24,7 +24,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
   std::set<std::string> outputs;
   if (task == nullptr) return outputs;
-  for (const auto& solution : task->solutions) outputs.insert(solution.outputs.begin(), solution.outputs.end());
+  for (const auto& solution : task->solutions)
+    outputs.insert(solution.outputs.begin(), solution.outputs.end());
   return outputs;
 }
 
@@ -89,7 +90,8 @@ void Planner::findObtainable() {
         const TaskCatalog::Task* known = catalog_.find(task.task);
         if (known == nullptr) continue;
         for (const auto& solution : known->solutions) {
-          if (missing(solution) == nullptr) obtainable_.insert(solution.outputs.begin(), solution.outputs.end());
+          if (missing(solution) == nullptr)
+            obtainable_.insert(solution.outputs.begin(), solution.outputs.end());
         }
       }
     }
@@ -158,10 +160,11 @@ void Planner::choose() {
   }
   for (const auto& [name, source] : wishes_.packages) {
     if (source == ControlReplay::AUTOMATIC || plan_.find(name) != nullptr) continue;
-    errors_.push_back({"replay.no-package",
-                       "there is no package " + name + ", neither in the log nor of layout " + wishes_.layout.name,
-                       {name},
-                       {}});
+    errors_.push_back(
+        {"replay.no-package",
+         "there is no package " + name + ", neither in the log nor of layout " + wishes_.layout.name,
+         {name},
+         {}});
   }
 }
 
@@ -181,7 +184,8 @@ void Planner::replaceTasks() {
       }
       const bool goes = !outputs.empty() && replaced.size() == outputs.size();
       if (goes) {
-        plan_.layout.absent.push_back({process.name, task.task, "what it yields is as logged: " + joined(replaced)});
+        plan_.layout.absent.push_back(
+            {process.name, task.task, "what it yields is as logged: " + joined(replaced)});
       } else {
         plan_.layout.withheld.merge(replaced);
       }
@@ -244,14 +248,17 @@ void Planner::removeEmptyProcesses() {
 
 // ---- Pace
 
-/// A process goes on at the pace at which it was recorded, also if what it waited for is read by none of the tasks that are left.
+/// A process goes on at the pace at which it was recorded, also if what it waited for is read by none of the
+/// tasks that are left.
 void Planner::setPace(Layout::Process& process) const {
   if (process.debug) {
-    process.period = kEveryInstant;  // What programs tell at an instant is heard then, and not a moment later.
+    process.period =
+        kEveryInstant;  // What programs tell at an instant is heard then, and not a moment later.
     return;
   }
   const bool waited = !process.blocking.empty();
-  std::erase_if(process.blocking, [&](const Layout::Input& input) { return !isOffered(input.package, process); });
+  std::erase_if(process.blocking,
+                [&](const Layout::Input& input) { return !isOffered(input.package, process); });
   for (Layout::Input& input : process.blocking) input.paceOnly = !isRead(input.package, process);
   if (!waited || !process.blocking.empty()) return;
   if (const std::string pace = paceOf(process); !pace.empty()) {
@@ -263,11 +270,13 @@ void Planner::setPace(Layout::Process& process) const {
 
 bool Planner::isOffered(const std::string& package, const Layout::Process& to) const {
   if (contains(platform_.offers, package) || contains(platform_.debugOffers, package)) return true;
-  return std::any_of(plan_.layout.processes.begin(), plan_.layout.processes.end(), [&](const Layout::Process& from) {
-    return &from != &to && std::any_of(from.tasks.begin(), from.tasks.end(), [&](const Layout::Task& task) {
-      return outputsOf(catalog_.find(task.task)).contains(package);
-    });
-  });
+  return std::any_of(
+      plan_.layout.processes.begin(), plan_.layout.processes.end(), [&](const Layout::Process& from) {
+        return &from != &to &&
+               std::any_of(from.tasks.begin(), from.tasks.end(), [&](const Layout::Task& task) {
+                 return outputsOf(catalog_.find(task.task)).contains(package);
+               });
+      });
 }
 
 bool Planner::isRead(const std::string& package, const Layout::Process& by) const {
@@ -307,8 +316,8 @@ bool ReplayPlan::hasProcess(const std::string& process) const {
 }
 
 const ReplayPlan::Package* ReplayPlan::find(const std::string& package) const {
-  const auto found =
-      std::find_if(packages.begin(), packages.end(), [&](const Package& entry) { return entry.name == package; });
+  const auto found = std::find_if(packages.begin(), packages.end(),
+                                  [&](const Package& entry) { return entry.name == package; });
   return found == packages.end() ? nullptr : &*found;
 }
 

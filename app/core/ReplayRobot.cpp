@@ -49,7 +49,9 @@ ReplayRobot::ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string lo
     const std::string path = below(stream.path);
     streams_.insert(path);
     const auto type = types_.find(path);
-    if (type == types_.end() || !stream.isDecoded() || !fits(*type->second, stream.type) || robotlink::isDebugPackage(path)) continue;
+    if (type == types_.end() || !stream.isDecoded() || !fits(*type->second, stream.type) ||
+        robotlink::isDebugPackage(path))
+      continue;
     logged_.insert(path);
     // What programs told last waits in their queues when a recording ends, and is lost; it is not missed.
     const bool untilTheEnd = log_->end() - stream.last < kQueueDelay;
@@ -75,7 +77,8 @@ std::optional<ProgramSetup> ReplayRobot::loggedSetupAt(Instant time) const {
 std::shared_ptr<const robotlink::GroundMap> ReplayRobot::loggedMapAt(Instant time) const {
   auto message = log_->latest(streams::kMap, time);
   if (!message) {
-    if (const auto first = log_->timeAfter(streams::kMap, time)) message = log_->latest(streams::kMap, *first);
+    if (const auto first = log_->timeAfter(streams::kMap, time))
+      message = log_->latest(streams::kMap, *first);
   }
   const auto* map = message ? dynamic_cast<const robotcontrol::GroundMap*>(message->value.get()) : nullptr;
   return map != nullptr ? std::make_shared<const robotlink::GroundMap>(robotlink::groundMap(*map)) : nullptr;
@@ -92,7 +95,8 @@ Errors ReplayRobot::readSetupAt(Instant time) {
       if (chosen != solutions.end()) task.choose(chosen->second);
     }
   }
-  for (const auto& [solution, values] : choices_.wishes.parameters()) setup->parameters.recorded.push_back(values);
+  for (const auto& [solution, values] : choices_.wishes.parameters())
+    setup->parameters.recorded.push_back(values);
   if (setup->team.empty()) setup->team = teamOf(logName_);
   setup->map = loggedMapAt(time);
   setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
@@ -100,7 +104,9 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   return {};
 }
 
-Errors ReplayRobot::start(Instant time) { return start(time, choices_); }
+Errors ReplayRobot::start(Instant time) {
+  return start(time, choices_);
+}
 
 Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
   Errors errors = startWith(time, std::move(choices));
@@ -109,7 +115,8 @@ Errors ReplayRobot::start(Instant time, ReplayChoices choices) {
 }
 
 Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
-  const auto before = std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
+  const auto before =
+      std::tuple(std::exchange(choices_, std::move(choices)), loggedSetup_, setup_, clock_.now());
   clock_.set(time);
   Errors errors = readSetupAt(time);
   if (errors.empty()) {
@@ -129,7 +136,8 @@ Errors ReplayRobot::startWith(Instant time, ReplayChoices choices) {
 Errors ReplayRobot::playOnly(const Errors& why) {
   ReplaySetup setup = *setup_;
   setup.layout = emptyLayout(setup.layout);
-  setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " + robotlink::describe(why));
+  setup.notes.push_back("nothing is recomputed, as the log's layout cannot be run: " +
+                        robotlink::describe(why));
   setup_ = std::make_shared<const ReplaySetup>(std::move(setup));
   return makeProgram();
 }
@@ -143,7 +151,8 @@ std::vector<std::string> ReplayRobot::lostChoices() const {
     };
     const auto& processes = setup_->layout.processes;
     if (std::any_of(processes.begin(), processes.end(), uses)) continue;
-    lost.push_back(name_ + " could not keep solution " + solution + " of task " + task + ": no process of this layout has " + task);
+    lost.push_back(name_ + " could not keep solution " + solution + " of task " + task +
+                   ": no process of this layout has " + task);
   }
   return lost;
 }
@@ -227,7 +236,8 @@ tl::expected<std::unique_ptr<ReplayRobot::Program>, Errors> ReplayRobot::program
 }
 
 void ReplayRobot::describeProgram(const Program& program) {
-  auto own = std::make_shared<ProgramSetup>(programSetup(*program.program, program.platform, {{}, {}, {}, "lockstep"}));
+  auto own = std::make_shared<ProgramSetup>(
+      programSetup(*program.program, program.platform, {{}, {}, {}, "lockstep"}));
   own->set_robot(name_);
   *own->mutable_layout() = setup_->files.layout();
   *own->mutable_description() = setup_->files.description();
@@ -252,7 +262,8 @@ void ReplayRobot::listen(Program& program, const ReplayPlan& plan) {
   }
 }
 
-/// What is not told in every frame must be there from the start. What processes wait for is left out: they ran for it then.
+/// What is not told in every frame must be there from the start. What processes wait for is left out: they
+/// ran for it then.
 void ReplayRobot::giveWhatIsBefore(Instant time) {
   if (!computes()) return;
   std::set<std::string> awaited;
@@ -265,7 +276,8 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
   const Instant earlier = time - robotlink::Duration(1);
   for (const auto& package : plan_.packages) {
     if (package.source != ControlReplay::AS_LOGGED || awaited.contains(package.name)) continue;
-    if (const auto message = before(package.name, earlier)) program_->platform.put(package.name, message->value);
+    if (const auto message = before(package.name, earlier))
+      program_->platform.put(package.name, message->value);
   }
   // What one asked for at `time` itself comes with the requests of that instant, if the log has them.
   for (const std::string& package : robotlink::debugPackages()) {

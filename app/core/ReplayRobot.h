@@ -27,15 +27,15 @@ namespace app {
 
 /// What a person chose for a robot of a log; it outlives the programs that are made of it.
 struct ReplayChoices {
-  std::filesystem::path layout;                  ///< empty: the log's
-  ProgramWishes wishes;  ///< against the layout and the log
+  std::filesystem::path layout;  ///< empty: the log's
+  ProgramWishes wishes;          ///< against the layout and the log
   std::map<std::string, robotcontrol::ControlReplay::PackageSource> packages;
   bool recomputeAll = false;  ///< of what `packages` does not name
   bool tellPackages = false;  ///< all are told so
 };
 
-/// One robot of a log with the program that runs on what the log holds. All times are those of the log, so that an offset changes
-/// no bytes. One thread; listeners are called in it.
+/// One robot of a log with the program that runs on what the log holds. All times are those of the log, so
+/// that an offset changes no bytes. One thread; listeners are called in it.
 class ReplayRobot {
  public:
   struct Listeners {
@@ -43,8 +43,8 @@ class ReplayRobot {
     std::function<void(const robotlink::Process&, const std::string&)> trouble;
   };
   /// `logName` is the robot's name in the log, `name` that in the replay.
-  ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name, ReplayChoices choices,
-              Listeners listeners);
+  ReplayRobot(std::shared_ptr<logplayer::LogFile> log, std::string logName, std::string name,
+              ReplayChoices choices, Listeners listeners);
   ~ReplayRobot();
 
   const std::string& name() const { return name_; }
@@ -56,15 +56,16 @@ class ReplayRobot {
   /// What of them the program here cannot fulfill, a sentence each.
   std::vector<std::string> lostChoices() const;
 
-  /// Makes a new program as it is to be at a time, and gives it what the log holds before. If that is not possible, the one
-  /// before goes on.
+  /// Makes a new program as it is to be at a time, and gives it what the log holds before. If that is not
+  /// possible, the one before goes on.
   robotlink::Errors start(robotlink::Instant time);
   /// The same with other choices; if that is not possible, those before hold.
   robotlink::Errors start(robotlink::Instant time, ReplayChoices choices);
 
   /// A task runs.
   bool computes() const;
-  /// Why a task that runs is done by another solution than this one that was chosen for it; empty if it is not.
+  /// Why a task that runs is done by another solution than this one that was chosen for it; empty if it is
+  /// not.
   std::string whyNotDoneBy(const std::string& task, const std::string& solution) const;
   /// What the program must see of the log, so that nothing else need be read while nobody watches.
   std::vector<std::string> neededStreams() const;
@@ -112,9 +113,9 @@ class ReplayRobot {
   const std::string name_;
   const Listeners listeners_;
   const std::map<std::string, const google::protobuf::Descriptor*> types_;  // of packages
-  std::set<std::string> logged_;  // packages in the log
-  std::map<std::string, robotlink::Instant> comparedUntil_;  // by package
-  std::set<std::string> streams_;  // of the robot, below its name
+  std::set<std::string> logged_;                                            // packages in the log
+  std::map<std::string, robotlink::Instant> comparedUntil_;                 // by package
+  std::set<std::string> streams_;                                           // of the robot, below its name
   ReplayChoices choices_;
   std::optional<robotcontrol::ProgramSetup> loggedSetup_;  // that setup_ was made of
   std::shared_ptr<const ReplaySetup> setup_;

@@ -37,8 +37,9 @@ std::vector<std::string> ReplayRobot::neededStreams() const {
   std::vector<std::string> needed;
   for (const std::string& path : streams_) {
     // What is recomputed is read, too, to be compared.
-    const bool needs = logged_.contains(path) || path.starts_with(streams::kFrames) || path == streams::kRequests ||
-                       path == streams::kProgram || robotlink::isDebugPackage(path);
+    const bool needs = logged_.contains(path) || path.starts_with(streams::kFrames) ||
+                       path == streams::kRequests || path == streams::kProgram ||
+                       robotlink::isDebugPackage(path);
     if (needs) needed.push_back(logName_ + "/" + path);
   }
   return needed;
@@ -60,7 +61,8 @@ void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) 
     if (request != nullptr && path == streams::kRequests) takeRequest(*request);
     if (!hasRequests() && robotlink::isDebugPackage(path)) takeWish(*message.value);
   }
-  // As late as then: the debug process here runs at every instant, so that what programs tell is heard at once.
+  // As late as then: the debug process here runs at every instant, so that what programs tell is heard at
+  // once.
   if (!debugProcessRan(messages)) return;
   for (const Request& request : std::exchange(due_, {})) program_->program->debugProcess().request(request);
 }
@@ -85,11 +87,13 @@ bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
   if (!loggedSetup_ || !isAnotherProgram(*loggedSetup_, setup)) return false;
   const Errors errors = startWith(now, choices_);
   if (errors.empty()) return true;
-  listeners_.trouble(program_->platform, "cannot be started anew as in the log: " + robotlink::describe(errors));
+  listeners_.trouble(program_->platform,
+                     "cannot be started anew as in the log: " + robotlink::describe(errors));
   return false;
 }
 
-/// What a person chooses now counts more than what one chose then; and what one looked at then does not matter.
+/// What a person chooses now counts more than what one chose then; and what one looked at then does not
+/// matter.
 void ReplayRobot::takeRequest(const Request& request) {
   bool counts = false;
   if (request.has_select_solution()) {
@@ -97,7 +101,8 @@ void ReplayRobot::takeRequest(const Request& request) {
     counts = plan_.runs(task) && !choices_.wishes.solutions().contains(task);
   } else if (request.has_set_parameters()) {
     const auto& wish = request.set_parameters();
-    counts = plan_.runs(wish.task()) && !choices_.wishes.parameters().contains({wish.task(), wish.solution()});
+    counts =
+        plan_.runs(wish.task()) && !choices_.wishes.parameters().contains({wish.task(), wish.solution()});
   } else if (request.has_motion() || request.has_set_goal()) {
     counts = true;
   } else if (request.has_set_color_table()) {
@@ -145,12 +150,14 @@ StreamMessage ReplayRobot::told(StreamMessage message) const {
 
 robotlink::Result<void> ReplayRobot::request(const Request& request) {
   if (request.has_stop()) {
-    return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {}, {name_});
+    return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {},
+                              {name_});
   }
   remember(request);
   if (!program_->program->debugProcess().request(request)) {
     return robotlink::failure("request.queue-full",
-                              "robot " + name_ + " does not take requests now: too many wait already", {}, {name_});
+                              "robot " + name_ + " does not take requests now: too many wait already", {},
+                              {name_});
   }
   if (request.id() != 0) unanswered_[request.id()] = request;
   return {};
@@ -160,7 +167,8 @@ bool ReplayRobot::isAvailable(const std::string& task, const std::string& soluti
   robotlink::PlatformPackages platform;
   for (const auto& package : platformPackages(plan_)) platform.offers.push_back(package.name);
   platform.debugOffers = robotlink::debugPackages();
-  return robotlink::unavailability(plan_.layout, robotlink::registeredTasks(), platform, task, solution).empty();
+  return robotlink::unavailability(plan_.layout, robotlink::registeredTasks(), platform, task, solution)
+      .empty();
 }
 
 void ReplayRobot::remember(const Request& request) {

@@ -45,13 +45,15 @@ std::shared_ptr<const DebugQueue> moved(const std::shared_ptr<const DebugQueue>&
 
 }  // namespace
 
-ReplayRun::ReplayRun(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+ReplayRun::ReplayRun(std::unique_ptr<Implementation> implementation)
+    : implementation_(std::move(implementation)) {}
 
 ReplayRun::~ReplayRun() = default;
 
 // ---- Making it
 
-tl::expected<std::unique_ptr<ReplayRun>, Errors> ReplayRun::create(ReplayOptions options, Listeners listeners) {
+tl::expected<std::unique_ptr<ReplayRun>, Errors> ReplayRun::create(ReplayOptions options,
+                                                                   Listeners listeners) {
   auto made = std::make_unique<Implementation>();
   made->options = std::move(options);
   made->listeners = std::move(listeners);
@@ -97,7 +99,8 @@ Errors ReplayRun::Implementation::open() {
 Duration ReplayRun::Implementation::offsetOf(const ReplayLog& log, const LogFile& file) const {
   if (log.offsetChosen || log.offset != Duration::zero() || sources.empty()) return log.offset;
   const Source& first = *sources.front();
-  const Instant begin = first.onLine(first.reader.file().begin()), end = first.onLine(first.reader.file().end());
+  const Instant begin = first.onLine(first.reader.file().begin()),
+                end = first.onLine(first.reader.file().end());
   const bool overlaps = file.begin() <= end && file.end() >= begin;
   return overlaps ? Duration::zero() : begin - file.begin();
 }
@@ -107,7 +110,8 @@ Errors ReplayRun::Implementation::addRobots(Source& source) {
     const std::string name = freeName(logName);
     ReplayChoices choices;
     choices.layout = options.layout;
-    if (const auto before = options.wishes.find(name); before != options.wishes.end()) choices.wishes = before->second;
+    if (const auto before = options.wishes.find(name); before != options.wishes.end())
+      choices.wishes = before->second;
     for (const auto& [task, solution] : options.solutions) choices.wishes.chooseSolution(task, solution);
     if (colorTable) choices.wishes.chooseColorTable(colorTable);
     choices.recomputeAll = options.recomputeAll;
@@ -154,13 +158,15 @@ bool ReplayRun::Implementation::step() {
 }
 
 /// To the robots that it is about; those without a message see the time go on.
-void ReplayRun::Implementation::give(Source& source, Instant logTime, const std::vector<StreamMessage>& messages) {
+void ReplayRun::Implementation::give(Source& source, Instant logTime,
+                                     const std::vector<StreamMessage>& messages) {
   std::map<std::string, std::vector<StreamMessage>> byRobot;
   for (const StreamMessage& message : messages) byRobot[robotOf(message.path)].push_back(message);
   for (const auto& [logName, robot] : source.byLogName) robot->take(logTime, byRobot[logName]);
 }
 
-std::optional<StreamMessage> ReplayRun::Implementation::told(Source& source, const StreamMessage& message) const {
+std::optional<StreamMessage> ReplayRun::Implementation::told(Source& source,
+                                                             const StreamMessage& message) const {
   const auto robot = source.byLogName.find(robotOf(message.path));
   if (robot == source.byLogName.end() && !source.tellsWorld) return std::nullopt;
   StreamMessage result = robot == source.byLogName.end() ? message : robot->second->told(message);
@@ -183,7 +189,8 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
     if (listeners.queue) listeners.queue(robot, shown);
     return;
   }
-  const auto reader = options.tellPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
+  const auto reader =
+      options.tellPackages ? robotlink::QueueReader::kRecorder : robotlink::QueueReader::kViews;
   auto taken = robotlink::messagesOf(robot, shown, now, reader);
   for (StreamMessage& message : taken.messages) {
     if (hasHistory(message.path, message.value->GetDescriptor()->full_name())) {
@@ -200,8 +207,8 @@ void ReplayRun::Implementation::hear(const Source& source, const std::string& ro
   }
 }
 
-void ReplayRun::Implementation::note(const Source& source, const std::string& robot, Instant logTime, int level,
-                                     const std::string& text) {
+void ReplayRun::Implementation::note(const Source& source, const std::string& robot, Instant logTime,
+                                     int level, const std::string& text) {
   auto log = std::make_shared<foxglove::Log>();
   const Instant time = source.onLine(logTime);
   robotlink::assign(*log->mutable_timestamp(), time);
@@ -263,7 +270,8 @@ Errors ReplayRun::Implementation::jump(Source& source, Instant time) {
     errors.insert(errors.end(), own.begin(), own.end());
     notes.push_back({robot->name() + "/" + streams::kProgram, time, robot->ownSetup()});
     for (const auto* texts : {&robot->setup().notes, &robot->plan().notes}) {
-      for (const std::string& text : *texts) note(source, robot->name(), target, foxglove::Log::WARNING, text);
+      for (const std::string& text : *texts)
+        note(source, robot->name(), target, foxglove::Log::WARNING, text);
     }
   }
   runQuietly(source, from, target);
@@ -310,7 +318,9 @@ Errors ReplayRun::Implementation::changeChoices(
       ReplayChoices choices = robot->choices();
       change(robot->name(), choices);
       const Instant logTime = source->inLog(now);
-      const auto undo = [&changed = *robot, before = robot->choices(), logTime] { (void)changed.start(logTime, before); };
+      const auto undo = [&changed = *robot, before = robot->choices(), logTime] {
+        (void)changed.start(logTime, before);
+      };
       errors = robot->start(logTime, std::move(choices));
       if (!errors.empty()) break;  // nothing has changed there
       takeBack.emplace_back(undo);
@@ -330,7 +340,10 @@ Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::Pack
   Implementation& self = *implementation_;
   for (const auto& [package, source] : packages) {
     if (self.findRobot(robotOf(package)) != nullptr) continue;
-    return {{"replay.no-robot", "there is no robot " + robotOf(package) + " in the logs", {robotOf(package)}, {}}};
+    return {{"replay.no-robot",
+             "there is no robot " + robotOf(package) + " in the logs",
+             {robotOf(package)},
+             {}}};
   }
   return self.changeChoices([&](const std::string& robot, ReplayChoices& choices) {
     for (const auto& [package, source] : packages) {
@@ -340,7 +353,8 @@ Errors ReplayRun::choosePackages(const std::map<std::string, ControlReplay::Pack
 }
 
 Errors ReplayRun::setLayout(const std::filesystem::path& file) {
-  Errors errors = implementation_->changeChoices([&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
+  Errors errors = implementation_->changeChoices(
+      [&](const std::string&, ReplayChoices& choices) { choices.layout = file; });
   if (errors.empty()) implementation_->options.layout = file;
   return errors;
 }
@@ -382,8 +396,12 @@ std::vector<std::string> ReplayRun::lostChoices() const {
   return all;
 }
 
-bool ReplayRun::step() { return implementation_->step(); }
+bool ReplayRun::step() {
+  return implementation_->step();
+}
 
-Errors ReplayRun::jump(Instant time) { return implementation_->jump(std::clamp(time, begin(), end())); }
+Errors ReplayRun::jump(Instant time) {
+  return implementation_->jump(std::clamp(time, begin(), end()));
+}
 
 }  // namespace app

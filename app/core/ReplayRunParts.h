@@ -7,8 +7,8 @@
 
 namespace app {
 
-/// The insides of ReplayRun, for its sources alone. What is called a time is one of the time line; a source and its robots know
-/// the times of their log.
+/// The insides of ReplayRun, for its sources alone. What is called a time is one of the time line; a source
+/// and its robots know the times of their log.
 struct ReplayRun::Implementation {
   struct Source {
     ReplayLog log;
@@ -41,14 +41,16 @@ struct ReplayRun::Implementation {
   robotlink::Errors jump(Source& source, robotlink::Instant time);
   std::string firstRobot() const;
   void runQuietly(Source& source, robotlink::Instant from, robotlink::Instant to);
-  void give(Source& source, robotlink::Instant logTime, const std::vector<robotlink::StreamMessage>& messages);
+  void give(Source& source, robotlink::Instant logTime,
+            const std::vector<robotlink::StreamMessage>& messages);
   void tell(Source& source, const std::vector<robotlink::StreamMessage>& messages);
   std::optional<robotlink::StreamMessage> told(Source& source, const robotlink::StreamMessage& message) const;
   void hear(const Source& source, const std::string& robot,
             const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
   void note(const Source& source, const std::string& robot, robotlink::Instant logTime, int level,
             const std::string& text);
-  robotlink::Errors changeChoices(const std::function<void(const std::string& robot, ReplayChoices&)>& change);
+  robotlink::Errors changeChoices(
+      const std::function<void(const std::string& robot, ReplayChoices&)>& change);
 
   // Finding.
   std::optional<robotlink::Instant> nextTime() const;
@@ -68,7 +70,8 @@ struct ReplayRun::Implementation {
   robotlink::Instant now;
   std::string stepProcess;
 
-  // During a jump nobody listens: what programs tell, of streams without a history only the newest, is told at its end, and answers.
+  // During a jump nobody listens: what programs tell, of streams without a history only the newest, is told
+  // at its end, and answers.
   bool quiet = false;
   std::vector<robotlink::StreamMessage> history;
   std::map<std::string, robotlink::StreamMessage> newest;

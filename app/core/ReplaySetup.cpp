@@ -18,7 +18,8 @@ constexpr char kFieldFile[] = "fields/2002.yaml";
 constexpr char kRobotFile[] = "robots/ers210.yaml";
 
 /// The log's, if it has one and no other is wished for, else one on the disk.
-tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged, const std::filesystem::path& file) {
+tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged,
+                                                const std::filesystem::path& file) {
   if (logged != nullptr && !logged->text().empty()) return *logged;
   auto text = robotlink::readFile(file);
   if (!text) return tl::unexpected(Errors{text.error()});
@@ -40,7 +41,8 @@ tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std
   std::error_code error;
   const bool known = robot.find('/') == std::string::npos && std::filesystem::exists(own, error);
   ProgramSetup files;
-  const auto take = [&](const ProgramSetup::File* from, const std::filesystem::path& file, ProgramSetup::File* to) {
+  const auto take = [&](const ProgramSetup::File* from, const std::filesystem::path& file,
+                        ProgramSetup::File* to) {
     auto read = fileOf(from, file);
     if (read) *to = std::move(*read);
     return read ? Errors{} : read.error();
@@ -77,7 +79,8 @@ tl::expected<ReplaySetup, Errors> read(const ProgramSetup* logged, const std::st
   if (!files) return tl::unexpected(files.error());
   auto layout = robotlink::parseLayout(files->layout().text(), files->layout().name());
   if (!layout) return tl::unexpected(layout.error());
-  auto description = robotlink::parseRobotDescription(files->description().text(), files->description().name());
+  auto description =
+      robotlink::parseRobotDescription(files->description().text(), files->description().name());
   if (!description) return tl::unexpected(description.error());
   auto field = FieldDescription::parse(files->field().text(), files->field().name());
   if (!field) return tl::unexpected(field.error());
@@ -104,8 +107,9 @@ tl::expected<ReplaySetup, Errors> readReplaySetup(const ProgramSetup* logged, co
   if (setup || logged == nullptr) return setup;
   auto shipped = read(nullptr, robot, layoutFile);
   if (!shipped) return setup;  // What is wrong with the log is not all that is wrong.
-  shipped->notes.push_back("the program's set-up in the log cannot be used; shipped files are taken instead: " +
-                           robotlink::describe(setup.error()));
+  shipped->notes.push_back(
+      "the program's set-up in the log cannot be used; shipped files are taken instead: " +
+      robotlink::describe(setup.error()));
   return shipped;
 }
 

@@ -31,9 +31,10 @@ struct ReplaySetup {
   std::vector<std::string> notes;  ///< what of the log could not be used, and what is taken instead
 };
 
-/// `logged`: null if the log does not tell what ran on its robot; then a shipped robot of its name is taken, else the ERS-210. The
-/// same if what it tells cannot be read (a newer program wrote it): a log can be played in any case.
-/// `layout`: a file instead of the log's layout, whose solutions then count; empty: the log's, else the shipped "compact".
+/// `logged`: null if the log does not tell what ran on its robot; then a shipped robot of its name is taken,
+/// else the ERS-210. The same if what it tells cannot be read (a newer program wrote it): a log can be played
+/// in any case. `layout`: a file instead of the log's layout, whose solutions then count; empty: the log's,
+/// else the shipped "compact".
 tl::expected<ReplaySetup, robotlink::Errors> readReplaySetup(const robotcontrol::ProgramSetup* logged,
                                                              const std::string& robot,
                                                              const std::filesystem::path& layout);
@@ -41,7 +42,8 @@ tl::expected<ReplaySetup, robotlink::Errors> readReplaySetup(const robotcontrol:
 /// A layout that computes nothing, for logs whose own cannot be run any more.
 robotlink::Layout emptyLayout(const robotlink::Layout& instead);
 
-/// Whether two set-ups are of different programs; else only solutions and parameters were changed while it ran.
+/// Whether two set-ups are of different programs; else only solutions and parameters were changed while it
+/// ran.
 bool isAnotherProgram(const robotcontrol::ProgramSetup& one, const robotcontrol::ProgramSetup& other);
 
 }  // namespace app

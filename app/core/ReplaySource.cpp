@@ -61,7 +61,8 @@ std::vector<StreamMessage> ReplaySource::past(Instant from, Instant to) {
     if (stream.first > to) continue;
     if (hasHistory(stream.path, stream.type)) {
       if (stream.last >= from) withHistory.push_back(stream.path);
-      if (file_->timeAfter(stream.path, from - robotlink::Duration(1)).value_or(Instant::max()) <= to) continue;
+      if (file_->timeAfter(stream.path, from - robotlink::Duration(1)).value_or(Instant::max()) <= to)
+        continue;
     }
     if (auto message = latest(stream.path, to)) messages.push_back(std::move(*message));
   }

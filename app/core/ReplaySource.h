@@ -56,8 +56,8 @@ class ReplaySource {
   std::size_t imageBytes_ = 0;
 };
 
-/// Whether one looks back at what a stream told: at numbers and texts, but not at images, drawings, and what holds until it is told
-/// anew. `type` is the full name of its messages' type.
+/// Whether one looks back at what a stream told: at numbers and texts, but not at images, drawings, and what
+/// holds until it is told anew. `type` is the full name of its messages' type.
 bool hasHistory(const std::string& path, const std::string& type);
 
 }  // namespace app

@@ -18,9 +18,15 @@ using robotlink::Result;
 using Type = CommandTable::Type;
 using Values = std::vector<CommandTable::Value>;
 
-const std::string& text(const Values& values, std::size_t index) { return std::get<std::string>(values[index]); }
-double number(const Values& values, std::size_t index) { return std::get<double>(values[index]); }
-bool flag(const Values& values, std::size_t index) { return std::get<bool>(values[index]); }
+const std::string& text(const Values& values, std::size_t index) {
+  return std::get<std::string>(values[index]);
+}
+double number(const Values& values, std::size_t index) {
+  return std::get<double>(values[index]);
+}
+bool flag(const Values& values, std::size_t index) {
+  return std::get<bool>(values[index]);
+}
 
 /// Asks the selected robot for something.
 Result<void> ask(Workbench& workbench, Request request) {
@@ -60,9 +66,8 @@ std::optional<KeyMode> modeOf(const std::string& words) {
   }
   const bool known = kind == "n" || kind == "every" || kind == "every-ms";
   const std::string count = space == std::string::npos ? "" : words.substr(space + 1);
-  const bool digits = !count.empty() && count.size() < 8 && std::all_of(count.begin(), count.end(), [](char c) {
-    return c >= '0' && c <= '9';
-  });
+  const bool digits = !count.empty() && count.size() < 8 &&
+                      std::all_of(count.begin(), count.end(), [](char c) { return c >= '0' && c <= '9'; });
   if (!known || !digits) return std::nullopt;
   mode.set_kind(kind == "n" ? KeyMode::N_TIMES : kind == "every" ? KeyMode::EVERY_N : KeyMode::EVERY_MS);
   mode.set_n(static_cast<std::uint32_t>(std::stoul(count)));
@@ -72,8 +77,9 @@ std::optional<KeyMode> modeOf(const std::string& words) {
 Result<void> setKey(Workbench& workbench, const Values& values) {
   const auto mode = modeOf(text(values, 1));
   if (!mode) {
-    return robotlink::failure("robot.key", "a debug key's mode is off, always, 'n 3', 'every 3' or 'every-ms 40', not '" +
-                                               text(values, 1) + "'");
+    return robotlink::failure("robot.key",
+                              "a debug key's mode is off, always, 'n 3', 'every 3' or 'every-ms 40', not '" +
+                                  text(values, 1) + "'");
   }
   Request request;
   request.mutable_set_key()->set_name(text(values, 0));
@@ -91,32 +97,35 @@ Result<void> setColorTable(Workbench& workbench, const std::string& file) {
 
 void addForAll(CommandTable& commands, Workbench& workbench) {
   commands.add({"robot.connect",
-                "Connects a Pioneer over TCP or a serial line and runs its program here; it stays connected until something "
+                "Connects a Pioneer over TCP or a serial line and runs its program here; it stays connected "
+                "until something "
                 "else is opened",
                 {{"address", Type::kText, "HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]"},
                  {"layout", Type::kText, "a layout file or the name of a shipped one; empty: the Pioneer's"},
                  {"map", Type::kText, "a map (.map) of where it drives; empty: none"}},
                 [&workbench](const Values& values) { return connect(workbench, values); }});
-  commands.add({"robot.connect-now",
-                "Tries to connect the robot again at once, where it waits before it does; its program goes on",
-                {},
-                [&workbench](const Values&) { return workbench.connectNow(); }});
+  commands.add(
+      {"robot.connect-now",
+       "Tries to connect the robot again at once, where it waits before it does; its program goes on",
+       {},
+       [&workbench](const Values&) { return workbench.connectNow(); }});
   commands.add({"robot.select",
                 "Chooses the robot that toolbars and views talk about",
                 {{"robot", Type::kText, "its name"}},
                 [&workbench](const Values& values) { return select(workbench, text(values, 0)); }});
-  commands.add({"robot.stop",
-                "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
-                {{"engaged", Type::kBool, "true engages, false releases"}},
-                [&workbench](const Values& values) -> Result<void> {
-                  for (const std::string& robot : workbench.session().robots()) {
-                    Request request;
-                    request.set_robot(robot);
-                    request.mutable_stop()->set_engaged(flag(values, 0));
-                    workbench.session().request(request);
-                  }
-                  return {};
-                }});
+  commands.add(
+      {"robot.stop",
+       "Engages or releases STOP for all robots: their platforms hold them, whatever the programs do",
+       {{"engaged", Type::kBool, "true engages, false releases"}},
+       [&workbench](const Values& values) -> Result<void> {
+         for (const std::string& robot : workbench.session().robots()) {
+           Request request;
+           request.set_robot(robot);
+           request.mutable_stop()->set_engaged(flag(values, 0));
+           workbench.session().request(request);
+         }
+         return {};
+       }});
 }
 
 void addForProgram(CommandTable& commands, Workbench& workbench) {
@@ -138,7 +147,9 @@ void addForProgram(CommandTable& commands, Workbench& workbench) {
                 "Gives the selected robot's program a colour table, which it uses from its next image on",
                 {{"file", Type::kText, "a colour table: .c64, or another team's"}},
                 [&workbench](const Values& values) { return setColorTable(workbench, text(values, 0)); }});
-  commands.add({"robot.no-color-table", "Lets the selected robot's program find colours as it does without a table", {},
+  commands.add({"robot.no-color-table",
+                "Lets the selected robot's program find colours as it does without a table",
+                {},
                 [&workbench](const Values&) {
                   Request request;
                   request.mutable_set_color_table();
@@ -162,15 +173,19 @@ void addForDrive(CommandTable& commands, Workbench& workbench) {
                   request.mutable_set_goal()->set_cancelled(true);
                   return ask(workbench, std::move(request));
                 }});
-  const auto addSwitch = [&](const char* name, const char* help, void (*set)(robotcontrol::ControlDrive&, bool)) {
-    commands.add({name, help, {{"on", Type::kBool, "true: on, false: off"}}, [&workbench, set](const Values& values) {
-                    Request request;
-                    set(*request.mutable_control_drive(), flag(values, 0));
-                    return ask(workbench, std::move(request));
-                  }});
+  const auto addSwitch = [&](const char* name, const char* help,
+                             void (*set)(robotcontrol::ControlDrive&, bool)) {
+    commands.add(
+        {name, help, {{"on", Type::kBool, "true: on, false: off"}}, [&workbench, set](const Values& values) {
+           Request request;
+           set(*request.mutable_control_drive(), flag(values, 0));
+           return ask(workbench, std::move(request));
+         }});
   };
-  addSwitch("robot.motors", "Switches the motors of the selected robot on wheels", [](auto& wish, bool on) { wish.set_motors(on); });
-  addSwitch("robot.sonars", "Switches the sonars of the selected robot on wheels", [](auto& wish, bool on) { wish.set_sonar(on); });
+  addSwitch("robot.motors", "Switches the motors of the selected robot on wheels",
+            [](auto& wish, bool on) { wish.set_motors(on); });
+  addSwitch("robot.sonars", "Switches the sonars of the selected robot on wheels",
+            [](auto& wish, bool on) { wish.set_sonar(on); });
 }
 
 }  // namespace

@@ -14,7 +14,9 @@ namespace {
 
 constexpr const char* kField = "field";
 
-robotlink::Instant now(const simcore::Simulation& simulation) { return robotlink::Instant(simulation.time()); }
+robotlink::Instant now(const simcore::Simulation& simulation) {
+  return robotlink::Instant(simulation.time());
+}
 
 /// "red1" for the body "red1/legFL2", if that is one of the movable models; else empty.
 std::string modelOf(const std::string& body, const std::vector<std::string>& movable) {
@@ -25,7 +27,9 @@ std::string modelOf(const std::string& body, const std::vector<std::string>& mov
 }
 
 /// A body's frame. The ground frame of a robot has the robot's own name, so bodies wear a prefix.
-std::string frameOf(const std::string& body) { return body == "world" ? kField : "body:" + body; }
+std::string frameOf(const std::string& body) {
+  return body == "world" ? kField : "body:" + body;
+}
 
 void assignMesh(foxglove::TriangleListPrimitive& to, const simcore::Mesh& mesh) {
   for (const auto& vertex : mesh.vertices) {
@@ -67,7 +71,8 @@ std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
   return models;
 }
 
-std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map, robotlink::Instant now) {
+std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map,
+                                                          robotlink::Instant now) {
   auto message = std::make_shared<robotcontrol::GroundMap>();
   robotlink::assign(*message, map);
   robotlink::assign(*message->mutable_timestamp(), now);

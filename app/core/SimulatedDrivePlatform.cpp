@@ -11,14 +11,16 @@ robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedDrivePlatform::cr
   if (pioneer == nullptr) {
     return robotlink::failure("platform.drive",
                               "robot " + robot + " has no drive, which its description " + description.name +
-                                  " names; correct the model or resources/robots/" + description.name + ".yaml",
+                                  " names; correct the model or resources/robots/" + description.name +
+                                  ".yaml",
                               {}, {robot});
   }
   return std::unique_ptr<SimulatedPlatform>(
       new SimulatedDrivePlatform(world, *pioneer, std::move(robot), description));
 }
 
-SimulatedDrivePlatform::SimulatedDrivePlatform(SimulatedWorld& world, SimulatedPioneer& pioneer, std::string robot,
+SimulatedDrivePlatform::SimulatedDrivePlatform(SimulatedWorld& world, SimulatedPioneer& pioneer,
+                                               std::string robot,
                                                const robotlink::RobotDescription& description)
     : SimulatedPlatform(world, robot),
       pioneer_(pioneer),

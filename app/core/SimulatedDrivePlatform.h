@@ -8,9 +8,9 @@ namespace app {
 
 class SimulatedPioneer;
 
-/// The platform of a simulated robot on wheels: the same driver that a real one has speaks ARCOS with the simulated
-/// microcontroller, packet by packet, without a line between them. While a client from outside drives the robot through its
-/// port, the driver listens. The world must outlive it.
+/// The platform of a simulated robot on wheels: the same driver that a real one has speaks ARCOS with the
+/// simulated microcontroller, packet by packet, without a line between them. While a client from outside
+/// drives the robot through its port, the driver listens. The world must outlive it.
 class SimulatedDrivePlatform final : public SimulatedPlatform {
  public:
   /// Fails if the simulated robot has no drive.

@@ -36,7 +36,8 @@ SimulatedJointPlatform::SimulatedJointPlatform(SimulatedWorld& world, std::strin
 
 robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedJointPlatform::create(
     SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
-  auto platform = std::unique_ptr<SimulatedJointPlatform>(new SimulatedJointPlatform(world, std::move(robot)));
+  auto platform =
+      std::unique_ptr<SimulatedJointPlatform>(new SimulatedJointPlatform(world, std::move(robot)));
   if (auto bound = platform->bindJoints(description); !bound) return tl::unexpected(bound.error());
   platform->bindSensors();
   return platform;
@@ -48,13 +49,14 @@ robotlink::Result<void> SimulatedJointPlatform::bindJoints(const robotlink::Robo
     const int sensor = indexOf(simulation.sensors(), robot() + "/" + joint.name + "/position");
     const int servo = indexOf(simulation.servos(), robot() + "/" + joint.name + "/request");
     if (sensor < 0 || servo < 0) {
-      return robotlink::failure("platform.joint",
-                                "robot " + robot() + " has no joint " + joint.name + ", which its description " +
-                                    description.name + " names; correct the model or resources/robots/" +
-                                    description.name + ".yaml",
-                                {simulation.scene().file().string(), 0, 0}, {robot(), joint.name});
+      return robotlink::failure(
+          "platform.joint",
+          "robot " + robot() + " has no joint " + joint.name + ", which its description " + description.name +
+              " names; correct the model or resources/robots/" + description.name + ".yaml",
+          {simulation.scene().file().string(), 0, 0}, {robot(), joint.name});
     }
-    joints_.push_back({joint.name, static_cast<std::size_t>(sensor), static_cast<std::size_t>(servo), std::nan("")});
+    joints_.push_back(
+        {joint.name, static_cast<std::size_t>(sensor), static_cast<std::size_t>(servo), std::nan("")});
   }
   return {};
 }

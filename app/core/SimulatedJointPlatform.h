@@ -12,11 +12,12 @@
 
 namespace app {
 
-/// The platform of a simulated robot that moves by joints: sends its sensors' readings as packages and turns its servos as requested.
+/// The platform of a simulated robot that moves by joints: sends its sensors' readings as packages and turns
+/// its servos as requested.
 ///
-/// Readings come every SimulatedWorld::kStep, images at the camera's rate. While STOP is engaged the joints hold where they are
-/// with little torque. The true classes of an image (TrueClasses) are found only while somebody receives them or is
-/// to be told of them. The world must outlive it.
+/// Readings come every SimulatedWorld::kStep, images at the camera's rate. While STOP is engaged the joints
+/// hold where they are with little torque. The true classes of an image (TrueClasses) are found only while
+/// somebody receives them or is to be told of them. The world must outlive it.
 class SimulatedJointPlatform final : public SimulatedPlatform {
  public:
   /// Fails if the simulated robot lacks a joint of the description.

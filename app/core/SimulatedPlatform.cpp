@@ -10,7 +10,9 @@
 
 namespace app {
 
-std::string teamOf(const std::string& robot) { return robot.rfind("blue", 0) == 0 ? "blue" : "red"; }
+std::string teamOf(const std::string& robot) {
+  return robot.rfind("blue", 0) == 0 ? "blue" : "red";
+}
 
 SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
     : Platform("platform", world.clock()),
@@ -26,7 +28,8 @@ robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedPlatform::create(
 
 robotlink::Result<void> SimulatedPlatform::control(const robotcontrol::ControlDrive& wish) {
   (void)wish;
-  return robotlink::failure("platform.no-drive", robot_ + " has no wheels that this could be asked of", {}, {robot_});
+  return robotlink::failure("platform.no-drive", robot_ + " has no wheels that this could be asked of", {},
+                            {robot_});
 }
 
 void SimulatedPlatform::sendOracle() {

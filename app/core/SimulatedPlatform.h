@@ -20,18 +20,19 @@ class OracleWorld;
 
 namespace app {
 
-/// The platform of one robot of a simulated world, whatever it moves by: sends its sensors' readings as packages, and
-/// what is truly so, and moves it as requested. The world must outlive it.
+/// The platform of one robot of a simulated world, whatever it moves by: sends its sensors' readings as
+/// packages, and what is truly so, and moves it as requested. The world must outlive it.
 class SimulatedPlatform : public robotlink::Platform {
  public:
-  /// One for what the description says: joints (SimulatedJointPlatform) or a drive (SimulatedDrivePlatform). Fails if the
-  /// simulated robot lacks what its description names.
+  /// One for what the description says: joints (SimulatedJointPlatform) or a drive (SimulatedDrivePlatform).
+  /// Fails if the simulated robot lacks what its description names.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
-  using LabelledListener = std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
-  /// Robots with a camera send the true classes with every image from now on, whether or not somebody receives them; the
-  /// listener, which may be empty, is told of both.
+  using LabelledListener =
+      std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
+  /// Robots with a camera send the true classes with every image from now on, whether or not somebody
+  /// receives them; the listener, which may be empty, is told of both.
   virtual void alwaysSendClasses(LabelledListener listener) { (void)listener; }
   /// What a person asks of the base, not of its program. Fails for robots that have none.
   virtual robotlink::Result<void> control(const robotcontrol::ControlDrive& wish);

@@ -31,7 +31,9 @@ const std::string kField = "2002";
 /// Every so many steps it is recorded where all bodies are: about 30 times a second.
 constexpr int kTransformsEvery = 4;
 
-std::filesystem::path descriptionFile(const std::string& name) { return robotlink::resource("robots/" + name + ".yaml"); }
+std::filesystem::path descriptionFile(const std::string& name) {
+  return robotlink::resource("robots/" + name + ".yaml");
+}
 
 }  // namespace
 
@@ -45,11 +47,15 @@ SimulatedRun::SimulatedRun(RunOptions options, Listeners listeners, logplayer::R
       listeners_(std::move(listeners)),
       tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
 
-SimulatedRun::~SimulatedRun() { stopPrograms(); }
+SimulatedRun::~SimulatedRun() {
+  stopPrograms();
+}
 
-tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOptions options, Listeners listeners,
-                                                                              logplayer::Recorder* recorder) {
-  auto run = std::unique_ptr<SimulatedRun>(new SimulatedRun(std::move(options), std::move(listeners), recorder));
+tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOptions options,
+                                                                         Listeners listeners,
+                                                                         logplayer::Recorder* recorder) {
+  auto run =
+      std::unique_ptr<SimulatedRun>(new SimulatedRun(std::move(options), std::move(listeners), recorder));
   if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
   return run;
 }
@@ -117,7 +123,8 @@ Errors SimulatedRun::describeRobots() {
       if (!read) return read.error();
       description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
     }
-    robots_.push_back({robot.name, description, nullptr, nullptr, std::make_shared<ProgramRequests>(robot.name)});
+    robots_.push_back(
+        {robot.name, description, nullptr, nullptr, std::make_shared<ProgramRequests>(robot.name)});
   }
   return {};
 }
@@ -183,7 +190,8 @@ void SimulatedRun::startPrograms(std::vector<Robot> robots) {
     lockstep_ = std::make_unique<robotlink::LockstepExecutor>(robotlink::LockstepExecutor::Options{
         .starvation = std::chrono::seconds(2),
         .advance = [this] { world_->advance(); },
-        .onStarved = [this](const auto& process, const auto& what) { tellTrouble(process, "waits for " + what); },
+        .onStarved = [this](const auto& process,
+                            const auto& what) { tellTrouble(process, "waits for " + what); },
         .onFailed = failed});
   } else {
     threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
@@ -217,13 +225,16 @@ void SimulatedRun::stopPrograms() {
 }
 
 void SimulatedRun::record(Robot& robot) {
-  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name), fieldFile(),
+  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name),
+                           fieldFile(),
                            options_.executor == ExecutorKind::kLockstep ? "lockstep" : "threads"};
-  tap_->attach(robot.name, *robot.platform, *robot.program, programSetup(*robot.program, *robot.platform, files));
+  tap_->attach(robot.name, *robot.platform, *robot.program,
+               programSetup(*robot.program, *robot.platform, files));
 }
 
 void SimulatedRun::recordWorld() {
-  if (const auto known = map()) tap_->world({robotlink::streams::kMap, world_->clock().now(), mapMessage(*known, world_->clock().now())});
+  if (const auto known = map())
+    tap_->world({robotlink::streams::kMap, world_->clock().now(), mapMessage(*known, world_->clock().now())});
   tap_->world({robotlink::streams::kScene, world_->clock().now(), sceneMessage(world_->simulation())});
   stepsToTransforms_ = 0;
 }
@@ -232,7 +243,8 @@ void SimulatedRun::recordStep() {
   tap_->endStep();
   if (--stepsToTransforms_ > 0 || !tap_->wants(robotlink::streams::kTransforms)) return;
   stepsToTransforms_ = kTransformsEvery;
-  tap_->world({robotlink::streams::kTransforms, world_->clock().now(), transformsMessage(world_->simulation())});
+  tap_->world(
+      {robotlink::streams::kTransforms, world_->clock().now(), transformsMessage(world_->simulation())});
 }
 
 void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::string& text) {
@@ -279,7 +291,8 @@ void SimulatedRun::stepThreads() {
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
-  // Whether the programs can be made anew is tried before anything is given up: a file may have been broken meanwhile.
+  // Whether the programs can be made anew is tried before anything is given up: a file may have been broken
+  // meanwhile.
   if (auto tried = makePrograms(options_.layouts); !tried) return tried.error();
   stopPrograms();  // Their processes must not read a clock that jumps.
   world_->reset(seed);
@@ -340,7 +353,9 @@ std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(con
   return nullptr;
 }
 
-std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const { return world_->simulation().scene().groundMap(); }
+std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const {
+  return world_->simulation().scene().groundMap();
+}
 
 bool SimulatedRun::isOfPlatform(const robotcontrol::Request& request) {
   return request.has_stop() || request.has_control_drive();
@@ -356,10 +371,11 @@ robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& reque
     if (request.has_control_drive()) return robot.platform->control(request.control_drive());
     if (robot.requests->ask(request)) return {};
     return robotlink::failure("request.queue-full",
-                              "robot " + robot.name + " does not take requests now: too many wait already", {},
-                              {robot.name});
+                              "robot " + robot.name + " does not take requests now: too many wait already",
+                              {}, {robot.name});
   }
-  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {}, {request.robot()});
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
+                            {request.robot()});
 }
 
 void SimulatedRun::handIn(Robot& robot) {

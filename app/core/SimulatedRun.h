@@ -52,7 +52,8 @@ struct RunOptions {
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
   /// After a goal the ball comes back to the middle and the robots to their places; see KickOff.
   bool kickOffs = true;
-  bool classImages = false;  ///< the true classes are sent with all images, whether or not somebody asks for them
+  bool classImages =
+      false;  ///< the true classes are sent with all images, whether or not somebody asks for them
 };
 
 /// The teams that robots can be added to: "both", "red" or "blue".
@@ -60,16 +61,18 @@ std::vector<std::string> teamsNamed(const std::string& name);
 
 /// A simulated world with the programs of all its robots, stepped by its caller.
 ///
-/// Built as a whole or refused with all reasons. One thread at a time; listeners are called in that thread by the lockstep
-/// executor, and in the processes' threads by the other one.
+/// Built as a whole or refused with all reasons. One thread at a time; listeners are called in that thread by
+/// the lockstep executor, and in the processes' threads by the other one.
 class SimulatedRun {
  public:
   struct Listeners {
     std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
     /// A process was stopped, starves, or could not get its priority.
-    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)> trouble;
+    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
+        trouble;
     /// An image with its true classes (oracle/classes); while it is set these are found for all images.
-    std::function<void(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes)>
+    std::function<void(const std::string& robot, const foxglove::RawImage& image,
+                       const foxglove::RawImage& classes)>
         labelled = {};
     /// What programs outside did at the robots' ports, a line each.
     std::function<void(const std::string& text)> ports = {};
@@ -78,21 +81,23 @@ class SimulatedRun {
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
-  static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(RunOptions options, Listeners listeners,
-                                                                               logplayer::Recorder* recorder = nullptr);
+  static tl::expected<std::unique_ptr<SimulatedRun>, robotlink::Errors> create(
+      RunOptions options, Listeners listeners, logplayer::Recorder* recorder = nullptr);
   ~SimulatedRun();
 
   /// One step of the platforms, and of all processes that it lets run.
   void step();
-  /// While no step is made, in lockstep: tells the listener of queues what the programs will answer in their next frames to what
-  /// they were asked and have not answered, with the tables and parameters that follow from it. Neither the programs nor what is
-  /// recorded know of it, so that a run is the same however long it is paused.
+  /// While no step is made, in lockstep: tells the listener of queues what the programs will answer in their
+  /// next frames to what they were asked and have not answered, with the tables and parameters that follow
+  /// from it. Neither the programs nor what is recorded know of it, so that a run is the same however long it
+  /// is paused.
   void tellAnswersToCome();
-  /// World and programs as they were at the start, with another seed; what a person chose for the programs stays as it is.
-  /// If the programs cannot be made anew, all goes on as before.
+  /// World and programs as they were at the start, with another seed; what a person chose for the programs
+  /// stays as it is. If the programs cannot be made anew, all goes on as before.
   robotlink::Errors reset(std::uint64_t seed);
-  /// Starts the programs anew in another layout, while the world stays as it is: those of the robots of all kinds that can be
-  /// run in it. If there are none, all goes on as before. What a person chose stays so where the layout has it.
+  /// Starts the programs anew in another layout, while the world stays as it is: those of the robots of all
+  /// kinds that can be run in it. If there are none, all goes on as before. What a person chose stays so
+  /// where the layout has it.
   robotlink::Errors setLayout(const std::filesystem::path& file);
   /// What of the choices the programs that run now cannot fulfill, a sentence each.
   const std::vector<std::string>& lostChoices() const { return lostChoices_; }
@@ -108,7 +113,8 @@ class SimulatedRun {
   /// The file of the layout in which the first robot's program runs.
   std::filesystem::path layout() const;
 
-  /// Opens the ports that the options ask for, if they are not open; closes them, so that another run can have them.
+  /// Opens the ports that the options ask for, if they are not open; closes them, so that another run can
+  /// have them.
   robotlink::Result<void> openPorts();
   void closePorts() { ports_.reset(); }
   /// Null: programs outside cannot drive the robots.
@@ -116,7 +122,8 @@ class SimulatedRun {
   std::shared_ptr<const robotlink::GroundMap> map() const;  ///< that the world was made from; null: from none
   /// Whether the platform fulfils such a request itself.
   static bool isOfPlatform(const robotcontrol::Request& request);
-  /// Hands a request to a robot's program, or STOP and what concerns its base to its platform. Fails if there is no such robot or its queue is full.
+  /// Hands a request to a robot's program, or STOP and what concerns its base to its platform. Fails if there
+  /// is no such robot or its queue is full.
   robotlink::Result<void> request(const robotcontrol::Request& request);
   std::vector<std::string> stoppedRobots() const;
 

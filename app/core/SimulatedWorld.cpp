@@ -53,9 +53,7 @@ robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
 }
 
 SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
-    : options_(options),
-      simulation_(std::move(simulation)),
-      trueClasses_(*simulation_->renderScene()) {
+    : options_(options), simulation_(std::move(simulation)), trueClasses_(*simulation_->renderScene()) {
   if (simulation_->cameras().empty()) return;
   renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
                                                         simcore::CameraRenderer::Options{options.shadows});
@@ -81,7 +79,9 @@ SimulatedPioneer* SimulatedWorld::pioneer(const std::string& robot) const {
   return nullptr;
 }
 
-void SimulatedWorld::mixIntoDigest(std::uint64_t value) { digest_ = robotlink::mixBits(digest_ ^ value); }
+void SimulatedWorld::mixIntoDigest(std::uint64_t value) {
+  digest_ = robotlink::mixBits(digest_ ^ value);
+}
 
 void SimulatedWorld::advance() {
   for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
@@ -146,7 +146,8 @@ const robotlink::Image& SimulatedWorld::trueClasses() {
 robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lighting) {
   // Written so that a NaN is out of range, too.
   if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMostBrightness)) {
-    return robotlink::failure("simulation.light", "the brightness must be between 0 and 10 times that of the scene");
+    return robotlink::failure("simulation.light",
+                              "the brightness must be between 0 and 10 times that of the scene");
   }
   if (!(lighting.warmth >= -1 && lighting.warmth <= 1)) {
     return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");

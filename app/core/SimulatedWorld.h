@@ -18,8 +18,8 @@
 
 namespace app {
 
-/// A simulation with a clock, with cameras that render, and with the microcontrollers of its robots on wheels: what the platforms of all
-/// simulated robots share.
+/// A simulation with a clock, with cameras that render, and with the microcontrollers of its robots on
+/// wheels: what the platforms of all simulated robots share.
 ///
 /// Moves in steps of kStep, two of the physics. One thread at a time; the clock may be read by any.
 class SimulatedWorld {
@@ -33,8 +33,9 @@ class SimulatedWorld {
     bool blackout = false;  ///< all images are black
     simcore::Lighting lighting = {};
     std::optional<simcore::Vignetting> vignetting = {};  ///< of all cameras, instead of their own
-    std::optional<double> imageNoise = {};  ///< standard deviation, grey values; likewise, unless `noise` is off
-    bool kinematic = false;                 ///< robots on wheels are moved by their odometry instead of by forces
+    std::optional<double> imageNoise =
+        {};                  ///< standard deviation, grey values; likewise, unless `noise` is off
+    bool kinematic = false;  ///< robots on wheels are moved by their odometry instead of by forces
     SimulatedPioneer::Options pioneers = {};  ///< of all of them; seed and odometry's errors are the world's
   };
   /// What it did and what that cost, in real time.
@@ -46,8 +47,8 @@ class SimulatedWorld {
     robotlink::Duration pioneers{};  ///< microcontrollers and what they measure
   };
 
-  static robotlink::Result<std::unique_ptr<SimulatedWorld>> create(std::shared_ptr<const simcore::Scene> scene,
-                                                                   Options options);
+  static robotlink::Result<std::unique_ptr<SimulatedWorld>> create(
+      std::shared_ptr<const simcore::Scene> scene, Options options);
 
   void advance();
   /// Back to the start, with another seed; the clock starts at 0 again.

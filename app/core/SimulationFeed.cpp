@@ -20,9 +20,8 @@ constexpr std::chrono::milliseconds kStatusEvery{100};
 
 }  // namespace
 
-tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(RunOptions options,
-                                                                                        robotlink::Session& session,
-                                                                                        logplayer::Recorder& recorder) {
+tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(
+    RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
   auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
@@ -45,7 +44,8 @@ void SimulationFeed::tellOfPorts(const std::string& text, int level) {
 }
 
 void SimulationFeed::tellOfGame(const std::string& text) {
-  if (run_ && !run_->robots().empty()) outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
+  if (run_ && !run_->robots().empty())
+    outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
 void SimulationFeed::goOnLike(const SimulationFeed& before) {
@@ -62,7 +62,8 @@ void SimulationFeed::begin() {
   }
   if (const ArcosPorts* ports = run_->ports()) {
     const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
-    tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""), foxglove::Log::INFO);
+    tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
+                foxglove::Log::INFO);
     if (!ports->warning().empty()) tellOfPorts(ports->warning(), foxglove::Log::WARNING);
   }
   tellAnswers();
@@ -208,7 +209,8 @@ void SimulationFeed::publishStatus() {
   const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
   if (recorder_.active()) recorder_.add({message});
   outlet_.tell(message);
-  outlet_.tell({robotlink::streams::kRecording, now(), std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+  outlet_.tell({robotlink::streams::kRecording, now(),
+                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
 }
 
 }  // namespace app

@@ -13,13 +13,12 @@ class ControlSimulation;
 
 namespace app {
 
-/// A SimulatedRun in the workbench: stepped at a chosen speed, it tells a session what happens in the world and what the
-/// programs say, and a recorder. Both must outlive it.
+/// A SimulatedRun in the workbench: stepped at a chosen speed, it tells a session what happens in the world
+/// and what the programs say, and a recorder. Both must outlive it.
 class SimulationFeed final : public PlatformFeed {
  public:
-  static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(RunOptions options,
-                                                                                 robotlink::Session& session,
-                                                                                 logplayer::Recorder& recorder);
+  static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
+      RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder);
 
   /// Runs, and at the speed, as another one did that it takes the place of.
   void goOnLike(const SimulationFeed& before);
@@ -40,7 +39,8 @@ class SimulationFeed final : public PlatformFeed {
  private:
   using Clock = PacedThread::Clock;
 
-  SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder) : outlet_(session), recorder_(recorder) {}
+  SimulationFeed(robotlink::Session& session, logplayer::Recorder& recorder)
+      : outlet_(session), recorder_(recorder) {}
   SimulatedRun::Listeners listeners();
   void tellOfPorts(const std::string& text, int level);
   void tellOfGame(const std::string& text);

@@ -32,8 +32,12 @@ std::set<std::string> tasksOf(const std::vector<const Layout*>& layouts) {
 }
 
 Error noTask(const std::string& task, bool known, const std::set<std::string>& tasks) {
-  const std::string head = known ? "no robot here has the task '" + task + "' in its layout" : "there is no task '" + task + "'";
-  return {"solution.no-task", head + (tasks.empty() ? "; no robot has any task" : "; there are " + joined(tasks)), {task}, {}};
+  const std::string head =
+      known ? "no robot here has the task '" + task + "' in its layout" : "there is no task '" + task + "'";
+  return {"solution.no-task",
+          head + (tasks.empty() ? "; no robot has any task" : "; there are " + joined(tasks)),
+          {task},
+          {}};
 }
 
 Error noSolution(const TaskCatalog::Task& task, const std::string& solution) {

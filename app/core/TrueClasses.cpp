@@ -8,7 +8,8 @@ namespace app {
 namespace {
 
 std::uint8_t classOf(const simcore::RenderInstance& surface, const colortool::ColorClasses& classes) {
-  if (const std::uint8_t named = classes.index(surface.colorName); named != TrueClasses::kBackground) return named;
+  if (const std::uint8_t named = classes.index(surface.colorName); named != TrueClasses::kBackground)
+    return named;
   for (int i = 1; i < classes.size(); ++i) {
     if (classes.shownColor(i) == surface.color) return static_cast<std::uint8_t>(i);
   }

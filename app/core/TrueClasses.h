@@ -16,9 +16,9 @@ namespace app {
 
 /// The true colour classes of a simulated scene, for images of classes (the package oracle/classes) that
 /// colour tables are scored against. Classes have the numbers of colortool's preset "2002". A pixel is of the
-/// class that its surface's colour has the name of in the scene's palette ("orange", however it looks there), or
-/// else of the one that is shown in that very colour, in light or shadow. On all other surfaces, and on the
-/// background, it is kBackground.
+/// class that its surface's colour has the name of in the scene's palette ("orange", however it looks there),
+/// or else of the one that is shown in that very colour, in light or shadow. On all other surfaces, and on
+/// the background, it is kBackground.
 ///
 /// A camera's image is in YCbCr 4:2:2: two neighbours share their chroma. Where they are of different
 /// classes, their colour is of neither, and both are kIgnored. A plain value.

@@ -54,7 +54,9 @@ Workbench::Workbench(std::filesystem::path userFolder)
   addRecordingCommands(*this);
 }
 
-Workbench::~Workbench() { session_.setRequestSink({}); }
+Workbench::~Workbench() {
+  session_.setRequestSink({});
+}
 
 std::vector<std::filesystem::path> Workbench::scenes() {
   std::vector<std::filesystem::path> files = filesIn("scenes", ".sdf");
@@ -62,7 +64,9 @@ std::vector<std::filesystem::path> Workbench::scenes() {
   files.insert(files.end(), maps.begin(), maps.end());
   return files;
 }
-std::vector<std::filesystem::path> Workbench::layouts() { return filesIn("layouts", ".yaml"); }
+std::vector<std::filesystem::path> Workbench::layouts() {
+  return filesIn("layouts", ".yaml");
+}
 
 std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotDescription& robot) {
   const robotlink::TaskCatalog catalog = robotlink::registeredTasks();
@@ -75,9 +79,13 @@ std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotD
   return fitting;
 }
 
-std::filesystem::path Workbench::sceneNamed(const std::string& name) { return shippedOr(scenes(), name); }
+std::filesystem::path Workbench::sceneNamed(const std::string& name) {
+  return shippedOr(scenes(), name);
+}
 
-std::filesystem::path Workbench::layoutNamed(const std::string& name) { return shippedOr(layouts(), name); }
+std::filesystem::path Workbench::layoutNamed(const std::string& name) {
+  return shippedOr(layouts(), name);
+}
 
 RunOptions Workbench::defaultOptions() {
   RunOptions options;
@@ -94,7 +102,9 @@ PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
   return [this, change](const auto& loaded) { outcomes_.push({change, loaded}); };
 }
 
-void Workbench::load(RunOptions options) { platform_.load(std::move(options), outcomeOf(Change::kPlatform)); }
+void Workbench::load(RunOptions options) {
+  platform_.load(std::move(options), outcomeOf(Change::kPlatform));
+}
 
 logplayer::LogFile::Progress Workbench::newOpening() {
   opening_ = std::make_shared<Opening>();
@@ -120,18 +130,25 @@ void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::pat
   platform_.open(std::move(options), outcomeOf(Change::kPlatform));
 }
 
-void Workbench::addLog(ReplayLog log) { platform_.addLog(std::move(log), newOpening(), outcomeOf(Change::kPlatform)); }
+void Workbench::addLog(ReplayLog log) {
+  platform_.addLog(std::move(log), newOpening(), outcomeOf(Change::kPlatform));
+}
 void Workbench::connectRobot(PioneerOptions options) {
   platform_.connect(std::move(options), outcomeOf(Change::kPlatform));
 }
 robotlink::Result<void> Workbench::connectNow() {
   if (!loaded_ || !loaded_->pioneer)
-    return robotlink::failure("robot.not-real", "no robot is connected over a line; choose Robot > Connect first");
+    return robotlink::failure("robot.not-real",
+                              "no robot is connected over a line; choose Robot > Connect first");
   platform_.connectNow();
   return {};
 }
-void Workbench::close() { platform_.close(outcomeOf(Change::kPlatform)); }
-void Workbench::setLayout(const std::filesystem::path& file) { platform_.setLayout(file, outcomeOf(Change::kLayout)); }
+void Workbench::close() {
+  platform_.close(outcomeOf(Change::kPlatform));
+}
+void Workbench::setLayout(const std::filesystem::path& file) {
+  platform_.setLayout(file, outcomeOf(Change::kLayout));
+}
 
 void Workbench::ask(robotcontrol::Request request) {
   session_.request(std::move(request), [this](const robotcontrol::RequestResult& result) {
@@ -197,7 +214,8 @@ void Workbench::switchKeysOn(const std::string& robot) {
 
 robotlink::Result<void> Workbench::keepKeys() {
   for (const std::string& robot : session_.robots()) {
-    const auto* table = session_.store().latestAs<robotcontrol::KeyTable>(robot + "/tables/keys", session_.timeline().newest());
+    const auto* table = session_.store().latestAs<robotcontrol::KeyTable>(robot + "/tables/keys",
+                                                                          session_.timeline().newest());
     if (table == nullptr) continue;
     if (auto saved = robotlink::KeyPresets(userFolder_ / "session").save(robot, *table); !saved) return saved;
   }
@@ -226,7 +244,8 @@ void Workbench::addSimulationCommands() {
                  [this](const Values& values) -> robotlink::Result<void> {
                    const double speed = std::get<double>(values[0]);
                    if (!(speed >= 0 && speed <= 100)) {
-                     return robotlink::failure("simulation.speed", "the speed must be between 0 and 100 times real time");
+                     return robotlink::failure("simulation.speed",
+                                               "the speed must be between 0 and 100 times real time");
                    }
                    return control(Control::UNCHANGED, speed);
                  }});
@@ -252,16 +271,18 @@ void Workbench::addSimulationCommands() {
                    load(std::move(options));
                    return {};
                  }});
-  commands_.add({"simulation.setup",
-                 "Opens a scene or a map with robots put into it",
-                 {{"scene", CommandTable::Type::kText, "an SDFormat file, a map (.map), or the name of a shipped scene"},
-                  {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at or ers210"},
-                  {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
-                  {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
-                  {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
-                  {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"},
-                  {"teams", CommandTable::Type::kText, "that robots of the kind ers210 play in: both, red or blue"}},
-                 [this](const Values& values) { return setUp(values); }});
+  commands_.add(
+      {"simulation.setup",
+       "Opens a scene or a map with robots put into it",
+       {{"scene", CommandTable::Type::kText,
+         "an SDFormat file, a map (.map), or the name of a shipped scene"},
+        {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at or ers210"},
+        {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
+        {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
+        {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
+        {"network", CommandTable::Type::kBool, "true: the ports can be reached from other computers"},
+        {"teams", CommandTable::Type::kText, "that robots of the kind ers210 play in: both, red or blue"}},
+       [this](const Values& values) { return setUp(values); }});
 }
 
 robotlink::Result<void> Workbench::setUp(const Values& values) {
@@ -294,13 +315,14 @@ robotlink::Result<void> Workbench::setUp(const Values& values) {
 }
 
 void Workbench::addLayoutCommand() {
-  commands_.add({"layout.open",
-                 "Starts the robots' programs anew in another process layout, by its path or the name of a shipped one",
-                 {{"layout", CommandTable::Type::kText, "a layout file"}},
-                 [this](const Values& values) -> robotlink::Result<void> {
-                   setLayout(layoutNamed(std::get<std::string>(values[0])));
-                   return {};
-                 }});
+  commands_.add(
+      {"layout.open",
+       "Starts the robots' programs anew in another process layout, by its path or the name of a shipped one",
+       {{"layout", CommandTable::Type::kText, "a layout file"}},
+       [this](const Values& values) -> robotlink::Result<void> {
+         setLayout(layoutNamed(std::get<std::string>(values[0])));
+         return {};
+       }});
 }
 
 }  // namespace app

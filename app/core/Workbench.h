@@ -16,8 +16,8 @@
 
 namespace app {
 
-/// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs), and the commands
-/// that all of them offer. The thread that owns it calls tick() at 30 Hz.
+/// All of the workbench that is not its window: a session, the platform that feeds it (a simulation or logs),
+/// and the commands that all of them offer. The thread that owns it calls tick() at 30 Hz.
 class Workbench {
  public:
   /// Debug keys that were on at the end of the last session are kept below `userFolder`.
@@ -34,8 +34,8 @@ class Workbench {
   void openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout = {});
   /// One more to those that are open.
   void addLog(ReplayLog log);
-  /// A real robot, or one of another simulator. The outcome says only whether its program can be run; how the connection does
-  /// is told on its stream link/status.
+  /// A real robot, or one of another simulator. The outcome says only whether its program can be run; how the
+  /// connection does is told on its stream link/status.
   void connectRobot(PioneerOptions options);
   /// The robot of connectRobot() is sought again at once, if it is not connected.
   robotlink::Result<void> connectNow();
@@ -109,7 +109,7 @@ class Workbench {
   std::function<void(const robotlink::Errors&)> onErrors_;
   int loading_ = 0;
   std::shared_ptr<Opening> opening_;  ///< the last one that was begun
-  PlatformThread platform_;  // last: it uses the others
+  PlatformThread platform_;           // last: it uses the others
 };
 
 }  // namespace app

@@ -14,15 +14,17 @@ namespace {
 
 constexpr int kPortalTimeoutMs = 200;
 
-/// What the desktop prefers (org.freedesktop.appearance color-scheme: 1 dark, 2 light); nothing if it does not say.
+/// What the desktop prefers (org.freedesktop.appearance color-scheme: 1 dark, 2 light); nothing if it does
+/// not say.
 std::optional<bool> desktopPrefersDark() {
   const QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return std::nullopt;
-  QDBusInterface portal(QStringLiteral("org.freedesktop.portal.Desktop"), QStringLiteral("/org/freedesktop/portal/desktop"),
+  QDBusInterface portal(QStringLiteral("org.freedesktop.portal.Desktop"),
+                        QStringLiteral("/org/freedesktop/portal/desktop"),
                         QStringLiteral("org.freedesktop.portal.Settings"), bus);
   portal.setTimeout(kPortalTimeoutMs);
-  const QDBusReply<QDBusVariant> reply = portal.call(QStringLiteral("Read"), QStringLiteral("org.freedesktop.appearance"),
-                                                     QStringLiteral("color-scheme"));
+  const QDBusReply<QDBusVariant> reply = portal.call(
+      QStringLiteral("Read"), QStringLiteral("org.freedesktop.appearance"), QStringLiteral("color-scheme"));
   if (!reply.isValid()) return std::nullopt;
   QVariant value = reply.value().variant();
   if (value.canConvert<QDBusVariant>()) value = value.value<QDBusVariant>().variant();
@@ -42,15 +44,17 @@ bool isDark(const QPalette& palette) {
 
 QPalette makePalette(const QColor& window, const QColor& base, const QColor& text, const QColor& accent) {
   QPalette palette(window.lighter(115), window);
-  const QColor faint = QColor::fromRgbF(0.5 * (text.redF() + window.redF()), 0.5 * (text.greenF() + window.greenF()),
-                                        0.5 * (text.blueF() + window.blueF()));
+  const QColor faint =
+      QColor::fromRgbF(0.5 * (text.redF() + window.redF()), 0.5 * (text.greenF() + window.greenF()),
+                       0.5 * (text.blueF() + window.blueF()));
   palette.setColor(QPalette::Window, window);
   palette.setColor(QPalette::Base, base);
   palette.setColor(QPalette::AlternateBase, QColor::fromRgbF(0.5 * (base.redF() + window.redF()),
                                                              0.5 * (base.greenF() + window.greenF()),
                                                              0.5 * (base.blueF() + window.blueF())));
   palette.setColor(QPalette::ToolTipBase, base);
-  for (const auto role : {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
+  for (const auto role :
+       {QPalette::WindowText, QPalette::Text, QPalette::ButtonText, QPalette::ToolTipText}) {
     palette.setColor(role, text);
     palette.setColor(QPalette::Disabled, role, faint);
   }
@@ -86,10 +90,10 @@ void apply(Appearance appearance, QApplication& application) {
                     (appearance == Appearance::kSystem &&
                      desktopPrefersDark().value_or(isDark(QApplication::style()->standardPalette())));
   QApplication::setStyle(QStyleFactory::create(QStringLiteral("Fusion")));
-  application.setPalette(dark ? makePalette(QColor(0x2b, 0x2e, 0x33), QColor(0x1f, 0x21, 0x25), QColor(0xe4, 0xe6, 0xea),
-                                            QColor(0x3d, 0x7e, 0xd0))
-                              : makePalette(QColor(0xf0, 0xf1, 0xf3), QColor(0xff, 0xff, 0xff), QColor(0x1c, 0x1e, 0x21),
-                                            QColor(0x2b, 0x6c, 0xc4)));
+  application.setPalette(dark ? makePalette(QColor(0x2b, 0x2e, 0x33), QColor(0x1f, 0x21, 0x25),
+                                            QColor(0xe4, 0xe6, 0xea), QColor(0x3d, 0x7e, 0xd0))
+                              : makePalette(QColor(0xf0, 0xf1, 0xf3), QColor(0xff, 0xff, 0xff),
+                                            QColor(0x1c, 0x1e, 0x21), QColor(0x2b, 0x6c, 0xc4)));
 }
 
 }  // namespace app

@@ -7,7 +7,8 @@ class QApplication;
 
 namespace app {
 
-/// Light and dark. "System" asks the desktop (the settings portal) and, where there is none, follows the palette that Qt was given.
+/// Light and dark. "System" asks the desktop (the settings portal) and, where there is none, follows the
+/// palette that Qt was given.
 enum class Appearance { kSystem, kLight, kDark };
 
 Appearance appearanceFromName(const QString& name);

@@ -14,14 +14,16 @@ QAction* CommandActions::make(const QString& text, const char* icon, const QStri
   action->setShortcutContext(Qt::ApplicationShortcut);
   const auto* known = commands_.find(command.toStdString());
   QString tip = known != nullptr ? QString::fromStdString(known->help) : text;
-  if (!shortcuts.isEmpty()) tip += QStringLiteral(" (%1)").arg(QKeySequence::listToString(shortcuts, QKeySequence::NativeText));
+  if (!shortcuts.isEmpty())
+    tip += QStringLiteral(" (%1)").arg(QKeySequence::listToString(shortcuts, QKeySequence::NativeText));
   action->setToolTip(tip);
   action->setStatusTip(tip);
   connect(action, &QAction::triggered, this, [this, command, arguments] { run(command, arguments); });
   return action;
 }
 
-void CommandActions::run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments) {
+void CommandActions::run(const QString& command,
+                         const std::vector<robotlink::CommandTable::Value>& arguments) {
   if (guard_ && !guard_(command)) return;
   const auto done = commands_.run(command.toStdString(), arguments);
   if (!done) Q_EMIT refused(QString::fromStdString(done.error().text));

@@ -9,8 +9,8 @@
 
 namespace app {
 
-/// Makes actions of commands, so that menus, toolbars and shortcuts do what scripts do. What a command refuses is reported
-/// to one handler. GUI thread.
+/// Makes actions of commands, so that menus, toolbars and shortcuts do what scripts do. What a command
+/// refuses is reported to one handler. GUI thread.
 class CommandActions : public QObject {
   Q_OBJECT
  public:
@@ -21,7 +21,8 @@ class CommandActions : public QObject {
                 const std::vector<robotlink::CommandTable::Value>& arguments = {},
                 const QList<QKeySequence>& shortcuts = {});
   void run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
-  /// Asked before each command that a person runs, with its name; false: it is not run. Scripts are not asked.
+  /// Asked before each command that a person runs, with its name; false: it is not run. Scripts are not
+  /// asked.
   void setGuard(std::function<bool(const QString& command)> guard) { guard_ = std::move(guard); }
 
  Q_SIGNALS:

@@ -21,7 +21,9 @@ QString structureOf(const QJsonObject& state) {
 
 LayoutHistory::LayoutHistory(ViewDocks& docks, QObject* parent) : QObject(parent), docks_(docks) {}
 
-QJsonObject LayoutHistory::layout() const { return {{QStringLiteral("docks"), docks_.layout()}}; }
+QJsonObject LayoutHistory::layout() const {
+  return {{QStringLiteral("docks"), docks_.layout()}};
+}
 
 void LayoutHistory::look() {
   QJsonObject now = layout();
@@ -54,8 +56,10 @@ void LayoutHistory::step(Steps& from, Steps& to) {
     from.pop_back();
     QJsonObject before = docks_.save();
     const bool all = wanted.contains(QStringLiteral("views"));
-    if (all ? !docks_.restore(wanted) : !docks_.rearrange(wanted.value(QStringLiteral("docks")).toString())) continue;
-    to.push_back(all ? std::move(before) : QJsonObject{{QStringLiteral("docks"), before.value(QStringLiteral("docks"))}});
+    if (all ? !docks_.restore(wanted) : !docks_.rearrange(wanted.value(QStringLiteral("docks")).toString()))
+      continue;
+    to.push_back(all ? std::move(before)
+                     : QJsonObject{{QStringLiteral("docks"), before.value(QStringLiteral("docks"))}});
     break;
   }
   present_ = layout();

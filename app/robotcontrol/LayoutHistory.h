@@ -9,14 +9,15 @@ namespace app {
 
 class ViewDocks;
 
-/// What the user did to the arrangement of the docks, to be undone: views closed, opened, moved, floated. Sizes alone are no step, but
-/// come back with one. GUI thread; the docks must outlive it.
+/// What the user did to the arrangement of the docks, to be undone: views closed, opened, moved, floated.
+/// Sizes alone are no step, but come back with one. GUI thread; the docks must outlive it.
 class LayoutHistory : public QObject {
   Q_OBJECT
  public:
   LayoutHistory(ViewDocks& docks, QObject* parent);
 
-  /// Takes note of the present layout; to be called every now and then, and not while a dock is being dragged.
+  /// Takes note of the present layout; to be called every now and then, and not while a dock is being
+  /// dragged.
   void look();
   /// Another perspective is shown: there is nothing to undo.
   void forget();

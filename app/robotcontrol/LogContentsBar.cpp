@@ -17,7 +17,9 @@ constexpr int kMostNamed = 3;
 /// The first paths, and how many more there are.
 QString named(const QStringList& paths) {
   if (paths.size() <= kMostNamed) return paths.join(QLatin1String(", "));
-  return LogContentsBar::tr("%1 and %2 more").arg(paths.mid(0, kMostNamed).join(QLatin1String(", "))).arg(paths.size() - kMostNamed);
+  return LogContentsBar::tr("%1 and %2 more")
+      .arg(paths.mid(0, kMostNamed).join(QLatin1String(", ")))
+      .arg(paths.size() - kMostNamed);
 }
 
 }  // namespace

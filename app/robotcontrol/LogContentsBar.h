@@ -14,8 +14,8 @@ namespace app {
 
 class CommandActions;
 
-/// What open logs hold in which no robot of this program is, such as those of other programs: most views stay empty then. With
-/// buttons for the views that show it. Hidden for all other logs. GUI thread.
+/// What open logs hold in which no robot of this program is, such as those of other programs: most views stay
+/// empty then. With buttons for the views that show it. Hidden for all other logs. GUI thread.
 class LogContentsBar : public QWidget {
   Q_OBJECT
  public:

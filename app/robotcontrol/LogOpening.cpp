@@ -27,10 +27,13 @@ QStringList localFiles(const QMimeData& data) {
 
 }  // namespace
 
-LogOpening::LogOpening(CommandActions& actions, QWidget* window) : QObject(window), actions_(actions), window_(window) {}
+LogOpening::LogOpening(CommandActions& actions, QWidget* window)
+    : QObject(window), actions_(actions), window_(window) {}
 
 void LogOpening::fillMenu(QMenu& menu) {
-  QAction* open = menu.addAction(widgets::icon("time-line"), tr("Open &log…"), this, [this] { ask(false); }, QKeySequence(QStringLiteral("Ctrl+L")));
+  QAction* open = menu.addAction(
+      widgets::icon("time-line"), tr("Open &log…"), this, [this] { ask(false); },
+      QKeySequence(QStringLiteral("Ctrl+L")));
   open->setObjectName(QStringLiteral("openLog"));
   add_ = menu.addAction(tr("&Add log…"), this, [this] { ask(true); });
   add_->setObjectName(QStringLiteral("addLog"));
@@ -71,7 +74,9 @@ void LogOpening::open(const QString& file, bool add) {
   }
 }
 
-bool LogOpening::takes(const QMimeData& data) { return !localFiles(data).isEmpty(); }
+bool LogOpening::takes(const QMimeData& data) {
+  return !localFiles(data).isEmpty();
+}
 
 void LogOpening::drop(const QMimeData& data, bool add) {
   for (const QString& file : localFiles(data)) {
@@ -107,7 +112,8 @@ void LogOpening::fillRecentMenu() {
   if (recentMenu_ == nullptr) return;
   recentMenu_->clear();
   for (const QString& file : recent_) {
-    QAction* action = recentMenu_->addAction(QFileInfo(file).fileName(), this, [this, file] { open(file, false); });
+    QAction* action =
+        recentMenu_->addAction(QFileInfo(file).fileName(), this, [this, file] { open(file, false); });
     action->setToolTip(file);
   }
   recentMenu_->setEnabled(!recent_.isEmpty());

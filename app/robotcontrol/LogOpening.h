@@ -23,8 +23,8 @@ class LogOpening : public QObject {
   void fillMenu(QMenu& menu);
   /// Whether there is a file among it.
   static bool takes(const QMimeData& data);
-  /// Opens what was dropped: of several logs all, on one time line; `add`: beside those that are open. Scenes, layouts and colour tables are
-  /// opened as such.
+  /// Opens what was dropped: of several logs all, on one time line; `add`: beside those that are open.
+  /// Scenes, layouts and colour tables are opened as such.
   void drop(const QMimeData& data, bool add);
 
   QStringList recent() const { return recent_; }

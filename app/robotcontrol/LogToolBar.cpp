@@ -46,7 +46,8 @@ QAction* LogToolBar::make(ReplayKey key, const Text& text, std::function<void()>
   QAction* made = make(text, std::move(action));
   const QKeySequence keys = widgets::keySequence(key);
   made->setToolTip(QStringLiteral("%1 (%2)").arg(text.tip, keys.toString(QKeySequence::NativeText)));
-  // Menus and the list of shortcuts show it; the window's press() does it, so that it takes no key from anybody.
+  // Menus and the list of shortcuts show it; the window's press() does it, so that it takes no key from
+  // anybody.
   made->setShortcut(keys);
   made->setShortcutContext(Qt::WidgetShortcut);
   keyed_[key] = made;
@@ -57,14 +58,21 @@ void LogToolBar::createSteps() {
   const auto run = [this](const char* command, Values values = {}) {
     return [this, command, values] { actions_.run(QLatin1String(command), values); };
   };
-  make(ReplayKey::kPlayOrPause, {"log.playOrPause", "play", tr("Play"), tr("Plays the log, or pauses it")}, [this] {
-    actions_.run(logs_.replay().status().playing() ? QStringLiteral("log.pause") : QStringLiteral("log.play"));
-  });
+  make(ReplayKey::kPlayOrPause, {"log.playOrPause", "play", tr("Play"), tr("Plays the log, or pauses it")},
+       [this] {
+         actions_.run(logs_.replay().status().playing() ? QStringLiteral("log.pause")
+                                                        : QStringLiteral("log.play"));
+       });
   stop_ = make({"log.stop", "halt", tr("Stop"), tr("Pauses at the start of the log")}, run("log.stop"));
-  make(ReplayKey::kFrameBack, {"log.frameBack", "step-back", tr("Frame back"), tr("Back by one frame of the process")}, run("log.step", {-1.0}));
-  make(ReplayKey::kFrameOn, {"log.frameOn", "step", tr("Frame on"), tr("On by one frame of the process")}, run("log.step", {1.0}));
+  make(ReplayKey::kFrameBack,
+       {"log.frameBack", "step-back", tr("Frame back"), tr("Back by one frame of the process")},
+       run("log.step", {-1.0}));
+  make(ReplayKey::kFrameOn, {"log.frameOn", "step", tr("Frame on"), tr("On by one frame of the process")},
+       run("log.step", {1.0}));
   const auto message = [this](double count) {
-    return [this, count] { actions_.run(QStringLiteral("log.step-message"), {logs_.replay().steppedStream(), count}); };
+    return [this, count] {
+      actions_.run(QStringLiteral("log.step-message"), {logs_.replay().steppedStream(), count});
+    };
   };
   make(ReplayKey::kMessageBack, {"log.messageBack", "message-back", tr("Message back"), {}}, message(-1));
   make(ReplayKey::kMessageOn, {"log.messageOn", "message-on", tr("Message on"), {}}, message(1));
@@ -72,41 +80,64 @@ void LogToolBar::createSteps() {
 
 void LogToolBar::createLongSteps() {
   auto& replay = logs_.replay();
-  const auto frames = [this](double count) { return [this, count] { actions_.run(QStringLiteral("log.step"), {count}); }; };
+  const auto frames = [this](double count) {
+    return [this, count] { actions_.run(QStringLiteral("log.step"), {count}); };
+  };
   const auto key = [&replay](ReplayKey what) { return [&replay, what] { widgets::press(what, replay); }; };
-  make(ReplayKey::kTenFramesBack, {"log.tenFramesBack", "step-back", tr("10 frames back"), tr("Back by ten frames of the process")}, frames(-10));
-  make(ReplayKey::kTenFramesOn, {"log.tenFramesOn", "step", tr("10 frames on"), tr("On by ten frames of the process")}, frames(10));
-  make(ReplayKey::kSecondBack, {"log.secondBack", "step-back", tr("1 s back"), tr("Back by one second")}, key(ReplayKey::kSecondBack));
-  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s on"), tr("On by one second")}, key(ReplayKey::kSecondOn));
-  make(ReplayKey::kStart, {"log.toStart", "step-back", tr("To the start"), tr("Jumps to the start of the log")}, key(ReplayKey::kStart));
-  make(ReplayKey::kEnd, {"log.toEnd", "step", tr("To the end"), tr("Jumps to the end of the log")}, key(ReplayKey::kEnd));
+  make(ReplayKey::kTenFramesBack,
+       {"log.tenFramesBack", "step-back", tr("10 frames back"), tr("Back by ten frames of the process")},
+       frames(-10));
+  make(ReplayKey::kTenFramesOn,
+       {"log.tenFramesOn", "step", tr("10 frames on"), tr("On by ten frames of the process")}, frames(10));
+  make(ReplayKey::kSecondBack, {"log.secondBack", "step-back", tr("1 s back"), tr("Back by one second")},
+       key(ReplayKey::kSecondBack));
+  make(ReplayKey::kSecondOn, {"log.secondOn", "step", tr("1 s on"), tr("On by one second")},
+       key(ReplayKey::kSecondOn));
+  make(ReplayKey::kStart,
+       {"log.toStart", "step-back", tr("To the start"), tr("Jumps to the start of the log")},
+       key(ReplayKey::kStart));
+  make(ReplayKey::kEnd, {"log.toEnd", "step", tr("To the end"), tr("Jumps to the end of the log")},
+       key(ReplayKey::kEnd));
 }
 
 void LogToolBar::createRangeActions() {
   auto& replay = logs_.replay();
-  make(ReplayKey::kRangeStart, {"log.rangeStart", "grab", tr("Range begins here"), tr("Selects from the moment that is shown")},
+  make(ReplayKey::kRangeStart,
+       {"log.rangeStart", "grab", tr("Range begins here"), tr("Selects from the moment that is shown")},
        [&replay] { replay.beginRangeHere(); });
-  make(ReplayKey::kRangeEnd, {"log.rangeEnd", "grab", tr("Range ends here"), tr("Selects up to the moment that is shown")},
+  make(ReplayKey::kRangeEnd,
+       {"log.rangeEnd", "grab", tr("Range ends here"), tr("Selects up to the moment that is shown")},
        [&replay] { replay.endRangeHere(); });
-  clearRange_ = make({"log.clearRange", "clear", tr("Clear range"), tr("Selects nothing")}, [&replay] { replay.clearRange(); });
-  make(ReplayKey::kBookmark, {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Marks the moment that is shown")}, [this] { logs_.addBookmarkHere(); });
+  clearRange_ = make({"log.clearRange", "clear", tr("Clear range"), tr("Selects nothing")},
+                     [&replay] { replay.clearRange(); });
+  make(ReplayKey::kBookmark,
+       {"log.bookmarkHere", "bookmark", tr("Bookmark"), tr("Marks the moment that is shown")},
+       [this] { logs_.addBookmarkHere(); });
 }
 
 void LogToolBar::createOptions() {
   const auto option = [this](const Text& text, const char* command) {
     QAction* action = make(text, [] {});
     action->setCheckable(true);
-    connect(action, &QAction::triggered, this, [this, command](bool on) { actions_.run(QLatin1String(command), {on}); });
+    connect(action, &QAction::triggered, this,
+            [this, command](bool on) { actions_.run(QLatin1String(command), {on}); });
     return action;
   };
-  loop_ = option({"log.loop", "loop", tr("Loop"), tr("Plays again and again: the selected range, or all of the log")}, "log.loop");
-  timeStamps_ = make({"log.timeStamps", "timing", tr("Time stamps"), tr("Shows times in all views as the messages bear them, instead of since the beginning of the log")}, [] {});
+  loop_ = option(
+      {"log.loop", "loop", tr("Loop"), tr("Plays again and again: the selected range, or all of the log")},
+      "log.loop");
+  timeStamps_ = make(
+      {"log.timeStamps", "timing", tr("Time stamps"),
+       tr("Shows times in all views as the messages bear them, instead of since the beginning of the log")},
+      [] {});
   timeStamps_->setCheckable(true);
   connect(timeStamps_, &QAction::toggled, this, [this](bool on) {
     logs_.replay().setShowsTimeStamps(on);
     refresh();
   });
-  skipGaps_ = option({"log.skipGaps", "skip-gaps", tr("Skip gaps"), tr("Goes on at once where nothing was logged for more than a second")}, "log.skip-gaps");
+  skipGaps_ = option({"log.skipGaps", "skip-gaps", tr("Skip gaps"),
+                      tr("Goes on at once where nothing was logged for more than a second")},
+                     "log.skip-gaps");
 }
 
 void LogToolBar::createFields() {
@@ -123,13 +154,17 @@ void LogToolBar::createFields() {
     return edit;
   };
   time_ = field(11);
-  describe(time_, "logTime", tr("Time in seconds"), tr("The time that is shown, in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and -2 from here"));
+  describe(time_, "logTime", tr("Time in seconds"),
+           tr("The time that is shown, in seconds. Type another one to jump there: 12.5, 1:02.5, or +2 and "
+              "-2 from here"));
   frame_ = field(7);
-  describe(frame_, "logFrame", tr("Frame"), tr("The number of the frame that is shown. Type another one to jump there"));
+  describe(frame_, "logFrame", tr("Frame"),
+           tr("The number of the frame that is shown. Type another one to jump there"));
   end_ = new QLabel(this);
   describe(end_, "logEnd", tr("End of the log"), tr("The time of the log's end"));
   frames_ = new QLabel(this);
-  describe(frames_, "logFrames", tr("Frames"), tr("Which one it is, and how many frames of the process the log holds"));
+  describe(frames_, "logFrames", tr("Frames"),
+           tr("Which one it is, and how many frames of the process the log holds"));
   process_ = new QComboBox(this);
   describe(process_, "logProcess", tr("Process"), tr("The process whose frames are stepped and counted"));
   process_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
@@ -139,8 +174,12 @@ void LogToolBar::createFields() {
   connect(time_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedTime);
   connect(frame_, &QLineEdit::returnPressed, this, &LogToolBar::jumpToTypedFrame);
   const auto activated = QOverload<int>::of(&QComboBox::activated);
-  connect(process_, activated, this, [this](int index) { actions_.run(QStringLiteral("log.step-process"), {process_->itemText(index).toStdString()}); });
-  connect(speed_, activated, this, [this](int index) { actions_.run(QStringLiteral("log.speed"), {speed_->itemData(index).toDouble()}); });
+  connect(process_, activated, this, [this](int index) {
+    actions_.run(QStringLiteral("log.step-process"), {process_->itemText(index).toStdString()});
+  });
+  connect(speed_, activated, this, [this](int index) {
+    actions_.run(QStringLiteral("log.speed"), {speed_->itemData(index).toDouble()});
+  });
 }
 
 void LogToolBar::createBar() {
@@ -150,7 +189,8 @@ void LogToolBar::createBar() {
     addWidget(label);
     for (QWidget* widget : fields) addWidget(widget);
   };
-  for (const auto key : {ReplayKey::kMessageBack, ReplayKey::kFrameBack, ReplayKey::kPlayOrPause, ReplayKey::kFrameOn, ReplayKey::kMessageOn}) {
+  for (const auto key : {ReplayKey::kMessageBack, ReplayKey::kFrameBack, ReplayKey::kPlayOrPause,
+                         ReplayKey::kFrameOn, ReplayKey::kMessageOn}) {
     addAction(keyed_.at(key));
   }
   addAction(stop_);
@@ -174,12 +214,14 @@ void LogToolBar::fillMenu(QMenu& menu) {
   add({ReplayKey::kPlayOrPause});
   menu.addAction(stop_);
   menu.addSeparator();
-  add({ReplayKey::kFrameBack, ReplayKey::kFrameOn, ReplayKey::kTenFramesBack, ReplayKey::kTenFramesOn, ReplayKey::kMessageBack,
-       ReplayKey::kMessageOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn, ReplayKey::kStart, ReplayKey::kEnd});
+  add({ReplayKey::kFrameBack, ReplayKey::kFrameOn, ReplayKey::kTenFramesBack, ReplayKey::kTenFramesOn,
+       ReplayKey::kMessageBack, ReplayKey::kMessageOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn,
+       ReplayKey::kStart, ReplayKey::kEnd});
   menu.addSeparator();
   QMenu* speed = menu.addMenu(tr("S&peed"));
   for (const double value : speeds()) {
-    speed->addAction(SimulationToolBar::speedText(value), this, [this, value] { actions_.run(QStringLiteral("log.speed"), {value}); });
+    speed->addAction(SimulationToolBar::speedText(value), this,
+                     [this, value] { actions_.run(QStringLiteral("log.speed"), {value}); });
   }
   menu.addActions({loop_, skipGaps_, timeStamps_});
   menu.addSeparator();
@@ -199,7 +241,10 @@ void LogToolBar::jumpToTypedTime() {
   auto& replay = logs_.replay();
   const auto origin = replay.origin();
   const auto time = widgets::timeFromText(time_->text(), replay.shown() - origin);
-  if (!time) return Q_EMIT logs_.failed(tr("\"%1\" is no time; type seconds (12.5), minutes and seconds (1:02.5), or +2 and -2 from here.").arg(time_->text()));
+  if (!time)
+    return Q_EMIT logs_.failed(
+        tr("\"%1\" is no time; type seconds (12.5), minutes and seconds (1:02.5), or +2 and -2 from here.")
+            .arg(time_->text()));
   replay.jumpTo(origin + *time);
   time_->clearFocus();
 }
@@ -256,7 +301,8 @@ void LogToolBar::refreshTips() {
   const std::string stream = logs_.replay().steppedStream();
   const QString name = stream.empty() ? tr("the chosen stream") : QString::fromStdString(stream);
   const auto tip = [this](ReplayKey key, const QString& text) {
-    keyed_.at(key)->setToolTip(QStringLiteral("%1 (%2)").arg(text, widgets::keySequence(key).toString(QKeySequence::NativeText)));
+    keyed_.at(key)->setToolTip(
+        QStringLiteral("%1 (%2)").arg(text, widgets::keySequence(key).toString(QKeySequence::NativeText)));
     keyed_.at(key)->setEnabled(!logs_.replay().steppedStream().empty());
   };
   tip(ReplayKey::kMessageBack, tr("Back to the last message of %1").arg(name));
@@ -280,8 +326,9 @@ void LogToolBar::refresh() {
   if (play->text() != text) {
     play->setText(text);
     play->setIcon(widgets::icon(status.playing() ? "pause" : "play"));
-    play->setToolTip(QStringLiteral("%1 (%2)").arg(status.playing() ? tr("Pauses the log") : tr("Plays the log"),
-                                                   play->shortcut().toString(QKeySequence::NativeText)));
+    play->setToolTip(
+        QStringLiteral("%1 (%2)").arg(status.playing() ? tr("Pauses the log") : tr("Plays the log"),
+                                      play->shortcut().toString(QKeySequence::NativeText)));
   }
   loop_->setChecked(status.loop());
   skipGaps_->setChecked(status.skip_gaps());

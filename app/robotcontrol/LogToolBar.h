@@ -23,8 +23,9 @@ namespace app {
 
 class CommandActions;
 
-/// Plays the open logs: play, stop, steps, time and frame (shown, and typed to jump), speed, loop, gaps, bookmarks. It is
-/// there while a log is open. Shows what the replay says, not what was clicked. GUI thread; the logs must outlive its use.
+/// Plays the open logs: play, stop, steps, time and frame (shown, and typed to jump), speed, loop, gaps,
+/// bookmarks. It is there while a log is open. Shows what the replay says, not what was clicked. GUI thread;
+/// the logs must outlive its use.
 class LogToolBar : public QToolBar {
   Q_OBJECT
  public:

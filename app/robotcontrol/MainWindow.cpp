@@ -54,8 +54,12 @@ std::shared_ptr<const robotlink::FieldDescription> defaultField() {
   return field ? std::make_shared<const robotlink::FieldDescription>(std::move(*field)) : nullptr;
 }
 
-QString toText(const QByteArray& bytes) { return QString::fromLatin1(bytes.toBase64()); }
-QByteArray fromText(const QJsonValue& value) { return QByteArray::fromBase64(value.toString().toLatin1()); }
+QString toText(const QByteArray& bytes) {
+  return QString::fromLatin1(bytes.toBase64());
+}
+QByteArray fromText(const QJsonValue& value) {
+  return QByteArray::fromBase64(value.toString().toLatin1());
+}
 
 }  // namespace
 
@@ -82,7 +86,8 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
-  docks_->destroyAll();  // Views use the context, which goes before the widgets that are children of the window.
+  docks_->destroyAll();  // Views use the context, which goes before the widgets that are children of the
+                         // window.
 }
 
 void MainWindow::createActions() {
@@ -99,7 +104,8 @@ void MainWindow::createActions() {
 void MainWindow::createErrorBar() {
   errorBar_ = new QWidget(centralWidget());
   errorBar_->setObjectName(QStringLiteral("errorBar"));
-  errorBar_->setStyleSheet(QStringLiteral("#errorBar { background: #b3261e; } #errorBar QLabel { color: white; }"));
+  errorBar_->setStyleSheet(
+      QStringLiteral("#errorBar { background: #b3261e; } #errorBar QLabel { color: white; }"));
   errorText_ = new QLabel(errorBar_);
   errorText_->setObjectName(QStringLiteral("errorText"));
   errorText_->setAccessibleName(tr("Errors"));
@@ -127,7 +133,8 @@ void MainWindow::connectSignals() {
     toolBar_->showLoaded();
   });
   workbench_.session().setRefusalHandler([this](const std::string& what, const std::string& reason) {
-    const QString text = tr("Refused (%1): %2").arg(QString::fromStdString(what), QString::fromStdString(reason));
+    const QString text =
+        tr("Refused (%1): %2").arg(QString::fromStdString(what), QString::fromStdString(reason));
     statusBar()->showMessage(text, kRefusalShownMs);
   });
   connect(&tick_, &QTimer::timeout, this, &MainWindow::tick);
@@ -149,20 +156,23 @@ void MainWindow::onLoaded() {
   showWhatBelongsTo(*loaded);
 }
 
-/// Who opens a log in the perspective for games wants to see that for logs; who has chosen another one stays there. What is loaded
-/// at the start has no say: the window is as it was left.
+/// Who opens a log in the perspective for games wants to see that for logs; who has chosen another one stays
+/// there. What is loaded at the start has no say: the window is as it was left.
 void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
   const QString beginning = Perspectives::beginningWith(loaded);
   if (beginning.isEmpty()) return;
   const QString before = std::exchange(beginning_, beginning);
-  if (!before.isEmpty() && before != beginning && perspectives_.current() == before) showPerspective(beginning);
+  if (!before.isEmpty() && before != beginning && perspectives_.current() == before)
+    showPerspective(beginning);
 }
 
 void MainWindow::showErrors(const robotlink::Errors& errors) {
   if (errors.empty()) return;
-  robotlink::Errors shown(errors.begin(), errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
+  robotlink::Errors shown(errors.begin(),
+                          errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
   QString text = QString::fromStdString(robotlink::describe(shown));
-  if (shown.size() < errors.size()) text += tr("\n… and %n more", nullptr, static_cast<int>(errors.size() - shown.size()));
+  if (shown.size() < errors.size())
+    text += tr("\n… and %n more", nullptr, static_cast<int>(errors.size() - shown.size()));
   errorText_->setText(text);
   errorBar_->show();
 }

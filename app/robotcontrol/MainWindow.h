@@ -19,7 +19,7 @@ class QMenu;
 namespace widgets {
 class ConnectDialog;
 class EmptyHint;
-}
+}  // namespace widgets
 
 namespace app {
 
@@ -41,10 +41,11 @@ class WindowKeys;
 class Workbench;
 struct LoadedPlatform;
 
-/// The workbench's window: docks with views, toolbars, menus, status line; and the 30 Hz tick that all of them live by.
+/// The workbench's window: docks with views, toolbars, menus, status line; and the 30 Hz tick that all of
+/// them live by.
 ///
-/// What the user arranged is kept in a file of his, every few seconds and at the end, and comes back at the next start. GUI
-/// thread; the workbench must outlive it.
+/// What the user arranged is kept in a file of his, every few seconds and at the end, and comes back at the
+/// next start. GUI thread; the workbench must outlive it.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:

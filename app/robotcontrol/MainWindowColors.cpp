@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the main window does with the colour table that is being made: commands, recovery, unsaved samples; and
-// how a view gets all the room.
+// What the main window does with the colour table that is being made: commands, recovery, unsaved samples;
+// and how a view gets all the room.
 #include <QMenu>
 #include <QStatusBar>
 
@@ -41,7 +41,8 @@ void MainWindow::createMaximizing() {
   auto* action = new QAction(tr("&Maximize view, and back"), this);
   action->setObjectName(QStringLiteral("maximizeView"));
   action->setShortcut(Qt::Key_F11);
-  action->setToolTip(tr("Gives all the room to the view with the focus or under the mouse; again: all as it was"));
+  action->setToolTip(
+      tr("Gives all the room to the view with the focus or under the mouse; again: all as it was"));
   connect(action, &QAction::triggered, maximizedView_, &MaximizedView::toggle);
   addAction(action);
   if (menu != nullptr) menu->insertAction(perspectiveMenu_->menuAction(), action);

@@ -1,12 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the main window arranges its docks: perspectives, what was done to the layout, and undoing it.
+#include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QApplication>
 #include <QInputDialog>
 #include <QMenu>
 #include <QShowEvent>
 #include <QTimer>
 #include <QVBoxLayout>
-#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "app/robotcontrol/DockSpace.h"
 #include "app/robotcontrol/LayoutHistory.h"
@@ -48,23 +48,27 @@ void MainWindow::createDocks() {
 void MainWindow::tickDocks() {
   docks_->tick();
   dockSpace_->nameFloats();
-  if (sinceLooked_.elapsed() < kLookEveryMs || QApplication::mouseButtons() != Qt::NoButton || dockSpace_->busy()) return;
+  if (sinceLooked_.elapsed() < kLookEveryMs || QApplication::mouseButtons() != Qt::NoButton ||
+      dockSpace_->busy())
+    return;
   if (maximizedView_->active()) return;  // all others are hidden for a while
   sinceLooked_.restart();
   layouts_->look();
   undoLayout_->setEnabled(layouts_->canUndo());
   redoLayout_->setEnabled(layouts_->canRedo());
-  noViews_->setHint(dockSpace_->hasVisibleDocks() ? QString()
-                                                  : tr("No view is open here. The View menu opens one; Window > Undo layout change "
-                                                       "(%1) brings back what was closed last; Window > Reset perspective shows all "
-                                                       "views of %2 again.")
-                                                        .arg(undoLayout_->shortcut().toString(QKeySequence::NativeText),
-                                                             perspectives_.current()));
+  noViews_->setHint(
+      dockSpace_->hasVisibleDocks()
+          ? QString()
+          : tr("No view is open here. The View menu opens one; Window > Undo layout change "
+               "(%1) brings back what was closed last; Window > Reset perspective shows all "
+               "views of %2 again.")
+                .arg(undoLayout_->shortcut().toString(QKeySequence::NativeText), perspectives_.current()));
 }
 
 void MainWindow::whenDocksRest(std::function<void()> change) {
   if (!dockSpace_->busy()) return change();
-  QTimer::singleShot(kAskAgainMs, this, [this, change = std::move(change)]() mutable { whenDocksRest(std::move(change)); });
+  QTimer::singleShot(kAskAgainMs, this,
+                     [this, change = std::move(change)]() mutable { whenDocksRest(std::move(change)); });
 }
 
 void MainWindow::showPerspective(const QString& name) {
@@ -107,15 +111,17 @@ void MainWindow::fillPerspectiveMenu() {
     action->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks, too
   }
   perspectiveMenu_->addSeparator();
-  QAction* remove = perspectiveMenu_->addAction(tr("&Delete this perspective"), this, &MainWindow::deletePerspective);
+  QAction* remove =
+      perspectiveMenu_->addAction(tr("&Delete this perspective"), this, &MainWindow::deletePerspective);
   remove->setObjectName(QStringLiteral("deletePerspective"));
   remove->setEnabled(!perspectives_.isShipped(perspectives_.current()));
 }
 
 void MainWindow::savePerspectiveAs() {
   bool accepted = false;
-  const QString name = QInputDialog::getText(this, tr("Save perspective"), tr("Name of the perspective:"), QLineEdit::Normal,
-                                             perspectives_.current(), &accepted).trimmed();
+  const QString name = QInputDialog::getText(this, tr("Save perspective"), tr("Name of the perspective:"),
+                                             QLineEdit::Normal, perspectives_.current(), &accepted)
+                           .trimmed();
   if (!accepted || name.isEmpty()) return;
   perspectives_.keep(name, *docks_);
   keepWindow();

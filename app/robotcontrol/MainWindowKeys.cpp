@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys that mean the same in the whole window, and what is asked before unsaved work would be replaced.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
 #include <QApplication>
 #include <QComboBox>
@@ -9,7 +10,6 @@
 #include <QToolBar>
 #include <QUndoStack>
 #include <array>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
@@ -30,14 +30,16 @@ using widgets::ReplayKey;
 
 constexpr int kDoneShownMs = 5000;
 
-constexpr std::array kReplayKeys = {ReplayKey::kPlayOrPause, ReplayKey::kFrameBack, ReplayKey::kFrameOn, ReplayKey::kTenFramesBack,
-                                    ReplayKey::kTenFramesOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn, ReplayKey::kMessageBack,
-                                    ReplayKey::kMessageOn,   ReplayKey::kStart,     ReplayKey::kEnd,     ReplayKey::kBookmark};
+constexpr std::array kReplayKeys = {
+    ReplayKey::kPlayOrPause, ReplayKey::kFrameBack,  ReplayKey::kFrameOn,  ReplayKey::kTenFramesBack,
+    ReplayKey::kTenFramesOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn, ReplayKey::kMessageBack,
+    ReplayKey::kMessageOn,   ReplayKey::kStart,      ReplayKey::kEnd,      ReplayKey::kBookmark};
 
 /// Whether a command closes what is open.
 bool replaces(const QString& command) {
-  static const QStringList commands = {QStringLiteral("simulation.open"), QStringLiteral("simulation.setup"), QStringLiteral("log.open"),
-                                       QStringLiteral("log.close"), QStringLiteral("robot.connect")};
+  static const QStringList commands = {QStringLiteral("simulation.open"), QStringLiteral("simulation.setup"),
+                                       QStringLiteral("log.open"), QStringLiteral("log.close"),
+                                       QStringLiteral("robot.connect")};
   return commands.contains(command);
 }
 
@@ -64,8 +66,8 @@ void MainWindow::addReplayKeys() {
   for (const ReplayKey key : kReplayKeys) {
     QAction* action = logToolBar_->action(key);
     const bool repeats = key != ReplayKey::kPlayOrPause && key != ReplayKey::kBookmark;
-    keys_->add({widgets::keySequence(key), action->text(), [&replay] { return replay.open(); }, [action] { action->trigger(); },
-                key == ReplayKey::kBookmark, repeats});
+    keys_->add({widgets::keySequence(key), action->text(), [&replay] { return replay.open(); },
+                [action] { action->trigger(); }, key == ReplayKey::kBookmark, repeats});
   }
 }
 
@@ -85,17 +87,27 @@ void MainWindow::addColorKeys() {
   for (int digit = 0; digit <= 9; ++digit) {
     const QString text = digit == 0 ? tr("Strokes are background, while a colour view is shown")
                                     : tr("Strokes are of class %1, while a colour view is shown").arg(digit);
-    keys_->add({{static_cast<int>(Qt::Key_0) + digit}, text, [this] { return showsColors(); }, [&bench, digit] { bench.setCurrentClass(digit); }});
+    keys_->add({{static_cast<int>(Qt::Key_0) + digit},
+                text,
+                [this] { return showsColors(); },
+                [&bench, digit] { bench.setCurrentClass(digit); }});
   }
 }
 
 void MainWindow::addEditingKeys() {
   const auto tell = [this](QUndoStack* stack, const QString& done, const QString& nothing) {
     const QString what = stack == nullptr ? QString() : stack->objectName();
-    statusBar()->showMessage(stack == nullptr ? nothing : what.isEmpty() ? done : QStringLiteral("%1 %2").arg(done, what), kDoneShownMs);
+    statusBar()->showMessage(stack == nullptr ? nothing
+                             : what.isEmpty() ? done
+                                              : QStringLiteral("%1 %2").arg(done, what),
+                             kDoneShownMs);
   };
-  const auto undo = [this, tell] { tell(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back")); };
-  const auto redo = [this, tell] { tell(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again")); };
+  const auto undo = [this, tell] {
+    tell(undoOrder_->undo(), tr("The last change was taken back"), tr("There is nothing to take back"));
+  };
+  const auto redo = [this, tell] {
+    tell(undoOrder_->redo(), tr("The change was made again"), tr("There is nothing to do again"));
+  };
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Z")), tr("Undo"), {}, undo, false, true});
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Shift+Z")), tr("Redo"), {}, redo, false, true});
   keys_->add({QKeySequence(QStringLiteral("Ctrl+Y")), tr("Redo"), {}, redo, false, true});
@@ -104,7 +116,8 @@ void MainWindow::addEditingKeys() {
 
 void MainWindow::findUndoStacks(QWidget* widget) {
   for (; widget != nullptr && widget != this; widget = widget->parentWidget()) {
-    for (QUndoStack* stack : widget->findChildren<QUndoStack*>(QString(), Qt::FindDirectChildrenOnly)) undoOrder_->add(stack);
+    for (QUndoStack* stack : widget->findChildren<QUndoStack*>(QString(), Qt::FindDirectChildrenOnly))
+      undoOrder_->add(stack);
   }
 }
 
@@ -112,9 +125,11 @@ void MainWindow::saveWork() {
   auto& files = widgets::colorFiles(context_);
   widgets::openLogs(context_).saveBookmarks();
   if (!files.changed()) {
-    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the colour table"), kDoneShownMs);
+    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the colour table"),
+                             kDoneShownMs);
   } else if (widgets::saveSamples(files, this)) {
-    statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())), kDoneShownMs);
+    statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())),
+                             kDoneShownMs);
   }
 }
 

@@ -61,10 +61,11 @@ void MainWindow::addBookmarkCommand() {
                         QString::fromStdString(std::get<std::string>(values[1])));
     return {};
   };
-  workbench_.commands().add({"log.bookmark",
-                             "Marks a moment of the log",
-                             {{"seconds", Type::kNumber, "since the begin"}, {"text", Type::kText, "what is to be remembered"}},
-                             run});
+  workbench_.commands().add(
+      {"log.bookmark",
+       "Marks a moment of the log",
+       {{"seconds", Type::kNumber, "since the begin"}, {"text", Type::kText, "what is to be remembered"}},
+       run});
 }
 
 void MainWindow::createLogMenu() {
@@ -86,7 +87,8 @@ void MainWindow::keyPressEvent(QKeyEvent* event) {
 }
 
 bool MainWindow::eventFilter(QObject* watched, QEvent* event) {
-  const bool pressed = event->type() == QEvent::KeyPress && logToolBar_->press(*static_cast<QKeyEvent*>(event));
+  const bool pressed =
+      event->type() == QEvent::KeyPress && logToolBar_->press(*static_cast<QKeyEvent*>(event));
   return pressed || QMainWindow::eventFilter(watched, event);
 }
 

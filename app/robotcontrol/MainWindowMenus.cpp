@@ -10,8 +10,8 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/CommandActions.h"
-#include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/LayoutHistory.h"
+#include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
 #include "app/robotcontrol/ShortcutsDialog.h"
@@ -37,11 +37,15 @@ void addLights(QMenu& menu, CommandActions& actions) {
                 {MainWindow::tr("&Cooler"), "light.cool", 1, -0.25},
                 {MainWindow::tr("Darker and w&armer"), "light.dark-warm", 0.75, 0.25}};
   for (const auto& light : lights) {
-    QAction* action = menu.addAction(light.text, &actions, [&actions, values = std::vector<robotlink::CommandTable::Value>{light.brightness, light.warmth}] {
-      actions.run(QStringLiteral("simulation.light"), values);
-    });
+    QAction* action = menu.addAction(
+        light.text, &actions,
+        [&actions, values = std::vector<robotlink::CommandTable::Value>{light.brightness, light.warmth}] {
+          actions.run(QStringLiteral("simulation.light"), values);
+        });
     action->setObjectName(QLatin1String(light.name));
-    action->setToolTip(MainWindow::tr("Brightness %1, warmth %2: what cameras see from their next image on").arg(light.brightness).arg(light.warmth));
+    action->setToolTip(MainWindow::tr("Brightness %1, warmth %2: what cameras see from their next image on")
+                           .arg(light.brightness)
+                           .arg(light.warmth));
   }
   menu.setToolTipsVisible(true);
 }
@@ -59,7 +63,8 @@ void MainWindow::createMenus() {
   for (const QMenu* menu : menuBar()->findChildren<QMenu*>()) {
     for (QAction* action : menu->actions()) {
       // Those that play a log are left to WindowKeys: text fields and lists need some of their keys.
-      if (action->shortcutContext() == Qt::WindowShortcut) action->setShortcutContext(Qt::ApplicationShortcut);
+      if (action->shortcutContext() == Qt::WindowShortcut)
+        action->setShortcutContext(Qt::ApplicationShortcut);
     }
   }
 }
@@ -69,7 +74,8 @@ void MainWindow::createFileMenu() {
   menu->setObjectName(QStringLiteral("fileMenu"));
   menu->addAction(widgets::icon("open"), tr("&Open scene…"), this, &MainWindow::openScene, QKeySequence::Open)
       ->setObjectName(QStringLiteral("file.openScene"));
-  menu->addAction(widgets::icon("simulation"), tr("S&imulate robots…"), this, &MainWindow::setUpSimulation, QKeySequence(QStringLiteral("Ctrl+Shift+O")))
+  menu->addAction(widgets::icon("simulation"), tr("S&imulate robots…"), this, &MainWindow::setUpSimulation,
+                  QKeySequence(QStringLiteral("Ctrl+Shift+O")))
       ->setObjectName(QStringLiteral("file.simulate"));
   menu->addAction(widgets::icon("layout"), tr("Open process &layout…"), this, &MainWindow::openLayout)
       ->setObjectName(QStringLiteral("file.openLayout"));
@@ -79,7 +85,8 @@ void MainWindow::createFileMenu() {
   menu->addAction(widgets::icon("save"), tr("Save &picture of the window…"), this, &MainWindow::savePicture)
       ->setObjectName(QStringLiteral("file.savePicture"));
   menu->addSeparator();
-  menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit)->setObjectName(QStringLiteral("file.quit"));
+  menu->addAction(tr("&Quit"), this, &QWidget::close, QKeySequence::Quit)
+      ->setObjectName(QStringLiteral("file.quit"));
 }
 
 void MainWindow::addViewCommand() {
@@ -107,8 +114,8 @@ void MainWindow::createViewMenu() {
 void MainWindow::createRobotMenus() {
   QMenu* robot = menuBar()->addMenu(tr("&Robot"));
   robot->setObjectName(QStringLiteral("robotMenu"));
-  QAction* connectTo = robot->addAction(widgets::icon("connect"), tr("&Connect…"), this, &MainWindow::connectRobot,
-                                        QKeySequence(QStringLiteral("Ctrl+K")));
+  QAction* connectTo = robot->addAction(widgets::icon("connect"), tr("&Connect…"), this,
+                                        &MainWindow::connectRobot, QKeySequence(QStringLiteral("Ctrl+K")));
   connectTo->setObjectName(QStringLiteral("robot.connect"));
   connectTo->setToolTip(tr("Connects a robot over TCP or a serial line, and runs its program here"));
   robot->addAction(toolBar_->stopAction());
@@ -116,9 +123,12 @@ void MainWindow::createRobotMenus() {
   QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
-  QAction* none = robot->addAction(tr("Use the &built-in color table"), this, [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
+  QAction* none = robot->addAction(tr("Use the &built-in color table"), this,
+                                   [this] { actions_->run(QStringLiteral("robot.no-color-table")); });
   none->setObjectName(QStringLiteral("robot.no-color-table"));
-  none->setToolTip(tr("The selected robot's program makes a color table of the field's colors, as it does until it is given one"));
+  none->setToolTip(
+      tr("The selected robot's program makes a color table of the field's colors, as it does until it is "
+         "given one"));
   robot->setToolTipsVisible(true);
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
   simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
@@ -140,10 +150,12 @@ void MainWindow::createWindowMenu() {
   perspectiveMenu_->setObjectName(QStringLiteral("perspectiveMenu"));
   menu->addAction(tr("&Save perspective as…"), this, &MainWindow::savePerspectiveAs)
       ->setObjectName(QStringLiteral("savePerspective"));
-  menu->addAction(tr("&Reset perspective"), this, &MainWindow::resetPerspective)->setObjectName(QStringLiteral("resetPerspective"));
+  menu->addAction(tr("&Reset perspective"), this, &MainWindow::resetPerspective)
+      ->setObjectName(QStringLiteral("resetPerspective"));
   menu->addSeparator();
-  undoLayout_ = menu->addAction(widgets::icon("undo"), tr("&Undo layout change"), this,
-                                [this] { whenDocksRest([this] { layouts_->undo(); }); }, QKeySequence(QStringLiteral("Ctrl+Shift+U")));
+  undoLayout_ = menu->addAction(
+      widgets::icon("undo"), tr("&Undo layout change"), this,
+      [this] { whenDocksRest([this] { layouts_->undo(); }); }, QKeySequence(QStringLiteral("Ctrl+Shift+U")));
   undoLayout_->setObjectName(QStringLiteral("undoLayout"));
   redoLayout_ = menu->addAction(widgets::icon("redo"), tr("Re&do layout change"), this,
                                 [this] { whenDocksRest([this] { layouts_->redo(); }); });
@@ -157,8 +169,9 @@ void MainWindow::createWindowMenu() {
 void MainWindow::createAppearanceMenu(QMenu& menu) {
   QMenu* appearance = menu.addMenu(tr("&Appearance"));
   auto* group = new QActionGroup(appearance);
-  const std::pair<QString, Appearance> choices[] = {
-      {tr("Like the &system"), Appearance::kSystem}, {tr("&Light"), Appearance::kLight}, {tr("&Dark"), Appearance::kDark}};
+  const std::pair<QString, Appearance> choices[] = {{tr("Like the &system"), Appearance::kSystem},
+                                                    {tr("&Light"), Appearance::kLight},
+                                                    {tr("&Dark"), Appearance::kDark}};
   for (const auto& [text, choice] : choices) {
     QAction* action = appearance->addAction(text, this, [this, value = choice] { setAppearance(value); });
     action->setObjectName(QStringLiteral("appearance.") + nameOf(choice));
@@ -171,11 +184,13 @@ void MainWindow::createHelpMenu() {
   QMenu* menu = menuBar()->addMenu(tr("&Help"));
   menu->addAction(tr("&Keyboard shortcuts"), this, &MainWindow::showShortcuts, QKeySequence::HelpContents)
       ->setObjectName(QStringLiteral("help.shortcuts"));
-  menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)->setObjectName(QStringLiteral("help.about"));
+  menu->addAction(tr("&About RobotControl"), this, &MainWindow::showAbout)
+      ->setObjectName(QStringLiteral("help.about"));
 }
 
 void MainWindow::openScene() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open scene"), {}, tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(
+      this, tr("Open scene"), {}, tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("simulation.open"), {file.toStdString()});
 }
 
@@ -187,20 +202,27 @@ void MainWindow::setUpSimulation() {
 }
 
 void MainWindow::openLayout() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open process layout"), {}, tr("Process layouts (*.yaml);;All files (*)"));
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open process layout"), {},
+                                                    tr("Process layouts (*.yaml);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("layout.open"), {file.toStdString()});
 }
 
 void MainWindow::loadColorTable() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Load colour table"), {}, tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Load colour table"), {},
+                                   tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("robot.color-table"), {file.toStdString()});
 }
 
 void MainWindow::savePicture() {
   const QPixmap picture = grab();
-  const QString file = QFileDialog::getSaveFileName(this, tr("Save picture"), QStringLiteral("robotcontrol.png"), tr("Pictures (*.png)"));
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save picture"), QStringLiteral("robotcontrol.png"), tr("Pictures (*.png)"));
   if (file.isEmpty() || picture.save(file)) return;
-  showErrors({{"picture.save", "the picture could not be written; choose another place", {}, {file.toStdString(), 0, 0}}});
+  showErrors({{"picture.save",
+               "the picture could not be written; choose another place",
+               {},
+               {file.toStdString(), 0, 0}}});
 }
 
 void MainWindow::setAppearance(Appearance appearance) {
@@ -210,7 +232,8 @@ void MainWindow::setAppearance(Appearance appearance) {
   whenDocksRest([this] {
     if (!docks_->empty()) docks_->restore(docks_->save());
   });
-  if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance))) action->setChecked(true);
+  if (auto* action = findChild<QAction*>(QStringLiteral("appearance.") + nameOf(appearance)))
+    action->setChecked(true);
 }
 
 void MainWindow::showShortcuts() {
@@ -218,10 +241,11 @@ void MainWindow::showShortcuts() {
 }
 
 void MainWindow::showAbout() {
-  QMessageBox::about(this, tr("About RobotControl"),
-                     tr("<b>RobotControl %1</b><p>A workbench for developing and debugging the control programs of "
-                        "robots.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
-                         .arg(QApplication::applicationVersion()));
+  QMessageBox::about(
+      this, tr("About RobotControl"),
+      tr("<b>RobotControl %1</b><p>A workbench for developing and debugging the control programs of "
+         "robots.</p><p>Free software under the GNU General Public License, version 3 or later.</p>")
+          .arg(QApplication::applicationVersion()));
 }
 
 }  // namespace app

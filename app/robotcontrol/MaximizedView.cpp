@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/MaximizedView.h"
 
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockWidget.h>
 #include <QApplication>
 #include <QCursor>
 #include <QSplitter>
 #include <utility>
-#include <qtadvanceddocking/DockAreaWidget.h>
-#include <qtadvanceddocking/DockManager.h>
-#include <qtadvanceddocking/DockWidget.h>
 
 namespace app {
 namespace {
@@ -22,7 +22,8 @@ ads::CDockWidget* dockOf(QWidget* widget) {
 
 }  // namespace
 
-MaximizedView::MaximizedView(ads::CDockManager& manager, QObject* parent) : QObject(parent), manager_(manager) {
+MaximizedView::MaximizedView(ads::CDockManager& manager, QObject* parent)
+    : QObject(parent), manager_(manager) {
   // What comes, goes or moves needs the others' places.
   connect(&manager, &ads::CDockManager::dockAreaCreated, this, &MaximizedView::restore);
   connect(&manager, &ads::CDockManager::dockWidgetAboutToBeRemoved, this, &MaximizedView::restore);
@@ -47,7 +48,8 @@ void MaximizedView::toggle() {
 
 void MaximizedView::maximize(QWidget& area) {
   QWidget* child = &area;
-  for (QWidget* parent = area.parentWidget(); parent != nullptr && parent != &manager_; parent = parent->parentWidget()) {
+  for (QWidget* parent = area.parentWidget(); parent != nullptr && parent != &manager_;
+       parent = parent->parentWidget()) {
     if (auto* splitter = qobject_cast<QSplitter*>(parent)) {
       sizes_.emplace_back(splitter, splitter->sizes());
       for (int i = 0; i < splitter->count(); ++i) {

@@ -17,15 +17,15 @@ class CDockWidget;
 namespace app {
 
 /// Lets one view of a window have all the room, and gives it back. The docks stay as they are: all others are
-/// merely hidden, so that restore() has to be called before their state is saved. GUI thread; the manager must
-/// outlive it.
+/// merely hidden, so that restore() has to be called before their state is saved. GUI thread; the manager
+/// must outlive it.
 class MaximizedView final : public QObject {
   Q_OBJECT
  public:
   MaximizedView(ads::CDockManager& manager, QObject* parent);
 
-  /// The view with the focus, else the one under the mouse, else the first one; a second time: all as it was. A
-  /// view in a window of its own gets the screen.
+  /// The view with the focus, else the one under the mouse, else the first one; a second time: all as it was.
+  /// A view in a window of its own gets the screen.
   void toggle();
   void restore();
   bool active() const { return !hidden_.empty(); }
@@ -36,7 +36,8 @@ class MaximizedView final : public QObject {
 
   ads::CDockManager& manager_;
   std::vector<QPointer<QWidget>> hidden_;
-  std::vector<std::pair<QPointer<QSplitter>, QList<int>>> sizes_;  ///< of the splitters around it, as they were
+  std::vector<std::pair<QPointer<QSplitter>, QList<int>>>
+      sizes_;  ///< of the splitters around it, as they were
 };
 
 }  // namespace app

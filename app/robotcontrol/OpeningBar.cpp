@@ -17,7 +17,10 @@ constexpr int kTicksUntilShown = 8;  // a quarter of a second
 }  // namespace
 
 OpeningBar::OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), progress_(new QProgressBar(this)), cancel_(new QToolButton(this)) {
+    : QWidget(parent),
+      workbench_(workbench),
+      progress_(new QProgressBar(this)),
+      cancel_(new QToolButton(this)) {
   setObjectName(QStringLiteral("openingBar"));
   progress_->setObjectName(QStringLiteral("openingProgress"));
   progress_->setAccessibleName(tr("Opening the log"));

@@ -12,8 +12,8 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// How far the opening of a log is, with a button that gives it up. Hidden while none is opened, and for what takes no
-/// longer than a moment. GUI thread.
+/// How far the opening of a log is, with a button that gives it up. Hidden while none is opened, and for what
+/// takes no longer than a moment. GUI thread.
 class OpeningBar : public QWidget {
   Q_OBJECT
  public:

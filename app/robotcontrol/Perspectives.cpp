@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/Perspectives.h"
 
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockManager.h>
+#include <qtadvanceddocking/DockWidget.h>
 #include <QJsonDocument>
 #include <QSplitter>
-#include <qtadvanceddocking/DockManager.h>
-#include <qtadvanceddocking/DockAreaWidget.h>
-#include <qtadvanceddocking/DockWidget.h>
 #include <algorithm>
 
 #include "app/core/PlatformFeed.h"
@@ -86,7 +86,8 @@ void buildColour(ViewDocks& docks) {
   for (const char* id : {"color-compare", "color-frames", "messages"})
     docks.add(QLatin1String(id), Place::kTab, samples);
   ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
-  docks.add(QStringLiteral("color-quality"), Place::kRight, samples);  // how good the table is, always in view
+  docks.add(QStringLiteral("color-quality"), Place::kRight,
+            samples);  // how good the table is, always in view
   if (samples != nullptr) samples->setAsCurrentTab();
   setSizes(samples, {560, 620});
   setSizes(space, {500, 460});
@@ -100,7 +101,8 @@ void buildDrive(ViewDocks& docks) {
   ads::CDockWidget* radar = docks.add(QStringLiteral("radar"), Place::kRight);
   ads::CDockWidget* state = docks.add(QStringLiteral("base-state"), Place::kRight);
   ads::CDockWidget* messages = docks.add(QStringLiteral("messages"), Place::kBottom, map);
-  for (const char* id : {"plots", "packets", "processes"}) docks.add(QLatin1String(id), Place::kTab, messages);
+  for (const char* id : {"plots", "packets", "processes"})
+    docks.add(QLatin1String(id), Place::kTab, messages);
   docks.add(QStringLiteral("motion"), Place::kBottom, radar);
   ads::CDockWidget* solutions = docks.add(QStringLiteral("solutions"), Place::kBottom, state);
   docks.add(QStringLiteral("debug-keys"), Place::kTab, solutions);
@@ -126,7 +128,9 @@ struct Shipped {
   const char* name;
   void (*build)(ViewDocks&);
 };
-constexpr Shipped kShipped[] = {{"Play", buildPlay}, {"Log", buildLog}, {"Colour", buildColour}, {"Motion", buildMotion}, {"Processes", buildProcesses}, {"Drive", buildDrive}};
+constexpr Shipped kShipped[] = {{"Play", buildPlay},           {"Log", buildLog},
+                                {"Colour", buildColour},       {"Motion", buildMotion},
+                                {"Processes", buildProcesses}, {"Drive", buildDrive}};
 
 const Shipped* shipped(const QString& name) {
   for (const Shipped& candidate : kShipped) {
@@ -137,7 +141,8 @@ const Shipped* shipped(const QString& name) {
 
 }  // namespace
 
-Perspectives::Perspectives(std::filesystem::path file) : file_(std::move(file)), current_(QStringLiteral("Play")) {
+Perspectives::Perspectives(std::filesystem::path file)
+    : file_(std::move(file)), current_(QStringLiteral("Play")) {
   load();
 }
 
@@ -161,13 +166,14 @@ void Perspectives::load() {
     std::filesystem::path aside = file_;
     aside += ".broken";
     std::filesystem::rename(file_, aside, error);
-    problems_.push_back({"window.file",
-                         "the saved window layout cannot be used (" +
-                             (text ? version > kVersion ? "it is of a newer version" : problem.errorString().toStdString()
-                                   : text.error().text) +
-                             "); it was kept as " + aside.filename().string() + ", and the shipped one is shown",
-                         {},
-                         {file_.string(), 0, 0}});
+    problems_.push_back(
+        {"window.file",
+         "the saved window layout cannot be used (" +
+             (text ? version > kVersion ? "it is of a newer version" : problem.errorString().toStdString()
+                   : text.error().text) +
+             "); it was kept as " + aside.filename().string() + ", and the shipped one is shown",
+         {},
+         {file_.string(), 0, 0}});
     return;
   }
   kept_ = root.value(QStringLiteral("perspectives")).toObject();
@@ -185,7 +191,9 @@ QStringList Perspectives::names() const {
   return names;
 }
 
-bool Perspectives::isShipped(const QString& name) const { return shipped(name) != nullptr; }
+bool Perspectives::isShipped(const QString& name) const {
+  return shipped(name) != nullptr;
+}
 
 void Perspectives::show(const QString& name, ViewDocks& docks) {
   if (kept_.contains(name) && docks.restore(kept_.value(name).toObject())) {
@@ -209,7 +217,9 @@ void Perspectives::keep(const QString& name, const ViewDocks& docks) {
   current_ = name;
 }
 
-void Perspectives::remove(const QString& name) { kept_.remove(name); }
+void Perspectives::remove(const QString& name) {
+  kept_.remove(name);
+}
 
 robotlink::Result<void> Perspectives::save() {
   const QJsonObject root{{QStringLiteral("version"), kVersion},
@@ -218,7 +228,8 @@ robotlink::Result<void> Perspectives::save() {
                          {QStringLiteral("window"), window_}};
   const QByteArray text = QJsonDocument(root).toJson();
   if (text == saved_) return {};
-  auto written = robotlink::writeFileAtomically(file_, std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
+  auto written = robotlink::writeFileAtomically(
+      file_, std::string_view(text.constData(), static_cast<std::size_t>(text.size())));
   if (written) saved_ = text;
   return written;
 }

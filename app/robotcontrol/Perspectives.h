@@ -12,16 +12,17 @@ namespace app {
 class ViewDocks;
 struct LoadedPlatform;
 
-/// Named window layouts, in a text file of the user's: what he made of the shipped ones, and his own. The shipped ones (Play,
-/// Motion, Processes, Drive, ...) can always be had again. GUI thread.
+/// Named window layouts, in a text file of the user's: what he made of the shipped ones, and his own. The
+/// shipped ones (Play, Motion, Processes, Drive, ...) can always be had again. GUI thread.
 ///
-/// A file that cannot be understood is set aside under another name and reported; the shipped ones are used then.
+/// A file that cannot be understood is set aside under another name and reported; the shipped ones are used
+/// then.
 class Perspectives {
  public:
   explicit Perspectives(std::filesystem::path file);
 
-  /// The shipped one in which people begin with what is loaded: Log for logs, Drive for robots on wheels, Play for others; empty
-  /// for nothing.
+  /// The shipped one in which people begin with what is loaded: Log for logs, Drive for robots on wheels,
+  /// Play for others; empty for nothing.
   static QString beginningWith(const LoadedPlatform& loaded);
 
   /// What was wrong with the file, if anything.

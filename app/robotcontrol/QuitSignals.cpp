@@ -36,7 +36,9 @@ QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
   startTimer(kLookEveryMs);
 }
 
-QuitSignals::~QuitSignals() { setHandlers(SIG_DFL, 0); }
+QuitSignals::~QuitSignals() {
+  setHandlers(SIG_DFL, 0);
+}
 
 void QuitSignals::timerEvent(QTimerEvent* event) {
   if (!wanted) return;

@@ -5,8 +5,9 @@
 
 namespace app {
 
-/// SIGINT, SIGTERM and SIGHUP as a signal of Qt's: who stops the program from outside finds it closed properly, with its recording
-/// complete and its window kept. A second one of the same kind ends it at once. One at a time; GUI thread.
+/// SIGINT, SIGTERM and SIGHUP as a signal of Qt's: who stops the program from outside finds it closed
+/// properly, with its recording complete and its window kept. A second one of the same kind ends it at once.
+/// One at a time; GUI thread.
 class QuitSignals : public QObject {
   Q_OBJECT
  public:

@@ -19,7 +19,10 @@ namespace app {
 using robotcontrol::RecordingStatus;
 
 RecordedBar::RecordedBar(Workbench& workbench, CommandActions& actions, QWidget* parent)
-    : QWidget(parent), workbench_(workbench), actions_(actions), saved_(workbench.recording().status().saved_path()) {
+    : QWidget(parent),
+      workbench_(workbench),
+      actions_(actions),
+      saved_(workbench.recording().status().saved_path()) {
   setObjectName(QStringLiteral("recordedBar"));
   createWidgets();
   hide();
@@ -45,10 +48,12 @@ void RecordedBar::createWidgets() {
     layout->addWidget(button);
     return button;
   };
-  connect(add("recordedOpen", "time-line", tr("Open"), tr("Opens the recording as a log, in place of what runs here")),
+  connect(add("recordedOpen", "time-line", tr("Open"),
+              tr("Opens the recording as a log, in place of what runs here")),
           &QToolButton::clicked, this, &RecordedBar::open);
-  connect(add("recordedFolder", "open", tr("Show in folder"), tr("Opens the folder that the recording is in")),
-          &QToolButton::clicked, this, &RecordedBar::showFolder);
+  connect(
+      add("recordedFolder", "open", tr("Show in folder"), tr("Opens the folder that the recording is in")),
+      &QToolButton::clicked, this, &RecordedBar::showFolder);
   auto* dismiss = add("recordedDismiss", "close", tr("Dismiss"), tr("Hides this"));
   dismiss->setToolButtonStyle(Qt::ToolButtonIconOnly);
   connect(dismiss, &QToolButton::clicked, this, &QWidget::hide);
@@ -67,18 +72,24 @@ void RecordedBar::noticeRecording(const RecordingStatus& status) {
       hide();
     }
     recording_ = true;
-    if (!status.path().empty() && (files_.empty() || files_.back() != status.path())) files_.push_back(status.path());
+    if (!status.path().empty() && (files_.empty() || files_.back() != status.path()))
+      files_.push_back(status.path());
     return;
   }
   if (!recording_ || status.queued_bytes() > 0) return;  // Not all of it is written yet.
   recording_ = false;
   if (files_.empty()) return;
-  const QString how = status.failure().empty() ? tr("Recorded") : tr("The recording ended early (%1), and is readable up to there:")
-                                                                      .arg(QString::fromStdString(status.failure()));
+  const QString how = status.failure().empty()
+                          ? tr("Recorded")
+                          : tr("The recording ended early (%1), and is readable up to there:")
+                                .arg(QString::fromStdString(status.failure()));
   const int others = static_cast<int>(files_.size()) - 1;
-  const QString more = others > 0 ? tr(" (the last of %n files: each reset begins a new one)", nullptr, others + 1) : QString();
+  const QString more = others > 0
+                           ? tr(" (the last of %n files: each reset begins a new one)", nullptr, others + 1)
+                           : QString();
   const QString length = RecordingToolBar::lengthText(status);
-  showFile(QString::fromStdString(files_.back()), tr("%1 %2 into %3").arg(how, length, QStringLiteral("%1")) + more);
+  showFile(QString::fromStdString(files_.back()),
+           tr("%1 %2 into %3").arg(how, length, QStringLiteral("%1")) + more);
 }
 
 void RecordedBar::noticeSaved(const RecordingStatus& status) {
@@ -91,7 +102,8 @@ void RecordedBar::noticeSaved(const RecordingStatus& status) {
 void RecordedBar::showFile(const QString& file, const QString& text) {
   file_ = file;
   const QFileInfo info(file);
-  text_->setText(text.arg(tr("%1, in %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))));
+  text_->setText(
+      text.arg(tr("%1, in %2").arg(info.fileName(), QDir::toNativeSeparators(info.absolutePath()))));
   text_->setToolTip(QDir::toNativeSeparators(info.absoluteFilePath()));
   show();
 }

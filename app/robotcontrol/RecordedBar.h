@@ -16,8 +16,9 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// Says where a recording went when it has ended, or the last seconds when they were saved, with buttons that open the file or
-/// show its folder. Hidden until then, and after it was dismissed or the next recording began. GUI thread.
+/// Says where a recording went when it has ended, or the last seconds when they were saved, with buttons that
+/// open the file or show its folder. Hidden until then, and after it was dismissed or the next recording
+/// began. GUI thread.
 class RecordedBar : public QWidget {
   Q_OBJECT
  public:

@@ -35,7 +35,7 @@ QString megabytes(std::uint64_t bytes) {
 }
 
 QString nameOf(ControlRecording::ImageCoding coding) {
-  return coding == ControlRecording::JPEG ? QStringLiteral("jpeg")
+  return coding == ControlRecording::JPEG  ? QStringLiteral("jpeg")
          : coding == ControlRecording::PNG ? QStringLiteral("png")
                                            : QStringLiteral("as-is");
 }
@@ -71,9 +71,9 @@ void RecordingToolBar::createActions() {
   bookmark_->setObjectName(QStringLiteral("recording.bookmark"));
   bookmark_->setShortcut(QKeySequence(QStringLiteral("Ctrl+Shift+B")));
   bookmark_->setShortcutContext(Qt::ApplicationShortcut);
-  bookmark_->setToolTip(
-      tr("Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark (%1)")
-          .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
+  bookmark_->setToolTip(tr("Marks the instant that is shown in the recording; if none runs, saves the last "
+                           "seconds with the mark (%1)")
+                            .arg(bookmark_->shortcut().toString(QKeySequence::NativeText)));
   connect(bookmark_, &QAction::triggered, this, &RecordingToolBar::bookmark);
   recordingActions_ = {record_, saveLast_, bookmark_};
 }
@@ -104,13 +104,19 @@ void RecordingToolBar::createMenu() {
   menu_->addActions(recordingActions_);
   menu_->addSeparator();
   keep_ = addChoices(tr("&Keep in memory"), "timing", "recording.keep",
-                     {{tr("Nothing"), 0.0}, {tr("5 s"), 5.0}, {tr("10 s"), 10.0}, {tr("30 s"), 30.0}, {tr("60 s"), 60.0},
+                     {{tr("Nothing"), 0.0},
+                      {tr("5 s"), 5.0},
+                      {tr("10 s"), 10.0},
+                      {tr("30 s"), 30.0},
+                      {tr("60 s"), 60.0},
                       {tr("2 min"), 120.0}});
-  trigger_ = menu_->addAction(widgets::icon("follow"), tr("&Trigger…"), this, &RecordingToolBar::chooseTrigger);
+  trigger_ =
+      menu_->addAction(widgets::icon("follow"), tr("&Trigger…"), this, &RecordingToolBar::chooseTrigger);
   trigger_->setObjectName(QStringLiteral("recording.trigger"));
   trigger_->setToolTip(tr("The last seconds are saved when something is told in a stream of your choice"));
   menu_->addSeparator();
-  QAction* streams = menu_->addAction(widgets::icon("check-all"), tr("&Streams…"), this, &RecordingToolBar::chooseStreams);
+  QAction* streams =
+      menu_->addAction(widgets::icon("check-all"), tr("&Streams…"), this, &RecordingToolBar::chooseStreams);
   streams->setObjectName(QStringLiteral("recording.streams"));
   streams->setToolTip(tr("What is recorded"));
   images_ = addChoices(tr("&Images"), "image", "recording.images",
@@ -121,7 +127,8 @@ void RecordingToolBar::createMenu() {
                             {{tr("None"), QStringLiteral("none")},
                              {tr("LZ4 (fast)"), QStringLiteral("lz4")},
                              {tr("Zstandard (small)"), QStringLiteral("zstd")}});
-  QAction* folder = menu_->addAction(widgets::icon("open"), tr("&Folder…"), this, &RecordingToolBar::chooseFolder);
+  QAction* folder =
+      menu_->addAction(widgets::icon("open"), tr("&Folder…"), this, &RecordingToolBar::chooseFolder);
   folder->setObjectName(QStringLiteral("recording.folder"));
   folder->setToolTip(tr("Where new recordings go"));
 }
@@ -153,7 +160,8 @@ QString RecordingToolBar::statusText(const RecordingStatus& status) {
   QStringList parts;
   if (status.recording()) parts << duration(status.seconds()) << megabytes(status.bytes());
   if (status.keep_last() > 0) parts << tr("keeps %1 s").arg(std::floor(status.kept_seconds()), 0, 'f', 0);
-  if (status.dropped_messages() > 0) parts << tr("%n left out", nullptr, static_cast<int>(status.dropped_messages()));
+  if (status.dropped_messages() > 0)
+    parts << tr("%n left out", nullptr, static_cast<int>(status.dropped_messages()));
   if (parts.isEmpty()) return status.failure().empty() ? tr("not recording") : tr("recording failed");
   return parts.join(QStringLiteral("  "));
 }
@@ -178,7 +186,8 @@ void RecordingToolBar::refresh() {
   // Neither the word nor the color of what stops robots.
   record_->setText(status.recording() ? tr("End recording") : tr("Record"));
   if (std::exchange(showsEnd_, status.recording()) != status.recording()) {
-    record_->setIcon(widgets::icon(status.recording() ? QStringLiteral("record-end") : QStringLiteral("record")));
+    record_->setIcon(
+        widgets::icon(status.recording() ? QStringLiteral("record-end") : QStringLiteral("record")));
   }
   refreshFile(status);
   saveLast_->setEnabled(status.kept_bytes() > 0);
@@ -189,10 +198,13 @@ void RecordingToolBar::refresh() {
   if (status.dropped_messages() > 0) {
     details << tr("The disk did not keep up: %1 were left out").arg(megabytes(status.dropped_bytes()));
   }
-  if (!status.recording() && !status.path().empty()) details << tr("Last: %1").arg(QString::fromStdString(status.path()));
-  if (!status.saved_path().empty()) details << tr("Last seconds saved: %1").arg(QString::fromStdString(status.saved_path()));
+  if (!status.recording() && !status.path().empty())
+    details << tr("Last: %1").arg(QString::fromStdString(status.path()));
+  if (!status.saved_path().empty())
+    details << tr("Last seconds saved: %1").arg(QString::fromStdString(status.saved_path()));
   if (!status.failure().empty()) details << QString::fromStdString(status.failure());
-  status_->setToolTip(details.isEmpty() ? tr("Nothing has been recorded yet") : details.join(QLatin1Char('\n')));
+  status_->setToolTip(details.isEmpty() ? tr("Nothing has been recorded yet")
+                                        : details.join(QLatin1Char('\n')));
   if (!menu_->isVisible()) refreshChoices(status);
 }
 
@@ -200,8 +212,9 @@ void RecordingToolBar::refreshChoices(const RecordingStatus& status) {
   check(*images_, nameOf(status.image_coding()));
   check(*compression_, nameOf(status.compression()));
   check(*keep_, status.keep_last());
-  trigger_->setText(status.trigger().empty() ? tr("&Trigger…")
-                                             : tr("&Trigger: %1…").arg(QString::fromStdString(status.trigger())));
+  trigger_->setText(status.trigger().empty()
+                        ? tr("&Trigger…")
+                        : tr("&Trigger: %1…").arg(QString::fromStdString(status.trigger())));
 }
 
 void RecordingToolBar::chooseStreams() {
@@ -214,15 +227,17 @@ void RecordingToolBar::chooseStreams() {
 
 void RecordingToolBar::chooseTrigger() {
   QStringList streams{QString()};
-  for (const auto* stream : workbench_.session().store().streams()) streams << QString::fromStdString(stream->path);
+  for (const auto* stream : workbench_.session().store().streams())
+    streams << QString::fromStdString(stream->path);
   const QString now = QString::fromStdString(workbench_.recording().status().trigger());
   if (!streams.contains(now)) streams.insert(1, now);
   bool accepted = false;
-  const QString chosen = QInputDialog::getItem(
-      this, tr("Trigger"),
-      tr("The last seconds are saved when something is told in this stream (* stands for any text). A debug key must be on to "
-         "be told. Nothing: never by itself."),
-      streams, static_cast<int>(streams.indexOf(now)), true, &accepted);
+  const QString chosen =
+      QInputDialog::getItem(this, tr("Trigger"),
+                            tr("The last seconds are saved when something is told in this stream (* stands "
+                               "for any text). A debug key must be on to "
+                               "be told. Nothing: never by itself."),
+                            streams, static_cast<int>(streams.indexOf(now)), true, &accepted);
   if (accepted) actions_.run(QStringLiteral("recording.trigger"), {chosen.trimmed().toStdString()});
 }
 
@@ -236,8 +251,10 @@ void RecordingToolBar::bookmark() {
   // The instant is that of the key press; what it is called can wait.
   const robotlink::Instant time = workbench_.session().timeline().shown();
   bool accepted = false;
-  const QString text = QInputDialog::getText(this, tr("Mark this instant"), tr("What is to be seen at %1 s:").arg(robotlink::seconds(time), 0, 'f', 3),
-                                             QLineEdit::Normal, {}, &accepted);
+  const QString text =
+      QInputDialog::getText(this, tr("Mark this instant"),
+                            tr("What is to be seen at %1 s:").arg(robotlink::seconds(time), 0, 'f', 3),
+                            QLineEdit::Normal, {}, &accepted);
   if (!accepted) return;
   if (const auto done = workbench_.recording().bookmark(text.toStdString(), time); !done) {
     Q_EMIT actions_.refused(QString::fromStdString(done.error().text));

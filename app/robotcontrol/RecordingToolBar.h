@@ -17,8 +17,9 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// Record and end, into which file, save the last seconds, mark an instant; what is recorded and how in the record button's menu; and how long,
-/// how much and what was left out, live. Shows what the recorder reports, not what was clicked. GUI thread.
+/// Record and end, into which file, save the last seconds, mark an instant; what is recorded and how in the
+/// record button's menu; and how long, how much and what was left out, live. Shows what the recorder reports,
+/// not what was clicked. GUI thread.
 class RecordingToolBar : public QToolBar {
   Q_OBJECT
  public:
@@ -42,7 +43,8 @@ class RecordingToolBar : public QToolBar {
   };
   void createActions();
   void createMenu();
-  QActionGroup* addChoices(const QString& title, const char* icon, const char* command, const std::vector<Choice>& choices);
+  QActionGroup* addChoices(const QString& title, const char* icon, const char* command,
+                           const std::vector<Choice>& choices);
   void createWidgets();
   void chooseStreams();
   void chooseTrigger();

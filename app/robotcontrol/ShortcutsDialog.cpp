@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/ShortcutsDialog.h"
 
+#include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
 #include <QCoreApplication>
 #include <QDialogButtonBox>
@@ -11,7 +12,6 @@
 #include <QTreeWidget>
 #include <QVBoxLayout>
 #include <algorithm>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/robotcontrol/WindowKeys.h"
 #include "widgets/Controls.h"
@@ -24,14 +24,16 @@ constexpr QSize kWanted{640, 720};
 
 /// The view that an object belongs to; null if it belongs to the window.
 const widgets::View* viewOf(const QObject* object) {
-  while (object != nullptr && qobject_cast<const widgets::View*>(object) == nullptr) object = object->parent();
+  while (object != nullptr && qobject_cast<const widgets::View*>(object) == nullptr)
+    object = object->parent();
   return static_cast<const widgets::View*>(object);
 }
 
 /// "Image", whatever it shows now: what its menu entry is called.
 QString titleOf(const widgets::View* view) {
   const QObject* object = view;
-  while (object != nullptr && qobject_cast<const ads::CDockWidget*>(object) == nullptr) object = object->parent();
+  while (object != nullptr && qobject_cast<const ads::CDockWidget*>(object) == nullptr)
+    object = object->parent();
   const QString id = object != nullptr ? object->objectName().section(QLatin1Char('#'), 0, 0) : QString();
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   return type != nullptr ? QCoreApplication::translate("View", type->title) : id;
@@ -52,7 +54,8 @@ std::vector<Shortcut> shortcutsOf(const QWidget& window, const WindowKeys& keys)
   for (const QAction* action : window.findChildren<QAction*>()) {
     const widgets::View* view = viewOf(action);
     for (const QKeySequence& key : action->shortcuts()) {
-      add(all, {key, action->text().remove(QLatin1Char('&')), view != nullptr ? titleOf(view) : QString(), action});
+      add(all, {key, action->text().remove(QLatin1Char('&')), view != nullptr ? titleOf(view) : QString(),
+                action});
     }
   }
   for (const auto* shortcut : window.findChildren<QShortcut*>()) {
@@ -66,7 +69,8 @@ std::vector<Shortcut> shortcutsOf(const QWidget& window, const WindowKeys& keys)
 ShortcutsDialog::ShortcutsDialog(const WindowKeys& keys, QWidget* window) : QDialog(window) {
   setObjectName(QStringLiteral("shortcutsDialog"));
   setWindowTitle(tr("Keyboard shortcuts"));
-  auto* search = widgets::makeSearchField(this, {"shortcutsSearch", tr("Search"), tr("Shows only what has these words in it")});
+  auto* search = widgets::makeSearchField(
+      this, {"shortcutsSearch", tr("Search"), tr("Shows only what has these words in it")});
   list_ = new QTreeWidget(this);
   list_->setObjectName(QStringLiteral("shortcutsList"));
   list_->setAccessibleName(tr("Keyboard shortcuts"));
@@ -91,10 +95,12 @@ void ShortcutsDialog::fill(const std::vector<Shortcut>& shortcuts) {
   }
   std::sort(views.begin() + 1, views.end());
   for (const QString& view : views) {
-    auto* group = new QTreeWidgetItem(list_, {view.isEmpty() ? tr("Everywhere") : tr("In the view %1").arg(view)});
+    auto* group =
+        new QTreeWidgetItem(list_, {view.isEmpty() ? tr("Everywhere") : tr("In the view %1").arg(view)});
     for (const Shortcut& shortcut : shortcuts) {
       if (shortcut.view != view) continue;
-      auto* row = new QTreeWidgetItem(group, {shortcut.text, shortcut.key.toString(QKeySequence::NativeText)});
+      auto* row =
+          new QTreeWidgetItem(group, {shortcut.text, shortcut.key.toString(QKeySequence::NativeText)});
       row->setToolTip(0, shortcut.text);
     }
   }

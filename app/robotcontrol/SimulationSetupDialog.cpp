@@ -44,7 +44,9 @@ QString kindIn(const QString& scene) {
   return {};
 }
 
-bool isMap(const QString& file) { return file.endsWith(QLatin1String(".map"), Qt::CaseInsensitive); }
+bool isMap(const QString& file) {
+  return file.endsWith(QLatin1String(".map"), Qt::CaseInsensitive);
+}
 
 }  // namespace
 
@@ -76,7 +78,8 @@ void SimulationSetupDialog::createWorld() {
   scene_->setEditable(true);
   scene_->setInsertPolicy(QComboBox::NoInsert);
   scene_->setMinimumContentsLength(44);
-  scene_->setToolTip(tr("A shipped scene by its name, or a file: an SDFormat world, or the map of a building (.map)"));
+  scene_->setToolTip(
+      tr("A shipped scene by its name, or a file: an SDFormat world, or the map of a building (.map)"));
   for (const auto& file : Workbench::scenes()) scene_->addItem(QString::fromStdString(file.stem().string()));
   auto* browse = new QToolButton(group);
   browse->setObjectName(QStringLiteral("setupBrowse"));
@@ -101,7 +104,8 @@ void SimulationSetupDialog::createRobots() {
   robots_->setObjectName(QStringLiteral("setupRobots"));
   robots_->setRange(0, kMostRobots);
   robots_->setSpecialValueText(tr("none"));
-  robots_->setToolTip(tr("At the home of a map or the places of the kick-off first, then where there is room"));
+  robots_->setToolTip(
+      tr("At the home of a map or the places of the kick-off first, then where there is room"));
   teams_ = new QComboBox(group);
   teams_->setObjectName(QStringLiteral("setupTeams"));
   teams_->addItem(tr("Both, as many in each"), QStringLiteral("both"));
@@ -125,7 +129,9 @@ void SimulationSetupDialog::createPorts() {
   auto* form = new QFormLayout(group);
   ports_ = new QCheckBox(tr("Can drive the robots over ARCOS"), group);
   ports_->setObjectName(QStringLiteral("setupPorts"));
-  ports_->setToolTip(tr("Each Pioneer has a TCP port; a program that is connected there drives it instead of the one that runs here"));
+  ports_->setToolTip(
+      tr("Each Pioneer has a TCP port; a program that is connected there drives it instead of the one that "
+         "runs here"));
   port_ = new QSpinBox(group);
   port_->setObjectName(QStringLiteral("setupPort"));
   port_->setRange(1024, 65535 - kMostRobots);
@@ -133,7 +139,8 @@ void SimulationSetupDialog::createPorts() {
   port_->setToolTip(tr("Of the first robot; the next one has the next port"));
   network_ = new QCheckBox(tr("From other computers, too"), group);
   network_->setObjectName(QStringLiteral("setupNetwork"));
-  network_->setToolTip(tr("Anybody who reaches this computer can drive the robots then: ARCOS knows no password"));
+  network_->setToolTip(
+      tr("Anybody who reaches this computer can drive the robots then: ARCOS knows no password"));
   form->addRow(ports_);
   form->addRow(tr("First port:"), port_);
   form->addRow(QString(), network_);
@@ -149,7 +156,8 @@ void SimulationSetupDialog::restore(const Arguments& arguments) {
   const int kind = kind_->findData(QString::fromStdString(last<std::string>(arguments, 1, {})));
   if (kind >= 0) kind_->setCurrentIndex(kind);
   robots_->setValue(static_cast<int>(last<double>(arguments, 2, 0)));
-  teams_->setCurrentIndex(std::max(0, teams_->findData(QString::fromStdString(last<std::string>(arguments, 6, {})))));
+  teams_->setCurrentIndex(
+      std::max(0, teams_->findData(QString::fromStdString(last<std::string>(arguments, 6, {})))));
   kinematic_->setChecked(last<bool>(arguments, 3, false));
   const int port = static_cast<int>(last<double>(arguments, 4, 0));
   ports_->setChecked(port > 0);
@@ -158,8 +166,9 @@ void SimulationSetupDialog::restore(const Arguments& arguments) {
 }
 
 void SimulationSetupDialog::chooseFile() {
-  const QString file = QFileDialog::getOpenFileName(this, tr("Open scene or map"), QFileInfo(scene_->currentText()).path(),
-                                                    tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
+  const QString file =
+      QFileDialog::getOpenFileName(this, tr("Open scene or map"), QFileInfo(scene_->currentText()).path(),
+                                   tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
   if (file.isEmpty()) return;
   scene_->setEditText(file);
   if (isMap(file) && robots_->value() == 0) robots_->setValue(1);
@@ -167,7 +176,10 @@ void SimulationSetupDialog::chooseFile() {
 
 /// More of the kind that a scene has are wanted rather than others.
 void SimulationSetupDialog::followScene() {
-  const int kind = kind_ != nullptr ? kind_->findData(isMap(scene_->currentText()) ? QStringLiteral("p3at") : kindIn(scene_->currentText())) : -1;
+  const int kind = kind_ != nullptr
+                       ? kind_->findData(isMap(scene_->currentText()) ? QStringLiteral("p3at")
+                                                                      : kindIn(scene_->currentText()))
+                       : -1;
   if (kind >= 0) kind_->setCurrentIndex(kind);
   update();
 }

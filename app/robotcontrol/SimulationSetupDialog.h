@@ -15,9 +15,9 @@ class QSpinBox;
 
 namespace app {
 
-/// What is simulated: a scene or a map, how many robots are put into it, how they are moved, and whether programs outside find
-/// them at ports. What it yields are the arguments of the command "simulation.setup". What was chosen last is there again when it
-/// is opened the next time. GUI thread.
+/// What is simulated: a scene or a map, how many robots are put into it, how they are moved, and whether
+/// programs outside find them at ports. What it yields are the arguments of the command "simulation.setup".
+/// What was chosen last is there again when it is opened the next time. GUI thread.
 class SimulationSetupDialog final : public QDialog {
   Q_OBJECT
  public:

@@ -59,7 +59,8 @@ void SimulationToolBar::createActions() {
   start_ = actions_.make(tr("Start"), "play", QStringLiteral("simulation.start"), {}, {Qt::Key_F5});
   pause_ = actions_.make(tr("Pause"), "pause", QStringLiteral("simulation.pause"), {}, {Qt::Key_F6});
   step_ = actions_.make(tr("Step"), "step", QStringLiteral("simulation.step"), {}, {Qt::Key_F10});
-  reset_ = actions_.make(tr("Reset"), "reset", QStringLiteral("simulation.reset"), {}, {QKeySequence(QStringLiteral("Ctrl+R"))});
+  reset_ = actions_.make(tr("Reset"), "reset", QStringLiteral("simulation.reset"), {},
+                         {QKeySequence(QStringLiteral("Ctrl+R"))});
   simulationActions_ = {start_, pause_, step_, reset_};
   start_->setCheckable(true);
   pause_->setCheckable(true);
@@ -69,13 +70,15 @@ void SimulationToolBar::createActions() {
   stop_->setCheckable(true);
   stop_->setShortcuts({QKeySequence(QStringLiteral("Shift+Esc")), QKeySequence(Qt::Key_Pause)});
   stop_->setShortcutContext(Qt::ApplicationShortcut);
-  stop_->setToolTip(tr("Stops all robots at their platforms, whatever their programs do, until released (Shift+Esc, Pause)"));
+  stop_->setToolTip(tr(
+      "Stops all robots at their platforms, whatever their programs do, until released (Shift+Esc, Pause)"));
 }
 
 void SimulationToolBar::createBoxes() {
   scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The scene that is simulated"));
-  layout_ = makeBox(this, "layoutBox", tr("Process layout"),
-                    tr("Which process of the robot's program does which tasks; a change starts the program anew"));
+  layout_ =
+      makeBox(this, "layoutBox", tr("Process layout"),
+              tr("Which process of the robot's program does which tasks; a change starts the program anew"));
   robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars talk about"));
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
   scene_->setPlaceholderText(tr("none"));
@@ -118,7 +121,8 @@ void SimulationToolBar::connectSignals() {
   connect(speed_, chosen, this, [this](int index) {
     actions_.run(QStringLiteral("simulation.speed"), {speed_->itemData(index).toDouble()});
   });
-  connect(stop_, &QAction::triggered, this, [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
+  connect(stop_, &QAction::triggered, this,
+          [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
 }
 
 /// Those that at least one of the robots can be run in.
@@ -143,7 +147,8 @@ void SimulationToolBar::showLoaded() {
   showLayouts(*loaded);
   selectFile(layout_, loaded->layout);
   robot_->clear();
-  for (const std::string& robot : workbench_.session().robots()) robot_->addItem(QString::fromStdString(robot));
+  for (const std::string& robot : workbench_.session().robots())
+    robot_->addItem(QString::fromStdString(robot));
   robot_->setEnabled(robot_->count() > 0);
 }
 
@@ -163,7 +168,8 @@ void SimulationToolBar::refresh() {
   auto& session = workbench_.session();
   const int robot = robot_->findText(QString::fromStdString(session.selectedRobot()));
   if (robot >= 0 && robot != robot_->currentIndex()) robot_->setCurrentIndex(robot);
-  const auto* status = session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
+  const auto* status =
+      session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;
   for (QAction* action : simulationActions_) action->setEnabled(there);
   stop_->setEnabled(there);

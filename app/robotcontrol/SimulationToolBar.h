@@ -12,8 +12,8 @@ class CommandActions;
 class Workbench;
 struct LoadedPlatform;
 
-/// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not what was clicked.
-/// GUI thread.
+/// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not
+/// what was clicked. GUI thread.
 class SimulationToolBar : public QToolBar {
   Q_OBJECT
  public:
@@ -21,7 +21,8 @@ class SimulationToolBar : public QToolBar {
 
   /// Shows the simulation's state; called after each tick.
   void refresh();
-  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless it is a log or a real robot.
+  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless
+  /// it is a log or a real robot.
   void showLoaded();
 
   const QList<QAction*>& simulationActions() const { return simulationActions_; }

@@ -35,8 +35,10 @@ StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
     : QObject(&bar),
       workbench_(workbench),
       state_(addLabel(bar, "statusState", tr("What the simulation or the log does"), 10)),
-      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time that is shown, and its frame"), 12)),
-      speed_(addLabel(bar, "statusSpeed", tr("How many times real time the simulation runs or the log is played"), 10)),
+      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time that is shown, and its frame"),
+                     12)),
+      speed_(addLabel(bar, "statusSpeed",
+                      tr("How many times real time the simulation runs or the log is played"), 10)),
       contacts_(addLabel(bar, "statusContacts", tr("How often a robot and the ball began to touch"), 16)),
       dropped_(addLabel(bar, "statusDropped",
                         tr("Messages that were lost because more came than could be taken in"), 12)) {}
@@ -45,10 +47,11 @@ void StatusLine::refresh() {
   auto& session = workbench_.session();
   const auto newest = session.timeline().newest();
   dropped_->setText(tr("%1 dropped").arg(session.dropped()));
-  if (const auto* log = session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay, newest)) {
+  if (const auto* log =
+          session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay, newest)) {
     showLog(*log);
-  } else if (const auto* simulation =
-                 session.store().latestAs<robotcontrol::SimulationStatus>(robotlink::streams::kSimulation, newest)) {
+  } else if (const auto* simulation = session.store().latestAs<robotcontrol::SimulationStatus>(
+                 robotlink::streams::kSimulation, newest)) {
     showSimulation(*simulation);
   } else {
     showNothing();
@@ -62,13 +65,15 @@ QString StatusLine::robotState() {
   wish_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
   const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
   const double silence = heard == nullptr ? 0 : robotlink::seconds(newest - heard->time);
-  const auto* link = session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
+  const auto* link =
+      session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
   const bool connected = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTED;
   if (connected && silence < kSilence) return tr("running");
   if (heard == nullptr) return connected ? tr("connected") : tr("not connected");
-  const QString what = connected                                                   ? tr("silent")
-                       : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING ? tr("connecting")
-                                                                                   : tr("lost");
+  const QString what = connected ? tr("silent")
+                       : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING
+                           ? tr("connecting")
+                           : tr("lost");
   return tr("%1, last heard %2 s ago").arg(what).arg(silence, 0, 'f', 0);
 }
 

@@ -16,8 +16,8 @@ namespace app {
 
 class Workbench;
 
-/// What always stands at the window's lower edge: of a simulation its time, speed and ball contacts, of a log where it is and how
-/// it is played; dropped messages. GUI thread.
+/// What always stands at the window's lower edge: of a simulation its time, speed and ball contacts, of a log
+/// where it is and how it is played; dropped messages. GUI thread.
 class StatusLine : public QObject {
   Q_OBJECT
  public:

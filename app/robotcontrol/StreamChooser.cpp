@@ -30,8 +30,11 @@ StreamSelection withStream(const StreamSelection& selection, const std::string& 
   StreamSelection changed = selection;
   removeExact(*(recorded ? changed.mutable_exclude() : changed.mutable_include()), path);
   // Without anything to include all would be meant, not nothing.
-  if (selection.include_size() > 0 && changed.include_size() == 0) *changed.mutable_include() = selection.include();
-  const auto contains = [&path](const StreamSelection& s) { return logplayer::RecordedStreams(s).contains(path); };
+  if (selection.include_size() > 0 && changed.include_size() == 0)
+    *changed.mutable_include() = selection.include();
+  const auto contains = [&path](const StreamSelection& s) {
+    return logplayer::RecordedStreams(s).contains(path);
+  };
   if (contains(changed) == recorded) return changed;
   if (!recorded) {
     changed.add_exclude(path);
@@ -49,7 +52,8 @@ StreamSelection withStream(const StreamSelection& selection, const std::string& 
   return named;
 }
 
-StreamChooser::StreamChooser(const StreamSelection& selection, std::vector<std::string> streams, QWidget* parent)
+StreamChooser::StreamChooser(const StreamSelection& selection, std::vector<std::string> streams,
+                             QWidget* parent)
     : QDialog(parent), selection_(selection), streams_(std::move(streams)) {
   setObjectName(QStringLiteral("streamChooser"));
   setWindowTitle(tr("What is recorded"));
@@ -61,9 +65,10 @@ StreamChooser::StreamChooser(const StreamSelection& selection, std::vector<std::
 
 void StreamChooser::createWidgets() {
   auto* layout = new QVBoxLayout(this);
-  auto* help = new QLabel(tr("Streams by their paths, with * for any text, between commas; - before what is left out. Nothing "
-                             "here is all that a replay needs. The program's set-up is always recorded."),
-                          this);
+  auto* help = new QLabel(
+      tr("Streams by their paths, with * for any text, between commas; - before what is left out. Nothing "
+         "here is all that a replay needs. The program's set-up is always recorded."),
+      this);
   help->setWordWrap(true);
   layout->addWidget(help);
   patterns_ = new QLineEdit(this);
@@ -116,7 +121,8 @@ void StreamChooser::takePatterns() {
 
 void StreamChooser::takeTick(const QListWidgetItem& item) {
   selection_ = withStream(selection_, item.text().toStdString(), item.checkState() == Qt::Checked, streams_);
-  patterns_->setText(QString::fromStdString(logplayer::textOf(selection_)));  // takes it, and shows what it means
+  patterns_->setText(
+      QString::fromStdString(logplayer::textOf(selection_)));  // takes it, and shows what it means
 }
 
 }  // namespace app

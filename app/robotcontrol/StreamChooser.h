@@ -15,12 +15,13 @@ class QListWidgetItem;
 
 namespace app {
 
-/// Chooses what is recorded: by patterns, and by ticking the streams that there are now; each shows what the other means. GUI
-/// thread.
+/// Chooses what is recorded: by patterns, and by ticking the streams that there are now; each shows what the
+/// other means. GUI thread.
 class StreamChooser : public QDialog {
   Q_OBJECT
  public:
-  StreamChooser(const robotcontrol::StreamSelection& selection, std::vector<std::string> streams, QWidget* parent);
+  StreamChooser(const robotcontrol::StreamSelection& selection, std::vector<std::string> streams,
+                QWidget* parent);
 
   const robotcontrol::StreamSelection& selection() const { return selection_; }
 
@@ -39,8 +40,10 @@ class StreamChooser : public QDialog {
   QDialogButtonBox* buttons_ = nullptr;
 };
 
-/// The selection in which one stream more, or one less, is recorded; of the others that are known, those that were.
-robotcontrol::StreamSelection withStream(const robotcontrol::StreamSelection& selection, const std::string& path, bool recorded,
+/// The selection in which one stream more, or one less, is recorded; of the others that are known, those that
+/// were.
+robotcontrol::StreamSelection withStream(const robotcontrol::StreamSelection& selection,
+                                         const std::string& path, bool recorded,
                                          const std::vector<std::string>& known);
 
 }  // namespace app

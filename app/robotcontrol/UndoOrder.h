@@ -9,8 +9,8 @@ class QUndoStack;
 
 namespace app {
 
-/// One undo for all that can be edited: it takes back the last change of what was edited last. Stacks that are added keep
-/// their own order of changes; they may go at any time. GUI thread.
+/// One undo for all that can be edited: it takes back the last change of what was edited last. Stacks that
+/// are added keep their own order of changes; they may go at any time. GUI thread.
 class UndoOrder final : public QObject {
   Q_OBJECT
  public:

@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/ViewDocks.h"
 
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/DockWidgetTab.h>
 #include <QCoreApplication>
 #include <QJsonArray>
 #include <QXmlStreamReader>
 #include <algorithm>
-#include <qtadvanceddocking/DockAreaWidget.h>
-#include <qtadvanceddocking/DockWidget.h>
-#include <qtadvanceddocking/DockWidgetTab.h>
 
 #include "app/robotcontrol/DockSpace.h"
 #include "widgets/Icon.h"
@@ -17,7 +17,9 @@ namespace {
 
 constexpr int kLayoutVersion = 1;
 
-QString nameOf(const QString& id, int number) { return QStringLiteral("%1#%2").arg(id).arg(number); }
+QString nameOf(const QString& id, int number) {
+  return QStringLiteral("%1#%2").arg(id).arg(number);
+}
 
 ads::DockWidgetArea areaOf(ViewDocks::Place place) {
   switch (place) {
@@ -72,7 +74,8 @@ ViewDocks::Dock* ViewDocks::make(const QString& id, int number) {
   dock->tabWidget()->installEventFilter(&space_);
   widgets::View* view = type->create(context_, dock);
   dock->setWidget(view, ads::CDockWidget::ForceNoScrollArea);
-  connect(view, &widgets::View::titleChanged, dock, [dock](const QString& text) { dock->setWindowTitle(text); });
+  connect(view, &widgets::View::titleChanged, dock,
+          [dock](const QString& text) { dock->setWindowTitle(text); });
   connect(view, &QObject::destroyed, this, &ViewDocks::forget);
   docks_.push_back({id, dock, view});
   return &docks_.back();
@@ -105,7 +108,8 @@ ads::CDockWidget* ViewDocks::bringToFront(ads::CDockWidget* dock) {
 ads::CDockWidget* ViewDocks::open(const QString& id) {
   Q_EMIT placesWanted();
   const auto existing = docks(id);
-  const auto open = std::find_if(existing.begin(), existing.end(), [](auto* dock) { return !dock->isClosed(); });
+  const auto open =
+      std::find_if(existing.begin(), existing.end(), [](auto* dock) { return !dock->isClosed(); });
   if (open != existing.end()) return bringToFront(*open);
   return bringToFront(existing.empty() ? makeNext(id) : existing.front());
 }
@@ -114,7 +118,8 @@ ads::CDockWidget* ViewDocks::openAnother(const QString& id) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr || !type->several) return open(id);
   const auto existing = docks(id);
-  const auto closed = std::find_if(existing.begin(), existing.end(), [](auto* dock) { return dock->isClosed(); });
+  const auto closed =
+      std::find_if(existing.begin(), existing.end(), [](auto* dock) { return dock->isClosed(); });
   return bringToFront(closed == existing.end() ? makeNext(id) : *closed);
 }
 
@@ -142,7 +147,8 @@ void ViewDocks::destroyAll() {
 }
 
 bool ViewDocks::isOpen(const QString& id) const {
-  return std::any_of(docks_.begin(), docks_.end(), [&](const Dock& dock) { return dock.id == id && !dock.dock->isClosed(); });
+  return std::any_of(docks_.begin(), docks_.end(),
+                     [&](const Dock& dock) { return dock.id == id && !dock.dock->isClosed(); });
 }
 
 bool ViewDocks::isInFront(const QString& id) const {
@@ -201,7 +207,8 @@ QString ViewDocks::layout() const {
 bool ViewDocks::hasAllOf(const QString& layout) {
   QXmlStreamReader reader(layout);
   while (!reader.atEnd()) {
-    if (reader.readNext() != QXmlStreamReader::StartElement || reader.name() != QLatin1String("Widget")) continue;
+    if (reader.readNext() != QXmlStreamReader::StartElement || reader.name() != QLatin1String("Widget"))
+      continue;
     if (find(reader.attributes().value(QLatin1String("Name")).toString()) == nullptr) return false;
   }
   return !reader.hasError();

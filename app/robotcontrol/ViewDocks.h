@@ -17,11 +17,12 @@ namespace app {
 
 class DockSpace;
 
-/// The docks of a window: one for each open view. A closed dock keeps its place and its view; opening it again brings it back
-/// where it was. GUI thread.
+/// The docks of a window: one for each open view. A closed dock keeps its place and its view; opening it
+/// again brings it back where it was. GUI thread.
 ///
-/// Docks that are taken away leave the window at once and are deleted when control returns to the event loop; destroyAll() deletes them
-/// at once. The docking library may delete docks, too, with the floating window that they are in: those leave the list by themselves.
+/// Docks that are taken away leave the window at once and are deleted when control returns to the event loop;
+/// destroyAll() deletes them at once. The docking library may delete docks, too, with the floating window
+/// that they are in: those leave the list by themselves.
 class ViewDocks : public QObject {
   Q_OBJECT
  public:
@@ -30,10 +31,11 @@ class ViewDocks : public QObject {
 
   ViewDocks(DockSpace& space, widgets::ViewContext& context, QObject* parent);
 
-  /// Brings a view to the front: one that is open, else a closed one where it was, else a new one as a tab of the largest area. Null if
-  /// there is no such kind.
+  /// Brings a view to the front: one that is open, else a closed one where it was, else a new one as a tab of
+  /// the largest area. Null if there is no such kind.
   ads::CDockWidget* open(const QString& id);
-  /// One more view of a kind, even if one is open: a closed one, else a new one. Where only one is allowed, as open().
+  /// One more view of a kind, even if one is open: a closed one, else a new one. Where only one is allowed,
+  /// as open().
   ads::CDockWidget* openAnother(const QString& id);
   /// Closes the views of a kind; they keep their places.
   void close(const QString& id);
@@ -52,12 +54,13 @@ class ViewDocks : public QObject {
   /// Lets all visible views take in what is new.
   void tick();
 
-  /// Docks, views and what was chosen in them, as JSON; restore() ignores kinds of views that it does not know.
+  /// Docks, views and what was chosen in them, as JSON; restore() ignores kinds of views that it does not
+  /// know.
   QJsonObject save() const;
   bool restore(const QJsonObject& state);
 
-  /// Where the docks are, in the docking library's XML; rearrange() puts those that are there back to it, and closes others. False if
-  /// the layout names docks that are not there any more, or cannot be read.
+  /// Where the docks are, in the docking library's XML; rearrange() puts those that are there back to it, and
+  /// closes others. False if the layout names docks that are not there any more, or cannot be read.
   QString layout() const;
   bool rearrange(const QString& layout);
 
@@ -65,7 +68,8 @@ class ViewDocks : public QObject {
   std::vector<ads::CDockWidget*> docks(const QString& id) const;
 
  Q_SIGNALS:
-  /// The places of the docks are about to be looked at or changed: what hides some of them for a while shows them.
+  /// The places of the docks are about to be looked at or changed: what hides some of them for a while shows
+  /// them.
   void placesWanted() const;
 
  private:
@@ -86,7 +90,7 @@ class ViewDocks : public QObject {
 
   DockSpace& space_;
   widgets::ViewContext& context_;
-  std::vector<Dock> docks_;  // never with null pointers between events
+  std::vector<Dock> docks_;                          // never with null pointers between events
   std::vector<QPointer<ads::CDockWidget>> removed_;  // to be deleted soon
 };
 

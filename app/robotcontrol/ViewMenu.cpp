@@ -24,10 +24,12 @@ std::vector<Group> groups() {
        {QStringLiteral("scene"), QStringLiteral("field"), QStringLiteral("image"), QStringLiteral("radar"),
         QStringLiteral("base-state"), QStringLiteral("motion")}},
       {tr("The robot's program"),
-       {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"), QStringLiteral("plots"),
-        QStringLiteral("timing"), QStringLiteral("processes"), QStringLiteral("packets")}},
+       {QStringLiteral("debug-keys"), QStringLiteral("solutions"), QStringLiteral("messages"),
+        QStringLiteral("plots"), QStringLiteral("timing"), QStringLiteral("processes"),
+        QStringLiteral("packets")}},
       {tr("Logs"),
-       {QStringLiteral("time-line"), QStringLiteral("replay-packages"), QStringLiteral("log-streams"), QStringLiteral("bookmarks")}},
+       {QStringLiteral("time-line"), QStringLiteral("replay-packages"), QStringLiteral("log-streams"),
+        QStringLiteral("bookmarks")}},
       {tr("Colors"),
        {QStringLiteral("color-image"), QStringLiteral("color-classes"), QStringLiteral("color-space"),
         QStringLiteral("color-samples"), QStringLiteral("color-quality"), QStringLiteral("color-compare"),
@@ -35,7 +37,8 @@ std::vector<Group> groups() {
       {tr("Others"), {}}};
   for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
     const QString id = QLatin1String(type.id);
-    if (std::none_of(groups.begin(), groups.end(), [&](const Group& group) { return group.views.contains(id); })) {
+    if (std::none_of(groups.begin(), groups.end(),
+                     [&](const Group& group) { return group.views.contains(id); })) {
       groups.back().views << id;
     }
   }
@@ -64,7 +67,8 @@ ViewMenu::ViewMenu(ViewDocks& docks, QWidget* parent) : QMenu(tr("&View"), paren
 void ViewMenu::addView(const QString& id) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr) return;
-  QAction* action = addAction(widgets::icon(type->icon), QCoreApplication::translate("View", type->title), this, [this, id] { choose(id); });
+  QAction* action = addAction(widgets::icon(type->icon), QCoreApplication::translate("View", type->title),
+                              this, [this, id] { choose(id); });
   action->setObjectName(QStringLiteral("view.") + id);
   action->setToolTip(QCoreApplication::translate("View", type->help));
   action->setCheckable(true);
@@ -75,8 +79,9 @@ void ViewMenu::addView(const QString& id) {
 void ViewMenu::addAnother(QMenu& menu, const QString& id) {
   const widgets::ViewType* type = widgets::ViewRegistry::find(id.toStdString());
   if (type == nullptr || !type->several) return;
-  QAction* action = menu.addAction(widgets::icon(type->icon), QCoreApplication::translate("View", type->title), this,
-                                   [this, id] { docks_.openAnother(id); });
+  QAction* action =
+      menu.addAction(widgets::icon(type->icon), QCoreApplication::translate("View", type->title), this,
+                     [this, id] { docks_.openAnother(id); });
   action->setObjectName(QStringLiteral("another.") + id);
 }
 

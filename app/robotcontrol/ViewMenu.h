@@ -7,8 +7,9 @@ namespace app {
 
 class ViewDocks;
 
-/// The menu of all views, in groups, each with a tick while it is open. Choosing a view that can be seen closes it, any other one is
-/// brought to the front. Of kinds that may be open several times another one can be opened. GUI thread; the docks must outlive it.
+/// The menu of all views, in groups, each with a tick while it is open. Choosing a view that can be seen
+/// closes it, any other one is brought to the front. Of kinds that may be open several times another one can
+/// be opened. GUI thread; the docks must outlive it.
 class ViewMenu : public QMenu {
   Q_OBJECT
  public:

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/WindowKeys.h"
 
+#include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QAbstractButton>
 #include <QAbstractSpinBox>
 #include <QApplication>
@@ -12,27 +13,30 @@
 #include <QSlider>
 #include <QTabBar>
 #include <QTextEdit>
-#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "widgets/View.h"
 
 namespace app {
 namespace {
 
-/// "Ctrl+Left" of an event, whatever part of the keyboard it came from. There are keyboards on which digits and punctuation are
-/// typed with Shift.
+/// "Ctrl+Left" of an event, whatever part of the keyboard it came from. There are keyboards on which digits
+/// and punctuation are typed with Shift.
 QKeySequence sequenceOf(const QKeyEvent& event) {
   auto modifiers = event.modifiers() & ~(Qt::KeypadModifier | Qt::GroupSwitchModifier);
   const int key = event.key();
-  if ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Period || key == Qt::Key_Comma) modifiers &= ~Qt::ShiftModifier;
+  if ((key >= Qt::Key_0 && key <= Qt::Key_9) || key == Qt::Key_Period || key == Qt::Key_Comma)
+    modifiers &= ~Qt::ShiftModifier;
   return {static_cast<int>(modifiers) | key};
 }
 
-/// Whether a view's keys are of use while the widget has the focus: it shows something, rather than being a control.
+/// Whether a view's keys are of use while the widget has the focus: it shows something, rather than being a
+/// control.
 bool isContent(const QWidget& widget) {
-  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::ClickFocus) != 0 && !isTextField(widget) &&
-         qobject_cast<const QAbstractButton*>(&widget) == nullptr && qobject_cast<const QComboBox*>(&widget) == nullptr &&
-         qobject_cast<const QAbstractSlider*>(&widget) == nullptr && qobject_cast<const QTabBar*>(&widget) == nullptr;
+  return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::ClickFocus) != 0 &&
+         !isTextField(widget) && qobject_cast<const QAbstractButton*>(&widget) == nullptr &&
+         qobject_cast<const QComboBox*>(&widget) == nullptr &&
+         qobject_cast<const QAbstractSlider*>(&widget) == nullptr &&
+         qobject_cast<const QTabBar*>(&widget) == nullptr;
 }
 
 template <typename T>
@@ -41,7 +45,9 @@ T* ancestor(QWidget* widget) {
   return static_cast<T*>(widget);
 }
 
-int areaOf(const QWidget& widget) { return widget.width() * widget.height(); }
+int areaOf(const QWidget& widget) {
+  return widget.width() * widget.height();
+}
 
 }  // namespace
 
@@ -58,7 +64,9 @@ WindowKeys::WindowKeys(QWidget& window) : QObject(&window), window_(window) {
   qApp->installEventFilter(this);
 }
 
-void WindowKeys::add(Binding binding) { bindings_.push_back(std::move(binding)); }
+void WindowKeys::add(Binding binding) {
+  bindings_.push_back(std::move(binding));
+}
 
 bool WindowKeys::ofWindow(const QWidget& widget) const {
   if (widget.window() == &window_) return qobject_cast<const QMenuBar*>(&widget) == nullptr;
@@ -69,7 +77,9 @@ bool WindowKeys::ofWindow(const QWidget& widget) const {
 }
 
 const WindowKeys::Binding* WindowKeys::find(const QWidget& focus, const QKeyEvent& event) const {
-  if (QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr || !ofWindow(focus)) return nullptr;
+  if (QApplication::activePopupWidget() != nullptr || QApplication::activeModalWidget() != nullptr ||
+      !ofWindow(focus))
+    return nullptr;
   const QKeySequence key = sequenceOf(event);
   for (const Binding& binding : bindings_) {
     if (binding.key != key || (isTextField(focus) && !binding.inTextFields)) continue;
@@ -81,7 +91,9 @@ const WindowKeys::Binding* WindowKeys::find(const QWidget& focus, const QKeyEven
 /// Return presses a button, as Space does where it does not play.
 bool WindowKeys::pressButton(QWidget& focus, const QKeyEvent& event) const {
   auto* button = qobject_cast<QAbstractButton*>(&focus);
-  if (button == nullptr || !ofWindow(focus) || event.modifiers() != Qt::NoModifier || event.key() != Qt::Key_Return) return false;
+  if (button == nullptr || !ofWindow(focus) || event.modifiers() != Qt::NoModifier ||
+      event.key() != Qt::Key_Return)
+    return false;
   button->click();
   return true;
 }
@@ -92,7 +104,8 @@ bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
   auto* focus = qobject_cast<QWidget*>(watched);
   const auto& key = *static_cast<QKeyEvent*>(event);
   const Binding* binding = focus != nullptr ? find(*focus, key) : nullptr;
-  if (binding == nullptr) return event->type() == QEvent::KeyPress && focus != nullptr && pressButton(*focus, key);
+  if (binding == nullptr)
+    return event->type() == QEvent::KeyPress && focus != nullptr && pressButton(*focus, key);
   event->accept();
   // What says that it wants the key gets it as a key press, and no shortcut does.
   if (event->type() == QEvent::KeyPress && (binding->repeats || !key.isAutoRepeat())) binding->run();
@@ -110,8 +123,10 @@ void WindowKeys::focusContent() {
       if (isContent(*widget) && isLarger(widget)) best = widget;
     }
   }
-  if (best != nullptr) best->setFocus(Qt::OtherFocusReason);
-  else if (focus != nullptr) focus->clearFocus();
+  if (best != nullptr)
+    best->setFocus(Qt::OtherFocusReason);
+  else if (focus != nullptr)
+    focus->clearFocus();
 }
 
 }  // namespace app

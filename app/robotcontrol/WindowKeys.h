@@ -11,12 +11,12 @@ class QWidget;
 
 namespace app {
 
-/// The keys that mean the same wherever the focus is in a window or in a dock that floats beside it, but for text fields:
-/// the one place that decides this. It looks at keys before the widget that has the focus, and before all shortcuts. Dialogs,
-/// menus and lists that have popped up keep their keys.
+/// The keys that mean the same wherever the focus is in a window or in a dock that floats beside it, but for
+/// text fields: the one place that decides this. It looks at keys before the widget that has the focus, and
+/// before all shortcuts. Dialogs, menus and lists that have popped up keep their keys.
 ///
-/// It also sees to it that the focus is in what the window shows, and not in a box of a toolbar that keys would change.
-/// GUI thread; it belongs to the window.
+/// It also sees to it that the focus is in what the window shows, and not in a box of a toolbar that keys
+/// would change. GUI thread; it belongs to the window.
 class WindowKeys final : public QObject {
   Q_OBJECT
  public:

@@ -36,25 +36,34 @@ struct Arguments {
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
   app.add_option("files", arguments.files,
-                 "A world (.sdf, .world) or the map of a building (.map) to simulate; or log files to open on one time line; or a "
-                 "Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the field of 2002 if none is given");
+                 "A world (.sdf, .world) or the map of a building (.map) to simulate; or log files to open "
+                 "on one time line; or a "
+                 "Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the field of 2002 if "
+                 "none is given");
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
-  app.add_option("--robots", arguments.robots, "Simulated robots that are put into the world (a map: 1)")->check(CLI::Range(0, 100));
-  app.add_option("--robot", arguments.robot, "Their model: ers210, p3at (those of the world, if it has any; else p3at)");
+  app.add_option("--robots", arguments.robots, "Simulated robots that are put into the world (a map: 1)")
+      ->check(CLI::Range(0, 100));
+  app.add_option("--robot", arguments.robot,
+                 "Their model: ers210, p3at (those of the world, if it has any; else p3at)");
   app.add_option("--teams", arguments.teams, "The teams that they play in, if they do: both, red or blue")
       ->check(CLI::IsMember({"both", "red", "blue"}))
       ->capture_default_str();
-  app.add_flag("--kinematic", arguments.kinematic, "Simulated Pioneers are moved by their odometry, without forces");
-  app.add_option("--arcos", arguments.port, "Programs find the first simulated Pioneer at this TCP port, the next at the next one")
+  app.add_flag("--kinematic", arguments.kinematic,
+               "Simulated Pioneers are moved by their odometry, without forces");
+  app.add_option("--arcos", arguments.port,
+                 "Programs find the first simulated Pioneer at this TCP port, the next at the next one")
       ->check(CLI::Range(1, 65435));
   app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
-  app.add_option("--perspective", arguments.perspective, "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; for a map or a Pioneer Drive, for logs Log, unless you say so");
+  app.add_option("--perspective", arguments.perspective,
+                 "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; "
+                 "for a map or a Pioneer Drive, for logs Log, unless you say so");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
-  app.add_option("--screenshot", arguments.screenshot, "Save a picture of the window to this PNG file and quit; works without a display");
+  app.add_option("--screenshot", arguments.screenshot,
+                 "Save a picture of the window to this PNG file and quit; works without a display");
   app.add_option("--after", arguments.after, "When to take the picture, seconds after the start")
       ->check(CLI::Range(0.0, 3600.0))
       ->capture_default_str();
@@ -77,11 +86,14 @@ bool isScene(const std::string& file) {
 bool isRobot(const std::string& file) {
   if (file.starts_with("tcp://") || file.starts_with("serial://")) return true;
   std::error_code ignored;
-  const bool isFile = !file.starts_with("/dev/") && (file.starts_with('/') || std::filesystem::exists(file, ignored));
+  const bool isFile =
+      !file.starts_with("/dev/") && (file.starts_with('/') || std::filesystem::exists(file, ignored));
   return !isFile && robotlink::arcos::parseUrl(file).has_value();
 }
 
-bool connectsRobot(const Arguments& arguments) { return !arguments.files.empty() && isRobot(arguments.files.front()); }
+bool connectsRobot(const Arguments& arguments) {
+  return !arguments.files.empty() && isRobot(arguments.files.front());
+}
 
 bool opensLogs(const Arguments& arguments) {
   return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
@@ -102,8 +114,10 @@ app::RunOptions simulationOf(const Arguments& arguments) {
   options.world.seed = arguments.seed;
   options.world.kinematic = arguments.kinematic;
   if (arguments.robots >= 0) {
-    options.robots = simcore::RobotsToAdd{
-        .model = arguments.robot, .count = arguments.robots, .seed = arguments.seed, .teams = app::teamsNamed(arguments.teams)};
+    options.robots = simcore::RobotsToAdd{.model = arguments.robot,
+                                          .count = arguments.robots,
+                                          .seed = arguments.seed,
+                                          .teams = app::teamsNamed(arguments.teams)};
   }
   if (arguments.port > 0) {
     options.ports.emplace();
@@ -137,13 +151,14 @@ bool load(app::Workbench& workbench, const Arguments& arguments) {
     }
     logs.push_back({file});
   }
-  workbench.openLogs(std::move(logs), arguments.layout.empty() ? std::filesystem::path()
-                                                               : app::Workbench::layoutNamed(arguments.layout));
+  workbench.openLogs(std::move(logs), arguments.layout.empty()
+                                          ? std::filesystem::path()
+                                          : app::Workbench::layoutNamed(arguments.layout));
   return true;
 }
 
-/// Starts the simulation that is being loaded, and runs what was asked for on the command line, one after the other, each when
-/// what the one before opens is there.
+/// Starts the simulation that is being loaded, and runs what was asked for on the command line, one after the
+/// other, each when what the one before opens is there.
 class Script : public QObject {
  public:
   Script(app::Workbench& workbench, const Arguments& arguments, QObject* parent)
@@ -189,12 +204,13 @@ const char* wordFor(QtMsgType type) {
   return "Qt error";
 }
 
-/// What Qt has to complain about goes to the terminal. Without a display it says of each window what it cannot do with it; nobody wants
-/// to know.
+/// What Qt has to complain about goes to the terminal. Without a display it says of each window what it
+/// cannot do with it; nobody wants to know.
 void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QString& text) {
   if (text.startsWith(QLatin1String("This plugin does not support"))) return;
   std::cerr << "robotcontrol: " << wordFor(type) << ": " << text.toStdString();
-  if (where.category != nullptr && std::string_view(where.category) != "default") std::cerr << " (" << where.category << ")";
+  if (where.category != nullptr && std::string_view(where.category) != "default")
+    std::cerr << " (" << where.category << ")";
   std::cerr << std::endl;
   if (type == QtFatalMsg) std::abort();
 }
@@ -229,9 +245,8 @@ int run(const Arguments& arguments) {
   if (!load(workbench, arguments)) return kUsage;
   new Script(workbench, arguments, &window);
   if (!arguments.screenshot.empty()) {
-    QTimer::singleShot(static_cast<int>(arguments.after * 1000), &window, [&] {
-      QApplication::exit(takePicture(window, arguments.screenshot));
-    });
+    QTimer::singleShot(static_cast<int>(arguments.after * 1000), &window,
+                       [&] { QApplication::exit(takePicture(window, arguments.screenshot)); });
   }
   const int status = QApplication::exec();
   if (const auto kept = workbench.keepKeys(); !kept) std::cerr << kept.error().describe() << "\n";

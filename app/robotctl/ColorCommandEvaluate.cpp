@@ -83,7 +83,8 @@ bool inLog(const EvaluateArguments& arguments) {
 Result<std::optional<robotlink::Image>> labelsOf(const ColorImages& images, const std::string& name,
                                                  const EvaluateArguments& arguments) {
   if (inLog(arguments)) return images.trueClasses(name);
-  const auto file = std::filesystem::path(arguments.labels) / (std::filesystem::path(name).stem().string() + ".png");
+  const auto file =
+      std::filesystem::path(arguments.labels) / (std::filesystem::path(name).stem().string() + ".png");
   std::error_code error;
   if (!std::filesystem::exists(file, error)) return std::nullopt;
   auto labels = ColorImages::loadLabels(file);
@@ -131,10 +132,11 @@ int run(const EvaluateArguments& arguments) {
   if (!images) return printErrors({images.error()});
   std::error_code different;
   if (inLog(arguments) && !std::filesystem::equivalent(arguments.labels, arguments.images, different)) {
-    return printErrors({{"color.labels",
-                         "true classes are read from the log file that the images are from; name the same file",
-                         {},
-                         {arguments.labels, 0, 0}}});
+    return printErrors(
+        {{"color.labels",
+          "true classes are read from the log file that the images are from; name the same file",
+          {},
+          {arguments.labels, 0, 0}}});
   }
   // Classes are the same by their names; labels and table may number them each in its way.
   const ColorClasses classes = unite(*labelled, named->classes);

@@ -76,9 +76,8 @@ nlohmann::ordered_json json(const TableDifference& difference) {
         {"before", sum.before}, {"after", sum.after}, {"gained", sum.gained}, {"lost", sum.lost}};
     for (int to = 0; to < difference.classes().size(); ++to) {
       if (from != to && difference.count(from, to) > 0)
-        changes.push_back({{"from", name},
-                           {"to", difference.classes().name(to)},
-                           {"cells", difference.count(from, to)}});
+        changes.push_back(
+            {{"from", name}, {"to", difference.classes().name(to)}, {"cells", difference.count(from, to)}});
     }
   }
   return {{"changed", difference.changed()}, {"changes", changes}, {"classes", classes}};

@@ -156,7 +156,8 @@ Result<std::optional<Image>> ColorImages::trueClasses(const std::string& name) c
   if (!raw) return tl::unexpected(raw.error());
   const robotlink::ImageView view = robotlink::imageView(**raw);
   if (view.empty() || view.format != robotlink::PixelFormat::kMono8)
-    return failure("image.labels", "the true classes of image " + name + " are damaged", {path_.string(), 0, 0}, {name});
+    return failure("image.labels", "the true classes of image " + name + " are damaged",
+                   {path_.string(), 0, 0}, {name});
   Image labels(view.width, view.height, view.format);
   for (int y = 0; y < view.height; ++y) std::copy_n(view.row(y), view.width, labels.row(y));
   return labels;

@@ -18,7 +18,8 @@ class LogFile;
 namespace app {
 
 /// A folder of images (PNG, JPEG, .yuyv) or a log's images, in which the colour commands read. Images of a
-/// log are called by their numbers from 0, with three digits: "000", "001"; images of classes are not counted.
+/// log are called by their numbers from 0, with three digits: "000", "001"; images of classes are not
+/// counted.
 ///
 /// A .yuyv file is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr; a pixel's colour is (Y1, Cb, Cr).
 class ColorImages {
@@ -30,8 +31,8 @@ class ColorImages {
   /// By its name, with or without its ending.
   robotlink::Result<colortool::ColorImage> load(const std::string& name) const;
 
-  /// What an image of a log truly shows, in the numbers of TrueClasses; nothing if that was not recorded, or if
-  /// these are files.
+  /// What an image of a log truly shows, in the numbers of TrueClasses; nothing if that was not recorded, or
+  /// if these are files.
   robotlink::Result<std::optional<robotlink::Image>> trueClasses(const std::string& name) const;
 
   /// A single file.

@@ -16,12 +16,13 @@ namespace {
 
 using WatchClock = std::chrono::steady_clock;
 
-constexpr std::chrono::seconds kSame{1};   // signals within that time are one: a terminal that is closed sends several
+constexpr std::chrono::seconds kSame{
+    1};  // signals within that time are one: a terminal that is closed sends several
 constexpr std::chrono::seconds kGrace{2};  // to ask whether to end
 
 // Signals concern the whole program.
 std::atomic<int> caught{0};
-std::atomic<int> guards{0};      // Interrupts that live
+std::atomic<int> guards{0};       // Interrupts that live
 std::atomic<bool> heeded{false};  // somebody asked, and was told
 std::atomic<bool> watching{false};
 std::optional<std::thread> watcher;
@@ -54,7 +55,8 @@ bool comesUntil(WatchClock::time_point end, const sigset_t& signals) {
   return ::sigtimedwait(&signals, nullptr, &time) > 0;
 }
 
-/// After the first signal: returns if the program ends by itself, or else ends it at a second one, or if nobody heeds the first.
+/// After the first signal: returns if the program ends by itself, or else ends it at a second one, or if
+/// nobody heeds the first.
 void waitForTheEnd(const sigset_t& signals, int first) {
   const auto came = WatchClock::now();
   while (watching && comesUntil(came + kSame, signals)) {

@@ -3,13 +3,13 @@
 
 namespace app {
 
-/// Watches for SIGINT (Ctrl-C), SIGTERM and SIGHUP while it lives, in a thread of its own. A signal that was ignored when the
-/// program was started (by nohup) stays ignored.
+/// Watches for SIGINT (Ctrl-C), SIGTERM and SIGHUP while it lives, in a thread of its own. A signal that was
+/// ignored when the program was started (by nohup) stays ignored.
 ///
-/// Where an Interrupt exists, the program is asked to end by Interrupt::noted(); if nobody has asked for that within two seconds,
-/// or another signal comes later, it is ended at once. Elsewhere it is ended at once. That removes unfinished files, so what is
-/// left is complete. A broken pipe on standard output (SIGPIPE) is noted in the same way, but ends nothing by itself.
-/// One for the program, made before any other thread.
+/// Where an Interrupt exists, the program is asked to end by Interrupt::noted(); if nobody has asked for that
+/// within two seconds, or another signal comes later, it is ended at once. Elsewhere it is ended at once.
+/// That removes unfinished files, so what is left is complete. A broken pipe on standard output (SIGPIPE) is
+/// noted in the same way, but ends nothing by itself. One for the program, made before any other thread.
 class SignalWatch {
  public:
   SignalWatch();
@@ -18,7 +18,8 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
 };
 
-/// While it lives, signals do not end the program but are noted, so that what it does is ended in good order. They can be nested.
+/// While it lives, signals do not end the program but are noted, so that what it does is ended in good order.
+/// They can be nested.
 class Interrupt {
  public:
   Interrupt();

@@ -25,7 +25,8 @@ Result<void> writePng(const std::filesystem::path& file, const robotlink::ImageV
 
 }  // namespace
 
-Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folder, robotlink::Duration period) {
+Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folder,
+                                              robotlink::Duration period) {
   LabelledImages made;
   made.images_ = folder / "images";
   made.labels_ = folder / "labels";
@@ -34,7 +35,8 @@ Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folde
     std::error_code error;
     std::filesystem::create_directories(part, error);
     if (error) {
-      return robotlink::failure("image.folder", "cannot make this folder for labelled images: " + error.message(),
+      return robotlink::failure("image.folder",
+                                "cannot make this folder for labelled images: " + error.message(),
                                 {part.string(), 0, 0});
     }
   }
@@ -44,7 +46,8 @@ Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folde
   return made;
 }
 
-void LabelledImages::add(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes) {
+void LabelledImages::add(const std::string& robot, const foxglove::RawImage& image,
+                         const foxglove::RawImage& classes) {
   const robotlink::Instant now = robotlink::instant(image.timestamp());
   robotlink::Instant& due = due_[robot];
   if (!outcome_ || now < due) return;

@@ -14,13 +14,15 @@ class RawImage;
 
 namespace app {
 
-/// Writes simulated images and their true classes as files that `robotctl color` reads: FOLDER/images/NAME.png
-/// in colours and FOLDER/labels/NAME.png with the classes' numbers (TrueClasses), whose names stand beside
-/// them. NAME is the robot and the simulated time in ms, "red1-001200". One thread.
+/// Writes simulated images and their true classes as files that `robotctl color` reads:
+/// FOLDER/images/NAME.png in colours and FOLDER/labels/NAME.png with the classes' numbers (TrueClasses),
+/// whose names stand beside them. NAME is the robot and the simulated time in ms, "red1-001200". One thread.
 class LabelledImages {
  public:
-  /// Makes the folders; fails if they cannot be made or written to. At most one image of a robot is written each `period`.
-  static robotlink::Result<LabelledImages> create(const std::filesystem::path& folder, robotlink::Duration period);
+  /// Makes the folders; fails if they cannot be made or written to. At most one image of a robot is written
+  /// each `period`.
+  static robotlink::Result<LabelledImages> create(const std::filesystem::path& folder,
+                                                  robotlink::Duration period);
 
   /// After something failed, nothing more is written.
   void add(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes);

@@ -20,7 +20,8 @@ struct LayoutArguments {
 /// Reads and checks; then gives a usable layout to `use`.
 template <typename Use>
 int withLayout(const LayoutArguments& arguments, Use use) {
-  const auto robot = robotlink::readRobotDescription(robotlink::resource("robots/" + arguments.robot + ".yaml"));
+  const auto robot =
+      robotlink::readRobotDescription(robotlink::resource("robots/" + arguments.robot + ".yaml"));
   if (!robot) return printErrors(robot.error());
   const auto layout = robotlink::readLayout(arguments.file);
   if (!layout) return printErrors(layout.error());
@@ -56,7 +57,8 @@ void addLayoutCommand(CLI::App& app, int& status) {
   const auto add = [&](const char* name, const char* help, int (*run)(const LayoutArguments&)) {
     CLI::App* command = layout->add_subcommand(name, help);
     command->add_option("file", arguments->file, "A layout file")->required();
-    command->add_option("--robot", arguments->robot, "The kind of robot that it is put on")->capture_default_str();
+    command->add_option("--robot", arguments->robot, "The kind of robot that it is put on")
+        ->capture_default_str();
     command->callback([arguments, run, &status] { status = withResources([&] { return run(*arguments); }); });
   };
   add("check", "Says whether a layout can be run, or why not, with file, line and column", check);

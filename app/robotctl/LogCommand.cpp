@@ -48,7 +48,8 @@ Result<Instant> timeOf(const std::string& text, Instant begin,
   return robotlink::failure(
       "usage", "'" + text +
                    "' is neither a time in seconds from the log's start (12.5), nor one of the log " +
-                   "(@486.75), nor a date in UTC (2026-05-04T12:30:01.25), nor one of its bookmarks (" + (known.empty() ? "it has none" : known) + ")");
+                   "(@486.75), nor a date in UTC (2026-05-04T12:30:01.25), nor one of its bookmarks (" +
+                   (known.empty() ? "it has none" : known) + ")");
 }
 
 }  // namespace
@@ -60,7 +61,8 @@ int printLosses(const std::vector<std::string>& losses) {
 
 void TimeRange::addTo(CLI::App& command) {
   const char* kinds =
-      "in seconds from the log's start, or @ and the log's own time, or a date in UTC (2026-05-04T12:30:01), or a bookmark's text";
+      "in seconds from the log's start, or @ and the log's own time, or a date in UTC (2026-05-04T12:30:01), "
+      "or a bookmark's text";
   command.add_option("--from", from, std::string("Where to begin: ") + kinds);
   command.add_option("--to", to, "Where to end; the same");
 }

@@ -137,17 +137,18 @@ void addLogCutCommands(CLI::App& log, int& status) {
   command->callback([arguments, &status] { status = cut(*arguments); });
 
   arguments = std::make_shared<CutArguments>();
-  command = log.add_subcommand(
-      "merge",
-      "Puts several logs on one time line: parts of one log behind each other, others beside each other, where robots of equal "
-      "names get -2, -3 behind theirs");
+  command = log.add_subcommand("merge",
+                               "Puts several logs on one time line: parts of one log behind each other, "
+                               "others beside each other, where robots of equal "
+                               "names get -2, -3 behind theirs");
   command->add_option("files", arguments->files, "The logs to read, and last the MCAP file to write")
       ->required()
       ->expected(2, -1);
   auto& joining = arguments->options.joining;
   auto* concatenate = command->add_flag_callback(
       "--concatenate", [&joining] { joining = logplayer::Joining::kConcatenate; },
-      "Behind each other, or not at all; without it where times do not overlap and robots of equal names run the same program");
+      "Behind each other, or not at all; without it where times do not overlap and robots of equal names run "
+      "the same program");
   command
       ->add_flag_callback(
           "--separate", [&joining] { joining = logplayer::Joining::kSeparate; },

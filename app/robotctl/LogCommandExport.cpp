@@ -106,14 +106,17 @@ int run(const ExportArguments& arguments) {
 void addLogExportCommand(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ExportArguments>();
   CLI::App* command = log.add_subcommand("export", "Writes images as PNG, streams as tables or JSON, texts");
-  command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")->required();
+  command->add_option("file", arguments->file, "A log file, of an older format, too; - is standard input")
+      ->required();
   command->add_option("--images", arguments->images,
                       "A folder for images, which are named by stream, time and frame");
   const std::string streams =
       "a stream, or several with * for any text between commas and - before what is left out "
       "('red1/*,-*/camera/*'), and the file; - is standard output";
   command->add_option("--csv", arguments->csv, "STREAMS OUT, a table: " + streams)->expected(2);
-  command->add_option("--json", arguments->json, "STREAMS OUT, a JSON object a line for each message: " + streams)
+  command
+      ->add_option("--json", arguments->json,
+                   "STREAMS OUT, a JSON object a line for each message: " + streams)
       ->expected(2);
   command->add_flag("--texts", arguments->texts, "Texts, one a line with time, level and source");
   command->add_option("--output", arguments->output, "A file for the texts, instead of standard output");

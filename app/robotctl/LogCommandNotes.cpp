@@ -41,7 +41,8 @@ void print(const Bookmarks& bookmarks, bool asJson) {
   json all = json::array();
   for (const Bookmark& bookmark : bookmarks.all()) {
     if (!asJson) {
-      std::cout << timeText(bookmark.from) << (bookmark.to == bookmark.from ? "" : " to " + timeText(bookmark.to)) << "  "
+      std::cout << timeText(bookmark.from)
+                << (bookmark.to == bookmark.from ? "" : " to " + timeText(bookmark.to)) << "  "
                 << bookmark.text << "\n";
     }
     all.push_back({{"id", bookmark.id},
@@ -67,7 +68,8 @@ Result<void> remove(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
     if (bookmark.text == arguments.remove) ids.push_back(bookmark.id);
   }
   if (ids.empty()) {
-    return robotlink::failure("bookmark.none", "there is no bookmark '" + arguments.remove + "'", {arguments.file, 0, 0});
+    return robotlink::failure("bookmark.none", "there is no bookmark '" + arguments.remove + "'",
+                              {arguments.file, 0, 0});
   }
   for (const std::uint64_t id : ids) bookmarks.remove(id);
   return {};
@@ -113,8 +115,10 @@ int list(const std::filesystem::path& log, bool asJson) {
   if (!all) return printErrors({all.error()});
   json objects = json::array();
   for (const auto& attachment : *all) {
-    if (!asJson) std::cout << attachment.name << "  " << attachment.mediaType << "  " << attachment.bytes << " bytes\n";
-    objects.push_back({{"name", attachment.name}, {"media_type", attachment.mediaType}, {"bytes", attachment.bytes}});
+    if (!asJson)
+      std::cout << attachment.name << "  " << attachment.mediaType << "  " << attachment.bytes << " bytes\n";
+    objects.push_back(
+        {{"name", attachment.name}, {"media_type", attachment.mediaType}, {"bytes", attachment.bytes}});
   }
   if (asJson) std::cout << objects.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
   return kDone;
@@ -130,9 +134,11 @@ int attachment(const AttachmentArguments& arguments) {
   const auto input = LogInput::of(arguments.file);
   if (!input) return printErrors({input.error()});
   if (arguments.extract.empty()) return list(input->path(), arguments.asJson);
-  const std::filesystem::path to =
-      arguments.output.empty() ? std::filesystem::path(arguments.extract).filename() : std::filesystem::path(arguments.output);
-  if (const auto done = logplayer::extractAttachment(input->path(), arguments.extract, to, arguments.force); !done) {
+  const std::filesystem::path to = arguments.output.empty()
+                                       ? std::filesystem::path(arguments.extract).filename()
+                                       : std::filesystem::path(arguments.output);
+  if (const auto done = logplayer::extractAttachment(input->path(), arguments.extract, to, arguments.force);
+      !done) {
     return printErrors({done.error()});
   }
   std::cout << to.string() << "\n";
@@ -145,20 +151,31 @@ void addLogNoteCommands(CLI::App& log, int& status) {
   auto marks = std::make_shared<BookmarkArguments>();
   CLI::App* command = log.add_subcommand("bookmark", "Lists the bookmarks of a log, adds and removes them");
   command->add_option("file", marks->file, "A log file; to be listed also - for standard input")->required();
-  auto* added = command->add_option("--add", marks->add, "The text of a new bookmark at --from, or from there --to");
+  auto* added =
+      command->add_option("--add", marks->add, "The text of a new bookmark at --from, or from there --to");
   command->add_option("--remove", marks->remove, "The text of those that go")->excludes(added);
   marks->range.addTo(*command);
   command->add_flag("--json", marks->asJson, "Prints them as JSON");
   command->callback([marks, &status] { status = bookmark(*marks); });
 
   auto arguments = std::make_shared<AttachmentArguments>();
-  command = log.add_subcommand("attachment", "Lists the attachments of a log, adds a file to it, or takes one out");
-  command->add_option("file", arguments->file, "A log file; not to be changed also - for standard input")->required();
-  auto* add = command->add_option("--add", arguments->add, "A file that is attached")->check(CLI::ExistingFile);
-  command->add_option("--name", arguments->options.name, "What it is called there; else as the file")->needs(add);
-  command->add_option("--media-type", arguments->options.mediaType, "Such as text/plain; else by the file's ending")->needs(add);
-  auto* extract = command->add_option("--extract", arguments->extract, "The name of one that is written into a file")->excludes(add);
-  command->add_option("--output", arguments->output, "That file; else the attachment's name here")->needs(extract);
+  command =
+      log.add_subcommand("attachment", "Lists the attachments of a log, adds a file to it, or takes one out");
+  command->add_option("file", arguments->file, "A log file; not to be changed also - for standard input")
+      ->required();
+  auto* add =
+      command->add_option("--add", arguments->add, "A file that is attached")->check(CLI::ExistingFile);
+  command->add_option("--name", arguments->options.name, "What it is called there; else as the file")
+      ->needs(add);
+  command
+      ->add_option("--media-type", arguments->options.mediaType,
+                   "Such as text/plain; else by the file's ending")
+      ->needs(add);
+  auto* extract =
+      command->add_option("--extract", arguments->extract, "The name of one that is written into a file")
+          ->excludes(add);
+  command->add_option("--output", arguments->output, "That file; else the attachment's name here")
+      ->needs(extract);
   command->add_flag("--force", arguments->force, "Overwrites a file of this name");
   command->add_flag("--json", arguments->asJson, "Prints them as JSON");
   command->callback([arguments, &status] { status = attachment(*arguments); });

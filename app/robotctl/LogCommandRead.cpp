@@ -66,7 +66,8 @@ Result<Findings> verify(const std::filesystem::path& path) {
                      {"chunks", readable->chunks},
                      {"losses", findings.losses}};
   findings.text = file + (findings.losses.empty() ? ": whole, " : ": readable with losses, ") +
-                  ofAll(readable->messages, messages) + " messages in " + ofAll(readable->chunks, chunks) + " chunks\n";
+                  ofAll(readable->messages, messages) + " messages in " + ofAll(readable->chunks, chunks) +
+                  " chunks\n";
   return findings;
 }
 
@@ -112,7 +113,8 @@ void add(CLI::App& log, int& status, const char* name, const char* help,
          Result<Findings> (*find)(const std::filesystem::path&)) {
   auto arguments = std::make_shared<ReadArguments>();
   CLI::App* command = log.add_subcommand(name, help);
-  command->add_option("files", arguments->files, "Log files, of older formats, too; - is standard input")->required();
+  command->add_option("files", arguments->files, "Log files, of older formats, too; - is standard input")
+      ->required();
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->callback([arguments, find, &status] { status = forAll(*arguments, find); });
 }

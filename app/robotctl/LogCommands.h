@@ -19,7 +19,7 @@ void addLogReadCommands(CLI::App& log, int& status);    // info, verify
 void addLogImportCommands(CLI::App& log, int& status);  // import, repair
 void addLogCutCommands(CLI::App& log, int& status);     // cut, merge, filter, convert
 void addLogExportCommand(CLI::App& log, int& status);
-void addLogNoteCommands(CLI::App& log, int& status);    // bookmark, attachment
+void addLogNoteCommands(CLI::App& log, int& status);  // bookmark, attachment
 
 /// Prints each on stderr, one a line: kDoneWithLosses, or kDone if there are none.
 int printLosses(const std::vector<std::string>& losses);
@@ -37,8 +37,8 @@ struct TimeRange {
   robotlink::Result<Instants> of(const std::filesystem::path& log) const;
 };
 
-/// Shows on stderr how much is done, if that is a terminal and it takes a while. A signal (Ctrl-C) while it exists gives up
-/// what it is shown for, so that nothing half-done is left. One at a time.
+/// Shows on stderr how much is done, if that is a terminal and it takes a while. A signal (Ctrl-C) while it
+/// exists gives up what it is shown for, so that nothing half-done is left. One at a time.
 class TerminalProgress {
  public:
   TerminalProgress();

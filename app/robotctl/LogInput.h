@@ -10,8 +10,8 @@
 
 namespace app {
 
-/// The log that an argument of a command names: a file, or with "-" what comes on standard input. Logs are read to and fro, so
-/// that of standard input a copy is made, which goes with this.
+/// The log that an argument of a command names: a file, or with "-" what comes on standard input. Logs are
+/// read to and fro, so that of standard input a copy is made, which goes with this.
 class LogInput {
  public:
   /// Waits for the end of standard input. Fails if it cannot be copied, or at an interrupt (Ctrl-C).

@@ -30,7 +30,8 @@ void RecordOptions::addTo(CLI::App& command) {
   auto* record = command.add_option("--record", file, "Records into this log file, which must not exist");
   command
       .add_option("--streams", streams,
-                  "What is recorded: paths with * for any text between commas, - before what is left out (red1/*,-*/log); all that a "
+                  "What is recorded: paths with * for any text between commas, - before what is left out "
+                  "(red1/*,-*/log); all that a "
                   "replay needs if it is not given")
       ->check([](const std::string& text) {
         const auto read = logplayer::readSelection(text);
@@ -73,9 +74,10 @@ int finishRecording(logplayer::Recorder& recorder) {
   const robotcontrol::RecordingStatus status = recorder.status();
   if (!status.failure().empty()) return kFailed;  // It has been said already.
   if (!stopped) return printErrors({stopped.error()});
-  std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed << std::setprecision(1)
-            << 1e-6 * static_cast<double>(status.bytes()) << " MB";
-  if (status.dropped_messages() > 0) std::cerr << ", " << status.dropped_messages() << " messages were left out";
+  std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed
+            << std::setprecision(1) << 1e-6 * static_cast<double>(status.bytes()) << " MB";
+  if (status.dropped_messages() > 0)
+    std::cerr << ", " << status.dropped_messages() << " messages were left out";
   std::cerr << "\n";
   return status.dropped_messages() > 0 ? kDoneWithLosses : kDone;
 }

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include <CLI/CLI.hpp>
 #include <fmt/format.h>
+#include <CLI/CLI.hpp>
 
 #include <algorithm>
 #include <chrono>
@@ -200,9 +200,11 @@ json summaryOf(const ReplayStatus& status, std::uint64_t instants, double realSe
 }
 
 void printDifference(const ReplayStatus::Difference& difference) {
-  std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared() << " differ";
+  std::cout << difference.package() << ": " << difference.different() << " of " << difference.compared()
+            << " differ";
   if (difference.only_logged() > 0) std::cout << ", " << difference.only_logged() << " only logged";
-  if (difference.only_recomputed() > 0) std::cout << ", " << difference.only_recomputed() << " only recomputed";
+  if (difference.only_recomputed() > 0)
+    std::cout << ", " << difference.only_recomputed() << " only recomputed";
   if (difference.largest() > 0) {
     const double largest = difference.largest();
     std::cout << fmt::format("; largest: {} by {} at {:.3f} s", difference.largest_field(),
@@ -215,7 +217,8 @@ void printDifference(const ReplayStatus::Difference& difference) {
 void printSummary(const ReplayStatus& status, const json& summary) {
   std::cout << fmt::format("{:.1f} s in {:.1f} s ({:.1f} times real time), {} instants\n",
                            summary["seconds"].get<double>(), summary["real_seconds"].get<double>(),
-                           summary["real_time_factor"].get<double>(), summary["instants"].get<std::uint64_t>());
+                           summary["real_time_factor"].get<double>(),
+                           summary["instants"].get<std::uint64_t>());
   for (const auto& log : status.logs()) {
     if (!log.damage().empty()) std::cout << log.path() << ": " << log.damage() << "\n";
   }
@@ -238,7 +241,8 @@ bool recomputesAnything(const ReplayRun& run) {
 /// Says on stderr which choices make no difference, and what would.
 void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
   if (run.robots().empty()) {
-    std::cerr << "warning: the log says of no robot of this program, so that nothing runs on it; 'robotctl log info' says what it holds\n";
+    std::cerr << "warning: the log says of no robot of this program, so that nothing runs on it; 'robotctl "
+                 "log info' says what it holds\n";
     return;
   }
   std::vector<std::string> unused = run.unusedSolutions();
@@ -247,8 +251,9 @@ void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
   }
   for (const std::string& sentence : unused) std::cerr << "warning: " << sentence << "\n";
   if (unused.empty()) return;
-  std::cerr << "warning: a task runs if what it yields is recomputed: --package PACKAGE=recomputed, or --package "
-               "all=recomputed\n";
+  std::cerr
+      << "warning: a task runs if what it yields is recomputed: --package PACKAGE=recomputed, or --package "
+         "all=recomputed\n";
 }
 
 /// Steps to the end; how many instants there were. A signal ends it before.
@@ -342,31 +347,40 @@ int run(const RunArguments& arguments) {
 
 void addRunCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<RunArguments>();
-  CLI::App* command = app.add_subcommand("run", "Runs robot programs on logs, as fast as possible, or on a real robot");
-  command->add_option("--platform", arguments->platform,
-                      "log:FILE (log:- is standard input), or several logs: log:FILE,log:FILE...; or a Pioneer: tcp://HOST[:PORT], "
-                      "serial://DEVICE[?baud=RATE]")
+  CLI::App* command =
+      app.add_subcommand("run", "Runs robot programs on logs, as fast as possible, or on a real robot");
+  command
+      ->add_option("--platform", arguments->platform,
+                   "log:FILE (log:- is standard input), or several logs: log:FILE,log:FILE...; or a Pioneer: "
+                   "tcp://HOST[:PORT], "
+                   "serial://DEVICE[?baud=RATE]")
       ->required();
   command->add_option("--offset", arguments->offsets,
                       "Seconds added to the times of a log; one for each, in their order");
-  command->add_option("--layout", arguments->layout,
-                      "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
+  command->add_option(
+      "--layout", arguments->layout,
+      "A process layout: a file, or the name of a shipped one; else that of the log or of the robot");
   command->add_option("--solution", arguments->solutions, "TASK=SOLUTION instead of the layout's");
-  command->add_option("--package", arguments->packages,
-                      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
-                      "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else whatever is "
-                      "logged is as logged");
+  command->add_option(
+      "--package", arguments->packages,
+      "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
+      "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else whatever is "
+      "logged is as logged");
   command->add_option("--color-table", arguments->colorTable, "A colour table (.c64) instead of the log's");
-  command->add_option("--record", arguments->record,
-                      "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");
+  command->add_option(
+      "--record", arguments->record,
+      "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");
   command->add_option("--compression", arguments->compression, "Of that log: none, lz4 or zstd")
       ->check(CLI::IsMember({"none", "lz4", "zstd"}))
       ->capture_default_str();
   command->add_flag("--json", arguments->asJson, "Prints the summary as one JSON object");
   RunRobotArguments& robot = arguments->robot;
   command->add_option("--map", robot.map, "Robots: a map (.map) of where it drives");
-  command->add_option("--robot", robot.robot, "Robots: what it is called")->check(robotName)->capture_default_str();
-  command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")->check(CLI::Range(0.0, 1e6));
+  command->add_option("--robot", robot.robot, "Robots: what it is called")
+      ->check(robotName)
+      ->capture_default_str();
+  command->add_option("--seconds", robot.seconds, "Robots: how long it runs (until Ctrl-C)")
+      ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");
   command->add_flag("--texts", robot.texts, "Robots: prints the program's text messages on stderr");
   command->callback([arguments, &status] { status = withResources([&] { return run(*arguments); }); });

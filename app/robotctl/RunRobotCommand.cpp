@@ -43,7 +43,8 @@ bool drive(PioneerRun& run, const RunRobotArguments& arguments) {
     const auto& session = run.platform().driver().session();
     connected = connected || session.isConnected();
     if (const std::string text = session.describe(); text != told) {
-      std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(run.clock().now()) << "  " << text << "\n";
+      std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(run.clock().now()) << "  " << text
+                << "\n";
       told = text;
     }
     due += kStep;
@@ -72,7 +73,8 @@ json figuresOf(const PioneerRun& run, bool connected) {
 
 bool isRobotAddress(const std::string& platform) {
   if (platform.starts_with("tcp://") || platform.starts_with("serial://")) return true;
-  if (platform.starts_with("log:") || (platform.starts_with('/') && !platform.starts_with("/dev/"))) return false;
+  if (platform.starts_with("log:") || (platform.starts_with('/') && !platform.starts_with("/dev/")))
+    return false;
   return robotlink::arcos::parseUrl(platform).has_value();
 }
 
@@ -100,7 +102,8 @@ int runRobot(const RunRobotArguments& arguments) {
     std::cout << figures.dump(2) << "\n";
   } else {
     for (const auto& [name, value] : figures.items()) {
-      std::cout << std::left << std::setw(24) << name << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
+      std::cout << std::left << std::setw(24) << name
+                << (value.is_string() ? value.get<std::string>() : value.dump()) << "\n";
     }
   }
   return connected ? recorded : kFailed;

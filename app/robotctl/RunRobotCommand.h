@@ -25,8 +25,8 @@ struct RunRobotArguments {
 /// Whether a platform's name is the address of a robot: tcp://... or serial://...
 bool isRobotAddress(const std::string& platform);
 
-/// Connects it and runs its program until the time is over or Ctrl-C; tells on stderr how the connection does. An ExitStatus:
-/// failed if the robot was never connected.
+/// Connects it and runs its program until the time is over or Ctrl-C; tells on stderr how the connection
+/// does. An ExitStatus: failed if the robot was never connected.
 int runRobot(const RunRobotArguments& arguments);
 
 }  // namespace app

@@ -88,8 +88,8 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
   return listeners;
 }
 
-/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the recording: nothing is in
-/// a hurry here.
+/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
+/// recording: nothing is in a hurry here.
 bool play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
   Pace pace;
   pace.setSpeed(arguments.speed);
@@ -138,7 +138,8 @@ int runOnce(const SimArguments& arguments) {
   const bool played = play(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int status = *recorder ? finishRecording(**recorder) : kDone;
-  if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone) status = written;
+  if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone)
+    status = written;
   if (!played) status = kFailed;
   const json figures = figuresOf(**run, real);
   if (arguments.digest && !arguments.asJson) {
@@ -150,12 +151,9 @@ int runOnce(const SimArguments& arguments) {
 }
 
 json trialJson(const BallTrials::Trial& trial) {
-  return {{"seed", trial.seed},
-          {"ball", {trial.ball.x(), trial.ball.y()}},
-          {"touched", trial.touched},
-          {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
-          {"ball_moved", trial.moved},
-          {"fell", trial.fell}};
+  return {{"seed", trial.seed},        {"ball", {trial.ball.x(), trial.ball.y()}},
+          {"touched", trial.touched},  {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
+          {"ball_moved", trial.moved}, {"fell", trial.fell}};
 }
 
 int runTrials(const SimArguments& arguments) {
@@ -176,7 +174,8 @@ int runTrials(const SimArguments& arguments) {
   if (!results) return printErrors(results.error());
   json report;
   report["trials"] = results->size();
-  report["touched"] = std::count_if(results->begin(), results->end(), [](const auto& t) { return t.touched; });
+  report["touched"] =
+      std::count_if(results->begin(), results->end(), [](const auto& t) { return t.touched; });
   report["radius"] = arguments.radius;
   report["seconds"] = arguments.seconds;
   report["blackout"] = arguments.run.world.blackout;
@@ -191,11 +190,14 @@ int runTrials(const SimArguments& arguments) {
 
 /// Robots that are driven from outside, without programs of their own.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
-  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() || !arguments.solutions.empty()) {
-    std::cerr << "robotctl sim: with --arcos robots have no programs here; leave --trials, --record, --layout and --solution away\n";
+  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
+      !arguments.solutions.empty()) {
+    std::cerr << "robotctl sim: with --arcos robots have no programs here; leave --trials, --record, "
+                 "--layout and --solution away\n";
     return kUsage;
   }
-  ArcosRun run{arguments.run.scene, arguments.run.world, {}, speedGiven ? arguments.speed : 1, arguments.asJson};
+  ArcosRun run{
+      arguments.run.scene, arguments.run.world, {}, speedGiven ? arguments.speed : 1, arguments.asJson};
   run.world.noise = !arguments.noNoise;
   if (secondsGiven) run.seconds = arguments.seconds;
   return runArcos(arguments.arcos, run);
@@ -234,29 +236,38 @@ void addSimCommand(CLI::App& app, int& status) {
   auto arguments = std::make_shared<SimArguments>();
   CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
   sim->add_option("scene", arguments->run.scene, "An SDFormat world, or a map (*.map)")->required();
-  auto* seconds = sim->add_option("--seconds", arguments->seconds, "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
-                      ->check(CLI::Range(0.0, 1e6));
-  sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")->capture_default_str();
+  auto* seconds =
+      sim->add_option("--seconds", arguments->seconds,
+                      "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
+          ->check(CLI::Range(0.0, 1e6));
+  sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")
+      ->capture_default_str();
   sim->add_option("--layout", arguments->layout,
                   "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
   sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
-  sim->add_option("--executor", arguments->executor,
-                  "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
+  sim->add_option(
+         "--executor", arguments->executor,
+         "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
       ->check(CLI::IsMember({"lockstep", "threads"}))
       ->capture_default_str();
   sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
   sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see nothing but black");
-  auto* trials = sim->add_option("--trials", arguments->trials,
-                                 "Plays this many games with the ball at random places around the first robot; counts touches")
-                     ->check(CLI::Range(1, 100000));
+  auto* trials =
+      sim->add_option(
+             "--trials", arguments->trials,
+             "Plays this many games with the ball at random places around the first robot; counts touches")
+          ->check(CLI::Range(1, 100000));
   sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
       ->check(CLI::Range(0.4, 10.0))
       ->capture_default_str();
-  auto* speed = sim->add_option("--speed", arguments->speed,
-                                "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
-                    ->check(CLI::Range(0.0, 100.0))
-                    ->excludes(trials);
-  sim->add_flag("--progress", arguments->progress, "Prints the simulated time on stderr, ten times in each simulated second");
+  auto* speed =
+      sim->add_option(
+             "--speed", arguments->speed,
+             "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
+          ->check(CLI::Range(0.0, 100.0))
+          ->excludes(trials);
+  sim->add_flag("--progress", arguments->progress,
+                "Prints the simulated time on stderr, ten times in each simulated second");
   arguments->arcos.addTo(*sim);
   arguments->camera.addTo(*sim);
   arguments->record.addTo(*sim);

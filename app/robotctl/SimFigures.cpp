@@ -18,7 +18,9 @@ double milliseconds(robotlink::Duration total, std::uint64_t count) {
   return count == 0 ? 0 : robotlink::seconds(total) * 1000 / static_cast<double>(count);
 }
 
-double factor(double simulated, double real) { return real > 0 ? simulated / real : 0; }
+double factor(double simulated, double real) {
+  return real > 0 ? simulated / real : 0;
+}
 
 /// What a robot on wheels touched but the floor, as the simulator counts it.
 json contactFigures(const SimulatedWorld& world, const std::string& robot) {
@@ -50,7 +52,9 @@ std::string grouped(std::uint64_t count) {
   return digits;
 }
 
-std::string grouped(const json& figures, const char* name) { return grouped(figures.value(name, std::uint64_t{0})); }
+std::string grouped(const json& figures, const char* name) {
+  return grouped(figures.value(name, std::uint64_t{0}));
+}
 
 /// Three digits that count, and no more than that.
 std::string rounded(double value) {
@@ -58,7 +62,9 @@ std::string rounded(double value) {
   return fmt::format("{:.{}f}", value, decimals);
 }
 
-std::string timesText(std::uint64_t count) { return count == 1 ? "once" : grouped(count) + " times"; }
+std::string timesText(std::uint64_t count) {
+  return count == 1 ? "once" : grouped(count) + " times";
+}
 
 std::string secondsText(double seconds) {
   if (seconds > 0 && seconds < 1) return rounded(1000 * seconds) + " ms";
@@ -70,7 +76,9 @@ std::string secondsText(double seconds) {
 /// "scene" and what follows it, in columns.
 class Lines {
  public:
-  void add(const char* subject, const std::string& text) { text_ += fmt::format("{:<12}{}\n", subject, text); }
+  void add(const char* subject, const std::string& text) {
+    text_ += fmt::format("{:<12}{}\n", subject, text);
+  }
   const std::string& text() const { return text_; }
 
  private:
@@ -82,30 +90,40 @@ std::string fileName(const json& figures, const char* name) {
 }
 
 void addTimes(const json& figures, Lines& lines) {
-  lines.add("time", fmt::format("{} simulated in {}: {} times real time", secondsText(figures["simulated_seconds"]),
-                                secondsText(figures["real_seconds"]), rounded(figures["real_time_factor"])));
+  lines.add("time",
+            fmt::format("{} simulated in {}: {} times real time", secondsText(figures["simulated_seconds"]),
+                        secondsText(figures["real_seconds"]), rounded(figures["real_time_factor"])));
   if (figures.value("real_time_lost_seconds", 0.0) > 0) {
-    lines.add("", fmt::format("{} behind real time, because steps took too long; a step was late by {} at most",
-                              secondsText(figures["real_time_lost_seconds"]), secondsText(figures["latest_step_seconds"])));
+    lines.add("",
+              fmt::format("{} behind real time, because steps took too long; a step was late by {} at most",
+                          secondsText(figures["real_time_lost_seconds"]),
+                          secondsText(figures["latest_step_seconds"])));
   }
-  lines.add("physics", fmt::format("{} steps, {} ms each", grouped(figures, "steps"), rounded(figures["ms_per_step"])));
+  lines.add("physics",
+            fmt::format("{} steps, {} ms each", grouped(figures, "steps"), rounded(figures["ms_per_step"])));
   if (figures.contains("ms_per_step_of_controllers"))
-    lines.add("robots", rounded(figures["ms_per_step_of_controllers"]) + " ms a step for their controllers and sensors");
+    lines.add("robots", rounded(figures["ms_per_step_of_controllers"]) +
+                            " ms a step for their controllers and sensors");
   if (figures.value("images", 0) > 0)
-    lines.add("images", fmt::format("{}, {} ms each", grouped(figures, "images"), rounded(figures["ms_per_image"])));
+    lines.add("images",
+              fmt::format("{}, {} ms each", grouped(figures, "images"), rounded(figures["ms_per_image"])));
 }
 
 std::string contactText(const json& robot) {
   const std::uint64_t contacts = robot["contacts"];
   if (contacts == 0) return "touched nothing";
-  return fmt::format("touched something {}, for {} in all", timesText(contacts), secondsText(robot["contact_seconds"]));
+  return fmt::format("touched something {}, for {} in all", timesText(contacts),
+                     secondsText(robot["contact_seconds"]));
 }
 
 std::string clientText(const json& robot) {
-  const std::uint64_t clients = robot["clients"], damaged = robot["checksum_errors"], skipped = robot["skipped_bytes"];
-  std::string text = fmt::format("{}: {} client{}", robot["url"].get<std::string>(), grouped(clients), clients == 1 ? "" : "s");
+  const std::uint64_t clients = robot["clients"], damaged = robot["checksum_errors"],
+                      skipped = robot["skipped_bytes"];
+  std::string text = fmt::format("{}: {} client{}", robot["url"].get<std::string>(), grouped(clients),
+                                 clients == 1 ? "" : "s");
   if (robot["refused_clients"] > 0) text += fmt::format(" ({} refused)", grouped(robot, "refused_clients"));
-  text += fmt::format(", {} packets received, {} sent", grouped(robot, "packets_received"), grouped(robot, "packets_sent"));
+  text += fmt::format(", {} packets received, {} sent", grouped(robot, "packets_received"),
+                      grouped(robot, "packets_sent"));
   if (robot["packets_dropped"] > 0) text += fmt::format(", {} dropped", grouped(robot, "packets_dropped"));
   if (const auto hidden = robot.value("messages_not_shown", std::uint64_t{0}); hidden > 0)
     text += fmt::format(", {} messages of clients not shown", grouped(hidden));
@@ -142,7 +160,8 @@ json figuresOf(SimulatedRun& run, double realSeconds) {
   figures["images"] = costs.images;
   figures["ms_per_step"] = milliseconds(costs.physics, costs.steps);
   figures["ms_per_image"] = milliseconds(costs.rendering, costs.images);
-  for (const auto& pioneer : world.pioneers()) figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
+  for (const auto& pioneer : world.pioneers())
+    figures["robots_on_wheels"].push_back(contactFigures(world, pioneer->robot()));
   figures["ball_contacts"] = world.simulation().ballContacts();
   if (run.game() != nullptr) figures["goals"] = run.game()->goals();
   figures["digest"] = fmt::format("{:016x}", world.digest());
@@ -176,7 +195,8 @@ json figuresOf(const ArcosSimulation& simulation, double realSeconds) {
 
 std::string figuresText(const json& figures) {
   Lines lines;
-  lines.add("scene", fmt::format("{}, seed {}", fileName(figures, "scene"), figures.value("seed", std::uint64_t{0})));
+  lines.add("scene",
+            fmt::format("{}, seed {}", fileName(figures, "scene"), figures.value("seed", std::uint64_t{0})));
   if (figures.contains("layout")) {
     const auto layout = std::filesystem::path(fileName(figures, "layout")).stem().string();
     const auto robots = figures["robots"].get<std::size_t>();
@@ -188,7 +208,8 @@ std::string figuresText(const json& figures) {
   for (const auto& robot : figures.value("robots_on_wheels", json::array()))
     lines.add(robot["name"].get<std::string>().c_str(), contactText(robot));
   if (figures.contains("robots") && figures["robots"].is_array()) {
-    for (const auto& robot : figures["robots"]) lines.add(robot["name"].get<std::string>().c_str(), clientText(robot));
+    for (const auto& robot : figures["robots"])
+      lines.add(robot["name"].get<std::string>().c_str(), clientText(robot));
   }
   if (figures.contains("digest")) lines.add("digest", figures["digest"]);
   return lines.text();

@@ -30,10 +30,12 @@ int run(int argc, char** argv) {
   CLI::App app("Everything that RobotControl can do without a window.", "robotctl");
   app.require_subcommand(1);
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
-  app.footer("Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\n"
-             "If a signal ends it before it is done, 128 and the signal's number (130 after Ctrl-C); files are then\n"
-             "complete or not there.\n"
-             "'robotctl COMMAND --help' tells more.");
+  app.footer(
+      "Exit status: 0 done, 1 failed, 2 wrong usage, 3 done with losses.\n"
+      "If a signal ends it before it is done, 128 and the signal's number (130 after Ctrl-C); files are "
+      "then\n"
+      "complete or not there.\n"
+      "'robotctl COMMAND --help' tells more.");
   int status = kDone;
   addSimCommand(app, status);
   addLayoutCommand(app, status);
@@ -60,7 +62,8 @@ int finish(int status) {
   const int signal = Interrupt::signal();
   if (signal == SIGPIPE && !written) return Interrupt::exitStatus(signal);
   if (!written) {
-    std::cerr << "robotctl: cannot write to standard output" << reason << "; what was printed is not complete\n";
+    std::cerr << "robotctl: cannot write to standard output" << reason
+              << "; what was printed is not complete\n";
     if (status == kDone) status = kFailed;
   }
   return signal != 0 && signal != SIGPIPE && status != kDone ? Interrupt::exitStatus(signal) : status;

@@ -36,8 +36,8 @@ constexpr std::uint32_t powerOfX(std::uint64_t exponent) {
 #if defined(__x86_64__)
 #define ROBOTCONTROL_WIDE __attribute__((target("avx512f,vpclmulqdq")))
 
-// Gopal et al., "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ Instruction", Intel 2009, with four of their
-// registers in one: what is replaced by its remainder is carried `bits` on.
+// Gopal et al., "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ Instruction", Intel 2009, with
+// four of their registers in one: what is replaced by its remainder is carried `bits` on.
 constexpr std::size_t kWideBytes = 64;
 constexpr std::size_t kStride = 4 * kWideBytes;
 
@@ -71,7 +71,8 @@ ROBOTCONTROL_WIDE inline __m512i load(const std::uint8_t* from) {
 ROBOTCONTROL_WIDE void carryTogether(const std::uint8_t* data, std::size_t bytes, std::uint32_t before,
                                      std::uint8_t* out) {
   __m512i values[4] = {load(data), load(data + 64), load(data + 128), load(data + 192)};
-  values[0] = _mm512_xor_si512(values[0], _mm512_zextsi128_si512(_mm_cvtsi32_si128(static_cast<int>(~before))));
+  values[0] =
+      _mm512_xor_si512(values[0], _mm512_zextsi128_si512(_mm_cvtsi32_si128(static_cast<int>(~before))));
   const __m512i far = wideKeys(kLowFar, kHighFar);
   for (std::size_t at = kStride; at < bytes; at += kStride) {
     for (std::size_t i = 0; i < 4; ++i) values[i] = carried(values[i], far, load(data + at + i * kWideBytes));

@@ -50,16 +50,16 @@ tl::expected<FileIndex, NoSummary> indexBySummary(const Source& source, std::siz
 /// How many of the chunks that a summary lists are looked for before it is believed.
 enum class SummaryCheck : std::uint8_t { kSome, kAll };
 
-/// By the summary if chunks are where it says, or else by a scan. Fails if nothing in the file is MCAP, or it is
-/// given up.
+/// By the summary if chunks are where it says, or else by a scan. Fails if nothing in the file is MCAP, or it
+/// is given up.
 robotlink::Result<FileIndex> readIndex(const Source& source, const Reader::Options& options,
                                        SummaryCheck check = SummaryCheck::kSome);
 
 /// Whether there is such a chunk at its place, with messages of such times.
 bool chunkIsThere(const Source& source, const Section& section, std::size_t maxRecordBytes);
 
-/// What a scan finds, if it finds more chunks than are where an index by the summary says. Also returned if it is given up,
-/// which `givenUp` tells.
+/// What a scan finds, if it finds more chunks than are where an index by the summary says. Also returned if
+/// it is given up, which `givenUp` tells.
 std::optional<FileIndex> betterByScan(const Source& source, const FileIndex& bySummary,
                                       const Reader::Options& options);
 

@@ -21,7 +21,8 @@ bool timesFit(const Source& source, const Section& section, std::size_t maxRecor
   visitRecords(records, [&](const RecordView& record, std::size_t) {
     if (!record.is(Opcode::kMessage)) return;
     const auto message = decodeMessage(record.content);
-    fit = fit && (!message || (section.info.start <= message->logTime && message->logTime <= section.info.end));
+    fit =
+        fit && (!message || (section.info.start <= message->logTime && message->logTime <= section.info.end));
   });
   return fit;
 }
@@ -37,7 +38,8 @@ bool chunksAreThere(const Source& source, const FileIndex& index, SummaryCheck c
   return true;
 }
 
-/// Whether a scan finds more chunks than are where a summary says: a chunk with a damaged head is not one of them.
+/// Whether a scan finds more chunks than are where a summary says: a chunk with a damaged head is not one of
+/// them.
 bool findsMore(const Source& source, const FileIndex& scanned, const FileIndex& bySummary,
                std::size_t maxRecordBytes) {
   std::set<std::uint64_t> there;
@@ -63,7 +65,8 @@ bool chunkIsThere(const Source& source, const Section& section, std::size_t maxR
   const std::optional<Section> found = chunkAt(window, source, section.info.offset);
   const Reader::ChunkInfo& told = section.info;
   if (!found || found->info.length != told.length || found->info.compressedBytes != told.compressedBytes ||
-      found->info.uncompressedBytes != told.uncompressedBytes || found->info.compression != told.compression) {
+      found->info.uncompressedBytes != told.uncompressedBytes ||
+      found->info.compression != told.compression) {
     return false;
   }
   const bool same = found->info.start == told.start && found->info.end == told.end;

@@ -138,7 +138,8 @@ void Reader::readAll(const std::function<bool(const Message&)>& visit) {
     if (!implementation_->cache.readInto(i, records)) {
       if (!implementation_->refit()) continue;
       // On with the first that was not read.
-      const auto next = std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
+      const auto next =
+          std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
       i = static_cast<std::size_t>(next - sections.begin()) - 1;
       continue;
     }

@@ -14,8 +14,8 @@ namespace logplayer::mcap {
 /// Where in a file something could not be read.
 struct Damage {
   std::uint64_t offset = 0;
-  std::uint64_t bytes = 0;  ///< that were skipped, without zeros at the file's end
-  std::string what;         ///< a sentence
+  std::uint64_t bytes = 0;   ///< that were skipped, without zeros at the file's end
+  std::string what;          ///< a sentence
   std::uint64_t chunks = 0;  ///< that were lost here, as far as one can tell
 };
 
@@ -32,10 +32,11 @@ struct MessagePosition {
 /// Reads MCAP files (https://mcap.dev/spec) lazily: memory is bounded by the cache of chunks, the index, and
 /// `maxRecordBytes`, whatever the file says.
 ///
-/// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns out
-/// to lie, also later, is scanned, hopping from record to record without decompressing; after damage the next plausible chunk is
-/// looked for. CRCs are checked where there are any. What could not be read is counted in damage(), also what
-/// is only found later; reading goes on behind it. Messages outside of chunks are read, too.
+/// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns
+/// out to lie, also later, is scanned, hopping from record to record without decompressing; after damage the
+/// next plausible chunk is looked for. CRCs are checked where there are any. What could not be read is
+/// counted in damage(), also what is only found later; reading goes on behind it. Messages outside of chunks
+/// are read, too.
 ///
 /// One thread at a time. Data of messages is valid as long as what holds it, see MessageData.
 class Reader {
@@ -44,7 +45,8 @@ class Reader {
     std::size_t cacheBytes = 64U << 20U;
     /// No chunk, attachment or record larger than this is read, whatever it says of itself.
     std::size_t maxRecordBytes = 1U << 30U;
-    /// Called now and then while a file is scanned, with the share done in [0, 1]; false: give up, with "log.given-up".
+    /// Called now and then while a file is scanned, with the share done in [0, 1]; false: give up, with
+    /// "log.given-up".
     std::function<bool(double)> progress;
   };
   struct ChunkInfo {
@@ -82,7 +84,8 @@ class Reader {
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
   /// The first behind, or the last before, a position among the messages of some channels; `than` need not
   /// be that of a message.
-  std::optional<MessagePosition> next(const MessagePosition& than, const std::vector<std::uint16_t>& channels);
+  std::optional<MessagePosition> next(const MessagePosition& than,
+                                      const std::vector<std::uint16_t>& channels);
   std::optional<MessagePosition> previous(const MessagePosition& than,
                                           const std::vector<std::uint16_t>& channels);
   /// The times of all messages of a channel, sorted. Costs one look at every message index.

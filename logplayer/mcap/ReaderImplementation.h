@@ -20,8 +20,8 @@ struct Reader::Implementation {
   }
 
   void listChunks();
-  /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True: the
-  /// index is another one now.
+  /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True:
+  /// the index is another one now.
   bool refit();
   /// Null: there is none at this place of the file.
   const Section* sectionAt(std::uint64_t offset);

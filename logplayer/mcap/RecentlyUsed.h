@@ -58,7 +58,8 @@ class RecentlyUsed {
     items_.splice(items_.end(), items_, found->second);
   }
 
-  /// Takes out what would have to go to make room for `bytes` more, or what was retired: its memory can be used again.
+  /// Takes out what would have to go to make room for `bytes` more, or what was retired: its memory can be
+  /// used again.
   Value release(std::size_t bytes) {
     Value value{};
     if (retired_) {
@@ -80,7 +81,7 @@ class RecentlyUsed {
   };
   std::size_t maxBytes_;
   std::size_t bytes_ = 0;
-  std::list<Item> items_;  // the last used one first
+  std::list<Item> items_;               // the last used one first
   std::optional<std::size_t> retired_;  // if it is still there
   std::unordered_map<std::size_t, typename std::list<Item>::iterator> places_;
 };

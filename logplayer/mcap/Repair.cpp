@@ -168,7 +168,8 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
   (*reader)->readAll([&](const Message& message) {
     digest.add(message);
     const double share = static_cast<double>(digest.messages()) / static_cast<double>(expected.messages());
-    if (progress && digest.messages() % kMessagesPerProgress == 0) goOn = progress(0.9 + 0.1 * std::min(1.0, share));
+    if (progress && digest.messages() % kMessagesPerProgress == 0)
+      goOn = progress(0.9 + 0.1 * std::min(1.0, share));
     return goOn;
   });
   if (!goOn) return failure("log.given-up", "the repair was given up");

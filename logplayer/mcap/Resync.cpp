@@ -72,7 +72,8 @@ std::optional<std::uint64_t> Resync::find(std::uint64_t offset, bool loose,
     const Buffer block = source_.read(offset, kBlock);
     if (block.empty()) return std::nullopt;
     if (isZero(block)) continue;
-    const auto last = std::ranges::find_if(block.rbegin(), block.rend(), [](std::uint8_t byte) { return byte != 0; });
+    const auto last =
+        std::ranges::find_if(block.rbegin(), block.rend(), [](std::uint8_t byte) { return byte != 0; });
     dataEnd_ = offset + static_cast<std::uint64_t>(block.rend() - last);
     for (std::size_t i = 0; i < block.size(); ++i) {
       if (is(block[i], Opcode::kChunk) && chunkBeginsAt(offset + i)) return offset + i;

@@ -71,12 +71,13 @@ class Scanner {
   Resync resync_;
   FileIndex index_;
   Buffer records_;
-  std::uint64_t offset_ = 0;      // of the record looked at
-  std::uint64_t end_ = 0;         // where the next one begins
-  std::uint64_t certain_ = 0;     // all before this was understood
-  std::uint64_t read_ = 0;        // messages outside of chunks go to here, if their lengths are right
-  std::uint64_t told_ = 0;        // progress
-  std::optional<std::uint64_t> torn_;  // the last chunk, if it could not be read to its end: that may be a lie
+  std::uint64_t offset_ = 0;   // of the record looked at
+  std::uint64_t end_ = 0;      // where the next one begins
+  std::uint64_t certain_ = 0;  // all before this was understood
+  std::uint64_t read_ = 0;     // messages outside of chunks go to here, if their lengths are right
+  std::uint64_t told_ = 0;     // progress
+  std::optional<std::uint64_t>
+      torn_;                      // the last chunk, if it could not be read to its end: that may be a lie
   std::uint64_t searchFrom_ = 0;  // behind where it could be read again after the last damage
   bool open_ = false;             // the last section may still grow
   bool unsure_ = false;           // indexes of the last section may be missing
@@ -166,7 +167,9 @@ bool Scanner::recover() {
   const std::uint64_t next = found.value_or(source_.bytes());
   const std::uint64_t lost = torn_ ? *torn_ : next < read_ ? certain_ : std::max(certain_, read_);
   const bool ofChunk = torn_ || !loose || isAt(lost, Opcode::kChunk);
-  if (torn_) std::erase_if(index_.damage, [&](const Damage& damage) { return damage.offset == *torn_ && damage.bytes > 0; });
+  if (torn_)
+    std::erase_if(index_.damage,
+                  [&](const Damage& damage) { return damage.offset == *torn_ && damage.bytes > 0; });
   // Behind the end of the data section there are only copies of what is before it.
   noteLost(lost, next, found.has_value(), ofChunk && index_.dataEnd == 0 ? 1 : 0);
   torn_.reset();
@@ -179,7 +182,9 @@ void Scanner::noteLost(std::uint64_t from, std::uint64_t to, bool goesOn, std::u
   std::uint64_t data = goesOn ? to : std::max(from, resync_.dataEnd());
   if (to - data < kZeros) data = to;
   if (data < to) {
-    note(data, 0, "the file goes on with " + std::to_string(to - data) + " bytes that are all 0: nothing was written there");
+    note(data, 0,
+         "the file goes on with " + std::to_string(to - data) +
+             " bytes that are all 0: nothing was written there");
   }
   if (data > from) {
     note(from, data - from,

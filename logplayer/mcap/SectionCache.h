@@ -18,8 +18,8 @@ class SectionCache {
   /// Both must outlive this; no section may be added to `index` without a reset().
   SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
 
-  /// Says that somebody who goes over the file has left a section behind. The memory of its records is used for the next one:
-  /// that is still in the processor's caches, which makes reading twice as fast.
+  /// Says that somebody who goes over the file has left a section behind. The memory of its records is used
+  /// for the next one: that is still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
   /// Fails with a sentence.
   tl::expected<Records, std::string> records(std::size_t section);

@@ -106,7 +106,8 @@ void Walk::look(Next& next) const {
 
 /// If no run of a section is left, and one goes forwards: who goes backwards may well turn around.
 void Walk::leave(std::size_t section) {
-  const bool more = std::ranges::any_of(next_, [&](const Next& next) { return runs_[next.run].section == section; });
+  const bool more =
+      std::ranges::any_of(next_, [&](const Next& next) { return runs_[next.run].section == section; });
   if (!more && direction_ == Direction::kForward) cache_.leave(section);
 }
 

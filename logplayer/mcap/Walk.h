@@ -65,7 +65,7 @@ class Walk {
   bool standing_ = false;
   MessagePosition at_;
   std::vector<std::uint16_t> channels_;
-  std::size_t due_ = 0;    // the first in order_ that was not entered
+  std::size_t due_ = 0;  // the first in order_ that was not entered
   std::vector<Run> runs_;
   std::vector<std::size_t> over_;  // those of them that can be used again
   std::vector<Next> next_;         // of the others; a heap, the next one on top

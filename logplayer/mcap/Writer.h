@@ -36,10 +36,12 @@ class Writer {
     const robotlink::Clock* clock = nullptr;
   };
 
-  static robotlink::Result<std::unique_ptr<Writer>> create(const std::filesystem::path& file, Options options);
+  static robotlink::Result<std::unique_ptr<Writer>> create(const std::filesystem::path& file,
+                                                           Options options);
   /// Goes on with a complete file behind its last chunk; its summary is written anew by close(). Whoever is
   /// killed in between leaves a file that lacks its summary, with all that was in it.
-  static robotlink::Result<std::unique_ptr<Writer>> append(const std::filesystem::path& file, Options options);
+  static robotlink::Result<std::unique_ptr<Writer>> append(const std::filesystem::path& file,
+                                                           Options options);
   ~Writer();
   Writer(const Writer&) = delete;
   Writer& operator=(const Writer&) = delete;

@@ -21,9 +21,11 @@ using robotcontrol::MotionRequest;
 using robotlink::DebugKey;
 using robotlink::Vector2;
 
-const DebugKey kStateKey{"behavior/state", "The state of the behaviour, beside the robot (drawn around the robot)"};
-const DebugKey kTargetKey{"behavior/target",
-                          "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
+const DebugKey kStateKey{"behavior/state",
+                         "The state of the behaviour, beside the robot (drawn around the robot)"};
+const DebugKey kTargetKey{
+    "behavior/target",
+    "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
 const DebugKey kSpeedKey{"behavior/speed", "The walking speeds that are asked for"};
 
 /// Sends what is wanted of body and head.

@@ -23,9 +23,11 @@ using robotlink::Level;
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-const DebugKey kDirectionKey{"driving/direction", "Where wandering wants to go, beside the robot (drawn around the robot)"};
-const DebugKey kTargetKey{"driving/target",
-                          "The point of the path that is steered for, and what following it does (drawn on the field)"};
+const DebugKey kDirectionKey{"driving/direction",
+                             "Where wandering wants to go, beside the robot (drawn around the robot)"};
+const DebugKey kTargetKey{
+    "driving/target",
+    "The point of the path that is steered for, and what following it does (drawn on the field)"};
 
 Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& p) {
   Wanderer::Options options;
@@ -225,7 +227,8 @@ class ObeyOnWheels final : public DrivingSolution {
   }
 
  private:
-  /// Who steers repeats his wish ten times a second: if he is no longer heard, his window hangs or his line is lost.
+  /// Who steers repeats his wish ten times a second: if he is no longer heard, his window hangs or his line
+  /// is lost.
   static constexpr robotlink::Duration kPatience = std::chrono::seconds(2);
 
   robotlink::Input<robotcontrol::RemoteMotion> remote_;
@@ -233,8 +236,9 @@ class ObeyOnWheels final : public DrivingSolution {
 };
 
 const robotlink::SolutionRegistration kObey =
-    robotlink::SolutionBuilder<ObeyOnWheels>("driving", "obey",
-                                             "Drives as a person asks for; stands until somebody does, and when he falls silent.")
+    robotlink::SolutionBuilder<ObeyOnWheels>(
+        "driving", "obey",
+        "Drives as a person asks for; stands until somebody does, and when he falls silent.")
         .uses(robotlink::kRemoteMotion)
         .yields(robotlink::kDriveWish)
         .keys({&kDrivingSpeedKey});

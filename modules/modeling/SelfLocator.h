@@ -11,10 +11,11 @@
 namespace modules {
 
 // Keys that all solutions of the task share. Inline, so that every file that registers one has them before.
-inline const robotlink::DebugKey kLocatorPoseKey{"self-localisation/pose",
-                                                 "Where the robot believes to be, and how sure that is (drawn on the field)"};
-inline const robotlink::DebugKey kLocatorParticlesKey{"self-localisation/particles",
-                                                      "The poses that the filter weighs against each other (drawn on the field)"};
+inline const robotlink::DebugKey kLocatorPoseKey{
+    "self-localisation/pose", "Where the robot believes to be, and how sure that is (drawn on the field)"};
+inline const robotlink::DebugKey kLocatorParticlesKey{
+    "self-localisation/particles",
+    "The poses that the filter weighs against each other (drawn on the field)"};
 inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
                                                  "Place, heading and deviation of the robot"};
 

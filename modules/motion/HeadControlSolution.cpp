@@ -14,8 +14,9 @@ namespace {
 const robotlink::DebugKey kAnglesKey{"head-control/angles", "Tilt and pan, wanted and reached (plots, rad)"};
 const robotlink::DebugKey kStateKey{"head-control/state",
                                     "0 still, 1 at the ball, 2 searching it, 3 looking around (plot)"};
-const robotlink::DebugKey kGazeKey{"head-control/gaze",
-                                   "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
+const robotlink::DebugKey kGazeKey{
+    "head-control/gaze",
+    "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
 
 /// What both solutions share: from packages to the controller's values and back.
 class HeadControlSolution : public robotlink::Solution {

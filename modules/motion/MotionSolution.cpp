@@ -25,7 +25,8 @@ const robotlink::DebugKey kUprightKey{"motion/upright", "How upright the robot f
 const robotlink::DebugKey kJointsKey{"motion/joint-errors",
                                      "How far each leg's joints are from what was requested (plots, rad)"};
 const robotlink::DebugKey kPawsKey{
-    "motion/paws", "Where the paws shall be, those on the ground filled, with their step vectors (drawn around the robot)"};
+    "motion/paws",
+    "Where the paws shall be, those on the ground filled, with their step vectors (drawn around the robot)"};
 const robotlink::DebugKey kOdometryKey{"motion/odometry",
                                        "Dead reckoning since the program started (plots x, y, heading)"};
 

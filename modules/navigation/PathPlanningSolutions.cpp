@@ -21,8 +21,9 @@ using robotlink::Level;
 using robotlink::Vector2;
 
 const DebugKey kPathKey{"path-planning/path", "The way to the goal, and the goal (drawn on the field)"};
-const DebugKey kWaveKey{"path-planning/wave",
-                        "How far each place is from the goal, from near (green) to far (blue) (drawn on the field)"};
+const DebugKey kWaveKey{
+    "path-planning/wave",
+    "How far each place is from the goal, from near (green) to far (blue) (drawn on the field)"};
 
 Vector2 goalOf(const robotcontrol::DriveGoal& goal) {
   return {goal.pose_in_field().x(), goal.pose_in_field().y()};

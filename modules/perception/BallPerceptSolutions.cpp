@@ -16,11 +16,13 @@ namespace {
 
 using robotlink::DebugKey;
 
-const DebugKey kDiscKey{"ball-percept/disc", "The disc in the image that was taken for the ball (drawn in the image)"};
+const DebugKey kDiscKey{"ball-percept/disc",
+                        "The disc in the image that was taken for the ball (drawn in the image)"};
 const DebugKey kPlaceKey{"ball-percept/place", "Where the ball is on the ground (drawn around the robot)"};
 const DebugKey kDistanceKey{"ball-percept/distance", "Distance of the ball, and confidence in it"};
-const DebugKey kEdgeKey{"ball-percept/edge",
-                        "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
+const DebugKey kEdgeKey{
+    "ball-percept/edge",
+    "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
 
 /// What both solutions share: inputs, the package and what is told of it.
 class BallPerceptor : public robotlink::Solution {

@@ -21,7 +21,8 @@ using robotlink::DebugKey;
 
 const DebugKey kHorizonKey{"camera-pose/horizon",
                            "The horizon, where the camera's pose puts it in the image (drawn in the image)"};
-const DebugKey kViewKey{"camera-pose/view", "The camera, and the part of the ground that it sees (drawn around the robot)"};
+const DebugKey kViewKey{"camera-pose/view",
+                        "The camera, and the part of the ground that it sees (drawn around the robot)"};
 const DebugKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
 
 /// What both solutions share: the neck's joints, the package and what is told of it.

@@ -17,9 +17,11 @@ namespace {
 
 using robotlink::DebugKey;
 
-const DebugKey kBoxesKey{"landmark-percepts/boxes",
-                         "The boxes of beacons and goals in the image, with their names (drawn in the image)"};
-const DebugKey kPlacesKey{"landmark-percepts/places", "Where beacons and goals are, seen from the robot (drawn around the robot)"};
+const DebugKey kBoxesKey{
+    "landmark-percepts/boxes",
+    "The boxes of beacons and goals in the image, with their names (drawn in the image)"};
+const DebugKey kPlacesKey{"landmark-percepts/places",
+                          "Where beacons and goals are, seen from the robot (drawn around the robot)"};
 const DebugKey kCountKey{"landmark-percepts/count", "How many landmarks were seen"};
 
 /// What both solutions share: the landmarks of the field, the package and what is told of it.

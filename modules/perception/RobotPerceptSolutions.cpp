@@ -14,7 +14,8 @@ namespace {
 
 using robotlink::DebugKey;
 
-const DebugKey kPlacesKey{"robot-percepts/places", "Where other robots are, seen from this one (drawn around the robot)"};
+const DebugKey kPlacesKey{"robot-percepts/places",
+                          "Where other robots are, seen from this one (drawn around the robot)"};
 const DebugKey kCountKey{"robot-percepts/count", "How many other robots were seen"};
 
 /// What both solutions share: the teams' colours, the package and what is told of it.

@@ -40,7 +40,8 @@ bool LaserService::obey(const Command& command) {
   const bool legacy = id >= CommandId::kLegacyLaserEnable && id <= CommandId::kLegacyLaserResolution;
   const bool endFollows = legacy && std::exchange(endFollows_, id == CommandId::kLegacyLaserStart);
   // The same number asks for packets of the gripper (0, 1, 2), and selects an analog port.
-  if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMostOfRequest) return false;
+  if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMostOfRequest)
+    return false;
   if (id == CommandId::kLegacyLaserEnable && (argument < 0 || argument > kMostOfRequest)) return false;
   switch (id) {
     case CommandId::kSimLaserEnable:

@@ -14,8 +14,8 @@ namespace robotlink::arcos {
 /// commands 230 to 233, or by 35 to 38 as old clients do, and a scan as the packets that it wants. A plain
 /// state machine.
 ///
-/// Commands 35 and 37 mean something else to real robots. 37 with 0, 1 or 2 sets the laser's end only right after 36 has set
-/// its start, as old clients do it; 35 switches the laser only with 0, 1 or 2.
+/// Commands 35 and 37 mean something else to real robots. 37 with 0, 1 or 2 sets the laser's end only right
+/// after 36 has set its start, as old clients do it; 35 switches the laser only with 0, 1 or 2.
 class LaserService {
  public:
   explicit LaserService(std::optional<ServerSettings::Laser> laser) : laser_(laser) { restore(); }

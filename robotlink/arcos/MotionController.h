@@ -81,7 +81,8 @@ class MotionController {
   void enable(bool motors);
   /// While held, the robot stops along the profile and stays; then it goes on with what it was told.
   void hold(bool held) { held_ = held; }
-  /// Stands still at once, with the odometry at 0 and encoders that begin anew; motors and parameters stay as they are.
+  /// Stands still at once, with the odometry at 0 and encoders that begin anew; motors and parameters stay as
+  /// they are.
   void reset();
   /// The robot is there now; a turn to a heading ends where it would have ended.
   void setOdometry(const Pose2& pose);

@@ -157,7 +157,8 @@ Result<bool> PioneerConnection::read(Duration timeout) {
 
 Result<MotionEnd> PioneerConnection::waitForMotion(Duration timeLimit) {
   if (!inspect([](const auto& c) { return c.goal_.has_value(); })) {
-    return failure("pioneer.no-motion", "there is nothing to wait for: call move(), turn() or turnTo() first");
+    return failure("pioneer.no-motion",
+                   "there is nothing to wait for: call move(), turn() or turnTo() first");
   }
   const Instant limit = clock_->now() + timeLimit;
   for (;;) {

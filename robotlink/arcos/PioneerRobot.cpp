@@ -185,10 +185,9 @@ Result<void> PioneerRobot::setWheels(double left, double right) {
 }
 
 Result<void> PioneerRobot::move(double distance) {
-  return connection_->beginMotion(command(CommandId::kMove, inMillimetres(distance)),
-                                  [distance](const RobotState& state, Instant now) {
-                                    return MotionGoal::move(state, now, distance);
-                                  });
+  return connection_->beginMotion(
+      command(CommandId::kMove, inMillimetres(distance)),
+      [distance](const RobotState& state, Instant now) { return MotionGoal::move(state, now, distance); });
 }
 Result<void> PioneerRobot::turn(double angle) {
   return connection_->beginMotion(
@@ -197,10 +196,9 @@ Result<void> PioneerRobot::turn(double angle) {
       });
 }
 Result<void> PioneerRobot::turnTo(double heading) {
-  return connection_->beginMotion(command(CommandId::kHead, inDegrees(heading)),
-                                  [heading](const RobotState& state, Instant now) {
-                                    return MotionGoal::turn(state, now, heading);
-                                  });
+  return connection_->beginMotion(
+      command(CommandId::kHead, inDegrees(heading)),
+      [heading](const RobotState& state, Instant now) { return MotionGoal::turn(state, now, heading); });
 }
 Result<MotionEnd> PioneerRobot::waitForMotion(Duration timeLimit) {
   return connection_->waitForMotion(timeLimit);
@@ -227,15 +225,18 @@ Result<void> PioneerRobot::setDigitalOutputs(std::uint8_t which, std::uint8_t va
 }
 Result<void> PioneerRobot::setDigitalOutput(int number, bool on) {
   if (number < 0 || number > 7)
-    return failure("pioneer.no-output", "there is no digital output " + std::to_string(number) + ": they are numbered 0 to 7");
+    return failure("pioneer.no-output",
+                   "there is no digital output " + std::to_string(number) + ": they are numbered 0 to 7");
   const auto bit = static_cast<std::uint8_t>(1U << static_cast<unsigned>(number));
   return setDigitalOutputs(bit, on ? bit : std::uint8_t{0});
 }
 Result<void> PioneerRobot::selectAnalogInput(int number) {
   if (number < 0 || number > 7)
-    return failure("pioneer.no-input", "there is no analog input " + std::to_string(number) + ": they are numbered 0 to 7");
+    return failure("pioneer.no-input",
+                   "there is no analog input " + std::to_string(number) + ": they are numbered 0 to 7");
   if (isSimulated())
-    return failure("pioneer.simulated", "simulated robots have no analog inputs: their command is the laser's there");
+    return failure("pioneer.simulated",
+                   "simulated robots have no analog inputs: their command is the laser's there");
   return write(command(CommandId::kAdSel, number));
 }
 

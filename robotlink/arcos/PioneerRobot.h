@@ -128,8 +128,8 @@ class PioneerRobot {
   /// Turns by an angle, or to a heading in the odometry's frame. It goes on by itself: see waitForMotion().
   Result<void> turn(double angle);
   Result<void> turnTo(double heading);
-  /// Reads until the latest move(), turn() or turnTo() has ended, but for `timeLimit` at most; the robot then goes on.
-  /// Fails if the line is lost, or if there was no such command since begin().
+  /// Reads until the latest move(), turn() or turnTo() has ended, but for `timeLimit` at most; the robot then
+  /// goes on. Fails if the line is lost, or if there was no such command since begin().
   Result<MotionEnd> waitForMotion(Duration timeLimit = std::chrono::seconds(60));
   /// What commands may make of it: m/s, rad/s.
   Result<void> setLimits(double speed, double rotation);

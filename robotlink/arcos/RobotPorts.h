@@ -19,9 +19,9 @@ namespace robotlink::arcos {
 /// whose machine has gone. What a client does not read waits in a SendQueue, which drops old packets: a slow
 /// reader gets fresh ones.
 ///
-/// Whatever a client sends, it costs the other robots little: each call of serve() takes at most kMaximumBytes
-/// and kMaximumPackets from each port; the rest waits for the next call, first here, then in the client's
-/// system, which stops sending.
+/// Whatever a client sends, it costs the other robots little: each call of serve() takes at most
+/// kMaximumBytes and kMaximumPackets from each port; the rest waits for the next call, first here, then in
+/// the client's system, which stops sending.
 ///
 /// No thread of its own: bytes move in serve() and send(), which one thread calls.
 class RobotPorts {
@@ -67,8 +67,8 @@ class RobotPorts {
   /// Of the present client and of all before it.
   Statistics statistics(std::size_t robot) const;
 
-  /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already. To
-  /// be called once a step of the simulation.
+  /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already.
+  /// To be called once a step of the simulation.
   void serve(Listener& listener, std::chrono::steady_clock::time_point until);
   /// To the robot's client; without one they are forgotten.
   void send(std::size_t robot, std::span<const Packet> packets);

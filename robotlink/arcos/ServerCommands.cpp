@@ -69,15 +69,17 @@ void ServerSession::obey(const Command& command) {
                                       obeySubscription(command) || obeySonar(command) || obeyDevices(command);
 }
 
-/// Commands 35 to 38 are the laser's here, as they are of other simulators, but also ADSEL, GRIPPERVAL, GRIPREQUEST and
-/// GYROCALCW of real robots. A value for the gripper follows the gripper command that takes it.
+/// Commands 35 to 38 are the laser's here, as they are of other simulators, but also ADSEL, GRIPPERVAL,
+/// GRIPREQUEST and GYROCALCW of real robots. A value for the gripper follows the gripper command that takes
+/// it.
 bool ServerSession::obeyLaser(const Command& command) {
   constexpr int kPressure = 16, kCarry = 17;
   if (idOf(command) == CommandId::kGripper) {
     client_.gripperValueNext = integerArgument(command) == kPressure || integerArgument(command) == kCarry;
     return true;
   }
-  if (idOf(command) == CommandId::kGripperValue && std::exchange(client_.gripperValueNext, false)) return true;
+  if (idOf(command) == CommandId::kGripperValue && std::exchange(client_.gripperValueNext, false))
+    return true;
   return laser_.obey(command);
 }
 

@@ -103,7 +103,9 @@ void ServerSession::clientGone(Instant now) {
   outgoing_.clear();
 }
 
-void ServerSession::robotReset() { motion_.reset(); }
+void ServerSession::robotReset() {
+  motion_.reset();
+}
 
 bool ServerSession::tellsTruth() const {
   const Subscription& status = client_.subscriptions[kStatus];

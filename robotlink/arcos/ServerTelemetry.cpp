@@ -221,7 +221,8 @@ SimulatorStatus statusOf(const ServerSettings& settings, const RobotSensing& sen
   }
   if (sensing.odometryError != 0) {
     status.flags |= SimulatorStatus::kHasOdometryError;
-    status.odometryErrorX1e7 = status.odometryErrorHeading1e7 = rounded<std::int32_t>(sensing.odometryError * 1e7);
+    status.odometryErrorX1e7 = status.odometryErrorHeading1e7 =
+        rounded<std::int32_t>(sensing.odometryError * 1e7);
   }
   return status;
 }

@@ -80,9 +80,11 @@ Result<StreamUrl> parseUrl(const std::string& text) {
   if (view.starts_with(kSerial)) return parseSerial(text, view.substr(kSerial.size()));
   if (view.starts_with('/')) return parseSerial(text, view);
   // What has a port can be nothing else.
-  if (view.find("://") == std::string_view::npos && view.find(':') != std::string_view::npos) return parseTcp(text, view);
+  if (view.find("://") == std::string_view::npos && view.find(':') != std::string_view::npos)
+    return parseTcp(text, view);
   if (!text.empty() && view.find("://") == std::string_view::npos)
-    return bad(text, "for a network write its port, too, as in " + text + ":8101; for a serial line the device's whole path");
+    return bad(text, "for a network write its port, too, as in " + text +
+                         ":8101; for a serial line the device's whole path");
   return bad(text, "write tcp://localhost:8101 or serial:///dev/ttyUSB0?baud=9600");
 }
 

@@ -19,8 +19,12 @@ struct PlatformTime {
 };
 using Instant = PlatformTime::time_point;
 
-inline double seconds(Duration d) { return std::chrono::duration<double>(d).count(); }
-inline double seconds(Instant t) { return seconds(t.time_since_epoch()); }
+inline double seconds(Duration d) {
+  return std::chrono::duration<double>(d).count();
+}
+inline double seconds(Instant t) {
+  return seconds(t.time_since_epoch());
+}
 inline Duration fromSeconds(double s) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s));
 }

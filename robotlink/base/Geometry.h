@@ -14,8 +14,12 @@ using Vector3 = Eigen::Vector3d;
 using Pose3 = Eigen::Isometry3d;
 
 inline constexpr double kPi = std::numbers::pi;
-constexpr double radians(double degrees) { return degrees * (kPi / 180.0); }
-constexpr double degrees(double radians) { return radians * (180.0 / kPi); }
+constexpr double radians(double degrees) {
+  return degrees * (kPi / 180.0);
+}
+constexpr double degrees(double radians) {
+  return radians * (180.0 / kPi);
+}
 
 /// The same angle in (-pi, pi].
 inline double normalizedAngle(double angle) {
@@ -49,7 +53,8 @@ struct Pose2 {
 
 /// The pose of a body projected to the ground; heading is the direction of its x-axis.
 inline Pose2 groundPose(const Pose3& pose) {
-  return {pose.translation().x(), pose.translation().y(), std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
+  return {pose.translation().x(), pose.translation().y(),
+          std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};
 }
 
 }  // namespace robotlink

@@ -19,8 +19,8 @@ constexpr std::size_t kMaxFileBytes = 64U << 20U;
 constexpr std::size_t kMaxPoints = 4'000'000, kMaxLines = 1'000'000, kMaxPlaces = 100'000;
 constexpr std::size_t kMaxErrors = 20, kMaxNotes = 50, kMaxKeyLength = 40;
 constexpr double kFarthestMm = 1e7;
-// All lines together. Everything that is made of a map, for the simulation and for robots, takes time and memory in
-// proportion to it; the walls of the largest buildings are some hundred kilometres long.
+// All lines together. Everything that is made of a map, for the simulation and for robots, takes time and
+// memory in proportion to it; the walls of the largest buildings are some hundred kilometres long.
 constexpr double kLongestMm = 2e9;
 constexpr double kFinestMm = 1, kCoarsestMm = 1000;  // resolutions that a map may have
 
@@ -135,13 +135,15 @@ class Parser {
     map_.incomplete = map_.incomplete || have < promised.count;
     std::string text = "the header promises " + std::to_string(count) + " " + what + ", but there are " +
                        std::to_string(found) + ": ";
-    text += have < promised.count ? "the map may have been cut off, so that walls are missing" : "all of them are used";
+    text += have < promised.count ? "the map may have been cut off, so that walls are missing"
+                                  : "all of them are used";
     map_.notes.insert(map_.notes.begin(), file_ + ":" + std::to_string(promised.line) + ": " + text);
   }
 
   void parseCount(std::string_view text, Promise& promise) {
     const auto value = numberOf(trimmed(text));
-    if (!value || !(*value >= 0 && *value <= 1e15)) return note(line_, "this is no number of lines or points: they are counted");
+    if (!value || !(*value >= 0 && *value <= 1e15))
+      return note(line_, "this is no number of lines or points: they are counted");
     promise.line = promise.line == 0 ? line_ : promise.line;
     promise.count += *value;
   }
@@ -220,7 +222,8 @@ class Parser {
   void tooLong() {
     stopped_ = true;
     fail(0, "map.too-large",
-         "the lines up to here are together more than 2000 km long, which no building's walls are; the file is damaged, or its "
+         "the lines up to here are together more than 2000 km long, which no building's walls are; the file "
+         "is damaged, or its "
          "coordinates are not in mm");
   }
 
@@ -276,8 +279,10 @@ class Parser {
     std::optional<double> numbers[3];
     if (!readTokens(trimmed(text), tokens)) return;
     for (std::size_t i = 0; i < 3 && i < tokens.size(); ++i) numbers[i] = numberOf(tokens[i].text);
-    const bool known = numbers[0] && numbers[1] && std::abs(*numbers[0]) <= 90 && std::abs(*numbers[1]) <= 180;
-    if (!known) return note(line_, "the origin is no latitude and longitude in degrees: the map is not georeferenced");
+    const bool known =
+        numbers[0] && numbers[1] && std::abs(*numbers[0]) <= 90 && std::abs(*numbers[1]) <= 180;
+    if (!known)
+      return note(line_, "the origin is no latitude and longitude in degrees: the map is not georeferenced");
     const double altitude = numbers[2].value_or(0);
     map_.origin = GlobalPosition{*numbers[0], *numbers[1], std::abs(altitude) < 1e5 ? altitude : 0};
   }

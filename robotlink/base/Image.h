@@ -13,7 +13,8 @@ namespace robotlink {
 enum class PixelFormat : std::uint8_t {
   kYuyv,   ///< YCbCr 4:2:2, bytes Y0 Cb Y1 Cr for each two pixels; the width is even
   kUyvy,   ///< the same as Cb Y0 Cr Y1
-  kNv12,   ///< YCbCr 4:2:0: rows of Y, then half as many rows of Cb Cr for each 2 x 2 pixels; both sides are even
+  kNv12,   ///< YCbCr 4:2:0: rows of Y, then half as many rows of Cb Cr for each 2 x 2 pixels; both sides are
+           ///< even
   kRgb8,   ///< bytes R G B
   kBgr8,   ///< bytes B G R
   kMono8,  ///< one byte: a grey value or a class
@@ -42,7 +43,8 @@ constexpr int rowsOf(PixelFormat format, int height) {
 }
 /// Whether an image can have that size: both positive, and even where chroma is shared.
 constexpr bool canHaveSize(PixelFormat format, int width, int height) {
-  const bool pairs = format == PixelFormat::kYuyv || format == PixelFormat::kUyvy || format == PixelFormat::kNv12;
+  const bool pairs =
+      format == PixelFormat::kYuyv || format == PixelFormat::kUyvy || format == PixelFormat::kNv12;
   const bool even = (!pairs || width % 2 == 0) && (format != PixelFormat::kNv12 || height % 2 == 0);
   return width > 0 && height > 0 && even;
 }
@@ -89,8 +91,8 @@ struct Rgb {
   bool operator==(const Rgb&) const = default;
 };
 
-/// Full-range BT.601, as JPEG has it (JFIF 1.02). Clamped, and rounded to within 1 in fixed point, so that vector code can do
-/// the same; there and back to within 2.
+/// Full-range BT.601, as JPEG has it (JFIF 1.02). Clamped, and rounded to within 1 in fixed point, so that
+/// vector code can do the same; there and back to within 2.
 constexpr YCbCr toYCbCr(Rgb color) {
   constexpr int kHalf = 1 << 14, kMiddle = (128 << 15) + kHalf;
   const int r = color.r, g = color.g, b = color.b;

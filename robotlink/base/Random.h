@@ -7,8 +7,9 @@
 
 namespace robotlink {
 
-/// Mixes a counter into 64 random-looking bits (SplitMix64's finaliser, Steele et al. 2014). Random numbers made from
-/// (seed, stream, index) are the same for any thread count and order, which a generator with a state is not.
+/// Mixes a counter into 64 random-looking bits (SplitMix64's finaliser, Steele et al. 2014). Random numbers
+/// made from (seed, stream, index) are the same for any thread count and order, which a generator with a
+/// state is not.
 constexpr std::uint64_t mixBits(std::uint64_t z) {
   z += 0x9E3779B97F4A7C15ULL;
   z = (z ^ (z >> 30)) * 0xBF58476D1CE4E5B9ULL;

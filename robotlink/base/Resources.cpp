@@ -27,7 +27,8 @@ fs::path resourceDirectory() {
   if (error) return {};
   const fs::path installed = program.parent_path() / "../share/robotcontrol";
   if (isResourceDirectory(installed)) return fs::weakly_canonical(installed, error);
-  for (fs::path folder = program.parent_path(); folder != folder.parent_path(); folder = folder.parent_path()) {
+  for (fs::path folder = program.parent_path(); folder != folder.parent_path();
+       folder = folder.parent_path()) {
     if (isResourceDirectory(folder / "resources")) return fs::weakly_canonical(folder / "resources", error);
   }
   return {};
@@ -37,18 +38,23 @@ Result<void> checkResources() {
   const fs::path found = resourceDirectory();
   if (isResourceDirectory(found)) return {};
   if (const char* chosen = environment("ROBOTCONTROL_RESOURCES")) {
-    return failure("resources.wrong", std::string("the variable ROBOTCONTROL_RESOURCES names the folder '") + chosen +
-                                          "', but there are no folders 'robots' and 'layouts' in it; let it name the folder "
-                                          "'resources' of RobotControl, or unset it");
+    return failure("resources.wrong",
+                   std::string("the variable ROBOTCONTROL_RESOURCES names the folder '") + chosen +
+                       "', but there are no folders 'robots' and 'layouts' in it; let it name the folder "
+                       "'resources' of RobotControl, or unset it");
   }
   std::error_code error;
   const fs::path folder = fs::read_symlink("/proc/self/exe", error).parent_path();
-  return failure("resources.none", "RobotControl's own files were not found: there is no folder 'resources' in or above '" +
-                                       folder.string() + "', and no '" + (folder / "../share/robotcontrol").lexically_normal().string() +
-                                       "'; let the variable ROBOTCONTROL_RESOURCES name that folder");
+  return failure("resources.none",
+                 "RobotControl's own files were not found: there is no folder 'resources' in or above '" +
+                     folder.string() + "', and no '" +
+                     (folder / "../share/robotcontrol").lexically_normal().string() +
+                     "'; let the variable ROBOTCONTROL_RESOURCES name that folder");
 }
 
-fs::path resource(const fs::path& relative) { return resourceDirectory() / relative; }
+fs::path resource(const fs::path& relative) {
+  return resourceDirectory() / relative;
+}
 
 fs::path userDirectory() {
   if (const char* config = environment("XDG_CONFIG_HOME")) return fs::path(config) / "robotcontrol";

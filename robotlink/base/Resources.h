@@ -7,9 +7,9 @@
 
 namespace robotlink {
 
-/// The folder `resources` of this installation: ROBOTCONTROL_RESOURCES if set, else found from the running program:
-/// a `resources` folder in or above the program's folder (a build tree), or ../share/robotcontrol (an installed one).
-/// An empty path if there is none.
+/// The folder `resources` of this installation: ROBOTCONTROL_RESOURCES if set, else found from the running
+/// program: a `resources` folder in or above the program's folder (a build tree), or ../share/robotcontrol
+/// (an installed one). An empty path if there is none.
 std::filesystem::path resourceDirectory();
 
 /// Fails where resourceDirectory() is none, with a sentence that says what was looked for and how to name it.

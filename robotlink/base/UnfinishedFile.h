@@ -5,9 +5,9 @@
 
 namespace robotlink {
 
-/// Says that a file or folder must not outlive the program as it is: it is being written under a temporary name, say. The owner
-/// removes or renames it before this is destroyed. Only if a signal ends the program does endProgram() remove it instead.
-/// The file need not exist yet. Any thread.
+/// Says that a file or folder must not outlive the program as it is: it is being written under a temporary
+/// name, say. The owner removes or renames it before this is destroyed. Only if a signal ends the program
+/// does endProgram() remove it instead. The file need not exist yet. Any thread.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(std::filesystem::path path);
@@ -19,7 +19,8 @@ class UnfinishedFile {
   std::filesystem::path path_;  // empty: moved away
 };
 
-/// Removes all unfinished files and ends the program at once, without destructors. Any thread, but not a signal handler.
+/// Removes all unfinished files and ends the program at once, without destructors. Any thread, but not a
+/// signal handler.
 [[noreturn]] void endProgram(int status);
 
 }  // namespace robotlink

@@ -53,7 +53,8 @@ struct FieldDescription {
   double beaconRadius = 0, beaconBaseHeight = 0, beaconBandHeight = 0;
   std::string beaconBaseColor;
   std::vector<Beacon> beacons;
-  /// Where the robots of the team that plays towards +x stand at the kick-off; the other team stands opposite.
+  /// Where the robots of the team that plays towards +x stand at the kick-off; the other team stands
+  /// opposite.
   std::vector<Pose2> kickOff;
   double ballRadius = 0, ballMass = 0;
   std::string ballColor;

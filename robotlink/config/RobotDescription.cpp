@@ -50,7 +50,8 @@ RobotDescription::Sonars readSonars(const YamlNode& node) {
   RobotDescription::Sonars sonars;
   sonars.openingAngle = radians(node.numberIn("opening_deg", 0, 180));
   sonars.maximum = node.numberIn("max", 0.01, 1000);
-  for (const YamlNode& sensor : node.child("sensors").items()) sonars.sensors.push_back({readPose(sensor, "pose")});
+  for (const YamlNode& sensor : node.child("sensors").items())
+    sonars.sensors.push_back({readPose(sensor, "pose")});
   return sonars;
 }
 
@@ -68,7 +69,8 @@ RobotDescription::Laser readLaser(const YamlNode& node) {
 }  // namespace
 
 int RobotDescription::jointIndex(const std::string& joint) const {
-  const auto found = std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == joint; });
+  const auto found =
+      std::find_if(joints.begin(), joints.end(), [&](const Joint& j) { return j.name == joint; });
   return found == joints.end() ? -1 : static_cast<int>(found - joints.begin());
 }
 
@@ -89,7 +91,8 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
     robot.joints.push_back(std::move(joint));
   }
   if (const YamlNode drive = root.optionalChild("drive"); !drive.empty()) robot.drive = readDrive(drive);
-  if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty()) robot.sonars = readSonars(sonars);
+  if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty())
+    robot.sonars = readSonars(sonars);
   if (const YamlNode laser = root.optionalChild("laser"); !laser.empty()) robot.laser = readLaser(laser);
   if (robot.joints.empty() && !robot.drive) root.fail("robot.moves", "a robot needs joints or a drive");
   const YamlNode platform = root.child("platform");
@@ -106,7 +109,8 @@ tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesyste
   return read(YamlReader::load(file));
 }
 
-tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text, const std::string& file) {
+tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text,
+                                                             const std::string& file) {
   return read(YamlReader::parse(text, file));
 }
 

@@ -38,7 +38,8 @@ std::string wrongWith(const robotcontrol::SetKey& wish) {
   std::vector<std::string> all;
   for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
   const std::string near = nearest(wish.name(), all);
-  return "there is no debug key '" + wish.name() + "'" + (near.empty() ? "" : "; did you mean '" + near + "'?");
+  return "there is no debug key '" + wish.name() + "'" +
+         (near.empty() ? "" : "; did you mean '" + near + "'?");
 }
 
 bool isFinite(const robotcontrol::Pose2& pose) {
@@ -61,7 +62,8 @@ std::string wrongWith(const robotcontrol::ColorTable& table) {
     return "a colour table has " + std::to_string(kCells) + " cells, this one has " +
            std::to_string(table.cells().size());
   const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
-  if (!std::ranges::all_of(table.cells(), known)) return "cells of the colour table have classes without a name";
+  if (!std::ranges::all_of(table.cells(), known))
+    return "cells of the colour table have classes without a name";
   return isFinite(table.correction()) ? "" : "the colour table's correction has values that are no numbers";
 }
 
@@ -86,7 +88,8 @@ struct DebugProcess::Implementation {
   void takeQueues();
   void takeRequested();
   void joinOwnKeys();
-  /// Who does what is asked of a process or for its task or package; a name that is empty or of no process: nobody.
+  /// Who does what is asked of a process or for its task or package; a name that is empty or of no process:
+  /// nobody.
   struct Target {
     std::string process;
     std::string what;
@@ -175,7 +178,8 @@ std::string DebugProcess::processAsked(const Request& request) const {
 }
 
 void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
-                            robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const {
+                            robotcontrol::SolutionTable& solutions,
+                            robotcontrol::ProcessTable& processes) const {
   const Implementation& self = *implementation_;
   JoinedTables joined;
   robotcontrol::KeyTable own;
@@ -261,7 +265,8 @@ void DebugProcess::Implementation::route(const Request& request) {
 }
 
 /// Nothing: this process does it itself.
-std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(const Request& request) const {
+std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(
+    const Request& request) const {
   const auto ofTask = [&](const std::string& task) { return Target{routes.processOf(task), task}; };
   switch (request.what_case()) {
     case Request::kSetKey: {
@@ -299,7 +304,8 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
       return !wrong.empty() || colorTable.connected() ? wrong : "no task of this layout uses a colour table";
     }
     case Request::kSetGoal:
-      if (!isFinite(request.set_goal().pose_in_field())) return "the goal's pose has values that are no numbers";
+      if (!isFinite(request.set_goal().pose_in_field()))
+        return "the goal's pose has values that are no numbers";
       return driveGoal.connected() ? "" : "no task of this layout drives to goals";
     default:
       return "a robot's program cannot do this; ask its platform or the simulation";
@@ -357,7 +363,8 @@ void DebugProcess::Implementation::sendToAll(const Request& request) {
   }
 }
 
-void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal, std::uint64_t taken) {
+void DebugProcess::Implementation::answer(const Request& request, const std::string& refusal,
+                                          std::uint64_t taken) {
   auto& told = *debug.add(streams::kResults).mutable_result();
   told.set_id(request.id());
   told.set_accepted(refusal.empty());

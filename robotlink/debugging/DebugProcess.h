@@ -25,8 +25,9 @@ namespace robotlink {
 class AnySender;
 
 /// The process of a layout that is linked to all others: collects their debug queues and hands requests out
-/// to them. Offers the packages "remote/motion", "remote/goal" and "colors/table". What it collects goes to its listener as
-/// whole queues, unchanged, in the process's thread; the listener (a session, a network link) must not block.
+/// to them. Offers the packages "remote/motion", "remote/goal" and "colors/table". What it collects goes to
+/// its listener as whole queues, unchanged, in the process's thread; the listener (a session, a network link)
+/// must not block.
 ///
 /// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,
 /// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
@@ -54,14 +55,16 @@ class DebugProcess final : public Process {
   bool request(const robotcontrol::Request& request);
 
   // What it would say if it ran now. Only while no process of the program runs.
-  /// Why it would not do what is asked, or not hand it on; empty if it would. Whoever it is handed to may refuse it still.
+  /// Why it would not do what is asked, or not hand it on; empty if it would. Whoever it is handed to may
+  /// refuse it still.
   std::string refusal(const robotcontrol::Request& request) const;
   /// The process that is asked; empty: this one.
   std::string processAsked(const robotcontrol::Request& request) const;
-  /// The tables of the whole program, joined from those of its other processes: their names with their tables.
+  /// The tables of the whole program, joined from those of its other processes: their names with their
+  /// tables.
   using Tables = std::map<std::string, std::pair<robotcontrol::KeyTable, robotcontrol::SolutionTable>>;
-  void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys, robotcontrol::SolutionTable& solutions,
-                robotcontrol::ProcessTable& processes) const;
+  void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
+                robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
 
  protected:
   void execute() override;

@@ -49,7 +49,8 @@ void PackageBoard::put(Entry& entry, PackagePtr package) {
 }
 
 bool PackageBoard::askedFor(Entry& entry) {
-  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF || !entry.mode.due(process_.frameTime())) return false;
+  if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF || !entry.mode.due(process_.frameTime()))
+    return false;
   if (entry.mode.mode().kind() == robotcontrol::KeyMode::OFF) modeChanged_ = true;
   return true;
 }

@@ -12,7 +12,9 @@ using robotcontrol::Request;
 
 namespace {
 
-std::string reasonOf(const Result<void>& result) { return result ? std::string() : result.error().text; }
+std::string reasonOf(const Result<void>& result) {
+  return result ? std::string() : result.error().text;
+}
 
 }  // namespace
 
@@ -51,13 +53,15 @@ std::string RequestPreview::addTo(const TaskProcess& process, const Request& req
   }
 }
 
-std::string RequestPreview::selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& wish) {
+std::string RequestPreview::selectSolution(const TaskProcess& process,
+                                           const robotcontrol::SelectSolution& wish) {
   std::string refusal = reasonOf(process.trySolution(wish.task(), wish.solution()));
   if (refusal.empty()) solutions_[wish.task()] = wish.solution();
   return refusal;
 }
 
-std::string RequestPreview::setParameters(const TaskProcess& process, const robotcontrol::SetParameters& wish) {
+std::string RequestPreview::setParameters(const TaskProcess& process,
+                                          const robotcontrol::SetParameters& wish) {
   const std::string solution = solutionOf(process, wish.task(), wish.solution());
   const SolutionParameters* known = process.solutionParameters(wish.task(), solution);
   if (known == nullptr) return "task " + wish.task() + " has no solution '" + wish.solution() + "'";
@@ -83,15 +87,18 @@ bool RequestPreview::answer(const Request& request) {
   result.set_id(request.id());
   result.set_accepted(refusal.empty());
   result.set_reason(refusal);
-  if (refusal.empty() && request.has_set_color_table()) result.set_checksum(checksum(request.set_color_table().table()));
+  if (refusal.empty() && request.has_set_color_table())
+    result.set_checksum(checksum(request.set_color_table().table()));
   return refusal.empty();
 }
 
 void RequestPreview::describeParameters(const Request& request) {
   const TaskProcess& process = *processOf(request);
-  const std::string& task = request.has_get_parameters() ? request.get_parameters().task() : request.set_parameters().task();
-  const std::string solution = solutionOf(
-      process, task, request.has_get_parameters() ? request.get_parameters().solution() : request.set_parameters().solution());
+  const std::string& task =
+      request.has_get_parameters() ? request.get_parameters().task() : request.set_parameters().task();
+  const std::string solution = solutionOf(process, task,
+                                          request.has_get_parameters() ? request.get_parameters().solution()
+                                                                       : request.set_parameters().solution());
   auto& values = *message(streams::kParameters + (task + "/" + solution)).mutable_parameters();
   values.set_task(task);
   values.set_solution(solution);
@@ -113,7 +120,8 @@ void RequestPreview::describeTables() {
   }
   auto& keys = *message(streams::kKeys).mutable_keys();
   auto& solutions = *message(streams::kSolutions).mutable_solutions();
-  program_.debugProcess().describe(tables, keys, solutions, *message(streams::kProcesses).mutable_processes());
+  program_.debugProcess().describe(tables, keys, solutions,
+                                   *message(streams::kProcesses).mutable_processes());
   for (auto& key : *keys.mutable_keys()) {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
   }

@@ -17,12 +17,14 @@ namespace robotlink {
 class RobotProgram;
 class TaskProcess;
 
-/// The answers to requests that wait for a program's next frames, found without running or changing it: a simulation that is
-/// paused makes no frames, and who asks it for something need not wait until it goes on. When the frames come, the requests are
-/// done, and answered, as if nobody had looked, so that a run is the same with and without a preview.
+/// The answers to requests that wait for a program's next frames, found without running or changing it: a
+/// simulation that is paused makes no frames, and who asks it for something need not wait until it goes on.
+/// When the frames come, the requests are done, and answered, as if nobody had looked, so that a run is the
+/// same with and without a preview.
 ///
-/// Made anew whenever the program has run; requests are added in the order in which the program was given them, and each sees
-/// what those before it will have changed. Only while no process of the program runs; the program must outlive it.
+/// Made anew whenever the program has run; requests are added in the order in which the program was given
+/// them, and each sees what those before it will have changed. Only while no process of the program runs; the
+/// program must outlive it.
 class RequestPreview {
  public:
   explicit RequestPreview(RobotProgram& program) : program_(program) {}
@@ -40,7 +42,8 @@ class RequestPreview {
   std::string addTo(const TaskProcess& process, const robotcontrol::Request& request);
   std::string selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& wish);
   std::string setParameters(const TaskProcess& process, const robotcontrol::SetParameters& wish);
-  std::string solutionOf(const TaskProcess& process, const std::string& task, const std::string& solution) const;
+  std::string solutionOf(const TaskProcess& process, const std::string& task,
+                         const std::string& solution) const;
   void describeParameters(const robotcontrol::Request& request);
   void describeTables();
   robotcontrol::DebugMessage& message(const std::string& path);

@@ -61,8 +61,9 @@ RobotProgram::~RobotProgram() {
   stop();
 }
 
-tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
-    RobotSetup robot, Layout layout, Platform& platform, const ParameterSource& parameters) {
+tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSetup robot, Layout layout,
+                                                                         Platform& platform,
+                                                                         const ParameterSource& parameters) {
   std::unique_ptr<RobotProgram> program(new RobotProgram);
   program->implementation_ = std::make_unique<Implementation>(std::move(robot), std::move(layout));
   Implementation& made = *program->implementation_;
@@ -78,7 +79,9 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(
   // What a task receives has its key in that task's process.
   const auto links = layoutLinks(made.layout, made.catalog, packages);
   for (AnySender* sender : platform.onRequest()) {
-    const auto isOfTask = [&](const LayoutLink& link) { return link.from.empty() && link.package == sender->package(); };
+    const auto isOfTask = [&](const LayoutLink& link) {
+      return link.from.empty() && link.package == sender->package();
+    };
     if (std::none_of(links.begin(), links.end(), isOfTask)) made.debugProcess->showOnRequest(*sender);
   }
   return program;
@@ -95,8 +98,7 @@ Errors RobotProgram::Implementation::build(const PlatformPackages& packages, con
       made->setPriority(description.priority);
       debugProcess = made.get();
       owned.push_back(std::move(made));
-    } else if (auto made =
-                   TaskProcess::create({robot, layout, description, packages, parameters}, clock)) {
+    } else if (auto made = TaskProcess::create({robot, layout, description, packages, parameters}, clock)) {
       owned.push_back(std::move(*made));
     } else {
       errors.insert(errors.end(), made.error().begin(), made.error().end());
@@ -156,7 +158,8 @@ std::vector<std::string> RobotProgram::yieldedPackages() const {
     for (const Layout::Task& task : process.tasks) {
       const TaskCatalog::Task* known = implementation_->catalog.find(task.task);
       if (known == nullptr) continue;
-      for (const auto& solution : known->solutions) packages.insert(solution.outputs.begin(), solution.outputs.end());
+      for (const auto& solution : known->solutions)
+        packages.insert(solution.outputs.begin(), solution.outputs.end());
     }
   }
   for (const std::string& package : implementation_->layout.withheld) packages.erase(package);

@@ -26,8 +26,9 @@ namespace robotlink {
 /// another thread.
 class RobotProgram {
  public:
-  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(
-      RobotSetup robot, Layout layout, Platform& platform, const ParameterSource& parameters);
+  static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout,
+                                                                    Platform& platform,
+                                                                    const ParameterSource& parameters);
   ~RobotProgram();
 
   const RobotSetup& robot() const;
@@ -61,7 +62,8 @@ TaskCatalog registeredTasks();
 std::vector<std::string> debugPackages();
 bool isDebugPackage(const std::string& package);
 
-/// The packages of all registered solutions with their types, for those who make packages otherwise, from a log.
+/// The packages of all registered solutions with their types, for those who make packages otherwise, from a
+/// log.
 std::map<std::string, const google::protobuf::Descriptor*> packageTypes();
 
 }  // namespace robotlink

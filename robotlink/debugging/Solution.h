@@ -178,8 +178,9 @@ class SolutionRegistry {
   static const SolutionDescription* find(const std::string& task, const std::string& solution);
 };
 
-/// Registers a solution when it is constructed, at namespace scope. One that is registered twice, or that names keys of another
-/// file, which may not be constructed yet, ends the program at its start with a text that says so.
+/// Registers a solution when it is constructed, at namespace scope. One that is registered twice, or that
+/// names keys of another file, which may not be constructed yet, ends the program at its start with a text
+/// that says so.
 class SolutionRegistration {
  public:
   SolutionRegistration(SolutionDescription description);  // NOLINT: reads like a declaration

@@ -36,7 +36,8 @@ class Collector final : public pb::io::ErrorCollector {
 
 bool isSound(const pb::Message& message, const pb::FieldDescriptor& field);
 
-/// The name of the first number that is infinite or none at all, or text that is not UTF-8; empty if there is none.
+/// The name of the first number that is infinite or none at all, or text that is not UTF-8; empty if there is
+/// none.
 std::string firstUnsound(const pb::Message& message) {
   std::vector<const pb::FieldDescriptor*> fields;
   message.GetReflection()->ListFields(message, &fields);
@@ -63,7 +64,7 @@ bool isSound(const pb::Message& message, const pb::FieldDescriptor& field) {
         break;
       case pb::FieldDescriptor::CPPTYPE_MESSAGE:
         if (!firstUnsound(field.is_repeated() ? reflection.GetRepeatedMessage(message, &field, i)
-                                                : reflection.GetMessage(message, &field))
+                                              : reflection.GetMessage(message, &field))
                  .empty())
           return false;
         break;
@@ -112,8 +113,8 @@ tl::expected<SolutionParameters, Errors> SolutionParameters::load(const Solution
   if (!collector.errors().empty()) return tl::unexpected(collector.errors());
   const std::string unsound = firstUnsound(*message);
   if (!parsed || !unsound.empty()) {
-    const std::string what =
-        parsed ? "'" + unsound + "' is not a finite number, or not a text in UTF-8" : "not readable as text of protobuf";
+    const std::string what = parsed ? "'" + unsound + "' is not a finite number, or not a text in UTF-8"
+                                    : "not readable as text of protobuf";
     return tl::unexpected(Errors{{"parameters.value", what, {unsound}, {file.string(), 0, 0}}});
   }
   return SolutionParameters(std::move(message));
@@ -131,7 +132,8 @@ Result<void> SolutionParameters::set(const robotcontrol::PackageCopy& value) {
     return failure("parameters.damaged", "the bytes are no " + type, {}, {type});
   }
   if (const std::string field = firstUnsound(*parsed); !field.empty()) {
-    return failure("parameters.value", "'" + field + "' is not a finite number, or not a text in UTF-8", {}, {field});
+    return failure("parameters.value", "'" + field + "' is not a finite number, or not a text in UTF-8", {},
+                   {field});
   }
   message_->CopyFrom(*parsed);
   return {};

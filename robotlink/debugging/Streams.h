@@ -21,7 +21,7 @@ inline constexpr char kImageDrawings[] = "drawings/image/";  ///< + key: foxglov
 inline constexpr char kFieldDrawings[] =
     "drawings/field/";  ///< + key: foxglove.SceneUpdate in the frame "field"
 inline constexpr char kRobotDrawings[] =
-    "drawings/robot/";  ///< + key: foxglove.SceneUpdate in the robot's frame
+    "drawings/robot/";                           ///< + key: foxglove.SceneUpdate in the robot's frame
 inline constexpr char kProgram[] = "program";    ///< ProgramSetup
 inline constexpr char kRequests[] = "requests";  ///< Request, as it was handed in
 /// + package: as it was logged, where it is recomputed from a log

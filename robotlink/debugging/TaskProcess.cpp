@@ -108,8 +108,8 @@ Errors TaskProcess::Implementation::build(const Clock& clock) {
   connectPackages();
   Errors errors;
   for (const Layout::Task& task : setup.process.tasks) {
-    auto& runner = *tasks.emplace_back(
-        std::make_unique<TaskRunner>(task.task, TaskRunner::Environment{setup.robot, clock, debug, board, setup.layout.withheld}));
+    auto& runner = *tasks.emplace_back(std::make_unique<TaskRunner>(
+        task.task, TaskRunner::Environment{setup.robot, clock, debug, board, setup.layout.withheld}));
     const Errors wrong = runner.loadParameters(setup.parameters);
     errors.insert(errors.end(), wrong.begin(), wrong.end());
     if (!wrong.empty()) continue;
@@ -302,7 +302,8 @@ void TaskProcess::Implementation::setKey(int key, const robotcontrol::KeyMode& m
   if (debug.mode(key).kind() == robotcontrol::KeyMode::N_TIMES) limitedKeys.push_back(key);
 }
 
-Result<TaskRunner*> TaskProcess::Implementation::selectable(const std::string& task, const std::string& solution) const {
+Result<TaskRunner*> TaskProcess::Implementation::selectable(const std::string& task,
+                                                            const std::string& solution) const {
   TaskRunner* found = runner(task);
   if (found == nullptr)
     return refused("solution.task", "process " + process.name() + " does not do task " + task);
@@ -328,7 +329,8 @@ Result<void> TaskProcess::trySolution(const std::string& task, const std::string
   return (*found)->trySolution(solution);
 }
 
-const SolutionParameters* TaskProcess::solutionParameters(const std::string& task, const std::string& solution) const {
+const SolutionParameters* TaskProcess::solutionParameters(const std::string& task,
+                                                          const std::string& solution) const {
   const TaskRunner* found = implementation_->runner(task);
   return found == nullptr ? nullptr : found->parameters(solution.empty() ? found->active() : solution);
 }

@@ -45,7 +45,8 @@ class TaskProcess final : public Process {
   /// Which solution a task uses now. Only while the process does not run, or from its own thread.
   std::string activeSolution(const std::string& task) const;
 
-  // What it would do if it were asked, for those who must know before its next frame. Only while the process does not run.
+  // What it would do if it were asked, for those who must know before its next frame. Only while the process
+  // does not run.
   /// Why a solution could not be switched to; nothing is switched.
   Result<void> trySolution(const std::string& task, const std::string& solution) const;
   /// Of a solution, or of the active one if it is empty. Null: there is no such task or solution.

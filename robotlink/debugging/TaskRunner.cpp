@@ -22,8 +22,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 
 }  // namespace
 
-/// What one solution's constructor is given. One that is only made to see whether it can be tells its debug texts to a context
-/// of its own and sends nothing.
+/// What one solution's constructor is given. One that is only made to see whether it can be tells its debug
+/// texts to a context of its own and sends nothing.
 class TaskRunner::Context final : public SolutionContext {
  public:
   enum class Use { kRun, kTrial };
@@ -43,7 +43,8 @@ class TaskRunner::Context final : public SolutionContext {
   }
   std::function<void(PackagePtr)> outputSend(const char* package) override {
     if (!contains(solution_.outputs, package)) undeclared(solution_, std::string("the output ") + package);
-    if (use_ == Use::kTrial || runner_.environment_.withheld.contains(package)) return [](const PackagePtr&) {};
+    if (use_ == Use::kTrial || runner_.environment_.withheld.contains(package))
+      return [](const PackagePtr&) {};
     PackageBoard& board = runner_.environment_.board;
     PackageBoard::Entry& entry = board.entry(package);
     return [&board, &entry](PackagePtr value) { board.send(entry, std::move(value)); };
@@ -131,12 +132,15 @@ Errors TaskRunner::filesOfNoSolution(const std::filesystem::path& folder) const 
 Result<const SolutionDescription*> TaskRunner::known(const std::string& solution) const {
   const SolutionDescription* description = SolutionRegistry::find(task_, solution);
   if (description != nullptr) return description;
-  return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {}, {task_, solution});
+  return failure("solution.unknown", "task " + task_ + " has no solution '" + solution + "'", {},
+                 {task_, solution});
 }
 
-Result<std::unique_ptr<Solution>> TaskRunner::make(const SolutionDescription& solution, Context& context) const {
+Result<std::unique_ptr<Solution>> TaskRunner::make(const SolutionDescription& solution,
+                                                   Context& context) const {
   const auto broken = [&](const std::string& why) {
-    return failure("solution.broken", "solution " + solution.name + " of task " + task_ + " could not be made: " + why, {},
+    return failure("solution.broken",
+                   "solution " + solution.name + " of task " + task_ + " could not be made: " + why, {},
                    {task_, solution.name, why});
   };
   try {

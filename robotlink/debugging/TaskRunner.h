@@ -41,7 +41,8 @@ class TaskRunner {
   /// Makes a new object of the solution and only then destroys the one before; if its constructor throws,
   /// nothing changes.
   Result<void> select(const std::string& solution);
-  /// Whether select() would do it now: makes such an object, and destroys it without anybody having heard of it.
+  /// Whether select() would do it now: makes such an object, and destroys it without anybody having heard of
+  /// it.
   Result<void> trySolution(const std::string& solution) const;
   void execute();
 

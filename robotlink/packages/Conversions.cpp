@@ -89,7 +89,8 @@ void assign(foxglove::RawImage& to, const ImageView& from, Instant time, const s
   to.set_encoding(std::string(encodingName(from.format)));
   to.set_step(static_cast<std::uint32_t>(from.step));
   to.set_frame_id(frame);
-  to.set_data(from.data, static_cast<std::size_t>(from.step) * static_cast<std::size_t>(rowsOf(from.format, from.height)));
+  to.set_data(from.data, static_cast<std::size_t>(from.step) *
+                             static_cast<std::size_t>(rowsOf(from.format, from.height)));
 }
 
 ImageView imageView(const foxglove::RawImage& from) {
@@ -97,7 +98,8 @@ ImageView imageView(const foxglove::RawImage& from) {
   for (const PixelFormat format : kPixelFormats) {
     if (from.encoding() != encodingName(format)) continue;
     const std::size_t rowBytes = std::size_t{from.width()} * static_cast<std::size_t>(bytesPerPixel(format));
-    if (from.width() > kMaxSide || from.height() > kMaxSide || from.step() < rowBytes || from.step() > 8 * kMaxSide)
+    if (from.width() > kMaxSide || from.height() > kMaxSide || from.step() < rowBytes ||
+        from.step() > 8 * kMaxSide)
       return {};
     const int width = static_cast<int>(from.width()), height = static_cast<int>(from.height());
     if (!canHaveSize(format, width, height)) return {};

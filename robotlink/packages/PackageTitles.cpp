@@ -49,7 +49,8 @@ constexpr std::array kTitles{
 }  // namespace
 
 std::string packageTitle(const std::string& package) {
-  const auto known = std::find_if(kTitles.begin(), kTitles.end(), [&](const Title& title) { return title.package == package; });
+  const auto known = std::find_if(kTitles.begin(), kTitles.end(),
+                                  [&](const Title& title) { return title.package == package; });
   return known == kTitles.end() ? package : std::string(known->text) + " (" + package + ")";
 }
 

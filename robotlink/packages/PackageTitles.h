@@ -5,7 +5,8 @@
 
 namespace robotlink {
 
-/// A package for people who do not know the code: "joint angles (joints/states)"; the name alone of one that is not known here.
+/// A package for people who do not know the code: "joint angles (joints/states)"; the name alone of one that
+/// is not known here.
 std::string packageTitle(const std::string& package);
 
 /// Why a task that needs a package cannot run: neither the platform nor another task yields it.

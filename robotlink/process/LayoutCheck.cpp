@@ -168,8 +168,7 @@ void Checker::checkDefaultSolution(const Place& place) {
 void Checker::reportMissing(const Place& place, const std::string& package) {
   std::vector<std::string> makers;  // tasks that the layout could have
   for (const auto& [name, task] : catalog_.tasks) {
-    if (index_.outputsOf(task).count(package) > 0 && index_.placeOf(name) == nullptr)
-      makers.push_back(name);
+    if (index_.outputsOf(task).count(package) > 0 && index_.placeOf(name) == nullptr) makers.push_back(name);
   }
   const std::string who = "task " + place.entry->task + " (" + place.entry->solution + ") needs " + package;
   if (!makers.empty()) {
@@ -240,7 +239,8 @@ void Checker::checkBlocking(const Layout::Process& process, const Layout::Input&
   const Place* from = index_.producer(input.package);
   if (&*first != &input) return complain("blocking-twice", " twice");
   if (process.debug) return;  // reported with the process
-  if (!input.paceOnly && !isRead(process, input.package)) return complain("blocking-unused", ", which none of its tasks uses");
+  if (!input.paceOnly && !isRead(process, input.package))
+    return complain("blocking-unused", ", which none of its tasks uses");
   if (from != nullptr && from->process == &process)
     return complain("blocking-own", ", which it yields itself");
   if (from == nullptr && !index_.platformOffers(input.package) && !index_.debugOffers(input.package)) {

@@ -20,8 +20,8 @@ class Platform : public Process {
   virtual void actuate() = 0;
   /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
   virtual void engageStop(bool engaged) = 0;
-  /// Senders of packages that no task may need: a debug process receives those that no task does while their keys are on.
-  /// What takes time to make is made only while its sender is connected.
+  /// Senders of packages that no task may need: a debug process receives those that no task does while their
+  /// keys are on. What takes time to make is made only while its sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }
 };
 

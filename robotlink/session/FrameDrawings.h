@@ -30,8 +30,9 @@ std::vector<std::string> drawingNames(const StreamStore& store, const std::strin
 std::vector<const StreamMessage*> currentDrawings(const StreamStore& store, const std::string& robot,
                                                   DrawingKind kind, Instant time);
 
-/// Whether a drawing is of the latest frame of its process at that time. One that stays longer shows what an earlier frame
-/// saw, beside what is newer.
-bool isOfLatestFrame(const StreamStore& store, const std::string& robot, const StreamMessage& drawing, Instant time);
+/// Whether a drawing is of the latest frame of its process at that time. One that stays longer shows what an
+/// earlier frame saw, beside what is newer.
+bool isOfLatestFrame(const StreamStore& store, const std::string& robot, const StreamMessage& drawing,
+                     Instant time);
 
 }  // namespace robotlink

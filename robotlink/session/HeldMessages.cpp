@@ -12,10 +12,11 @@
 namespace robotlink {
 
 bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
-  constexpr std::array<std::string_view, 6> kTypes{"robotcontrol.ColorTable",      "robotcontrol.KeyTable",
-                                                   "robotcontrol.ParameterValues", "robotcontrol.ProcessTable",
-                                                   "robotcontrol.ProgramSetup",    "robotcontrol.SolutionTable"};
-  return path == streams::kScene || path == streams::kMap || std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
+  constexpr std::array<std::string_view, 6> kTypes{
+      "robotcontrol.ColorTable",   "robotcontrol.KeyTable",     "robotcontrol.ParameterValues",
+      "robotcontrol.ProcessTable", "robotcontrol.ProgramSetup", "robotcontrol.SolutionTable"};
+  return path == streams::kScene || path == streams::kMap ||
+         std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
 bool holdsUntilToldAnew(const StreamMessage& message) {

@@ -18,9 +18,9 @@ namespace robotlink {
 bool holdsUntilToldAnew(std::string_view path, std::string_view type);
 bool holdsUntilToldAnew(const StreamMessage& message);
 
-/// The newest message of each stream and process that holds until told anew. Keeps copies, so that a table does
-/// not keep the debug queue alive in which it came. Streams that somebody makes up are not taken past a limit.
-/// One thread at a time.
+/// The newest message of each stream and process that holds until told anew. Keeps copies, so that a table
+/// does not keep the debug queue alive in which it came. Streams that somebody makes up are not taken past a
+/// limit. One thread at a time.
 class HeldMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;

@@ -113,8 +113,9 @@ QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instan
       result.results.emplace_back(queue, &message.result());
       continue;
     }
-    PackagePtr value =
-        message.path().empty() || message.path().size() > kMaxPath ? nullptr : contents(queue, message, shares);
+    PackagePtr value = message.path().empty() || message.path().size() > kMaxPath
+                           ? nullptr
+                           : contents(queue, message, shares);
     if (!value) {
       ++result.senseless;
       continue;

@@ -14,9 +14,10 @@ class RequestResult;
 
 namespace robotlink {
 
-/// What a debug queue says, taken apart: messages of streams, and answers to requests. They share the queue's memory, unless
-/// much of it is of no more use (packages that were read into their types, what only recorders want): whoever keeps a text must
-/// not keep the image with it. StreamMessage::bytes says what each takes, what it shares included once.
+/// What a debug queue says, taken apart: messages of streams, and answers to requests. They share the queue's
+/// memory, unless much of it is of no more use (packages that were read into their types, what only recorders
+/// want): whoever keeps a text must not keep the image with it. StreamMessage::bytes says what each takes,
+/// what it shares included once.
 ///
 /// A queue may come over a link from anywhere: messages without a path or contents are counted and left out,
 /// paths are bounded, times that cannot be are replaced by those of their neighbours.

@@ -139,7 +139,8 @@ void Session::push(StreamMessage message) {
 }
 
 void Session::push(std::vector<StreamMessage> messages) {
-  std::erase_if(messages, [](const StreamMessage& message) { return !message.value || message.path.empty(); });
+  std::erase_if(messages,
+                [](const StreamMessage& message) { return !message.value || message.path.empty(); });
   if (messages.empty()) return;
   for (StreamMessage& message : messages) {
     if (message.bytes == 0) message.bytes = sizeOf(message);

@@ -19,7 +19,8 @@ struct StreamMessage {
   std::size_t bytes = 0;     ///< about what it occupies; 0: not yet known
 };
 
-/// About how much memory a message keeps from being freed: the fields of its value and the cost of keeping it.
+/// About how much memory a message keeps from being freed: the fields of its value and the cost of keeping
+/// it.
 std::size_t sizeOf(const StreamMessage& message);
 
 }  // namespace robotlink

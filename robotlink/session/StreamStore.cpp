@@ -32,8 +32,8 @@ std::size_t sizeOf(const StreamMessage& message) {
   // The message object, its place in the history, its path.
   constexpr std::size_t kOverhead = 256;
   if (!message.value) return kOverhead;
-  // In memory, not on the wire: a drawing of points takes some times the bytes that it is sent as. What it is larger in memory it
-  // has in parts of its own, of which the heap takes about a third more.
+  // In memory, not on the wire: a drawing of points takes some times the bytes that it is sent as. What it is
+  // larger in memory it has in parts of its own, of which the heap takes about a third more.
   const std::size_t inMemory = message.value->SpaceUsedLong(), onWire = message.value->ByteSizeLong();
   return kOverhead + inMemory + (inMemory > onWire ? (inMemory - onWire) / 3 : 0);
 }

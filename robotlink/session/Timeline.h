@@ -13,7 +13,8 @@ class Timeline {
   Instant shown() const { return live_ ? newest_ : chosen_; }
   Instant newest() const { return newest_; }
 
-  /// The instant that views show as 0 s: the platform's own zero, unless somebody chose to count from a log's begin.
+  /// The instant that views show as 0 s: the platform's own zero, unless somebody chose to count from a log's
+  /// begin.
   Instant origin() const { return origin_; }
   void setOrigin(Instant time) { origin_ = time; }
   /// What views show for an instant.

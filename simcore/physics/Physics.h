@@ -44,7 +44,8 @@ class Physics {
   /// Lets a hinge turn at `velocity` as far as `maximumTorque` suffices, until told otherwise.
   void setMotor(std::size_t hinge, double velocity, double maximumTorque);
 
-  /// Wheels are driven by the sides of drives: side 2 i is the left one of the i-th drive, 2 i + 1 its right one. m/s
+  /// Wheels are driven by the sides of drives: side 2 i is the left one of the i-th drive, 2 i + 1 its right
+  /// one. m/s
   void setRimSpeed(std::size_t side, double speed);
   void setSideOn(std::size_t side, bool on);
   struct SideState {

@@ -52,8 +52,8 @@ class Collector {
   }
 
   void addDrive(const DriveDescription& drive) {
-    ports_.drives.push_back({port(drive.name, "wheel_speeds", {2}, "m/s"), drive.wheelRadius, drive.track,
-                             drive.maximumSpeed});
+    ports_.drives.push_back(
+        {port(drive.name, "wheel_speeds", {2}, "m/s"), drive.wheelRadius, drive.track, drive.maximumSpeed});
     ports_.driveModels.push_back(model_);
   }
 
@@ -105,7 +105,8 @@ class Collector {
   void addRange(const SensorDescription& sensor, RangeSensor::Kind kind) {
     const bool isLaser = kind == RangeSensor::Kind::kLaser;
     RangeSensor range;
-    range.info = port(sensor.name, "range", isLaser ? std::vector{sensor.range.readings} : std::vector<int>{}, "m");
+    range.info =
+        port(sensor.name, "range", isLaser ? std::vector{sensor.range.readings} : std::vector<int>{}, "m");
     range.kind = kind;
     range.minimum = sensor.minimum;
     range.maximum = sensor.maximum;

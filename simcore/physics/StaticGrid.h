@@ -16,8 +16,8 @@ namespace simcore {
 /// one. Built once; geoms without an end (planes) are kept aside. Cheap where little stands: some 50 ns a
 /// query.
 ///
-/// Memory and the time to build it are bounded, whatever is added: where long walls would be in too many cells,
-/// there are fewer and larger ones.
+/// Memory and the time to build it are bounded, whatever is added: where long walls would be in too many
+/// cells, there are fewer and larger ones.
 class StaticGrid {
  public:
   static constexpr std::size_t kMaximumEntries = std::size_t{1} << 23U;  ///< geoms in cells, or one a geom

@@ -133,8 +133,12 @@ void markForbidden(const Place& place, ClearanceGrid& grid) {
 class Placer {
  public:
   /// `start`: a place that all others can be reached from, if there is one.
-  Placer(const ClearanceGrid& grid, const ModelExtent& extent, std::optional<Vector2> start, std::uint64_t seed)
-      : grid_(grid), radius_(extent.radius + kRoom), space_(grid, radius_, start), random_(seed, kPlaceStream) {}
+  Placer(const ClearanceGrid& grid, const ModelExtent& extent, std::optional<Vector2> start,
+         std::uint64_t seed)
+      : grid_(grid),
+        radius_(extent.radius + kRoom),
+        space_(grid, radius_, start),
+        random_(seed, kPlaceStream) {}
 
   /// At the first of the homes that is free, else anywhere; homes that were looked at are dropped.
   std::optional<Pose2> next(std::deque<Pose2>& homes) {
@@ -178,7 +182,8 @@ std::deque<Pose2> homesOf(const WorldDescription& world, const std::string& team
   std::deque<Pose2> homes;
   for (const ModelInstance& model : world.models) {
     for (const HomeDescription& home : model.type->homes) {
-      if (home.team.empty() || home.team == team) homes.push_back(robotlink::groundPose(model.poseInWorld) * home.place);
+      if (home.team.empty() || home.team == team)
+        homes.push_back(robotlink::groundPose(model.poseInWorld) * home.place);
     }
   }
   return homes;
@@ -248,8 +253,9 @@ robotlink::Result<void> dress(ModelInstance& robot, const std::string& color, co
   if (color.empty()) return {};
   const auto found = palette.find(color);
   if (found == palette.end()) {
-    return robotlink::failure("scene.color", "no palette of the scene has the color '" + color + "' of a team",
-                              robot.where, {color});
+    return robotlink::failure("scene.color",
+                              "no palette of the scene has the color '" + color + "' of a team", robot.where,
+                              {color});
   }
   robot.teamColorName = color;
   robot.teamColor = found->second;
@@ -260,7 +266,8 @@ robotlink::Result<void> dress(ModelInstance& robot, const std::string& color, co
 
 robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
                                   const std::shared_ptr<const ModelDescription>& type,
-                                  const RobotsToAdd& robots, const Palette& palette, const std::string& file) {
+                                  const RobotsToAdd& robots, const Palette& palette,
+                                  const std::string& file) {
   const Surroundings around(world);
   if (!around.floor) {
     return robotlink::failure("scene.no-floor",
@@ -276,7 +283,8 @@ robotlink::Result<void> addRobots(WorldDescription& world, const GroundMap* map,
   grid.findClearances();
   std::vector<Group> groups = groupsOf(world, map, *type, robots);
   const std::deque<Pose2>& homes = groups.front().homes;
-  Placer placer(grid, extent, homes.empty() ? std::nullopt : std::optional(homes.front().translation()), robots.seed);
+  Placer placer(grid, extent, homes.empty() ? std::nullopt : std::optional(homes.front().translation()),
+                robots.seed);
   for (int i = 0; i < robots.count; ++i) {
     Group& group = *std::ranges::min_element(groups, {}, &Group::robots);
     const auto place = placer.next(group.homes);

@@ -35,8 +35,8 @@ struct SceneFiles {
   /// Reads `file` and what it includes. What is wrong goes to `errors`.
   static SceneFiles read(const std::filesystem::path& file, const SdfSpec& spec, robotlink::Errors& errors);
 
-  /// Reads a model besides, as model://NAME in the world file `scene` would be found. Its file; none, with errors noted, if
-  /// there is no such model.
+  /// Reads a model besides, as model://NAME in the world file `scene` would be found. Its file; none, with
+  /// errors noted, if there is no such model.
   std::optional<std::filesystem::path> addModel(const std::string& name, const std::filesystem::path& scene,
                                                 const SdfSpec& spec, robotlink::Errors& errors);
 };

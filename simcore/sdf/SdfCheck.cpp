@@ -170,7 +170,8 @@ class Checker {
     const std::vector<std::string> values = words(element);
     const auto numbers = static_cast<std::size_t>(known->numbers);
     if (numbers > 0 && (values.size() != numbers || !std::ranges::all_of(values, isFiniteNumber))) {
-      const std::string count = numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";
+      const std::string count =
+          numbers == 1 ? "one finite number" : std::to_string(numbers) + " finite numbers";
       fail(element, "scene.value", "<" + name + "> must be " + count);
     }
     check(element, nullptr);

@@ -22,8 +22,9 @@ TEST(ColorTables, aFileOfARealRobotBecomesATableWithNames) {
 TEST(ColorTables, tablesOfOtherTeamsAreTakenAsTheyAre) {
   const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour";
   if (!std::filesystem::exists(folder)) GTEST_SKIP() << "the real tables are not at " << folder;
-  for (const char* name : {"upenn_Germany2016_10am_Top_64bitmask.raw.bz2", "runswift2005_tightnnmc_128.cal.bz2",
-                           "nubots2013_default_RC2013.lut.bz2", "ers7/tekkotsu_7general.tm"}) {
+  for (const char* name :
+       {"upenn_Germany2016_10am_Top_64bitmask.raw.bz2", "runswift2005_tightnnmc_128.cal.bz2",
+        "nubots2013_default_RC2013.lut.bz2", "ers7/tekkotsu_7general.tm"}) {
     const auto table = app::readColorTable(folder / name);
     ASSERT_TRUE(table) << name << ": " << table.error().describe();
     EXPECT_GT((*table)->class_names_size(), 3) << name;

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making a colour table as a person does: strokes with the mouse in the real log and on the simulated robot, a better
-// segmentation, undo, redo, and a robot that finds what it did not know.
+// Making a colour table as a person does: strokes with the mouse in the real log and on the simulated robot,
+// a better segmentation, undo, redo, and a robot that finds what it did not know.
 #include <QComboBox>
 #include <QFile>
 #include <QLabel>
@@ -39,7 +39,8 @@ class Painter {
     QTest::keyClick(&left_, classKey);
     QTest::mousePress(&left_, Qt::LeftButton, {}, at(from));
     for (const QPoint& point : {(from + to) / 2, to}) {
-      QMouseEvent move(QEvent::MouseMove, at(point), left_.mapToGlobal(at(point)), Qt::NoButton, Qt::LeftButton, {});
+      QMouseEvent move(QEvent::MouseMove, at(point), left_.mapToGlobal(at(point)), Qt::NoButton,
+                       Qt::LeftButton, {});
       QApplication::sendEvent(&left_, &move);
     }
     QTest::mouseRelease(&left_, Qt::LeftButton, {}, at(to));
@@ -49,7 +50,9 @@ class Painter {
     left_.setFocus();
     QTest::keyClick(&left_, key, modifiers);
   }
-  void click(const char* button) { QTest::mouseClick(view_.findChild<QToolButton*>(QLatin1String(button)), Qt::LeftButton); }
+  void click(const char* button) {
+    QTest::mouseClick(view_.findChild<QToolButton*>(QLatin1String(button)), Qt::LeftButton);
+  }
   QColor colorOf(const char* name) {
     const auto& classes = bench_.samples().classes;
     const robotlink::Rgb color = classes.shownColor(classes.index(name));
@@ -64,12 +67,14 @@ class Painter {
   ColorBench& bench_;
 };
 
-/// Which share of the pixels with a label is shown in a colour; `none` without any. Labels and image may differ in size.
+/// Which share of the pixels with a label is shown in a colour; `none` without any. Labels and image may
+/// differ in size.
 double share(const QImage& segmented, const QImage& labels, int label, const QColor& color, double none) {
   int all = 0, right = 0;
   for (int y = 0; y < segmented.height(); ++y) {
     for (int x = 0; x < segmented.width(); ++x) {
-      const int known = labels.constScanLine(y * labels.height() / segmented.height())[x * labels.width() / segmented.width()];
+      const int known = labels.constScanLine(y * labels.height() /
+                                             segmented.height())[x * labels.width() / segmented.width()];
       if (known != label) continue;
       ++all;
       right += segmented.pixelColor(x, y) == color ? 1 : 0;
@@ -116,34 +121,40 @@ class ColourGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     QVERIFY(desk.workbench.commands().runLine("log.open " + (shared / "logs/bhuman2009.log").string()));
     Painter painter(desk);
-    QTRY_VERIFY_WITH_TIMEOUT(painter.bench().frame() && painter.bench().frame()->stream() == "nao/camera/image", kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        painter.bench().frame() && painter.bench().frame()->stream() == "nao/camera/image", kWaitMs);
     QTRY_VERIFY_WITH_TIMEOUT(painter.image().width() == 320, kWaitMs);
 
     // Three strokes each: ball, field, goal, lines, and what is none of them.
     struct {
       Qt::Key key;
       QPoint from, to;
-    } const strokes[] = {
-        {Qt::Key_1, {166, 142}, {172, 146}}, {Qt::Key_1, {165, 150}, {173, 152}}, {Qt::Key_1, {170, 138}, {172, 139}},
-        {Qt::Key_5, {60, 100}, {120, 102}},  {Qt::Key_5, {150, 205}, {210, 207}}, {Qt::Key_5, {280, 100}, {310, 110}},
-        {Qt::Key_8, {201, 20}, {201, 60}},   {Qt::Key_8, {230, 4}, {300, 5}},     {Qt::Key_8, {201, 10}, {201, 30}},
-        {Qt::Key_6, {100, 151}, {140, 155}}, {Qt::Key_6, {40, 145}, {60, 147}},   {Qt::Key_6, {200, 162}, {240, 166}},
-        {Qt::Key_0, {120, 20}, {160, 30}},   {Qt::Key_0, {30, 20}, {40, 60}},     {Qt::Key_0, {220, 40}, {225, 55}}};
+    } const strokes[] = {{Qt::Key_1, {166, 142}, {172, 146}}, {Qt::Key_1, {165, 150}, {173, 152}},
+                         {Qt::Key_1, {170, 138}, {172, 139}}, {Qt::Key_5, {60, 100}, {120, 102}},
+                         {Qt::Key_5, {150, 205}, {210, 207}}, {Qt::Key_5, {280, 100}, {310, 110}},
+                         {Qt::Key_8, {201, 20}, {201, 60}},   {Qt::Key_8, {230, 4}, {300, 5}},
+                         {Qt::Key_8, {201, 10}, {201, 30}},   {Qt::Key_6, {100, 151}, {140, 155}},
+                         {Qt::Key_6, {40, 145}, {60, 147}},   {Qt::Key_6, {200, 162}, {240, 166}},
+                         {Qt::Key_0, {120, 20}, {160, 30}},   {Qt::Key_0, {30, 20}, {40, 60}},
+                         {Qt::Key_0, {220, 40}, {225, 55}}};
     for (int i = 0; i < 3; ++i) painter.key(Qt::Key_BracketLeft);  // as thin as the lines
     for (const auto& stroke : strokes) painter.stroke(stroke.key, stroke.from, stroke.to);
     QCOMPARE(painter.bench().samples().strokes.size(), std::size(strokes));
     // The program that runs on the log uses it from now on.
     painter.click("colorSend");
     auto& sent = desk.find<QLabel>("colorSent");
-    QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ nao uses it")), qPrintable(sent.text()), kWaitMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ nao uses it")),
+                              qPrintable(sent.text()), kWaitMs);
 
     for (const auto& [image, steps] : {std::pair{"032", 32}, {"066", 34}}) {
       const ColorBench& bench = painter.bench();
       const auto before = bench.frame();
-      QVERIFY(desk.workbench.commands().runLine("log.step-message nao/camera/image " + std::to_string(steps)));
+      QVERIFY(
+          desk.workbench.commands().runLine("log.step-message nao/camera/image " + std::to_string(steps)));
       QTRY_VERIFY_WITH_TIMEOUT(bench.frame() && bench.frame() != before, kWaitMs);
       painter.settle();
-      const QImage labels(QString::fromStdString((shared / "colour/bhuman2009/labels" / image).string() + ".png"));
+      const QImage labels(
+          QString::fromStdString((shared / "colour/bhuman2009/labels" / image).string() + ".png"));
       QCOMPARE(labels.format(), QImage::Format_Grayscale8);
       const struct {
         int label;
@@ -152,7 +163,9 @@ class ColourGuiTest : public QObject {
       } expected[] = {{1, "orange", 0.85}, {5, "green", 0.95}, {4, "white", 0.75}};
       for (const auto& [label, name, least] : expected) {
         const double found = share(painter.segmented(), labels, label, painter.colorOf(name), 1);
-        QVERIFY2(found >= least, qPrintable(QStringLiteral("%1 of image %2: %3").arg(QLatin1String(name), QLatin1String(image)).arg(found)));
+        QVERIFY2(found >= least, qPrintable(QStringLiteral("%1 of image %2: %3")
+                                                .arg(QLatin1String(name), QLatin1String(image))
+                                                .arg(found)));
       }
       const double falseBall = share(painter.segmented(), labels, 0, painter.colorOf("orange"), 0);
       QVERIFY2(falseBall <= 0.01, qPrintable(QString::number(falseBall)));
@@ -207,7 +220,8 @@ class ColourGuiTest : public QObject {
 
     painter.click("colorSend");
     auto& sent = desk.find<QLabel>("colorSent");
-    QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ red1 uses it")), qPrintable(sent.text()), kWaitMs);
+    QTRY_VERIFY2_WITH_TIMEOUT(sent.text().startsWith(QStringLiteral("✓ red1 uses it")),
+                              qPrintable(sent.text()), kWaitMs);
     painter.click("colorFreeze");
     QTRY_VERIFY_WITH_TIMEOUT(seesBall(desk), kWaitMs);
     keepPicture(desk, "violet-ball");
@@ -223,7 +237,8 @@ class ColourGuiTest : public QObject {
     };
     QByteArray model = read("models/ball/model.sdf");
     model = model.mid(model.indexOf("<model "), model.indexOf("</model>") + 8 - model.indexOf("<model "));
-    model.replace("<robotcontrol:color>orange</robotcontrol:color>", "<material><diffuse>0.62 0.12 0.85 1</diffuse></material>");
+    model.replace("<robotcontrol:color>orange</robotcontrol:color>",
+                  "<material><diffuse>0.62 0.12 0.85 1</diffuse></material>");
     model.replace("<model name=\"ball\">", "<model name=\"ball\"><pose>0 0 0.0421 0 0 0</pose>");
     QByteArray scene = read("field2002.sdf");
     const int at = scene.indexOf("<uri>model://ball</uri>");
@@ -243,7 +258,8 @@ class ColourGuiTest : public QObject {
   }
   const robotcontrol::BallPercept* ballPercept(Desk& desk) {
     auto& session = desk.workbench.session();
-    return session.store().latestAs<robotcontrol::BallPercept>("red1/percepts/ball", session.timeline().newest());
+    return session.store().latestAs<robotcontrol::BallPercept>("red1/percepts/ball",
+                                                               session.timeline().newest());
   }
 
   /// Whether the newest percept says that the ball is where the image that it is of shows it.
@@ -261,7 +277,8 @@ class ColourGuiTest : public QObject {
   /// For people to look at.
   static void keepPicture(Desk& desk, const char* name) {
     const QString folder = qEnvironmentVariable("ROBOTCONTROL_TEST_PICTURES");
-    if (!folder.isEmpty()) desk.window.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
+    if (!folder.isEmpty())
+      desk.window.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
   }
 
   std::filesystem::path home_;

@@ -19,8 +19,8 @@
 
 constexpr int kWaitMs = 20000;
 
-/// A workbench with its window, on a home of its own, and what a person does with it. Closing and making another one is a
-/// restart.
+/// A workbench with its window, on a home of its own, and what a person does with it. Closing and making
+/// another one is a restart.
 class Desk {
  public:
   explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
@@ -31,8 +31,8 @@ class Desk {
 
   bool loaded() { return workbench.loaded() != nullptr && status() != nullptr; }
   const robotcontrol::SimulationStatus* status() {
-    return workbench.session().store().latestAs<robotcontrol::SimulationStatus>("simulation",
-                                                                               workbench.session().timeline().newest());
+    return workbench.session().store().latestAs<robotcontrol::SimulationStatus>(
+        "simulation", workbench.session().timeline().newest());
   }
   /// Where the robot truly is.
   std::optional<robotlink::Vector3> robot() {
@@ -53,7 +53,8 @@ class Desk {
   bool has(const char* name) const { return window.findChild<QObject*>(QLatin1String(name)) != nullptr; }
   /// Clicks an action's button in the toolbar.
   void click(const char* action) {
-    auto* button = qobject_cast<QToolButton*>(find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
+    auto* button = qobject_cast<QToolButton*>(
+        find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
     if (button == nullptr) qFatal("there is no button for %s", action);
     QTest::mouseClick(button, Qt::LeftButton);
   }

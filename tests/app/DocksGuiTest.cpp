@@ -1,10 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Docks that are closed, floated, put back, and what becomes of them when perspectives change and the window closes.
-#include <QLabel>
-#include <QSignalSpy>
+// Docks that are closed, floated, put back, and what becomes of them when perspectives change and the window
+// closes.
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
+#include <QLabel>
+#include <QSignalSpy>
 
 #include "app/robotcontrol/DockSpace.h"
 #include "tests/app/Desk.h"
@@ -77,8 +78,9 @@ class DocksGuiTest : public QObject {
 
   void everyPerspectiveIsShownWhileDocksFloatAndComesBackWithThem() {
     Desk desk(home_);
-    const QStringList names = {QStringLiteral("Log"), QStringLiteral("Colour"), QStringLiteral("Motion"), QStringLiteral("Processes"),
-                               QStringLiteral("Drive"), QStringLiteral("Play")};
+    const QStringList names = {QStringLiteral("Log"),    QStringLiteral("Colour"),
+                               QStringLiteral("Motion"), QStringLiteral("Processes"),
+                               QStringLiteral("Drive"),  QStringLiteral("Play")};
     dock(desk, "messages").setFloating();
     dock(desk, "scene").setFloating();
     settle(desk);
@@ -90,9 +92,10 @@ class DocksGuiTest : public QObject {
         QVERIFY(!desk.window.docks().empty());
         QCOMPARE(visibleFloats(desk), name == QLatin1String("Play") ? 2 : round);
         if (name == QLatin1String("Play") || round == 1) continue;
-        desk.window.docks().docks(name == QLatin1String("Motion") ? QStringLiteral("motion")
-                                  : name == QLatin1String("Drive") ? QStringLiteral("radar")
-                                                                   : QStringLiteral("messages"))
+        desk.window.docks()
+            .docks(name == QLatin1String("Motion")  ? QStringLiteral("motion")
+                   : name == QLatin1String("Drive") ? QStringLiteral("radar")
+                                                    : QStringLiteral("messages"))
             .front()
             ->setFloating();
         settle(desk);
@@ -194,7 +197,8 @@ class DocksGuiTest : public QObject {
     desk.find<QAction>("appearance.dark").trigger();
     settle(desk);
     auto* area = dock(desk, "scene").dockAreaWidget();
-    for (const auto button : {ads::TitleBarButtonTabsMenu, ads::TitleBarButtonUndock, ads::TitleBarButtonClose}) {
+    for (const auto button :
+         {ads::TitleBarButtonTabsMenu, ads::TitleBarButtonUndock, ads::TitleBarButtonClose}) {
       QVERIFY(lightness(qobject_cast<QToolButton*>(area->titleBarButton(button))->icon()) > 180);
     }
     desk.find<QAction>("appearance.light").trigger();

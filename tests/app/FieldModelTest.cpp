@@ -35,7 +35,8 @@ TEST(FieldModel, aFieldWithoutWallsHasLinesAroundItInstead) {
   const auto open = robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2009.yaml");
   ASSERT_TRUE(open);
   const std::string text = fieldModelSdf(*open, "2009");
-  EXPECT_THAT(text, AllOf(HasSubstr("line_touch_left"), HasSubstr("line_own_end"), HasSubstr("goal_blue_back")));
+  EXPECT_THAT(text,
+              AllOf(HasSubstr("line_touch_left"), HasSubstr("line_own_end"), HasSubstr("goal_blue_back")));
   EXPECT_THAT(text, Not(HasSubstr("wall_")));
   EXPECT_THAT(text, Not(HasSubstr("corner_")));
   EXPECT_THAT(fieldModelSdf(field(), "2002"), Not(HasSubstr("line_touch")));

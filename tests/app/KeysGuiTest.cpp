@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The keys of the workbench: that they mean the same wherever the focus is, and that no two of them clash.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QComboBox>
 #include <QDialog>
 #include <QLabel>
@@ -15,7 +16,6 @@
 #include <QtTest>
 #include <map>
 #include <utility>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
@@ -53,7 +53,8 @@ class Desk {
     status.set_step_process("nao/cognition");
     status.add_processes()->set_name("nao/cognition");
     status.add_logs()->set_path("/no/such/folder/game.mcap");
-    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)), std::make_shared<const robotcontrol::ReplayStatus>(status)});
+    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)),
+                              std::make_shared<const robotcontrol::ReplayStatus>(status)});
     window.tick();
   }
   widgets::View* open(const char* id) {
@@ -85,13 +86,16 @@ class Desk {
 std::vector<QWidget*> focusable(QWidget& in) {
   std::vector<QWidget*> found;
   for (QWidget* widget : in.findChildren<QWidget*>()) {
-    if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus && !app::isTextField(*widget)) found.push_back(widget);
+    if (widget->isVisible() && widget->isEnabled() && widget->focusPolicy() != Qt::NoFocus &&
+        !app::isTextField(*widget))
+      found.push_back(widget);
   }
   return found;
 }
 
 QByteArray nameOf(const QWidget& widget) {
-  return widget.window()->objectName().toUtf8() + " " + widget.metaObject()->className() + " " + widget.objectName().toUtf8();
+  return widget.window()->objectName().toUtf8() + " " + widget.metaObject()->className() + " " +
+         widget.objectName().toUtf8();
 }
 
 /// Plays, steps, jumps, chooses a class, takes back and saves with the focus on a widget.
@@ -101,8 +105,10 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
     desk.asked.clear();
     widget.setFocus();
     QTest::keyClick(&widget, static_cast<Qt::Key>(key), modifiers);
-    if (desk.asked.size() != 1 || desk.asked.front().action() != action || desk.asked.front().count() != count)
-      qFatal("%s: the key %s does something else", name.constData(), qPrintable(QKeySequence(key).toString()));
+    if (desk.asked.size() != 1 || desk.asked.front().action() != action ||
+        desk.asked.front().count() != count)
+      qFatal("%s: the key %s does something else", name.constData(),
+             qPrintable(QKeySequence(key).toString()));
     desk.answer();
   };
   asks(Qt::Key_Space, {}, ControlReplay::PLAY, 0);
@@ -115,7 +121,8 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
   if (colors) {
     for (const int digit : {3, 0, 5}) {
       QTest::keyClick(&widget, static_cast<Qt::Key>(Qt::Key_0 + digit));
-      if (desk.bench().currentClass() != digit) qFatal("%s: the digit %d chose nothing", name.constData(), digit);
+      if (desk.bench().currentClass() != digit)
+        qFatal("%s: the digit %d chose nothing", name.constData(), digit);
     }
   }
   QUndoStack& stack = desk.bench().undoStack();
@@ -123,7 +130,8 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
   const int index = stack.index();
   QTest::keyClick(&widget, Qt::Key_Z, Qt::ControlModifier);
   if (stack.index() != index - 1) qFatal("%s: Ctrl+Z took nothing back", name.constData());
-  for (const auto& [key, modifiers] : {std::pair{Qt::Key_Y, Qt::KeyboardModifiers(Qt::ControlModifier)}, {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier}}) {
+  for (const auto& [key, modifiers] : {std::pair{Qt::Key_Y, Qt::KeyboardModifiers(Qt::ControlModifier)},
+                                       {Qt::Key_Z, Qt::ControlModifier | Qt::ShiftModifier}}) {
     QTest::keyClick(&widget, key, modifiers);
     if (stack.index() != index) qFatal("%s: nothing was done again", name.constData());
     stack.undo();
@@ -131,23 +139,26 @@ void pressAll(Desk& desk, QWidget& widget, bool colors) {
   stack.clear();
   desk.window.statusBar()->clearMessage();
   QTest::keyClick(&widget, Qt::Key_S, Qt::ControlModifier);
-  if (!desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("All is saved"))) qFatal("%s: Ctrl+S saved nothing", name.constData());
+  if (!desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("All is saved")))
+    qFatal("%s: Ctrl+S saved nothing", name.constData());
 }
 
 /// Keys with Ctrl or Alt, and those of the top row, mean one thing in the whole program.
 bool meansOneThing(const QKeySequence& key) {
   const int code = key[0];
   const int plain = code & ~static_cast<int>(Qt::KeyboardModifierMask);
-  return (code & static_cast<int>(Qt::ControlModifier | Qt::AltModifier)) != 0 || (plain >= Qt::Key_F1 && plain <= Qt::Key_F35);
+  return (code & static_cast<int>(Qt::ControlModifier | Qt::AltModifier)) != 0 ||
+         (plain >= Qt::Key_F1 && plain <= Qt::Key_F35);
 }
 
 /// What the texts of actions come down to: "Copy picture" is a way to copy.
 QString meaning(const QKeySequence& key, const QString& text) {
-  static const std::map<QString, QString> families = {{QStringLiteral("Ctrl+C"), QStringLiteral("copies what is chosen or seen")},
-                                                      {QStringLiteral("Ctrl+Shift+E"), QStringLiteral("writes what is seen to a file")},
-                                                      {QStringLiteral("Ctrl+Return"), QStringLiteral("does it with what is chosen")},
-                                                      {QStringLiteral("Ctrl+Backspace"), QStringLiteral("gives it what it was at first")},
-                                                      {QStringLiteral("Shift+F5"), QStringLiteral("asks the robot again")}};
+  static const std::map<QString, QString> families = {
+      {QStringLiteral("Ctrl+C"), QStringLiteral("copies what is chosen or seen")},
+      {QStringLiteral("Ctrl+Shift+E"), QStringLiteral("writes what is seen to a file")},
+      {QStringLiteral("Ctrl+Return"), QStringLiteral("does it with what is chosen")},
+      {QStringLiteral("Ctrl+Backspace"), QStringLiteral("gives it what it was at first")},
+      {QStringLiteral("Shift+F5"), QStringLiteral("asks the robot again")}};
   const auto family = families.find(key.toString());
   return family != families.end() ? family->second : text;
 }
@@ -201,7 +212,8 @@ class KeysGuiTest : public QObject {
     desk.asked.clear();
     const int before = desk.bench().currentClass();
     QTest::keyClicks(&search, QStringLiteral("a 3.,5"));
-    for (const auto key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Left, Qt::Key_Right}) QTest::keyClick(&search, key);
+    for (const auto key : {Qt::Key_Home, Qt::Key_End, Qt::Key_Left, Qt::Key_Right})
+      QTest::keyClick(&search, key);
     QTest::keyClick(&search, Qt::Key_Z, Qt::ControlModifier);
     QVERIFY(desk.asked.empty());
     QCOMPARE(desk.bench().currentClass(), before);
@@ -224,7 +236,8 @@ class KeysGuiTest : public QObject {
     Desk desk(home_);
     const auto inView = [&desk] {
       const QWidget* widget = desk.window.focusWidget();
-      while (widget != nullptr && qobject_cast<const widgets::View*>(widget) == nullptr) widget = widget->parentWidget();
+      while (widget != nullptr && qobject_cast<const widgets::View*>(widget) == nullptr)
+        widget = widget->parentWidget();
       return widget != nullptr;
     };
     QVERIFY(inView());
@@ -247,7 +260,8 @@ class KeysGuiTest : public QObject {
         if (&a >= &b || a.key != b.key || meaning(a.key, a.text) == meaning(b.key, b.text)) continue;
         const bool together = a.view.isEmpty() || b.view.isEmpty() || a.view == b.view;
         if (!together && !meansOneThing(a.key)) continue;
-        clashes << QStringLiteral("%1: %2 \"%3\" and %4 \"%5\"").arg(a.key.toString(), a.view, a.text, b.view, b.text);
+        clashes << QStringLiteral("%1: %2 \"%3\" and %4 \"%5\"")
+                       .arg(a.key.toString(), a.view, a.text, b.view, b.text);
       }
     }
     QVERIFY2(clashes.isEmpty(), qPrintable(clashes.join(QLatin1Char('\n'))));
@@ -264,7 +278,8 @@ class KeysGuiTest : public QObject {
     QCOMPARE(list.topLevelItem(0)->text(0), QStringLiteral("Everywhere"));
     QTest::keyClicks(&child<QLineEdit>(dialog, "shortcutsSearch"), QStringLiteral("frame back"));
     int shown = 0;
-    for (int i = 0; i < list.topLevelItem(0)->childCount(); ++i) shown += list.topLevelItem(0)->child(i)->isHidden() ? 0 : 1;
+    for (int i = 0; i < list.topLevelItem(0)->childCount(); ++i)
+      shown += list.topLevelItem(0)->child(i)->isHidden() ? 0 : 1;
     QCOMPARE(shown, 1);
     QVERIFY(list.topLevelItem(1)->isHidden());
   }
@@ -308,7 +323,8 @@ class KeysGuiTest : public QObject {
     choose();
     QVERIFY(cancel.asked());
     QVERIFY(!desk.workbench.loading());
-    DialogAnswer goOn([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::DestructiveRole); });
+    DialogAnswer goOn(
+        [](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::DestructiveRole); });
     choose();
     QVERIFY(goOn.asked());
     QVERIFY(desk.workbench.loading());

@@ -135,11 +135,14 @@ TEST(AddedRobots, eightOfTwoTeamsStandAtTheirPlacesAndPlay) {
   RunOptions options = Workbench::defaultOptions();
   options.robots = simcore::RobotsToAdd{.model = "", .count = 7, .teams = teamsNamed("both")};
   Game game(options);
-  EXPECT_THAT(game.run->robots(), testing::UnorderedElementsAre("red1", "red2", "red3", "red4", "blue1", "blue2", "blue3", "blue4"));
+  EXPECT_THAT(game.run->robots(), testing::UnorderedElementsAre("red1", "red2", "red3", "red4", "blue1",
+                                                                "blue2", "blue3", "blue4"));
   for (const std::string& robot : game.run->robots()) {
     const Pose2 pose = game.poseOf(robot);
     EXPECT_LT(pose.x * (robot.starts_with("red") ? 1 : -1), 0) << robot << " stands in its own half";
-    EXPECT_LT(std::abs(robotlink::normalizedAngle(pose.heading - (robot.starts_with("red") ? 0 : robotlink::kPi))), 1e-3);
+    EXPECT_LT(
+        std::abs(robotlink::normalizedAngle(pose.heading - (robot.starts_with("red") ? 0 : robotlink::kPi))),
+        1e-3);
   }
   const Pose2 red = game.poseOf("red3"), blue = game.poseOf("blue3");
   game.play(8);

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// A program that records a simulated robot is killed at random times: at most a second is lost, frames are whole.
+// A program that records a simulated robot is killed at random times: at most a second is lost, frames are
+// whole.
 #include <fcntl.h>
 #include <gtest/gtest.h>
 #include <sys/wait.h>
@@ -35,8 +36,8 @@ class RecordingProgram {
     pid_ = ::fork();
     if (pid_ == 0) {
       ::dup2(ends[1], STDERR_FILENO);
-      ::execl(ROBOTCTL, ROBOTCTL, "sim", kScene.c_str(), "--seconds", "60", "--speed", "1", "--progress", "--record",
-              file.c_str(), static_cast<char*>(nullptr));
+      ::execl(ROBOTCTL, ROBOTCTL, "sim", kScene.c_str(), "--seconds", "60", "--speed", "1", "--progress",
+              "--record", file.c_str(), static_cast<char*>(nullptr));
       ::_exit(127);
     }
     ::close(ends[1]);
@@ -98,7 +99,9 @@ Recorded framesOf(const std::shared_ptr<logplayer::LogFile>& log) {
     recorded.end = std::max(recorded.end, robotlink::seconds(message->time));
   }
   for (auto& [key, frame] : open) {
-    const bool ends = std::any_of(frame.begin(), frame.end(), [](const auto& m) { return m.first.find("/frames/") != std::string::npos; });
+    const bool ends = std::any_of(frame.begin(), frame.end(), [](const auto& m) {
+      return m.first.find("/frames/") != std::string::npos;
+    });
     if (!ends) recorded.torn.push_back(key.first + " " + std::to_string(key.second));
     recorded.whole.insert_or_assign(key, std::move(frame));
   }
@@ -109,7 +112,8 @@ Recorded framesOf(const std::shared_ptr<logplayer::LogFile>& log) {
 Frames reference(const TestFolder& folder) {
   const std::filesystem::path file = folder / "reference.mcap";
   std::ostringstream command;
-  command << ROBOTCTL << " sim " << kScene << " --seconds " << kLongest + 3 << " --record " << file << " >/dev/null 2>&1";
+  command << ROBOTCTL << " sim " << kScene << " --seconds " << kLongest + 3 << " --record " << file
+          << " >/dev/null 2>&1";
   EXPECT_EQ(std::system(command.str().c_str()), 0);
   auto log = logplayer::LogFile::open(file, {});
   if (!log) ADD_FAILURE() << log.error().describe();
@@ -153,6 +157,10 @@ void killOften(int runs, double longest, unsigned seed) {
 
 }  // namespace
 
-TEST(KilledRecording, losesAtMostASecondAndNoHalfFrames) { killOften(2, 1.5, 7); }
+TEST(KilledRecording, losesAtMostASecondAndNoHalfFrames) {
+  killOften(2, 1.5, 7);
+}
 
-TEST(SlowKilledRecording, losesAtMostASecondAndNoHalfFramesAHundredTimes) { killOften(100, kLongest, 1); }
+TEST(SlowKilledRecording, losesAtMostASecondAndNoHalfFramesAHundredTimes) {
+  killOften(100, kLongest, 1);
+}

@@ -16,8 +16,11 @@ namespace {
 /// A workbench whose requests are seen, with the status of a log of ten seconds that begins at 486 s.
 class LogCommandsTest : public testing::Test {
  protected:
-  LogCommandsTest() : workbench(std::filesystem::path(testing::TempDir()) / ("log-commands-" + std::to_string(::getpid()))) {
-    workbench.session().setRequestSink([this](const robotcontrol::Request& request) { asked.push_back(request); });
+  LogCommandsTest()
+      : workbench(std::filesystem::path(testing::TempDir()) /
+                  ("log-commands-" + std::to_string(::getpid()))) {
+    workbench.session().setRequestSink(
+        [this](const robotcontrol::Request& request) { asked.push_back(request); });
     workbench.onErrors([this](const robotlink::Errors& told) { errors = robotlink::describe(told); });
   }
   void openLog() {
@@ -59,7 +62,8 @@ TEST_F(LogCommandsTest, playingIsAskedFor) {
 TEST_F(LogCommandsTest, stepsGoForwardsAndBackwards) {
   EXPECT_EQ(run("log.step 1"), "action: STEP_FRAME count: 1");
   EXPECT_EQ(run("log.step -5"), "action: STEP_FRAME count: -5");
-  EXPECT_EQ(run("log.step-message nao/camera/image -1"), "action: STEP_MESSAGE count: -1 stream: \"nao/camera/image\"");
+  EXPECT_EQ(run("log.step-message nao/camera/image -1"),
+            "action: STEP_MESSAGE count: -1 stream: \"nao/camera/image\"");
   EXPECT_EQ(run("log.step-process nao/motion"), "step_process: \"nao/motion\"");
   EXPECT_EQ(run("log.jump-frame 434"), "action: JUMP_TO_FRAME frame: 434");
 }
@@ -75,8 +79,10 @@ TEST_F(LogCommandsTest, secondsAreThoseSinceTheBegin) {
 
 TEST_F(LogCommandsTest, packagesAreChosenWithOrWithoutTheirRobot) {
   openLog();
-  EXPECT_EQ(run("log.package models/ball recomputed"), "packages { package: \"nao/models/ball\" source: RECOMPUTED }");
-  EXPECT_EQ(run("log.package nao/models/ball logged"), "packages { package: \"nao/models/ball\" source: AS_LOGGED }");
+  EXPECT_EQ(run("log.package models/ball recomputed"),
+            "packages { package: \"nao/models/ball\" source: RECOMPUTED }");
+  EXPECT_EQ(run("log.package nao/models/ball logged"),
+            "packages { package: \"nao/models/ball\" source: AS_LOGGED }");
   EXPECT_EQ(run("log.package models/ball automatic"), "packages { package: \"nao/models/ball\" }");
 }
 
@@ -105,7 +111,8 @@ TEST_F(LogCommandsTest, whatIsWrongIsSaidWithWhatIsAllowed) {
 }
 
 TEST_F(LogCommandsTest, withoutALogThereIsNothingToJumpIn) {
-  for (const char* line : {"log.jump 1", "log.range 1 2", "log.close", "log.layout compact", "log.package a logged"}) {
+  for (const char* line :
+       {"log.jump 1", "log.range 1 2", "log.close", "log.layout compact", "log.package a logged"}) {
     EXPECT_THAT(run(line), HasSubstr("no log is open; open one first")) << line;
   }
   EXPECT_TRUE(asked.empty());

@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does with a log in the main window: toolbar, menu, keys, opening. The test tells what the replay says.
+// What a person does with a log in the main window: toolbar, menu, keys, opening. The test tells what the
+// replay says.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
 #include <QComboBox>
 #include <QDropEvent>
@@ -13,7 +15,6 @@
 #include <QTreeView>
 #include <QUrl>
 #include <QtTest>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/LogToolBar.h"
@@ -59,7 +60,8 @@ class Desk {
     tell();
   }
   void tell() {
-    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)), std::make_shared<const robotcontrol::ReplayStatus>(status)});
+    workbench.session().push({"replay", robotlink::Instant(robotlink::fromSeconds(1)),
+                              std::make_shared<const robotcontrol::ReplayStatus>(status)});
     window.tick();
   }
   template <typename W>
@@ -69,7 +71,8 @@ class Desk {
     return *widget;
   }
   void click(const char* action) {
-    auto* button = qobject_cast<QToolButton*>(find<QToolBar>("logToolBar").widgetForAction(&find<QAction>(action)));
+    auto* button =
+        qobject_cast<QToolButton*>(find<QToolBar>("logToolBar").widgetForAction(&find<QAction>(action)));
     if (button == nullptr) qFatal("there is no button for %s", action);
     QTest::mouseClick(button, Qt::LeftButton);
   }
@@ -213,7 +216,9 @@ class LogWindowTest : public QObject {
     Desk desk(home_ / "keys");
     desk.openLog();
     desk.window.setFocus();
-    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) { QTest::keyClick(&desk.window, key, modifiers); };
+    const auto press = [&](Qt::Key key, Qt::KeyboardModifiers modifiers = {}) {
+      QTest::keyClick(&desk.window, key, modifiers);
+    };
     press(Qt::Key_Space);
     QCOMPARE(desk.last().action(), ControlReplay::PLAY);
     press(Qt::Key_Right, Qt::ShiftModifier);
@@ -225,7 +230,8 @@ class LogWindowTest : public QObject {
     const auto requests = desk.asked.size();
     auto& search = desk.find<QLineEdit>("keysSearch");
     search.setFocus();
-    for (const auto key : {Qt::Key_Space, Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End, Qt::Key_Comma, Qt::Key_Period}) {
+    for (const auto key : {Qt::Key_Space, Qt::Key_Left, Qt::Key_Right, Qt::Key_Home, Qt::Key_End,
+                           Qt::Key_Comma, Qt::Key_Period}) {
       QTest::keyClick(&search, key);
     }
     QTest::keyClicks(&search, QStringLiteral("bio.,"));
@@ -251,9 +257,11 @@ class LogWindowTest : public QObject {
     for (const QAction* action : menu.actions()) {
       if (action->shortcut().isEmpty()) continue;
       keys << action->shortcut().toString();
-      QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)), qPrintable(action->text()));
+      QVERIFY2(action->toolTip().contains(action->shortcut().toString(QKeySequence::NativeText)),
+               qPrintable(action->text()));
     }
-    for (const char* key : {"Space", "Left", "Right", "Shift+Left", "Shift+Right", "Home", "End", "I", "O", "Ctrl+B", ",", "."}) {
+    for (const char* key : {"Space", "Left", "Right", "Shift+Left", "Shift+Right", "Home", "End", "I", "O",
+                            "Ctrl+B", ",", "."}) {
       QVERIFY2(keys.contains(QLatin1String(key)), key);
     }
     desk.find<QAction>("log.toEnd").trigger();
@@ -268,7 +276,8 @@ class LogWindowTest : public QObject {
     Desk desk(home_ / "drop");
     desk.dropFile(QLatin1String(kFile));
     QTRY_VERIFY(desk.find<QLabel>("errorText").isVisible());  // it is not there, and that is said
-    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)), qPrintable(desk.find<QLabel>("errorText").text()));
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(QLatin1String(kFile)),
+             qPrintable(desk.find<QLabel>("errorText").text()));
   }
 
   void recentLogsAreRememberedOverRestarts() {
@@ -325,7 +334,8 @@ class LogWindowTest : public QObject {
   void theLogPerspectiveHasWhatOneNeeds() {
     Desk desk(home_ / "perspective");
     desk.find<QAction>("perspective.Log").trigger();
-    for (const char* view : {"image", "time-line", "replay-packages", "log-streams", "bookmarks", "solutions", "messages"}) {
+    for (const char* view :
+         {"image", "time-line", "replay-packages", "log-streams", "bookmarks", "solutions", "messages"}) {
       QVERIFY2(desk.window.docks().docks(QLatin1String(view)).size() == 1, view);
     }
   }

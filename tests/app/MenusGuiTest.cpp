@@ -1,13 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Every entry of the workbench's menus, chosen by the mouse or its key, with the dialogs that it opens.
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
 #include <QComboBox>
 #include <QLabel>
 #include <QMessageBox>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTreeWidget>
-#include <qtadvanceddocking/DockAreaWidget.h>
-#include <qtadvanceddocking/DockWidget.h>
 
 #include "tests/app/Desk.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -22,14 +22,18 @@ QString twoRobots(const std::filesystem::path& folder) {
   if (!scene.open(QIODevice::ReadOnly)) qFatal("the shipped scene is missing");
   QByteArray text = scene.readAll();
   text.replace("</world>",
-               "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 3.14</pose></include></world>");
+               "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 "
+               "3.14</pose></include></world>");
   std::filesystem::create_directories(folder);
   QFile two(QString::fromStdString((folder / "two.sdf").string()));
-  if (!two.open(QIODevice::WriteOnly) || two.write(text) != text.size()) qFatal("the scene cannot be written");
+  if (!two.open(QIODevice::WriteOnly) || two.write(text) != text.size())
+    qFatal("the scene cannot be written");
   return two.fileName();
 }
 
-std::size_t docks(Desk& desk, const char* id) { return desk.window.docks().docks(QLatin1String(id)).size(); }
+std::size_t docks(Desk& desk, const char* id) {
+  return desk.window.docks().docks(QLatin1String(id)).size();
+}
 
 }  // namespace
 
@@ -68,7 +72,8 @@ class MenusGuiTest : public QObject {
     DialogAnswer answer = DialogAnswer::file(QLatin1String(kLayouts) + QStringLiteral("balanced.yaml"));
     desk.choose("file.openLayout");
     QVERIFY(answer.asked());
-    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("layoutBox").currentText(), QStringLiteral("balanced"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("layoutBox").currentText(), QStringLiteral("balanced"),
+                              kWaitMs);
   }
 
   void thePictureOfTheWindowIsSavedOrItIsSaidWhyNot() {
@@ -84,7 +89,8 @@ class MenusGuiTest : public QObject {
     desk.choose("file.savePicture");
     QVERIFY(wrong.asked());
     QVERIFY(desk.find<QLabel>("errorText").isVisible());
-    QVERIFY2(desk.find<QLabel>("errorText").text().contains(nowhere), qPrintable(desk.find<QLabel>("errorText").text()));
+    QVERIFY2(desk.find<QLabel>("errorText").text().contains(nowhere),
+             qPrintable(desk.find<QLabel>("errorText").text()));
   }
 
   void quitClosesTheWindow() {
@@ -105,8 +111,9 @@ class MenusGuiTest : public QObject {
     auto& state = desk.find<QLabel>("statusState");
     QTRY_COMPARE_WITH_TIMEOUT(state.text(), QStringLiteral("running"), kWaitMs);
     auto& speed = desk.find<QLabel>("statusSpeed");
-    QTRY_VERIFY_WITH_TIMEOUT(speed.text().startsWith(QStringLiteral("sim ")) && speed.text() != QStringLiteral("sim 0.0×"),
-                             kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        speed.text().startsWith(QStringLiteral("sim ")) && speed.text() != QStringLiteral("sim 0.0×"),
+        kWaitMs);
     QCOMPARE(desk.find<QLabel>("statusDropped").text(), QStringLiteral("0 dropped"));
     QTest::keyClick(&desk.window, Qt::Key_F6);
     QTRY_VERIFY_WITH_TIMEOUT(!desk.status()->running(), kWaitMs);
@@ -136,7 +143,8 @@ class MenusGuiTest : public QObject {
       if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
       QList<QSize> found;
       for (const char* view : {"image", "solutions", "messages", "field"}) {
-        for (const auto* dock : window.docks().docks(QLatin1String(view))) found << dock->dockAreaWidget()->size();
+        for (const auto* dock : window.docks().docks(QLatin1String(view)))
+          found << dock->dockAreaWidget()->size();
       }
       window.close();
       return found;
@@ -227,7 +235,9 @@ class MenusGuiTest : public QObject {
     QVERIFY(QTest::qWaitForWindowActive(&desk.window));
     DialogAnswer keys([&said](QDialog& dialog) {
       const auto* list = dialog.findChild<QTreeWidget*>(QStringLiteral("shortcutsList"));
-      for (const QTreeWidgetItem* row : list->findItems(QStringLiteral("F5"), Qt::MatchExactly | Qt::MatchRecursive, 1)) said += row->text(0);
+      for (const QTreeWidgetItem* row :
+           list->findItems(QStringLiteral("F5"), Qt::MatchExactly | Qt::MatchRecursive, 1))
+        said += row->text(0);
       DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
     });
     QTest::keyClick(&desk.window, Qt::Key_F1);
@@ -258,8 +268,9 @@ class MenusGuiTest : public QObject {
     request.mutable_stop()->set_engaged(true);
     desk.workbench.session().request(request);
     QTRY_VERIFY_WITH_TIMEOUT(!desk.window.statusBar()->currentMessage().isEmpty(), kWaitMs);
-    QVERIFY2(desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("Refused (stop of nobody): ")),
-             qPrintable(desk.window.statusBar()->currentMessage()));
+    QVERIFY2(
+        desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("Refused (stop of nobody): ")),
+        qPrintable(desk.window.statusBar()->currentMessage()));
   }
 
  private:

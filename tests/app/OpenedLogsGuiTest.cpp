@@ -23,7 +23,8 @@ class OpenedLogsGuiTest : public QObject {
     Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
     home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
     QVERIFY(folder_.isValid());
-    for (const char* name : {"first.mcap", "second.mcap"}) QCOMPARE(ShortLog::write(file(name)), std::string());
+    for (const char* name : {"first.mcap", "second.mcap"})
+      QCOMPARE(ShortLog::write(file(name)), std::string());
   }
   void init() { std::filesystem::remove_all(home_); }
   void cleanupTestCase() { Bench::tidyUp(); }
@@ -33,7 +34,8 @@ class OpenedLogsGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     const auto& menu = *desk.find<QMenu>("simulationMenu").menuAction();
     const auto shown = [&] {
-      return std::array{desk.find<QAction>("simulation.step").isVisible(), desk.find<QComboBox>("speedBox").isVisible(), menu.isVisible()};
+      return std::array{desk.find<QAction>("simulation.step").isVisible(),
+                        desk.find<QComboBox>("speedBox").isVisible(), menu.isVisible()};
     };
     QCOMPARE(shown(), (std::array{true, true, true}));
     open(desk, "first.mcap");
@@ -48,7 +50,9 @@ class OpenedLogsGuiTest : public QObject {
   void whoOpensALogSeesItsPerspectiveUnlessHeChoseAnother() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
-    const auto shows = [&](const char* view) { return desk.window.docks().docks(QLatin1String(view)).size() == 1; };
+    const auto shows = [&](const char* view) {
+      return desk.window.docks().docks(QLatin1String(view)).size() == 1;
+    };
     QVERIFY(shows("scene") && !shows("time-line"));
     open(desk, "first.mcap");
     QVERIFY(shows("time-line") && shows("replay-packages") && !shows("scene"));
@@ -91,9 +95,12 @@ class OpenedLogsGuiTest : public QObject {
     QTest::mouseClick(&desk.find<QToolButton>("logContents.log-streams"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(desk.has("streamsView"), kWaitMs);
     // Its values are in the history, as those of any robot.
-    const auto pose = [&] { return desk.workbench.session().store().latest("a/b/c", desk.workbench.session().timeline().newest()); };
+    const auto pose = [&] {
+      return desk.workbench.session().store().latest("a/b/c", desk.workbench.session().timeline().newest());
+    };
     QVERIFY(desk.workbench.commands().run("log.jump", {0.15}));
-    QTRY_VERIFY_WITH_TIMEOUT(pose() != nullptr && robotlink::numberAt(*pose()->value, "position.x") == 1.5, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(pose() != nullptr && robotlink::numberAt(*pose()->value, "position.x") == 1.5,
+                             kWaitMs);
     open(desk, "first.mcap");
     QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
   }
@@ -110,7 +117,8 @@ class OpenedLogsGuiTest : public QObject {
     auto& bar = desk.find<QWidget>("openingBar");
     QVERIFY(!bar.isVisible());
     QVERIFY(desk.workbench.commands().run("log.open", {slow.string()}));
-    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && desk.find<QProgressBar>("openingProgress").value() > 0, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(bar.isVisible() && desk.find<QProgressBar>("openingProgress").value() > 0,
+                             kWaitMs);
     QTest::mouseClick(&desk.find<QToolButton>("openingCancel"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
     QVERIFY(desk.workbench.loaded()->logs.empty());
@@ -119,10 +127,13 @@ class OpenedLogsGuiTest : public QObject {
   }
 
  private:
-  std::filesystem::path file(const char* name) const { return std::filesystem::path(folder_.path().toStdString()) / name; }
+  std::filesystem::path file(const char* name) const {
+    return std::filesystem::path(folder_.path().toStdString()) / name;
+  }
   void open(Desk& desk, const char* name) {
     QVERIFY(desk.workbench.commands().run("log.open", {file(name).string()}));
-    QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loaded()->logs.empty() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        !desk.workbench.loaded()->logs.empty() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
   }
 
   std::filesystem::path home_;

@@ -10,9 +10,13 @@ namespace {
 
 const Pace::RealTime kStart = Pace::RealTime(std::chrono::hours(1));
 
-robotlink::Instant at(double seconds) { return robotlink::Instant(robotlink::fromSeconds(seconds)); }
+robotlink::Instant at(double seconds) {
+  return robotlink::Instant(robotlink::fromSeconds(seconds));
+}
 
-double realSeconds(Pace::RealTime::duration duration) { return std::chrono::duration<double>(duration).count(); }
+double realSeconds(Pace::RealTime::duration duration) {
+  return std::chrono::duration<double>(duration).count();
+}
 
 Pace paceAt(double speed, double time) {
   Pace pace;

@@ -43,7 +43,8 @@ class PioneerDriverTest : public testing::Test {
     robotlink::connect(*findSender<robotcontrol::SonarReadings>("range/sonar"), sonar_);
     robotlink::connect(*findSender<foxglove::LaserScan>("range/laser"), laser_);
     robotlink::connect(*findSender<robotcontrol::LinkStatus>("link/status"), status_);
-    for (robotlink::AnyReceiver* receiver : platform_.receivers()) robotlink::connectUnchecked(request_, *receiver);
+    for (robotlink::AnyReceiver* receiver : platform_.receivers())
+      robotlink::connectUnchecked(request_, *receiver);
   }
 
   template <typename T>
@@ -97,7 +98,8 @@ class PioneerDriverTest : public testing::Test {
   }
 
   robotlink::ManualClock clock_;
-  robotlink::RobotDescription description_ = *robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));
+  robotlink::RobotDescription description_ =
+      *robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));
   Ends platform_{"platform", clock_}, program_{"program", clock_};
   PioneerDriver driver_{platform_, "p3at1", description_, {.address = "test"}};
   arcos::ServerSession server_;

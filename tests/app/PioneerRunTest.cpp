@@ -28,7 +28,8 @@ class Ears {
   PioneerRun::Listeners listeners() {
     return {[this](const std::string& robot, auto queue) {
               const std::lock_guard lock(mutex_);
-              for (auto& message : robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages) {
+              for (auto& message :
+                   robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kViews).messages) {
                 newest_[message.path] = message.value;
               }
             },
@@ -69,7 +70,8 @@ class Hanging final : public robotlink::Solution {
   robotlink::Input<robotcontrol::DriveState> drive_;
 };
 const robotlink::SolutionRegistration kHanging =
-    robotlink::SolutionBuilder<Hanging>("pioneer-run-test", "hang", "Never returns.").needs(robotlink::kDriveState);
+    robotlink::SolutionBuilder<Hanging>("pioneer-run-test", "hang", "Never returns.")
+        .needs(robotlink::kDriveState);
 
 class PioneerRunTest : public testing::Test {
  protected:
@@ -119,7 +121,8 @@ class PioneerRunTest : public testing::Test {
 
 TEST_F(PioneerRunTest, aRobotAtTheEndOfALineTellsWhatASimulatedOneDoes) {
   connect();
-  ASSERT_TRUE(playUntil([&] { return state() && ears_.newest<robotcontrol::SonarReadings>("p3at1/range/sonar"); }));
+  ASSERT_TRUE(
+      playUntil([&] { return state() && ears_.newest<robotcontrol::SonarReadings>("p3at1/range/sonar"); }));
   EXPECT_FALSE(state()->motors_on());  // a real robot waits for a person
   ASSERT_TRUE(motors(true));
   EXPECT_TRUE(playUntil([&] { return state()->motors_on(); }));
@@ -143,9 +146,10 @@ TEST_F(PioneerRunTest, stopTakesTheMotorsOff) {
 }
 
 TEST_F(PioneerRunTest, stopActsWhileAProgramHangsAndEvenWhileItsEndIsWaitedFor) {
-  std::ofstream(layout_) << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
-                            "processes:\n  - {name: stuck, blocking: [drive/state], tasks: [pioneer-run-test: hang]}\n"
-                            "  - {name: debug, debug: true, period_ms: 16}\n";
+  std::ofstream(layout_)
+      << "version: 1\nname: hanging\nhelp: A process that hangs.\n"
+         "processes:\n  - {name: stuck, blocking: [drive/state], tasks: [pioneer-run-test: hang]}\n"
+         "  - {name: debug, debug: true, period_ms: 16}\n";
   letGo = hangs = false;
   struct AtTheEnd {
     ~AtTheEnd() { letGo = true; }
@@ -222,8 +226,9 @@ TEST_F(PioneerRunTest, whatAPersonChoseIsKeptByAnotherLayoutOrSaidToBeLost) {
   ears_.forget();
   EXPECT_TRUE(playUntil([&] { return driving() == "wander"; }));
   ASSERT_TRUE(run_->setLayout(layout_).empty());
-  EXPECT_EQ(run_->lostChoices(), std::vector<std::string>{"p3at1 could not keep solution wander of task driving: "
-                                                          "no process of this layout has 'driving'"});
+  EXPECT_EQ(run_->lostChoices(),
+            std::vector<std::string>{"p3at1 could not keep solution wander of task driving: "
+                                     "no process of this layout has 'driving'"});
 }
 
 TEST_F(PioneerRunTest, whatIsWrongWithItIsSaidBeforeAnythingRuns) {

@@ -1,12 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Pioneers in the workbench: set up as a person does, connected over TCP, stopped, and driven by a program outside.
+// Pioneers in the workbench: set up as a person does, connected over TCP, stopped, and driven by a program
+// outside.
+#include <qtadvanceddocking/DockWidget.h>
 #include <QCheckBox>
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
 #include <QPushButton>
 #include <QSpinBox>
-#include <qtadvanceddocking/DockWidget.h>
 #include <QTableView>
 
 #include "robotcontrol/Driving.pb.h"
@@ -71,16 +72,19 @@ class PioneersGuiTest : public QObject {
     std::thread client([&] {
       if (!robot.begin()) qFatal("the robot cannot be reached");
     });
-    QTRY_VERIFY_WITH_TIMEOUT(newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status") != nullptr &&
-                                 !newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status")->client().empty(),
-                             kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status") != nullptr &&
+            !newest<robotcontrol::LinkStatus>(desk, "p3at1/link/status")->client().empty(),
+        kWaitMs);
     client.join();
     // The same once more, at the same ports; what was chosen is there again.
-    QVERIFY(desk.workbench.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 2.0, true,
-                                                               static_cast<double>(port), false, std::string("both")}));
+    QVERIFY(desk.workbench.commands().run("simulation.setup",
+                                          {std::string("pioneer"), std::string("p3at"), 2.0, true,
+                                           static_cast<double>(port), false, std::string("both")}));
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").count(), 3, kWaitMs);
     DialogAnswer again([port](QDialog& dialog) {
-      QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->currentText(), QStringLiteral("pioneer"));
+      QCOMPARE(dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->currentText(),
+               QStringLiteral("pioneer"));
       QCOMPARE(dialog.findChild<QSpinBox*>(QStringLiteral("setupPort"))->value(), port);
       DialogAnswer::press(dialog, QDialogButtonBox::RejectRole);
     });
@@ -118,7 +122,8 @@ class PioneersGuiTest : public QObject {
     QVERIFY(desk.workbench.commands().run("view.show", {std::string("packets")}));
     QCOMPARE(desk.window.docks().docks(QStringLiteral("packets")), packets);
     QVERIFY(packets.front()->isCurrentTab());
-    QCOMPARE(desk.workbench.commands().run("view.show", {std::string("parrot")}).error().id, std::string("view.unknown"));
+    QCOMPARE(desk.workbench.commands().run("view.show", {std::string("parrot")}).error().id,
+             std::string("view.unknown"));
   }
 
   void aRobotAtTheEndOfALineIsARobotLikeTheOthers() {
@@ -132,14 +137,15 @@ class PioneersGuiTest : public QObject {
     address->selectAll();
     QTest::keyClicks(address, QString::fromStdString(world.url()));
     QTest::mouseClick(&desk.find<QPushButton>("connectButton"), Qt::LeftButton);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").currentText(), QStringLiteral("p3at1"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.find<QComboBox>("robotBox").currentText(), QStringLiteral("p3at1"),
+                              kWaitMs);
     QVERIFY(desk.window.windowTitle().contains(QString::fromStdString(world.url())));
     QTRY_VERIFY_WITH_TIMEOUT(!desk.find<QDialog>("connectDialog").isVisible(), kWaitMs);  // the robot answers
     QTRY_COMPARE_WITH_TIMEOUT(desk.find<QLabel>("linkState").text(), QStringLiteral("connected"), kWaitMs);
     const auto state = [&] { return newest<robotcontrol::DriveState>(desk, "p3at1/drive/state"); };
     QTRY_VERIFY_WITH_TIMEOUT(state() != nullptr, kWaitMs);
     QVERIFY(!desk.find<QAction>("simulation.pause").isVisible());  // its time cannot be stopped
-    QVERIFY(!state()->motors_on());  // a real robot waits for a person
+    QVERIFY(!state()->motors_on());                                // a real robot waits for a person
     QTest::mouseClick(&desk.find<QToolButton>("baseMotors"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(state()->motors_on(), kWaitMs);
     QTest::mouseClick(&desk.find<QToolButton>("stopButton"), Qt::LeftButton);

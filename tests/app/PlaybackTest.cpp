@@ -14,7 +14,9 @@ namespace {
 using robotlink::Instant;
 using Real = Playback::RealTime;
 
-Instant at(double seconds) { return Instant(robotlink::fromSeconds(seconds)); }
+Instant at(double seconds) {
+  return Instant(robotlink::fromSeconds(seconds));
+}
 
 /// A log of which only the times of its messages are known, played in a real time that a test turns.
 struct Player {
@@ -131,7 +133,8 @@ TEST(Playback, allIsPlayedInALoop) {
   Player player({0, 0.2, 0.4});
   player.playback.setLoop(true);
   player.play();
-  EXPECT_EQ(player.run(900ms), (Done{"200 step 1", "400 step 2", "400 jump 0", "600 step 1", "800 step 2", "800 jump 0"}));
+  EXPECT_EQ(player.run(900ms),
+            (Done{"200 step 1", "400 step 2", "400 jump 0", "600 step 1", "800 step 2", "800 jump 0"}));
 }
 
 TEST(Playback, aRangeIsPlayedInALoopToItsEnd) {
@@ -162,7 +165,8 @@ TEST(Playback, aRangeMayBeginBetweenMessages) {
   player.playback.setRange(Playback::Range{at(0.3), at(0.6)});
   player.jump(at(0.3));
   player.play();
-  EXPECT_EQ(player.run(900ms), (Done{"200 step 2", "400 step 3", "400 jump 1", "600 step 2", "800 step 3", "800 jump 1"}));
+  EXPECT_EQ(player.run(900ms),
+            (Done{"200 step 2", "400 step 3", "400 jump 1", "600 step 2", "800 step 3", "800 jump 1"}));
 }
 
 TEST(Playback, aRangeWithoutALoopChangesNothing) {

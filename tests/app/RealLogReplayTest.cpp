@@ -85,18 +85,28 @@ TEST_F(RealLogReplay, tasksThatLackInputsAreListedAndShownWithTheReason) {
   ASSERT_TRUE(replay.run->jump(replay.run->begin()).empty());
   const auto status = replay.status();
   const auto& unavailable = status.unavailable_tasks();
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/camera-pose: neither the robot nor another task provides joint angles (joints/states)"));
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/ball-percept: neither the robot nor another task provides the camera's pose (camera/pose)"));
-  EXPECT_THAT(unavailable, ::testing::Contains("nao/motion: neither the robot nor another task provides joint angles (joints/states)"));
+  EXPECT_THAT(
+      unavailable,
+      ::testing::Contains(
+          "nao/camera-pose: neither the robot nor another task provides joint angles (joints/states)"));
+  EXPECT_THAT(
+      unavailable,
+      ::testing::Contains(
+          "nao/ball-percept: neither the robot nor another task provides the camera's pose (camera/pose)"));
+  EXPECT_THAT(unavailable,
+              ::testing::Contains(
+                  "nao/motion: neither the robot nor another task provides joint angles (joints/states)"));
   const auto* told = replay.lastOn("nao/tables/solutions");
   ASSERT_NE(told, nullptr);
   const auto& table = dynamic_cast<const robotcontrol::SolutionTable&>(*told->value);
   for (const std::string& text : unavailable) {
     const std::string task = text.substr(4, text.find(':') - 4);
-    const auto row = std::find_if(table.tasks().begin(), table.tasks().end(), [&](const auto& r) { return r.name() == task; });
+    const auto row = std::find_if(table.tasks().begin(), table.tasks().end(),
+                                  [&](const auto& r) { return r.name() == task; });
     ASSERT_NE(row, table.tasks().end()) << task;
     EXPECT_EQ(row->active(), "");
-    for (const auto& solution : row->solutions()) EXPECT_THAT(solution.unavailable(), HasSubstr("unavailable because "));
+    for (const auto& solution : row->solutions())
+      EXPECT_THAT(solution.unavailable(), HasSubstr("unavailable because "));
   }
   for (int i = 0; i < 20; ++i) ASSERT_TRUE(replay.run->step());
   EXPECT_GT(replay.countOn("nao/percepts/regions"), 3U) << "what has its inputs runs";

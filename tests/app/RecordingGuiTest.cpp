@@ -35,7 +35,8 @@ constexpr int kWaitMs = 20000;
 
 class Desk {
  public:
-  explicit Desk(const std::filesystem::path& home, bool simulates = false) : workbench(home), window(workbench, home) {
+  explicit Desk(const std::filesystem::path& home, bool simulates = false)
+      : workbench(home), window(workbench, home) {
     window.resize(1600, 900);
     window.show();
     if (!QTest::qWaitForWindowActive(&window)) qFatal("the window never became active");
@@ -63,7 +64,8 @@ class Desk {
   }
   void clickButton(const char* action) {
     auto& bar = child<QToolBar>(window, "recordingToolBar");
-    auto* button = qobject_cast<QToolButton*>(bar.widgetForAction(window.findChild<QAction*>(QLatin1String(action))));
+    auto* button =
+        qobject_cast<QToolButton*>(bar.widgetForAction(window.findChild<QAction*>(QLatin1String(action))));
     QVERIFY2(button != nullptr, action);
     QTest::mouseClick(button, Qt::LeftButton);
   }
@@ -103,7 +105,9 @@ class RecordingGuiTest : public QObject {
     QTest::mouseClick(&button, Qt::LeftButton, {}, {10, button.height() / 2});
     QVERIFY(desk.status().recording());
     QTRY_VERIFY_WITH_TIMEOUT(desk.status().messages() > 500, kWaitMs);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.shown().contains(QStringLiteral(" MB")) && desk.shown().startsWith(QStringLiteral("0:0")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.shown().contains(QStringLiteral(" MB")) && desk.shown().startsWith(QStringLiteral("0:0")),
+        kWaitMs);
     QVERIFY(button.isChecked());
     QCOMPARE(button.text(), QStringLiteral("End recording"));
     const QString file = QString::fromStdString(only(folder));
@@ -125,7 +129,9 @@ class RecordingGuiTest : public QObject {
     QVERIFY(log.count("red1/joints/states") > 20);
     QVERIFY(log.count("red1/program") > 0);
     QVERIFY(log.count("simulation") > 0);
-    QVERIFY(child<QLabel>(desk.window, "recordingStatus").toolTip().contains(QString::fromStdString(only(folder))));
+    QVERIFY(child<QLabel>(desk.window, "recordingStatus")
+                .toolTip()
+                .contains(QString::fromStdString(only(folder))));
   }
 
   void whatWasRecordedIsOpenedAndItsFolderShown() {
@@ -143,7 +149,8 @@ class RecordingGuiTest : public QObject {
     QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
     QCOMPARE(shown_, QUrl::fromLocalFile(QString::fromStdString(folder.path().string())));
     click(child<QToolButton>(desk.window, "recordedOpen"));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr && desk.workbench.loaded()->logs.size() == 1, kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr && desk.workbench.loaded()->logs.size() == 1,
+                             kWaitMs);
     QVERIFY(!child<QWidget>(desk.window, "recordedBar").isVisible());
     QVERIFY(!child<QLabel>(desk.window, "errorText").isVisible());
   }
@@ -169,7 +176,8 @@ class RecordingGuiTest : public QObject {
     QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(desk.status().recording());
     const std::string recorded = only(folder);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled(), kWaitMs);
     DialogAnswer answer([](QDialog& dialog) {
       QTest::keyClicks(dialog.findChild<QLineEdit*>(), QStringLiteral("ball missed"));
       QTest::keyClick(&dialog, Qt::Key_Return);
@@ -178,7 +186,8 @@ class RecordingGuiTest : public QObject {
     QVERIFY(answer.asked());
     desk.choose("recording.keep.10", "recording.keep");
     QCOMPARE(desk.status().keep_last(), 10.0);
-    QTRY_VERIFY_WITH_TIMEOUT(desk.status().kept_seconds() > 0.1 && desk.shown().contains(QStringLiteral("keeps")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.status().kept_seconds() > 0.1 && desk.shown().contains(QStringLiteral("keeps")), kWaitMs);
     QTest::keyClick(&desk.window, Qt::Key_S, Qt::ControlModifier | Qt::ShiftModifier);
     QTRY_COMPARE_WITH_TIMEOUT(folder.files().size(), std::size_t{2}, kWaitMs);
     QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
@@ -197,7 +206,9 @@ class RecordingGuiTest : public QObject {
     Desk desk(home_ / "buttons", true);
     desk.run("recording.folder " + folder.path().string());
     desk.run("recording.keep 5");
-    QTRY_VERIFY_WITH_TIMEOUT(desk.plays() && desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled(), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.plays() && desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled(),
+        kWaitMs);
     desk.clickButton("recording.save-last");
     desk.workbench.recording().recorder().finish();
     QCOMPARE(folder.files().size(), std::size_t{1});
@@ -247,16 +258,19 @@ class RecordingGuiTest : public QObject {
     QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.images.jpeg"))->isChecked());
     QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.keep.30"))->isChecked());
     QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.compression.zstd"))->isChecked());
-    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.trigger"))->text().contains(QStringLiteral("lost")));
+    QVERIFY(desk.window.findChild<QAction*>(QStringLiteral("recording.trigger"))
+                ->text()
+                .contains(QStringLiteral("lost")));
   }
 
   void whatCannotBeDoneIsSaid() {
     Desk desk(home_ / "refused");
     QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.save-last"))->isEnabled());
     QVERIFY(!desk.window.findChild<QAction*>(QStringLiteral("recording.bookmark"))->isEnabled());
-    for (const char* line : {"recording.stop", "recording.save-last", "recording.bookmark x", "recording.images gif",
-                             "recording.compression zip", "recording.keep -1", "recording.streams a,,b",
-                             "recording.folder /no/such/folder", "recording.start-file /no/such/folder/a.mcap"}) {
+    for (const char* line :
+         {"recording.stop", "recording.save-last", "recording.bookmark x", "recording.images gif",
+          "recording.compression zip", "recording.keep -1", "recording.streams a,,b",
+          "recording.folder /no/such/folder", "recording.start-file /no/such/folder/a.mcap"}) {
       QVERIFY2(!desk.workbench.commands().runLine(line).has_value(), line);
     }
     desk.run("recording.folder " + home_.string());
@@ -279,7 +293,8 @@ class RecordingGuiTest : public QObject {
     auto& patterns = child<QLineEdit>(chooser, "streamPatterns");
     const auto ticked = [&list] {
       std::string rows;
-      for (int row = 0; row < list.count(); ++row) rows += list.item(row)->checkState() == Qt::Checked ? 'x' : '-';
+      for (int row = 0; row < list.count(); ++row)
+        rows += list.item(row)->checkState() == Qt::Checked ? 'x' : '-';
       return rows;
     };
     const auto tick = [&list](int row) {
@@ -313,7 +328,8 @@ class RecordingGuiTest : public QObject {
     status.set_keep_last(10);
     status.set_kept_seconds(7.7);
     status.set_dropped_messages(3);
-    QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("1:15  12.3 MB  keeps 7 s  3 left out"));
+    QCOMPARE(app::RecordingToolBar::statusText(status),
+             QStringLiteral("1:15  12.3 MB  keeps 7 s  3 left out"));
     status = {};
     status.set_failure("the disk is full");
     QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("recording failed"));
@@ -326,7 +342,8 @@ class RecordingGuiTest : public QObject {
   /// With ROBOTCONTROL_LOOKS=FOLDER: a picture to be looked at.
   static void look(QWidget& widget, const char* name) {
     const QString looks = qEnvironmentVariable("ROBOTCONTROL_LOOKS");
-    if (!looks.isEmpty()) QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
+    if (!looks.isEmpty())
+      QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
   }
   std::filesystem::path home_;
   QUrl shown_;

@@ -93,10 +93,12 @@ std::vector<std::string> brokenFrames(const ReadLog& log) {
     if (entry.frame == 0) continue;
     const bool ends = entry.type == "robotcontrol.FrameInfo";
     const auto [at, isNew] = open.try_emplace(entry.process, entry.frame);
-    if (at->second != entry.frame) broken.push_back(entry.process + " " + std::to_string(entry.frame) + " " + entry.path);
+    if (at->second != entry.frame)
+      broken.push_back(entry.process + " " + std::to_string(entry.frame) + " " + entry.path);
     if (ends) open.erase(at);
   }
-  for (const auto& [process, frame] : open) broken.push_back(process + " " + std::to_string(frame) + " has no end");
+  for (const auto& [process, frame] : open)
+    broken.push_back(process + " " + std::to_string(frame) + " has no end");
   return broken;
 }
 
@@ -112,7 +114,8 @@ TEST_F(RecordingTest, everyStepOfThePlatformIsAFrameAtFullRate) {
     EXPECT_EQ(ends[i].frame, i + 1);
     EXPECT_EQ(ends[i].time, robotlink::Instant(std::chrono::milliseconds(8 * (i + 1))));
   }
-  for (const char* path : {"red1/joints/states", "red1/body/sensors", "red1/oracle/world"}) EXPECT_EQ(log.count(path), 250U) << path;
+  for (const char* path : {"red1/joints/states", "red1/body/sensors", "red1/oracle/world"})
+    EXPECT_EQ(log.count(path), 250U) << path;
   EXPECT_EQ(log.count("red1/camera/image"), 50U);
   EXPECT_EQ(log.count("scene"), 1U);
   EXPECT_NEAR(static_cast<double>(log.count("transforms")), 250.0 / 4, 1);
@@ -124,7 +127,8 @@ TEST_F(RecordingTest, whatTheTasksYieldIsThereFromTheFirstFrameThoughNobodyAsked
   steps(125);
   const ReadLog log = stop();
   EXPECT_EQ(log.count("red1/joints/request"), log.count("red1/frames/motion"));
-  for (const char* path : {"red1/percepts/ball", "red1/models/ball", "red1/models/pose", "red1/behavior/motion", "red1/motion/status"}) {
+  for (const char* path : {"red1/percepts/ball", "red1/models/ball", "red1/models/pose",
+                           "red1/behavior/motion", "red1/motion/status"}) {
     const auto entries = on(log, path);
     ASSERT_FALSE(entries.empty()) << path;
     EXPECT_LE(entries.front().time, robotlink::Instant(std::chrono::milliseconds(50))) << path;
@@ -155,10 +159,12 @@ TEST_F(RecordingTest, aRecordingThatBeginsInTheGameHasAllThatHolds) {
   const ReadLog log = stop();
   std::set<std::string> held;
   for (const auto& entry : log.entries) {
-    EXPECT_GE(entry.time, robotlink::Instant(std::chrono::milliseconds(960))) << entry.path;  // queues are on their way
+    EXPECT_GE(entry.time, robotlink::Instant(std::chrono::milliseconds(960)))
+        << entry.path;  // queues are on their way
     if (entry.frame == 0) held.insert(entry.path);
   }
-  for (const char* path : {"scene", "red1/program", "red1/tables/keys", "red1/tables/solutions", "red1/tables/processes"}) {
+  for (const char* path :
+       {"scene", "red1/program", "red1/tables/keys", "red1/tables/solutions", "red1/tables/processes"}) {
     EXPECT_TRUE(held.contains(path)) << path;
   }
   EXPECT_GT(log.count("red1/models/ball"), 0U);
@@ -195,7 +201,8 @@ TEST_F(RecordingTest, theSetUpSaysWhatTheProgramIsMadeOf) {
   EXPECT_THAT(setup.layout().text(), HasSubstr("ball-percept"));
   EXPECT_EQ(setup.solutions_size(), 0);
   EXPECT_GT(setup.parameters_size(), 5);
-  EXPECT_THAT(setup.offered(), ::testing::IsSupersetOf({"camera/image", "joints/states", "oracle/world", "remote/motion"}));
+  EXPECT_THAT(setup.offered(),
+              ::testing::IsSupersetOf({"camera/image", "joints/states", "oracle/world", "remote/motion"}));
 }
 
 TEST_F(RecordingTest, requestsAreRecordedWhenTheyAreHandedInAndTheSetUpFollowsThem) {

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a replay of the real log costs: opening it, a frame forwards, a frame backwards. ROBOTCONTROL_REPLAY_LOG names another log.
+// What a replay of the real log costs: opening it, a frame forwards, a frame backwards.
+// ROBOTCONTROL_REPLAY_LOG names another log.
 #include <benchmark/benchmark.h>
 
 #include <cstdlib>

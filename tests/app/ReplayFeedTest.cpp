@@ -223,7 +223,8 @@ TEST_F(ReplayFeedTest, jumpsThatComeFasterThanTheyAreDoneAreAllAnsweredAndTheNew
   for (int i = 0; i < kJumps; ++i) {
     robotcontrol::Request request;
     request.mutable_control_replay()->set_action(robotcontrol::ControlReplay::JUMP_TO_TIME);
-    request.mutable_control_replay()->set_time(ShortLog::time(i % ShortLog::kFrames).time_since_epoch().count());
+    request.mutable_control_replay()->set_time(
+        ShortLog::time(i % ShortLog::kFrames).time_since_epoch().count());
     workbench.session().request(request, [&](const auto& result) {
       ++answers;
       accepted += result.accepted() ? 1 : 0;
@@ -290,8 +291,10 @@ TEST_F(ReplayFeedTest, whatCannotBeSetIsRefusedAndChangesNothing) {
     return reason;
   };
   EXPECT_THAT(refusal([](auto& control) { control.set_speed(60); }), HasSubstr("between 0.05 and 50"));
-  EXPECT_THAT(refusal([](auto& control) { control.set_step_process("red1/nobody"); }), HasSubstr("red1/nobody"));
-  EXPECT_THAT(refusal([](auto& control) { control.add_offsets()->set_log("other.mcap"); }), HasSubstr("other.mcap is not open"));
+  EXPECT_THAT(refusal([](auto& control) { control.set_step_process("red1/nobody"); }),
+              HasSubstr("red1/nobody"));
+  EXPECT_THAT(refusal([](auto& control) { control.add_offsets()->set_log("other.mcap"); }),
+              HasSubstr("other.mcap is not open"));
   EXPECT_EQ(status()->speed(), 1);
   EXPECT_EQ(status()->step_process(), "red1/planner");
   EXPECT_EQ(shownFrame(), 1);
@@ -325,8 +328,8 @@ TEST_F(ReplayFeedTest, aRequestToARobotIsAnsweredWhilePaused) {
 
 TEST_F(ReplayFeedTest, keysThatAreOnAreKeptOverJumps) {
   const auto mode = [this] {
-    const auto* table = workbench.session().store().latestAs<robotcontrol::KeyTable>("red1/tables/keys",
-                                                                                     workbench.session().timeline().newest());
+    const auto* table = workbench.session().store().latestAs<robotcontrol::KeyTable>(
+        "red1/tables/keys", workbench.session().timeline().newest());
     for (int i = 0; table != nullptr && i < table->keys_size(); ++i) {
       if (table->keys(i).name() == "segmentation/classes") return table->keys(i).mode().kind();
     }
@@ -368,10 +371,11 @@ TEST_F(ReplayFeedTest, oneMoreLogIsAddedWhereOneStands) {
 
 TEST_F(ReplayFeedTest, aSolutionThatWasChosenIsKeptByAnotherLayoutAndByOneMoreLog) {
   const auto segmentation = [this] {
-    const auto* table = workbench.session().store().latestAs<robotcontrol::SolutionTable>("red1/tables/solutions",
-                                                                                          workbench.session().timeline().newest());
+    const auto* table = workbench.session().store().latestAs<robotcontrol::SolutionTable>(
+        "red1/tables/solutions", workbench.session().timeline().newest());
     for (int i = 0; table != nullptr && i < table->tasks_size(); ++i) {
-      if (table->tasks(i).name() == "segmentation") return table->tasks(i).active() + ", not " + table->tasks(i).default_solution();
+      if (table->tasks(i).name() == "segmentation")
+        return table->tasks(i).active() + ", not " + table->tasks(i).default_solution();
     }
     return std::string("no table");
   };
@@ -385,7 +389,8 @@ TEST_F(ReplayFeedTest, aSolutionThatWasChosenIsKeptByAnotherLayoutAndByOneMoreLo
   ASSERT_TRUE(settle());
   EXPECT_EQ(segmentation(), "whole-image, not scan-lines");
   run("layout.open parallel");
-  ASSERT_TRUE(waitFor([this] { return !workbench.loading() && workbench.loaded()->layout.stem() == "parallel"; }));
+  ASSERT_TRUE(
+      waitFor([this] { return !workbench.loading() && workbench.loaded()->layout.stem() == "parallel"; }));
   ASSERT_TRUE(settle());
   EXPECT_EQ(segmentation(), "whole-image, not scan-lines");
   run("log.add \"" + logFile().string() + "\" 0.5");
@@ -416,7 +421,8 @@ TEST_F(ReplayFeedTest, aSimulationEndsTheLogAndALogTheSimulation) {
 
 TEST_F(ReplayFeedTest, whatCannotBeOpenedLeavesTheLogAsItWas) {
   runAll("log.step 2");
-  for (const char* line : {"log.open /no/such/file.mcap", "simulation.open /no/such/scene.sdf", "log.layout /no/such.yaml"}) {
+  for (const char* line :
+       {"log.open /no/such/file.mcap", "simulation.open /no/such/scene.sdf", "log.layout /no/such.yaml"}) {
     errors.clear();
     run(line);
     ASSERT_TRUE(waitFor([this] { return !workbench.loading(); }));
@@ -447,12 +453,14 @@ TEST_F(ReplayFeedTest, theRealLogOpensAtItsFirstImage) {
   EXPECT_EQ(status()->time(), 486'749'000'000) << "the time stamp of the first image";
   EXPECT_FALSE(status()->playing());
   const auto imageTime = [this] {
-    const auto* image = workbench.session().store().latest("nao/camera/image", workbench.session().timeline().newest());
+    const auto* image =
+        workbench.session().store().latest("nao/camera/image", workbench.session().timeline().newest());
     return image != nullptr ? image->time.time_since_epoch().count() : 0;
   };
   EXPECT_EQ(imageTime(), status()->time());
-  EXPECT_TRUE(waitFor([this] { return workbench.session().store().find("nao/drawings/image/ball-percept/disc") != nullptr; }))
-      << "the program runs on it, with the keys that are on at the start";
+  EXPECT_TRUE(waitFor([this] {
+    return workbench.session().store().find("nao/drawings/image/ball-percept/disc") != nullptr;
+  })) << "the program runs on it, with the keys that are on at the start";
   for (const int count : {1, 1, 1, -2}) {
     const auto before = imageTime();
     runAll("log.step-message nao/camera/image " + std::to_string(count));

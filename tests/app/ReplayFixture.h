@@ -24,11 +24,16 @@ namespace app::testing {
 using robotlink::Instant;
 using robotlink::StreamMessage;
 
-inline Instant at(double seconds) { return Instant(robotlink::fromSeconds(seconds)); }
+inline Instant at(double seconds) {
+  return Instant(robotlink::fromSeconds(seconds));
+}
 
-inline std::filesystem::path realLog() { return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log"; }
+inline std::filesystem::path realLog() {
+  return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
+}
 
-inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task, const std::string& solution) {
+inline robotcontrol::Request selectRequest(const std::string& robot, const std::string& task,
+                                           const std::string& solution) {
   robotcontrol::Request request;
   request.set_robot(robot);
   request.mutable_select_solution()->set_task(task);
@@ -147,7 +152,8 @@ inline ReplayOptions recomputingAll(const std::filesystem::path& file) {
   if (!asLogged.run) return options;
   const auto status = asLogged.status();
   for (const auto& package : status.packages()) {
-    if (package.can_recompute()) options.packages[package.package()] = robotcontrol::ControlReplay::RECOMPUTED;
+    if (package.can_recompute())
+      options.packages[package.package()] = robotcontrol::ControlReplay::RECOMPUTED;
   }
   return options;
 }

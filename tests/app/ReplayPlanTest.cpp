@@ -13,8 +13,8 @@ using ::testing::IsEmpty;
 
 namespace {
 
-/// regions <- image; pose <- joints; percept <- regions, pose; model <- percept or oracle; walk <- model, uses status: steps and
-/// status.
+/// regions <- image; pose <- joints; percept <- regions, pose; model <- percept or oracle; walk <- model,
+/// uses status: steps and status.
 TaskCatalog catalog() {
   TaskCatalog all;
   const auto add = [&](const std::string& task, TaskCatalog::Solution solution) {
@@ -66,7 +66,8 @@ ReplayPlan planned(ReplayWishes wishes) {
 std::vector<std::string> tasksOf(const ReplayPlan& plan) {
   std::vector<std::string> tasks;
   for (const auto& process : plan.layout.processes) {
-    for (const auto& task : process.tasks) tasks.push_back(process.name + "/" + task.task + ":" + task.solution);
+    for (const auto& task : process.tasks)
+      tasks.push_back(process.name + "/" + task.task + ":" + task.solution);
   }
   return tasks;
 }
@@ -87,8 +88,9 @@ std::string idOf(ReplayWishes wishes) {
 
 TEST(ReplayPlan, fromSensorsAloneEverythingIsRecomputed) {
   const ReplayPlan plan = planned(wishesFor({"image", "joints"}));
-  EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/segment:lines", "cognition/locate:kinematic", "cognition/see:fit",
-                                         "cognition/believe:filter", "motion/walk:gait"));
+  EXPECT_THAT(tasksOf(plan),
+              ElementsAre("cognition/segment:lines", "cognition/locate:kinematic", "cognition/see:fit",
+                          "cognition/believe:filter", "motion/walk:gait"));
   EXPECT_THAT(plan.unavailable, IsEmpty());
   EXPECT_TRUE(plan.isAsLogged("image"));
   EXPECT_FALSE(plan.find("image")->canRecompute);
@@ -98,8 +100,8 @@ TEST(ReplayPlan, fromSensorsAloneEverythingIsRecomputed) {
 }
 
 TEST(ReplayPlan, whateverIsLoggedTakesThePlaceOfItsProducers) {
-  const ReplayPlan plan = planned(
-      wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"}));
+  const ReplayPlan plan =
+      planned(wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"}));
   EXPECT_THAT(tasksOf(plan), IsEmpty());
   EXPECT_EQ(plan.layout.processes.size(), 1U) << "only the debug process is left";
   ASSERT_EQ(plan.layout.absent.size(), 5U);
@@ -122,8 +124,10 @@ TEST(ReplayPlan, aLoggedPoseLetsARobotWithoutJointsBeSeenThrough) {
 TEST(ReplayPlan, whatLacksInputsByWayOfOthersGoesToo) {
   const ReplayPlan plan = planned(wishesFor({"image"}));
   EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/segment:lines"));
-  EXPECT_THAT(plan.unavailable, ElementsAre("locate: neither the robot nor another task provides joints", "see: neither the robot nor another task provides pose",
-                                            "believe: neither the robot nor another task provides percept", "walk: neither the robot nor another task provides joints"));
+  EXPECT_THAT(plan.unavailable, ElementsAre("locate: neither the robot nor another task provides joints",
+                                            "see: neither the robot nor another task provides pose",
+                                            "believe: neither the robot nor another task provides percept",
+                                            "walk: neither the robot nor another task provides joints"));
 }
 
 TEST(ReplayPlan, anotherSolutionIsTakenWhereTheWishedOneCannotRunAndThatIsSaid) {
@@ -131,7 +135,8 @@ TEST(ReplayPlan, anotherSolutionIsTakenWhereTheWishedOneCannotRunAndThatIsSaid) 
   wishes.layout.processes[0].tasks[3].solution = "truth";
   const ReplayPlan plan = planned(std::move(wishes));
   EXPECT_THAT(tasksOf(plan), ::testing::Contains("cognition/believe:filter"));
-  EXPECT_THAT(plan.notes, ElementsAre("task believe is done by filter, because truth is unavailable: neither the robot nor another task provides oracle"));
+  EXPECT_THAT(plan.notes, ElementsAre("task believe is done by filter, because truth is unavailable: neither "
+                                      "the robot nor another task provides oracle"));
 }
 
 TEST(ReplayPlan, oneOfTwoPackagesOfATaskCanBeAsLogged) {
@@ -143,17 +148,20 @@ TEST(ReplayPlan, oneOfTwoPackagesOfATaskCanBeAsLogged) {
 }
 
 TEST(ReplayPlan, allThatCanBeIsRecomputedButWhatAPersonChose) {
-  ReplayWishes wishes = wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
+  ReplayWishes wishes =
+      wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
   wishes.recomputeAll = true;
   wishes.packages["model"] = ControlReplay::AS_LOGGED;
   const ReplayPlan plan = planned(wishes);
   EXPECT_TRUE(plan.isAsLogged("image"));
   EXPECT_TRUE(plan.isAsLogged("model"));
-  for (const char* package : {"regions", "pose", "percept"}) EXPECT_FALSE(plan.isAsLogged(package)) << package;
+  for (const char* package : {"regions", "pose", "percept"})
+    EXPECT_FALSE(plan.isAsLogged(package)) << package;
 }
 
 TEST(ReplayPlan, aPersonsChoiceCountsMore) {
-  ReplayWishes wishes = wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
+  ReplayWishes wishes =
+      wishesFor({"image", "joints", "regions", "pose", "percept", "model", "steps", "status"});
   wishes.packages["percept"] = ControlReplay::RECOMPUTED;
   const ReplayPlan plan = planned(wishes);
   EXPECT_THAT(tasksOf(plan), ElementsAre("cognition/see:fit"));
@@ -180,7 +188,8 @@ TEST(ReplayPlan, choicesThatCannotBeAreRefused) {
   wishes.packages = {{"steps", ControlReplay::RECOMPUTED}};
   const auto plan = planReplay(wishes, catalog());
   ASSERT_FALSE(plan);
-  EXPECT_EQ(plan.error().front().text, "steps cannot be recomputed: neither the robot nor another task provides joints");
+  EXPECT_EQ(plan.error().front().text,
+            "steps cannot be recomputed: neither the robot nor another task provides joints");
   wishes.packages = {{"percept", ControlReplay::AS_LOGGED}};
   EXPECT_EQ(idOf(wishes), "replay.not-logged");
   wishes.packages = {{"smell", ControlReplay::AS_LOGGED}};
@@ -205,5 +214,6 @@ TEST(ReplayPlan, aLayoutOfAnOlderProgramLosesWhatIsGoneOneOfAPersonIsRefused) {
   const ReplayPlan plan = planned(wishes);
   EXPECT_THAT(tasksOf(plan), ::testing::Contains("cognition/segment:lines"));
   EXPECT_THAT(plan.unavailable, ElementsAre("smell: this program has no such task"));
-  EXPECT_THAT(plan.notes, ElementsAre(HasSubstr("circles is unavailable: this program has no such solution")));
+  EXPECT_THAT(plan.notes,
+              ElementsAre(HasSubstr("circles is unavailable: this program has no such solution")));
 }

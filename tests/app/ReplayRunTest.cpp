@@ -56,7 +56,8 @@ logplayer::TemporaryFolder* ReplayRunTest::folder_ = nullptr;
 std::vector<std::string> recomputedPackages(const robotcontrol::ReplayStatus& status) {
   std::vector<std::string> names;
   for (const auto& package : status.packages()) {
-    if (package.source() == ControlReplay::RECOMPUTED && package.can_recompute()) names.push_back(package.package());
+    if (package.source() == ControlReplay::RECOMPUTED && package.can_recompute())
+      names.push_back(package.package());
   }
   return names;
 }
@@ -90,8 +91,9 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
   EXPECT_EQ(static_cast<std::size_t>(status.differences_size()), recomputedPackages(status).size());
   for (const auto& difference : status.differences()) {
     EXPECT_GT(difference.compared(), 70U) << difference.package();
-    EXPECT_EQ(difference.different(), 0U) << difference.package() << " first at " << difference.first_time() << ", "
-                                          << difference.largest_field() << " by " << difference.largest();
+    EXPECT_EQ(difference.different(), 0U)
+        << difference.package() << " first at " << difference.first_time() << ", "
+        << difference.largest_field() << " by " << difference.largest();
     EXPECT_EQ(difference.only_logged(), 0U) << difference.package();
     EXPECT_EQ(difference.only_recomputed(), 0U) << difference.package();
   }
@@ -101,8 +103,9 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
 TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
   const auto folder = logplayer::TemporaryFolder::make();
   const auto map = folder->path() / "room.map";
-  std::ofstream(map) << "2D-Map\nCairn: RobotHome 1000 1000 0 \"\" ICON \"Home\"\nLINES\n0 0 6000 0\n6000 0 6000 4000\n"
-                        "6000 4000 0 4000\n0 4000 0 0\n3000 0 3000 1500\nDATA\n";
+  std::ofstream(map)
+      << "2D-Map\nCairn: RobotHome 1000 1000 0 \"\" ICON \"Home\"\nLINES\n0 0 6000 0\n6000 0 6000 4000\n"
+         "6000 4000 0 4000\n0 4000 0 0\n3000 0 3000 1500\nDATA\n";
   RunOptions options;
   options.scene = map;
   options.solutions["driving"] = "wander";
@@ -117,7 +120,8 @@ TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
   for (const auto& difference : status.differences()) {
     EXPECT_GT(difference.compared(), 10U) << difference.package();
     EXPECT_EQ(difference.different() + difference.only_logged() + difference.only_recomputed(), 0U)
-        << difference.package() << " first at " << difference.first_time() << ", " << difference.largest_field();
+        << difference.package() << " first at " << difference.first_time() << ", "
+        << difference.largest_field();
   }
 }
 
@@ -131,7 +135,8 @@ TEST(ReplayRun, aLayoutThatWasChangedInTheRecordingChangesInItsReplay) {
   Replay replay(recomputingAll(file));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   replay.playToEnd();
-  EXPECT_EQ(replay.countOn("red1/frames/self-localisation"), replay.countOn("red1/logged/frames/self-localisation"));
+  EXPECT_EQ(replay.countOn("red1/frames/self-localisation"),
+            replay.countOn("red1/logged/frames/self-localisation"));
   EXPECT_GT(replay.countOn("red1/frames/self-localisation"), 20U);
   const auto status = replay.status();
   EXPECT_GE(status.differences_size(), 12);
@@ -242,10 +247,12 @@ TEST_F(ReplayRunTest, aJumpTellsTheNewestOfEveryStreamAndOfNumbersALittleMore) {
   EXPECT_EQ(replay.countOn("red1/program"), 1U);
   EXPECT_EQ(replay.countOn("red1/logged/program"), 1U);
   EXPECT_EQ(replay.countOn("red1/tables/solutions"), 1U);
-  for (std::size_t i = 1; i < replay.told.size(); ++i) EXPECT_LE(replay.told[i - 1].time, replay.told[i].time);
+  for (std::size_t i = 1; i < replay.told.size(); ++i)
+    EXPECT_LE(replay.told[i - 1].time, replay.told[i].time);
   const auto* drawing = replay.lastOn("red1/drawings/image/segmentation/regions");
   ASSERT_NE(drawing, nullptr);
-  EXPECT_EQ(drawing->frame, replay.lastOn("red1/frames/cognition")->frame) << "a drawing of the last whole frame";
+  EXPECT_EQ(drawing->frame, replay.lastOn("red1/frames/cognition")->frame)
+      << "a drawing of the last whole frame";
   // On from there without a gap.
   replay.told.clear();
   ASSERT_TRUE(replay.run->step());
@@ -261,9 +268,12 @@ TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
   while (played.run->now() < at(1.2)) ASSERT_TRUE(played.run->step());
   Replay jumped(options);
   ASSERT_TRUE(jumped.run->jump(at(1.2)).empty());
-  for (const char* path : {"red1/models/ball", "red1/models/pose", "red1/motion/status", "red1/logged/models/pose"}) {
+  for (const char* path :
+       {"red1/models/ball", "red1/models/pose", "red1/motion/status", "red1/logged/models/pose"}) {
     ASSERT_NE(jumped.lastOn(path), nullptr) << path;
-    EXPECT_EQ(jumped.lastOn(path)->value->SerializeAsString(), played.lastOn(path)->value->SerializeAsString()) << path;
+    EXPECT_EQ(jumped.lastOn(path)->value->SerializeAsString(),
+              played.lastOn(path)->value->SerializeAsString())
+        << path;
   }
   // And both go on alike.
   played.told.clear();
@@ -274,7 +284,8 @@ TEST_F(ReplayRunTest, aJumpRunsTheProgramsOnWhatIsBefore) {
   EXPECT_FALSE(jumped.digestOn("red1/joints/request").empty());
   // Nobody heard what was computed on the way: one instant counts, and what came after it.
   const auto status = jumped.status();
-  for (const auto& difference : status.differences()) EXPECT_LE(difference.compared(), 102U) << difference.package();
+  for (const auto& difference : status.differences())
+    EXPECT_LE(difference.compared(), 102U) << difference.package();
 }
 
 TEST_F(ReplayRunTest, framesAreCountedFromNowAndFoundByTheirNumbers) {
@@ -313,7 +324,8 @@ TEST_F(ReplayRunTest, packagesCanBeChosenWhileItPlaysAndWhatCannotBeChangesNothi
   const auto refused = replay.run->choosePackages({{"red1/camera/image", ControlReplay::RECOMPUTED}});
   ASSERT_EQ(refused.size(), 1U);
   EXPECT_EQ(refused[0].id, "replay.cannot-recompute");
-  EXPECT_EQ(replay.run->choosePackages({{"blue7/camera/image", ControlReplay::RECOMPUTED}}).front().id, "replay.no-robot");
+  EXPECT_EQ(replay.run->choosePackages({{"blue7/camera/image", ControlReplay::RECOMPUTED}}).front().id,
+            "replay.no-robot");
   EXPECT_THAT(recomputedPackages(replay.status()), ::testing::ElementsAre(kRegions));
   ASSERT_TRUE(replay.run->choosePackages({{kRegions, ControlReplay::AUTOMATIC}}).empty());
   EXPECT_THAT(recomputedPackages(replay.status()), IsEmpty());
@@ -366,7 +378,8 @@ TEST_F(ReplayRunTest, requestsAreAnsweredAlsoOverAJumpAndKeysStay) {
 TEST_F(ReplayRunTest, aTaskThatIsReplacedSaysSoAndCannotBeSwitched) {
   Replay replay(file());
   ASSERT_TRUE(replay.run->jump(at(0.5)).empty());
-  const auto* table = dynamic_cast<const robotcontrol::SolutionTable*>(replay.lastOn("red1/tables/solutions")->value.get());
+  const auto* table =
+      dynamic_cast<const robotcontrol::SolutionTable*>(replay.lastOn("red1/tables/solutions")->value.get());
   ASSERT_NE(table, nullptr);
   bool found = false;
   for (const auto& task : table->tasks()) {
@@ -396,7 +409,8 @@ TEST_F(ReplayRunTest, severalLogsShareOneTimeLineWithOffsets) {
   EXPECT_EQ(replay.run->end(), at(2.532));
   replay.playToEnd();
   EXPECT_EQ(replay.countOn(kRegions), 50U);
-  EXPECT_EQ(replay.digestOn(kRegions), replay.digestOn("red1-2/percepts/regions")) << "an offset changes no bytes";
+  EXPECT_EQ(replay.digestOn(kRegions), replay.digestOn("red1-2/percepts/regions"))
+      << "an offset changes no bytes";
   EXPECT_EQ(replay.lastOn("red1-2/percepts/regions")->time, at(2.5));
   EXPECT_EQ(replay.lastOn("red1-2/camera/image")->time, at(2.5));
   EXPECT_EQ(replay.countOn("scene"), 1U) << "of the first log";
@@ -428,7 +442,8 @@ TEST_F(ReplayRunTest, aLogOfAnotherTimeBeginsWithTheFirst) {
   {
     auto writer = logplayer::LogWriter::create(later, {});
     const auto value = std::make_shared<robotcontrol::PlotValue>();
-    for (const double time : {5000.0, 5001.0}) ASSERT_TRUE((*writer)->write({{"blue1/plots/a", at(time), value}}));
+    for (const double time : {5000.0, 5001.0})
+      ASSERT_TRUE((*writer)->write({{"blue1/plots/a", at(time), value}}));
   }
   Replay replay(replayOf({ReplayLog{file()}, ReplayLog{later}}));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
@@ -452,7 +467,8 @@ class ForeignSetup : public ::testing::Test {
     auto image = std::make_shared<foxglove::RawImage>();
     const auto file = folder_->path() / "foreign.mcap";
     auto writer = logplayer::LogWriter::create(file, {});
-    EXPECT_TRUE((*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
+    EXPECT_TRUE(
+        (*writer)->write({{"red1/program", at(0), setup}, {"red1/camera/image", at(1), image, "platform"}}));
     return file;
   }
   static std::string replayTexts(const Replay& replay) {
@@ -477,10 +493,11 @@ TEST_F(ForeignSetup, aLayoutThatCannotBeReadDoesNotKeepTheLogShut) {
 }
 
 TEST_F(ForeignSetup, aLayoutThatCannotBeRunIsPlayedWithoutAProgram) {
-  Replay replay(write("version: 1\nname: twice\nprocesses:\n"
-                      "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
-                      "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
-                      "  - {name: debug, debug: true, period_ms: 16}\n"));
+  Replay replay(
+      write("version: 1\nname: twice\nprocesses:\n"
+            "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
+            "  - {name: a, blocking: [camera/image], tasks: [segmentation: scan-lines]}\n"
+            "  - {name: debug, debug: true, period_ms: 16}\n"));
   ASSERT_TRUE(replay.run) << robotlink::describe(replay.errors);
   ASSERT_TRUE(replay.run->jump(at(1)).empty());
   EXPECT_THAT(replayTexts(replay), HasSubstr("nothing is recomputed, as the log's layout cannot be run: "));

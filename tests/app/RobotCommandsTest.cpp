@@ -41,22 +41,25 @@ TEST_F(RobotCommandsTest, aKeysModeIsOneOfFive) {
 TEST_F(RobotCommandsTest, aSetUpThatMakesNoSenseIsRefusedAtOnce) {
   const std::string scene = "pioneer", kind = "p3at", both = "both";
   EXPECT_EQ(refusal("simulation.setup", {scene, kind, 101.0, false, 0.0, false, both}), "simulation.setup");
-  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 10.0, false, 65530.0, false, both}), "simulation.setup");
-  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 1.0, false, 0.0, false, std::string("green")}), "simulation.setup");
+  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 10.0, false, 65530.0, false, both}),
+            "simulation.setup");
+  EXPECT_EQ(refusal("simulation.setup", {scene, kind, 1.0, false, 0.0, false, std::string("green")}),
+            "simulation.setup");
 }
 
 TEST_F(RobotCommandsTest, aPioneerOfTheShippedSceneIsAskedByCommands) {
   std::string errors;
   workbench_.onErrors([&](const robotlink::Errors& told) { errors += robotlink::describe(told); });
-  ASSERT_TRUE(workbench_.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 0.0, true, 0.0, false, std::string("both")}));
+  ASSERT_TRUE(workbench_.commands().run("simulation.setup", {std::string("pioneer"), std::string("p3at"), 0.0,
+                                                             true, 0.0, false, std::string("both")}));
   ASSERT_TRUE(test::tickUntil(workbench_, [&] { return workbench_.loaded() != nullptr || !errors.empty(); }));
   ASSERT_EQ(errors, "");
   ASSERT_TRUE(workbench_.commands().run("simulation.start"));
   ASSERT_TRUE(workbench_.commands().run("robot.solution", {std::string("driving"), std::string("halt")}));
   const auto* table = static_cast<const robotcontrol::SolutionTable*>(nullptr);
   EXPECT_TRUE(test::tickUntil(workbench_, [&] {
-    table = workbench_.session().store().latestAs<robotcontrol::SolutionTable>("p3at1/tables/solutions",
-                                                                              workbench_.session().timeline().newest());
+    table = workbench_.session().store().latestAs<robotcontrol::SolutionTable>(
+        "p3at1/tables/solutions", workbench_.session().timeline().newest());
     if (table == nullptr) return false;
     for (const auto& task : table->tasks()) {
       if (task.name() == "driving" && task.active() == "halt") return true;

@@ -31,9 +31,7 @@ class RobotctlLog : public testing::Test {
   void SetUp() override { SampleLog{}.write(folder_ / "a.mcap"); }
 
   /// In the folder.
-  Outcome log(const std::string& arguments) const {
-    return runRobotctl(folder_.path(), "log " + arguments);
-  }
+  Outcome log(const std::string& arguments) const { return runRobotctl(folder_.path(), "log " + arguments); }
   json info(const std::string& file) const {
     const Outcome outcome = log("info --json " + file);
     EXPECT_EQ(outcome.errors, "");
@@ -201,7 +199,8 @@ TEST_F(RobotctlLog, twoCutsAreMergedIntoOneLog) {
   ASSERT_EQ(outcome.status, 0) << outcome.errors;
   EXPECT_THAT(outcome.out, HasSubstr("behind each other"));
   const json before = info("a.mcap"), after = info("out.mcap");
-  for (const char* figure : {"robots", "messages", "frames", "begin", "end"}) EXPECT_EQ(after.at(figure), before.at(figure)) << figure;
+  for (const char* figure : {"robots", "messages", "frames", "begin", "end"})
+    EXPECT_EQ(after.at(figure), before.at(figure)) << figure;
   const Outcome separate = log("merge --separate b.mcap c.mcap two.mcap");
   EXPECT_THAT(separate.out, HasSubstr("c.mcap: red1 is called red1-2"));
   EXPECT_EQ(log("merge --concatenate a.mcap b.mcap no.mcap").status, 1);
@@ -256,9 +255,11 @@ TEST_F(RobotctlLog, attachmentsAreAddedListedAndTakenOut) {
 TEST_F(RobotctlLog, timesOfThisCenturyAreDates) {
   std::filesystem::remove(folder_ / "a.mcap");
   SampleLog{.start = std::chrono::seconds(1'700'000'000)}.write(folder_ / "a.mcap");
-  EXPECT_THAT(log("info a.mcap").out, HasSubstr("2023-11-14 22:13:20.000 UTC to 2023-11-14 22:13:23.960 UTC, 3.960 s long"));
+  EXPECT_THAT(log("info a.mcap").out,
+              HasSubstr("2023-11-14 22:13:20.000 UTC to 2023-11-14 22:13:23.960 UTC, 3.960 s long"));
   EXPECT_EQ(info("a.mcap").at("begin_date"), "2023-11-14 22:13:20.000 UTC");
-  EXPECT_THAT(log("export a.mcap --texts").out, HasSubstr("2023-11-14 22:13:20.400 UTC  warning  red1/cognition/test: frame 10"));
+  EXPECT_THAT(log("export a.mcap --texts").out,
+              HasSubstr("2023-11-14 22:13:20.400 UTC  warning  red1/cognition/test: frame 10"));
   ASSERT_EQ(log("cut a.mcap cut.mcap --from 2023-11-14T22:13:21 --to '2023-11-14 22:13:22'").status, 0);
   EXPECT_EQ(info("cut.mcap").at("frames"), 26);
 }
@@ -268,7 +269,9 @@ TEST_F(RobotctlLog, aRobotsNameIsOneWord) {
     const Outcome outcome = log(std::string("import a.log b.mcap --robot ") + name);
     EXPECT_EQ(outcome.status, 2) << name;
     EXPECT_THAT(outcome.errors, HasSubstr("is no name for a robot")) << name;
-    EXPECT_EQ(runRobotctl(folder_.path(), std::string("run --platform tcp://localhost --robot ") + name).status, 2) << name;
+    EXPECT_EQ(
+        runRobotctl(folder_.path(), std::string("run --platform tcp://localhost --robot ") + name).status, 2)
+        << name;
   }
 }
 

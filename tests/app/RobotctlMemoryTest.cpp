@@ -64,6 +64,10 @@ void mergeMany(std::chrono::milliseconds apart) {
 
 }  // namespace
 
-TEST(RobotctlMemory, ofAMergeIsBoundedForAllLogsAtTheSameTime) { mergeMany(std::chrono::milliseconds(0)); }
+TEST(RobotctlMemory, ofAMergeIsBoundedForAllLogsAtTheSameTime) {
+  mergeMany(std::chrono::milliseconds(0));
+}
 
-TEST(RobotctlMemory, ofAMergeIsBoundedForLogsOneBehindTheOther) { mergeMany(std::chrono::milliseconds(20'000)); }
+TEST(RobotctlMemory, ofAMergeIsBoundedForLogsOneBehindTheOther) {
+  mergeMany(std::chrono::milliseconds(20'000));
+}

@@ -124,7 +124,8 @@ class Signals : public testing::TestWithParam<int> {
   /// What is left in the folder.
   std::string left() const {
     std::string names;
-    for (const auto& entry : std::filesystem::directory_iterator(here_)) names += entry.path().filename().string() + " ";
+    for (const auto& entry : std::filesystem::directory_iterator(here_))
+      names += entry.path().filename().string() + " ";
     return names;
   }
   static bool isComplete(const std::filesystem::path& file) {
@@ -158,7 +159,8 @@ TEST_P(Signals, whatWritesAFileLeavesNothingOfIt) {
 
 TEST_P(Signals, aSimulationThatIsRecordedClosesItsFile) {
   const Watch watch(here_, IN_MODIFY);
-  Program program(here_, {"sim", kScene, "--seconds", "1000", "--speed", "1", "--json", "--record", "out.mcap"});
+  Program program(here_,
+                  {"sim", kScene, "--seconds", "1000", "--speed", "1", "--json", "--record", "out.mcap"});
   ASSERT_TRUE(watch.happens());
   program.send(GetParam());
   EXPECT_EQ(program.wait(), 128 + GetParam());
@@ -169,7 +171,8 @@ TEST_P(Signals, aSimulationThatIsRecordedClosesItsFile) {
 TEST_P(Signals, aReplayThatIsRecordedClosesItsFile) {
   ASSERT_EQ(Program(here_, {"sim", kScene, "--seconds", "5", "--record", "../game.mcap"}).wait(), 0);
   const Watch watch(here_, IN_CREATE);
-  Program program(here_, {"run", "--platform", "log:../game.mcap", "--package", "percepts/ball=recomputed", "--record", "out.mcap"});
+  Program program(here_, {"run", "--platform", "log:../game.mcap", "--package", "percepts/ball=recomputed",
+                          "--record", "out.mcap"});
   ASSERT_TRUE(watch.happens());
   program.send(GetParam());
   EXPECT_EQ(program.wait(), 128 + GetParam());
@@ -235,18 +238,19 @@ TEST_F(OtherSignals, whereNothingIsToBeClosedTheProgramEndsAtOnce) {
 }
 
 TEST_F(OtherSignals, aReaderThatEndsFirstIsNoError) {
-  const std::string command = std::string("cd '") + here_.string() + "' && " + ROBOTCTL +
-                              " log export ../a.mcap --csv red1/models/ball - 2>../errors | head -n 1 >/dev/null";
+  const std::string command =
+      std::string("cd '") + here_.string() + "' && " + ROBOTCTL +
+      " log export ../a.mcap --csv red1/models/ball - 2>../errors | head -n 1 >/dev/null";
   EXPECT_EQ(std::system(command.c_str()), 0);
   EXPECT_EQ(textOf(*shared_ / "errors"), "");
 }
 
 TEST_F(OtherSignals, outputThatDoesNotArriveIsAnError) {
-  for (const char* arguments :
-       {"--help", "--version", "log info a.mcap", "log info --json a.mcap", "log verify a.mcap",
-        "log export a.mcap --csv red1/models/ball -", "log export a.mcap --texts", "log cut a.mcap here/out.mcap --to 1"}) {
-    const std::string command = std::string("cd '") + shared_->path().string() + "' && " + ROBOTCTL + " " + arguments +
-                                " >/dev/full 2>errors";
+  for (const char* arguments : {"--help", "--version", "log info a.mcap", "log info --json a.mcap",
+                                "log verify a.mcap", "log export a.mcap --csv red1/models/ball -",
+                                "log export a.mcap --texts", "log cut a.mcap here/out.mcap --to 1"}) {
+    const std::string command = std::string("cd '") + shared_->path().string() + "' && " + ROBOTCTL + " " +
+                                arguments + " >/dev/full 2>errors";
     EXPECT_EQ(WEXITSTATUS(std::system(command.c_str())), 1) << arguments;
     EXPECT_THAT(textOf(*shared_ / "errors"), HasSubstr("cannot write to standard output")) << arguments;
   }

@@ -68,7 +68,8 @@ TEST(Robotctl, simPrintsItsFiguresForPeopleRoundedAndWithUnits) {
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_THAT(outcome.text, testing::HasSubstr("scene       field2002.sdf, seed 5\n"));
   EXPECT_THAT(outcome.text, testing::HasSubstr("robots      1, in the layout compact\n"));
-  EXPECT_THAT(outcome.text, testing::ContainsRegex("time        1\\.00 s simulated in [0-9.]+ m?s: [0-9.]+ times real time"));
+  EXPECT_THAT(outcome.text, testing::ContainsRegex(
+                                "time        1\\.00 s simulated in [0-9.]+ m?s: [0-9.]+ times real time"));
   EXPECT_THAT(outcome.text, testing::ContainsRegex("physics     250 steps, [0-9.]+ ms each"));
   EXPECT_THAT(outcome.text, testing::ContainsRegex("images      25, [0-9.]+ ms each"));
   EXPECT_THAT(outcome.text, testing::HasSubstr("goals       red 0, blue 0\n"));
@@ -81,7 +82,9 @@ TEST(Robotctl, robotsAreAddedToAGame) {
   ASSERT_EQ(outcome.status, 0) << outcome.text;
   EXPECT_EQ(nlohmann::json::parse(outcome.text).at("robots"), 4);
   EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 --robots 2 --teams green").status, 2);
-  const Outcome house = robotctl("sim " ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map --seconds 0.1 --json --robot ers210 --robots 2");
+  const Outcome house =
+      robotctl("sim " ROBOTCONTROL_SOURCE_DIR
+               "/resources/scenes/house.map --seconds 0.1 --json --robot ers210 --robots 2");
   EXPECT_EQ(house.status, 0) << house.text;
 }
 
@@ -92,10 +95,12 @@ TEST(Robotctl, withoutResourcesItIsSaidWhereTheyWereLookedForAndWhatNamesThem) {
   // The program alone, as after a bad installation.
   const auto folder = std::filesystem::path(testing::TempDir()) / "alone";
   std::filesystem::create_directories(folder);
-  std::filesystem::copy_file(ROBOTCTL, folder / "robotctl", std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(ROBOTCTL, folder / "robotctl",
+                             std::filesystem::copy_options::overwrite_existing);
   const Outcome none = run((folder / "robotctl").string() + " sim " + kScene);
   EXPECT_EQ(none.status, 1);
-  EXPECT_THAT(none.text, testing::HasSubstr("no folder 'resources' in or above '" + std::filesystem::canonical(folder).string() + "'"));
+  EXPECT_THAT(none.text, testing::HasSubstr("no folder 'resources' in or above '" +
+                                            std::filesystem::canonical(folder).string() + "'"));
   EXPECT_THAT(none.text, testing::HasSubstr("ROBOTCONTROL_RESOURCES"));
   std::filesystem::remove_all(folder);
 }
@@ -178,7 +183,8 @@ TEST(Robotctl, aSolutionOrTaskThatDoesNotExistIsRefused) {
   refused(sim + "--solution no-such-task=grid", "there is no task 'no-such-task'");
   refused(sim + "--solution segmentation=no-such", "task segmentation has no solution 'no-such'; it has ");
   // A task of other robots' layouts.
-  refused(sim + "--solution path-planning=direct", "no robot here has the task 'path-planning' in its layout");
+  refused(sim + "--solution path-planning=direct",
+          "no robot here has the task 'path-planning' in its layout");
   const auto file = std::filesystem::path(testing::TempDir()) / "run-solutions.mcap";
   std::filesystem::remove(file);
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --record " + file.string()).status, 0);
@@ -187,7 +193,8 @@ TEST(Robotctl, aSolutionOrTaskThatDoesNotExistIsRefused) {
   refused(run + "--solution segmentation=no-such", "task segmentation has no solution 'no-such'; it has ");
   // One that exists, but cannot run here: another one must not take its place unsaid.
   const std::string blind = (std::filesystem::path(testing::TempDir()) / "run-blind.mcap").string();
-  ASSERT_EQ(robotctl("log filter --force " + file.string() + " " + blind + " --exclude '*/oracle/*'").status, 0);
+  ASSERT_EQ(robotctl("log filter --force " + file.string() + " " + blind + " --exclude '*/oracle/*'").status,
+            0);
   refused("run --platform log:" + blind + " --package models/ball=recomputed --solution ball-model=oracle",
           "red1: task ball-model cannot be done by oracle: neither the robot nor another task provides ");
 }
@@ -199,7 +206,8 @@ TEST(Robotctl, runWarnsOfASolutionThatChangesNothing) {
   const std::string command = "run --platform log:" + file.string() + " --solution segmentation=whole-image ";
   const Outcome warned = robotctl(command);
   EXPECT_EQ(warned.status, 0);
-  EXPECT_NE(warned.text.find("warning: red1: task segmentation does not run"), std::string::npos) << warned.text;
+  EXPECT_NE(warned.text.find("warning: red1: task segmentation does not run"), std::string::npos)
+      << warned.text;
   EXPECT_NE(warned.text.find("--package all=recomputed"), std::string::npos) << warned.text;
   const Outcome used = robotctl(command + "--package all=recomputed");
   EXPECT_EQ(used.status, 0) << used.text;

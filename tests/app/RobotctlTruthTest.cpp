@@ -19,7 +19,9 @@ const std::string kScene = ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.
 
 class RobotctlTruth : public testing::Test {
  protected:
-  RobotctlOutcome robotctl(const std::string& arguments) const { return runRobotctl(folder_.path(), arguments); }
+  RobotctlOutcome robotctl(const std::string& arguments) const {
+    return runRobotctl(folder_.path(), arguments);
+  }
   /// A table of the field's colours as t.c64, with the names of its classes.
   void writeTable() const {
     colortool::NamedColorTable table;
@@ -65,7 +67,10 @@ TEST_F(RobotctlTruth, aLogWithClassImagesHoldsItsOwnLabels) {
   EXPECT_GT(asIs["recall"]["orange"], 0.95);
   EXPECT_GT(asIs["mean_recall"], 0.9);
   const std::string dark = " --light 0.5 --warmth 0.5 --vignetting 0.4 0.1 --image-noise 6";
-  ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.5 --class-images --images jpeg --record dark.mcap" + dark).status, 0);
+  ASSERT_EQ(
+      robotctl("sim " + kScene + " --seconds 0.5 --class-images --images jpeg --record dark.mcap" + dark)
+          .status,
+      0);
   const json other = evaluated("--images dark.mcap --labels dark.mcap");
   EXPECT_LT(other["mean_recall"], asIs["mean_recall"]);
 }
@@ -73,17 +78,20 @@ TEST_F(RobotctlTruth, aLogWithClassImagesHoldsItsOwnLabels) {
 TEST_F(RobotctlTruth, whatCannotBeDoneIsSaid) {
   ASSERT_EQ(robotctl("sim " + kScene + " --seconds 0.1 --record without.mcap").status, 0);
   writeTable();
-  const RobotctlOutcome without = robotctl("color evaluate --table t.c64 --images without.mcap --labels without.mcap");
+  const RobotctlOutcome without =
+      robotctl("color evaluate --table t.c64 --images without.mcap --labels without.mcap");
   EXPECT_EQ(without.status, 1);
-  EXPECT_THAT(without.errors, HasSubstr("without.mcap: no image has true classes here: record with --class-images"));
+  EXPECT_THAT(without.errors,
+              HasSubstr("without.mcap: no image has true classes here: record with --class-images"));
   const RobotctlOutcome other = robotctl("color evaluate --table t.c64 --images . --labels without.mcap");
   EXPECT_EQ(other.status, 1);
   std::ofstream(folder_ / "file") << "x";
   const RobotctlOutcome sim = robotctl("sim " + kScene + " --seconds 0.1 --labelled-images file");
   EXPECT_EQ(sim.status, 1);
   EXPECT_THAT(sim.errors, HasSubstr("file/images: cannot make this folder for labelled images"));
-  for (const char* wrong : {"--light 11", "--light -1", "--warmth 2", "--vignetting 1.5", "--image-noise -1", "--image-noise 3 --no-noise", "--vignetting 0.1 0.2 0.3",
-                            "--images-every 1", "--trials 1 --labelled-images x"}) {
+  for (const char* wrong : {"--light 11", "--light -1", "--warmth 2", "--vignetting 1.5", "--image-noise -1",
+                            "--image-noise 3 --no-noise", "--vignetting 0.1 0.2 0.3", "--images-every 1",
+                            "--trials 1 --labelled-images x"}) {
     EXPECT_EQ(robotctl("sim " + kScene + " --seconds 0.1 " + wrong).status, 2) << wrong;
   }
 }

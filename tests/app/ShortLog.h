@@ -14,14 +14,16 @@
 
 namespace app::test {
 
-/// A log of fifty frames of red1/planner, a process that no layout knows, numbers 101 to 150, 40 ms from each other and with three
-/// seconds between the first half and the second. Every second frame, from the second on, has an image; two have a note.
+/// A log of fifty frames of red1/planner, a process that no layout knows, numbers 101 to 150, 40 ms from each
+/// other and with three seconds between the first half and the second. Every second frame, from the second
+/// on, has an image; two have a note.
 struct ShortLog {
   static constexpr int kFrames = 50;
   static constexpr std::uint64_t kFirstNumber = 101;
 
   static robotlink::Instant time(int frame) {
-    return robotlink::Instant(std::chrono::milliseconds(10'000 + 40 * frame + (frame >= kFrames / 2 ? 3000 : 0)));
+    return robotlink::Instant(
+        std::chrono::milliseconds(10'000 + 40 * frame + (frame >= kFrames / 2 ? 3000 : 0)));
   }
   static bool hasImage(int frame) { return frame % 2 == 1; }
   static bool hasNote(int frame) { return frame == 10 || frame == 40; }

@@ -52,10 +52,13 @@ struct Ears {
     return {[this](const std::string&, const auto& queue) {
               messages.insert(messages.end(), queue->messages().begin(), queue->messages().end());
             },
-            [this](const std::string&, const robotlink::Process&, const std::string& text) { troubles.push_back(text); }};
+            [this](const std::string&, const robotlink::Process&, const std::string& text) {
+              troubles.push_back(text);
+            }};
   }
   bool heard(const std::string& path) const {
-    return std::any_of(messages.begin(), messages.end(), [&](const auto& message) { return message.path() == path; });
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const auto& message) { return message.path() == path; });
   }
 };
 
@@ -108,7 +111,8 @@ robotcontrol::Request solutionRequest(const char* task, const char* solution) {
 
 /// Parameters of the ball model "last-percept".
 std::unique_ptr<google::protobuf::Message> lastPercept() {
-  const auto* type = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName("robotcontrol.LastPerceptBallParameters");
+  const auto* type = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(
+      "robotcontrol.LastPerceptBallParameters");
   return std::unique_ptr<google::protobuf::Message>(
       google::protobuf::MessageFactory::generated_factory()->GetPrototype(type)->New());
 }
@@ -136,12 +140,13 @@ robotcontrol::Request tableRequest() {
   return request;
 }
 
-/// What a run tells of red1: its newest solution of a task, parameters of its ball model, and whether it has an own color table.
+/// What a run tells of red1: its newest solution of a task, parameters of its ball model, and whether it has
+/// an own color table.
 struct Told {
   std::map<std::string, std::string> solutions;
   double memory = -1;  // s
   bool ownTable = false;
-  std::string frames;  ///< all that its processes told, as bytes
+  std::string frames;                      ///< all that its processes told, as bytes
   std::map<std::uint64_t, bool> accepted;  ///< by id, first answers
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string&, const auto& queue) {
@@ -164,7 +169,8 @@ struct Told {
 
 /// Everything that a person can choose for a program.
 std::vector<robotcontrol::Request> choices() {
-  std::vector<robotcontrol::Request> all{solutionRequest("ball-model", "last-percept"), parameterRequest(0.125), tableRequest(),
+  std::vector<robotcontrol::Request> all{solutionRequest("ball-model", "last-percept"),
+                                         parameterRequest(0.125), tableRequest(),
                                          keyRequest("package/colors/table")};
   for (std::size_t i = 0; i < all.size(); ++i) all[i].set_id(i + 1);
   return all;
@@ -174,7 +180,8 @@ std::vector<robotcontrol::Request> choices() {
 
 TEST(SimulatedRun, requestsInAPauseAreAnsweredAtOnceAndTheRunIsTheSameAsWithoutThePause) {
   Told paused, other;
-  const auto looked = makeRun(options(), paused.listeners()), unlooked = makeRun(options(), other.listeners());
+  const auto looked = makeRun(options(), paused.listeners()),
+             unlooked = makeRun(options(), other.listeners());
   for (const bool look : {true, false}) {
     SimulatedRun& run = look ? *looked : *unlooked;
     play(run, 0.5);
@@ -244,8 +251,9 @@ TEST(SimulatedRun, whatALayoutCannotFulfillIsSaidAndComesBackWithOneThatCan) {
   play(*run, 0.2);
   ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("perception")).empty());
   ASSERT_EQ(run->lostChoices().size(), 1U);
-  EXPECT_EQ(run->lostChoices()[0], "red1 could not keep solution odometry of task self-localisation: "
-                                   "no process of this layout has 'self-localisation'");
+  EXPECT_EQ(run->lostChoices()[0],
+            "red1 could not keep solution odometry of task self-localisation: "
+            "no process of this layout has 'self-localisation'");
   play(*run, 0.2);
   ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("balanced")).empty());
   EXPECT_TRUE(run->lostChoices().empty());
@@ -260,7 +268,8 @@ TEST(SimulatedRun, whatWasRefusedIsNotAskedForAgain) {
   wrong.set_id(77);
   ASSERT_TRUE(run->request(wrong).has_value());
   play(*run, 0.2);
-  EXPECT_EQ(told.accepted, (std::map<std::uint64_t, bool>{{77, false}, {told.accepted.rbegin()->first, true}}));
+  EXPECT_EQ(told.accepted,
+            (std::map<std::uint64_t, bool>{{77, false}, {told.accepted.rbegin()->first, true}}));
   ASSERT_TRUE(run->reset(1).empty());
   EXPECT_TRUE(run->lostChoices().empty());
 }
@@ -282,10 +291,12 @@ TEST(SimulatedRun, inAPauseTheNewestValueOfOneThingTakesThePlaceOfThoseBefore) {
 TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {
   const auto run = makeRun(options());
   const auto file = std::filesystem::path(testing::TempDir()) / "broken-layout.yaml";
-  std::ofstream(file) << "version: 1\nname: broken\nprocesses:\n  - name: cognition\n    blocking: [camera/image]\n"
-                         "    tasks:\n      - segmentation: telepathy\n";
+  std::ofstream(file)
+      << "version: 1\nname: broken\nprocesses:\n  - name: cognition\n    blocking: [camera/image]\n"
+         "    tasks:\n      - segmentation: telepathy\n";
   const robotlink::Errors errors = run->setLayout(file);
-  EXPECT_NE(robotlink::describe(errors).find(file.string() + ":7:9: "), std::string::npos) << robotlink::describe(errors);
+  EXPECT_NE(robotlink::describe(errors).find(file.string() + ":7:9: "), std::string::npos)
+      << robotlink::describe(errors);
   play(*run, 0.5);
   EXPECT_EQ(run->world().digest(), digestAfter(options(), 0.5));
 }
@@ -293,7 +304,8 @@ TEST(SimulatedRun, aLayoutThatCannotBeUsedLeavesTheRunAsItWas) {
 TEST(SimulatedRun, aResetThatCannotBeDoneLeavesTheRunAsItWas) {
   const auto file = std::filesystem::path(testing::TempDir()) / "soon-broken-layout.yaml";
   RunOptions chosen = options();
-  std::filesystem::copy_file(Workbench::layoutNamed("compact"), file, std::filesystem::copy_options::overwrite_existing);
+  std::filesystem::copy_file(Workbench::layoutNamed("compact"), file,
+                             std::filesystem::copy_options::overwrite_existing);
   chosen.layout = file;
   const auto run = makeRun(chosen);
   play(*run, 0.8);
@@ -382,7 +394,8 @@ TEST(SimulatedRun, theRobotTouchesBallsAroundItButNoneWithoutEyes) {
   trials.count = 3;
   const auto seeing = trials.play();
   ASSERT_TRUE(seeing.has_value());
-  EXPECT_GE(std::count_if(seeing->begin(), seeing->end(), [](const auto& trial) { return trial.touched; }), 2);
+  EXPECT_GE(std::count_if(seeing->begin(), seeing->end(), [](const auto& trial) { return trial.touched; }),
+            2);
   trials.run.world.blackout = true;
   trials.count = 1;
   const auto blind = trials.play();

@@ -17,7 +17,8 @@ namespace {
 /// A workbench that is ticked until something holds.
 class SimulationFeedTest : public testing::Test {
  protected:
-  SimulationFeedTest() : workbench(std::filesystem::path(testing::TempDir()) / ("workbench-" + std::to_string(::getpid()))) {
+  SimulationFeedTest()
+      : workbench(std::filesystem::path(testing::TempDir()) / ("workbench-" + std::to_string(::getpid()))) {
     workbench.onErrors([this](const robotlink::Errors& e) { errors = e; });
     workbench.load(Workbench::defaultOptions());
     EXPECT_TRUE(waitFor([this] { return workbench.loaded() != nullptr && status() != nullptr; }));
@@ -28,7 +29,8 @@ class SimulationFeedTest : public testing::Test {
     return app::test::tickUntil(workbench, condition);
   }
   const SimulationStatus* status() {
-    return workbench.session().store().latestAs<SimulationStatus>("simulation", workbench.session().timeline().newest());
+    return workbench.session().store().latestAs<SimulationStatus>("simulation",
+                                                                  workbench.session().timeline().newest());
   }
   void run(const char* line) {
     const auto done = workbench.commands().runLine(line);
@@ -119,8 +121,10 @@ TEST_F(SimulationFeedTest, whatCannotBeDoneIsRefusedWithAReason) {
 }
 
 TEST_F(SimulationFeedTest, aPausedRobotTellsItsTablesAndAnswersWhatItIsAsked) {
-  const auto* solutions = workbench.session().store().latest("red1/tables/solutions", workbench.session().timeline().newest());
-  const auto* keys = workbench.session().store().latest("red1/tables/keys", workbench.session().timeline().newest());
+  const auto* solutions =
+      workbench.session().store().latest("red1/tables/solutions", workbench.session().timeline().newest());
+  const auto* keys =
+      workbench.session().store().latest("red1/tables/keys", workbench.session().timeline().newest());
   EXPECT_NE(solutions, nullptr) << "before the first step";
   EXPECT_NE(keys, nullptr);
   robotcontrol::Request request;
@@ -151,6 +155,7 @@ TEST_F(SimulationFeedTest, whatALayoutCannotFulfillIsSaid) {
   ASSERT_TRUE(waitFor([&] { return accepted; }));
   run("layout.open perception");
   ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
-  EXPECT_NE(robotlink::describe(errors).find("red1 could not keep solution odometry of task self-localisation"),
-            std::string::npos);
+  EXPECT_NE(
+      robotlink::describe(errors).find("red1 could not keep solution odometry of task self-localisation"),
+      std::string::npos);
 }

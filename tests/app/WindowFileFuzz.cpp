@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The file that window layouts, recent files and the rest of the window's state are kept in: whatever is in it, the window
-// opens, shows each of its perspectives, and is saved again.
+// The file that window layouts, recent files and the rest of the window's state are kept in: whatever is in
+// it, the window opens, shows each of its perspectives, and is saved again.
 #include <QApplication>
 #include <cstdio>
 #include <cstdlib>

@@ -10,7 +10,8 @@
 
 namespace {
 
-/// Pixels of the colour that the disc around the ball is drawn in; nothing at the start of a game looks like that.
+/// Pixels of the colour that the disc around the ball is drawn in; nothing at the start of a game looks like
+/// that.
 int discPixels(QWidget& widget) {
   const QImage image = widget.grab().toImage();
   int count = 0;
@@ -71,7 +72,8 @@ class WorkbenchGuiTest : public QObject {
     QCOMPARE(layout.currentText(), QStringLiteral("compact"));
     layout.setFocus();
     QTest::keyClick(&layout, Qt::Key_Down);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->layout.stem().string(), std::string("parallel"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->layout.stem().string(), std::string("parallel"),
+                              kWaitMs);
     QCOMPARE(layout.currentText(), QStringLiteral("parallel"));
   }
 
@@ -81,7 +83,9 @@ class WorkbenchGuiTest : public QObject {
     QFile scene(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/field2002.sdf"));
     QVERIFY(scene.open(QIODevice::ReadOnly));
     QByteArray text = scene.readAll();
-    text.replace("</world>", "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 3.14</pose></include></world>");
+    text.replace("</world>",
+                 "<include><uri>model://ers210</uri><name>blue1</name><pose>1 0.8 0.1138 0 0 "
+                 "3.14</pose></include></world>");
     std::filesystem::create_directories(home_);
     const QString file = QString::fromStdString((home_ / "two.sdf").string());
     QFile two(file);
@@ -94,7 +98,8 @@ class WorkbenchGuiTest : public QObject {
     robot.setFocus();
     QTest::keyClick(&robot, robot.currentIndex() == 0 ? Qt::Key_Down : Qt::Key_Up);
     QVERIFY(desk.workbench.session().selectedRobot() != before);
-    QTRY_COMPARE_WITH_TIMEOUT(robot.currentText().toStdString(), desk.workbench.session().selectedRobot(), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(robot.currentText().toStdString(), desk.workbench.session().selectedRobot(),
+                              kWaitMs);
   }
 
   void aDebugKeyThatIsSwitchedOnDrawsIntoTheImage() {
@@ -104,7 +109,8 @@ class WorkbenchGuiTest : public QObject {
     auto& tree = desk.find<QTreeView>("keysTree");
     auto& canvas = desk.find<QWidget>("imageCanvas");
     QTRY_VERIFY_WITH_TIMEOUT(find(tree, QStringLiteral("disc")).isValid(), kWaitMs);
-    QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) > 20, kWaitMs);  // It is one of those that are on at the first start.
+    QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) > 20,
+                             kWaitMs);  // It is one of those that are on at the first start.
     tree.setCurrentIndex(find(tree, QStringLiteral("disc")));
     QTest::keyClick(&tree, Qt::Key_Space);
     QTRY_VERIFY_WITH_TIMEOUT(discPixels(canvas) < 5, kWaitMs);
@@ -122,7 +128,8 @@ class WorkbenchGuiTest : public QObject {
     const QModelIndex choice = find(tree, QStringLiteral("circle-fit"));
     tree.scrollTo(choice);
     QTest::mouseClick(tree.viewport(), Qt::LeftButton, {}, tree.visualRect(choice).center());
-    QTRY_COMPARE_WITH_TIMEOUT(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("circle-fit"), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(find(tree, QStringLiteral("ball-percept"), 2).data().toString(),
+                              QStringLiteral("circle-fit"), kWaitMs);
   }
 
   void theMotionTesterTakesOverAndDrives() {
@@ -177,7 +184,10 @@ class WorkbenchGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     desk.click("simulation.start");
     const auto file = home_ / "bad.sdf";
-    { std::ofstream(file) << "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <nonsense/>\n  </world>\n</sdf>\n"; }
+    {
+      std::ofstream(file)
+          << "<sdf version=\"1.9\">\n  <world name=\"w\">\n    <nonsense/>\n  </world>\n</sdf>\n";
+    }
     QVERIFY(desk.workbench.commands().runLine("simulation.open " + file.string()));
     QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("errorText").isVisible(), kWaitMs);
     QVERIFY2(desk.find<QLabel>("errorText").text().contains(QStringLiteral("bad.sdf:3")),
@@ -192,7 +202,8 @@ class WorkbenchGuiTest : public QObject {
     const auto file = home_ / "short.mcap";
     QCOMPARE(app::test::ShortLog::write(file), std::string());
     QVERIFY(desk.workbench.commands().runLine("log.open \"" + file.string() + "\""));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("statusTime").text().contains(QStringLiteral("frame 102")), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.find<QLabel>("statusTime").text().contains(QStringLiteral("frame 102")),
+                             kWaitMs);
     QCOMPARE(desk.find<QLabel>("statusState").text(), QStringLiteral("paused"));
     QVERIFY(desk.window.windowTitle().startsWith(QStringLiteral("short.mcap")));
     QVERIFY(desk.status() == nullptr);
@@ -209,7 +220,9 @@ class WorkbenchGuiTest : public QObject {
 
   void lightAndDarkReachEveryView() {
     Desk desk(home_ / "appearance");
-    const auto lightness = [&desk] { return desk.find<QTreeView>("keysTree").palette().color(QPalette::Base).lightness(); };
+    const auto lightness = [&desk] {
+      return desk.find<QTreeView>("keysTree").palette().color(QPalette::Base).lightness();
+    };
     desk.find<QAction>("appearance.dark").trigger();
     QVERIFY(lightness() < 100);
     desk.find<QAction>("appearance.light").trigger();

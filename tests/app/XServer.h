@@ -9,8 +9,8 @@
 #include <cstdio>
 #include <memory>
 
-/// An X server of the test's own with a window manager, for what only they do: real mouse events, stacking of windows. Must be made
-/// before the application object, since its plugin connects to it.
+/// An X server of the test's own with a window manager, for what only they do: real mouse events, stacking of
+/// windows. Must be made before the application object, since its plugin connects to it.
 class XServer {
  public:
   /// What is missing on this machine; empty if nothing is.
@@ -26,9 +26,10 @@ class XServer {
   static std::unique_ptr<XServer> start() {
     auto server = std::unique_ptr<XServer>(new XServer);
     server->server_.setProcessChannelMode(QProcess::ForwardedErrorChannel);
-    server->server_.start(QStringLiteral("Xvfb"), {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"),
-                                                   QStringLiteral("0"), QStringLiteral("1920x1080x24"), QStringLiteral("-nolisten"),
-                                                   QStringLiteral("tcp")});
+    server->server_.start(
+        QStringLiteral("Xvfb"),
+        {QStringLiteral("-displayfd"), QStringLiteral("1"), QStringLiteral("-screen"), QStringLiteral("0"),
+         QStringLiteral("1920x1080x24"), QStringLiteral("-nolisten"), QStringLiteral("tcp")});
     constexpr int kStartMs = 20000;
     if (!server->server_.waitForReadyRead(kStartMs)) return nullptr;
     const QByteArray number = server->server_.readLine().trimmed();

@@ -84,7 +84,8 @@ TEST(CrossValidation, whatMustNotBeIsFalseColourIfItIsFoundAllTheSame) {
   EXPECT_DOUBLE_EQ(rightOf(*quality, notGreen), 1) << "it is white";
   EXPECT_EQ(quality->evaluation.count(0, 1), StrokeQuality::kStroke);
   EXPECT_EQ(quality->evaluation.count(0, 3), 0U);
-  EXPECT_EQ(quality->evaluation.labelled(0), 4 * StrokeQuality::kStroke) << "two strokes of background, and two must-not-be";
+  EXPECT_EQ(quality->evaluation.labelled(0), 4 * StrokeQuality::kStroke)
+      << "two strokes of background, and two must-not-be";
 }
 
 /// Noisy strokes of all kinds, so that scores are anything from 0 to 1.
@@ -145,7 +146,8 @@ TEST(CrossValidation, methodsThatLearnFromScratchDoSoFiveTimes) {
   std::uint64_t scored = 0;
   for (int label = 0; label < 4; ++label) scored += quality->evaluation.labelled(label);
   std::uint64_t strokes = 0;
-  for (const StrokePtr& stroke : samples.strokes) strokes += stroke->mustNotBe && stroke->colorClass == 0 ? 0 : 1;
+  for (const StrokePtr& stroke : samples.strokes)
+    strokes += stroke->mustNotBe && stroke->colorClass == 0 ? 0 : 1;
   EXPECT_EQ(scored, strokes * StrokeQuality::kStroke) << "each stroke once";
 }
 

@@ -40,7 +40,8 @@ Frame readFrame(const std::string& stem) {
     frame.image.pixels[i] = {byte(2), byte(1), byte(3)};
   }
   const std::string png = robotlink::readFile(kData / "labels" / (stem + ".png")).value();
-  frame.labels = logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
+  frame.labels =
+      logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
   const auto label = [&](int x, int y) { return frame.labels[static_cast<std::size_t>(y * kWidth + x)]; };
   for (int y = 3; y < kHeight - 3; ++y) {
     for (int x = 3; x < kWidth - 3; ++x) {
@@ -91,7 +92,8 @@ Score score(const std::vector<Frame>& frames, int perClass) {
       Evaluation one(9);
       one.add(trainer.train(samples), left.image, left.labels);
       for (int label = 0; label < 9; ++label) {
-        const bool learned = std::ranges::any_of(samples.strokes, [&](const StrokePtr& s) { return s->colorClass == label; });
+        const bool learned =
+            std::ranges::any_of(samples.strokes, [&](const StrokePtr& s) { return s->colorClass == label; });
         // Images of different sizes of a thing count the same.
         for (int found = 0; found < 9 && learned; ++found) {
           if (one.labelled(label) != 0)

@@ -59,7 +59,8 @@ TEST(PixelArea, aCarefulBrushLeavesOutWhatIsBesideALine) {
   EXPECT_GT(pixelCount(careful), 50U);
   EXPECT_TRUE(isValid(careful, 40, 30));
   const ImagePoint field[] = {{5, 22}, {30, 22}};
-  EXPECT_EQ(carefulBrushArea(image, field, 4, 24), brushArea(40, 30, field, 4)) << "where all is alike it is a brush";
+  EXPECT_EQ(carefulBrushArea(image, field, 4, 24), brushArea(40, 30, field, 4))
+      << "where all is alike it is a brush";
 }
 
 }  // namespace

@@ -130,15 +130,24 @@ TEST(SampleFile, aValueOfAnotherTypeIsAProblemOfItsLine) {
     return !read ? read.error().text : read->problems.empty() ? "" : read->problems[0].text;
   };
   const std::vector<std::pair<std::string, std::string>> cases = {
-      {"\"format\":\"robotcontrol samples\"", "\"format\":5"}, {"\"format\":\"robotcontrol samples\"", "\"format\":[1]"},
-      {"\"version\":1", "\"version\":\"1\""},                  {"\"version\":1", "\"version\":1e99"},
-      {"\"version\":1", "\"version\":18446744073709551615"},   {"\"method\":\"votes\"", "\"method\":7"},
-      {"\"votes\":{", "\"votes\":7,\"x\":{"},                    {"\"class\":\"green\"", "\"class\":7"},
-      {"\"stroke\":1", "\"stroke\":-1"},                         {"\"stroke\":1", "\"stroke\":1.5"},
-      {"\"width\":40", "\"width\":1e300"},                       {"\"width\":40", "\"width\":\"40\""},
-      {"\"weight\":1.0", "\"weight\":true"},                     {"\"weight\":1.0", "\"weight\":1e999"},
-      {"\"must_not_be\":false", "\"must_not_be\":0"},            {"\"runs\":[", "\"runs\":[1e300,"},
-      {"\"runs\":[", "\"runs\":\"\",\"x\":["},                   {"\"name\":\"", "\"name\":7,\"x\":\""},
+      {"\"format\":\"robotcontrol samples\"", "\"format\":5"},
+      {"\"format\":\"robotcontrol samples\"", "\"format\":[1]"},
+      {"\"version\":1", "\"version\":\"1\""},
+      {"\"version\":1", "\"version\":1e99"},
+      {"\"version\":1", "\"version\":18446744073709551615"},
+      {"\"method\":\"votes\"", "\"method\":7"},
+      {"\"votes\":{", "\"votes\":7,\"x\":{"},
+      {"\"class\":\"green\"", "\"class\":7"},
+      {"\"stroke\":1", "\"stroke\":-1"},
+      {"\"stroke\":1", "\"stroke\":1.5"},
+      {"\"width\":40", "\"width\":1e300"},
+      {"\"width\":40", "\"width\":\"40\""},
+      {"\"weight\":1.0", "\"weight\":true"},
+      {"\"weight\":1.0", "\"weight\":1e999"},
+      {"\"must_not_be\":false", "\"must_not_be\":0"},
+      {"\"runs\":[", "\"runs\":[1e300,"},
+      {"\"runs\":[", "\"runs\":\"\",\"x\":["},
+      {"\"name\":\"", "\"name\":7,\"x\":\""},
       {"\"thumbnail\":{", "\"thumbnail\":0,\"x\":{"}};
   for (const auto& [from, to] : cases) {
     const std::string problem = problemWith(from, to);

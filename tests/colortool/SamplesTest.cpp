@@ -85,7 +85,9 @@ TEST(SampleDocument, undoAndRedoAreExact) {
   make("restate", [&](Samples& s) { restate(s, {2, 4}, {2, true, 3}); });
   make("radius", [&](Samples& s) { s.settings.votes.radius = 12; });
   make("remove", [&](Samples& s) { removeStrokes(s, {1, 2, 6}); });
-  make("classes", [&](Samples& s) { changeClasses(s, ColorClasses({{"green", {0, 160, 40}}, {"blue", {0, 0, 255}}}), {0, 0, 1}); });
+  make("classes", [&](Samples& s) {
+    changeClasses(s, ColorClasses({{"green", {0, 160, 40}}, {"blue", {0, 0, 255}}}), {0, 0, 1});
+  });
   for (std::size_t i = states.size() - 1; i > 0; --i) {
     document.undo();
     EXPECT_EQ(document.samples(), states[i - 1]) << i;

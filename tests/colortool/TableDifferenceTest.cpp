@@ -79,8 +79,8 @@ TEST(TableDifference, theTwoTablesOfTheRealTeam) {
     if (entry.path().extension() != ".c64") continue;
     const auto loaded = NamedColorTable::load(entry.path());
     ASSERT_TRUE(loaded) << entry.path();
-    tables.push_back(ColorTable::translated(loaded->file.singleClasses(),
-                                            classNumbers(loaded->classes, loaded->classes)));
+    tables.push_back(
+        ColorTable::translated(loaded->file.singleClasses(), classNumbers(loaded->classes, loaded->classes)));
     classes.push_back(loaded->classes);
   }
   ASSERT_EQ(tables.size(), 2U);

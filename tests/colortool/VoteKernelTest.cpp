@@ -34,7 +34,8 @@ TEST(VoteKernelTest, aVoteIsLargestInTheSamplesOwnCell) {
 }
 
 TEST(VoteKernelTest, alongTheShadeADarkColorIsNearerToGray) {
-  const Votes straight = votesOf(kernel(false), {160, 80, 190}), shaded = votesOf(kernel(true), {160, 80, 190});
+  const Votes straight = votesOf(kernel(false), {160, 80, 190}),
+              shaded = votesOf(kernel(true), {160, 80, 190});
   // Half the light: (160 + 26) / 2 - 26 = 67; chroma of -48 and 62 becomes -24 and 31.
   const std::size_t dark = ColorTable::cellOf({67, 104, 159});
   EXPECT_EQ(straight[dark], 0);
@@ -44,11 +45,13 @@ TEST(VoteKernelTest, alongTheShadeADarkColorIsNearerToGray) {
 
 TEST(VoteKernelTest, whatWasTouchedIsInTheBox) {
   for (const bool shaded : {false, true}) {
-    for (const robotlink::YCbCr color : {robotlink::YCbCr{0, 0, 0}, {255, 255, 255}, {20, 200, 60}, {250, 90, 170}}) {
+    for (const robotlink::YCbCr color :
+         {robotlink::YCbCr{0, 0, 0}, {255, 255, 255}, {20, 200, 60}, {250, 90, 170}}) {
       CellBox box;
       const Votes votes = votesOf(kernel(shaded), color, &box);
       for (std::size_t cell = 0; cell < votes.size(); ++cell) {
-        const int place[] = {static_cast<int>(cell >> 12U), static_cast<int>(cell >> 6U & 63U), static_cast<int>(cell & 63U)};
+        const int place[] = {static_cast<int>(cell >> 12U), static_cast<int>(cell >> 6U & 63U),
+                             static_cast<int>(cell & 63U)};
         for (int axis = 0; axis < 3 && votes[cell] != 0; ++axis) {
           ASSERT_GE(place[axis], box.first[axis]) << cell << " " << axis;
           ASSERT_LE(place[axis], box.last[axis]) << cell << " " << axis;

@@ -55,10 +55,36 @@ void overwrite(std::string& input, std::size_t at, const void* bytes, std::size_
 
 /// What readers of text take for numbers, texts, lists or none of these.
 const char* awkwardWord(Random& random) {
-  static constexpr const char* kWords[] = {"0", "-1", "7", "0.5", "-0.0", "1e300", "1e-320", "1e999", "-1e999", "2147483648",
-                                           "-9223372036854775808", "18446744073709551615", "99999999999999999999",
-                                           "true", "null", "NaN", ".inf", "\"\"", "\"x\"", "\"\\u0000\"", "[]", "[1]", "[[], {}]",
-                                           "{}", "{\"a\": 1}", "~", "*a", "&a", "x", ""};
+  static constexpr const char* kWords[] = {"0",
+                                           "-1",
+                                           "7",
+                                           "0.5",
+                                           "-0.0",
+                                           "1e300",
+                                           "1e-320",
+                                           "1e999",
+                                           "-1e999",
+                                           "2147483648",
+                                           "-9223372036854775808",
+                                           "18446744073709551615",
+                                           "99999999999999999999",
+                                           "true",
+                                           "null",
+                                           "NaN",
+                                           ".inf",
+                                           "\"\"",
+                                           "\"x\"",
+                                           "\"\\u0000\"",
+                                           "[]",
+                                           "[1]",
+                                           "[[], {}]",
+                                           "{}",
+                                           "{\"a\": 1}",
+                                           "~",
+                                           "*a",
+                                           "&a",
+                                           "x",
+                                           ""};
   return kWords[pick(random, std::size(kWords))];
 }
 

@@ -295,10 +295,12 @@ TEST_F(BookmarksTest, aValueOfAnotherTypeBesideTheLogIsToldInWords) {
     return read ? std::string() : read.error().text;
   };
   EXPECT_EQ(problemWith(R"([{"id": 1, "from_ns": 5, "to_ns": 9, "text": "a"}])"), "");
-  for (const char* wrong :
-       {"7", "[7]", R"([{"id": -1, "from_ns": 5, "to_ns": 9, "text": "a"}])", R"([{"id": 1.5, "from_ns": 5, "to_ns": 9, "text": "a"}])",
-        R"([{"id": 1, "from_ns": 1e300, "to_ns": 9, "text": "a"}])", R"([{"id": 1, "from_ns": 5, "to_ns": 9223372036854775807, "text": "a"}])",
-        R"([{"id": 1, "from_ns": 5, "to_ns": 9, "text": 7}])", R"([{"id": 1, "removed": "yes"}])", R"([{"id": 1, "from_ns": 1e999}])"}) {
+  for (const char* wrong : {"7", "[7]", R"([{"id": -1, "from_ns": 5, "to_ns": 9, "text": "a"}])",
+                            R"([{"id": 1.5, "from_ns": 5, "to_ns": 9, "text": "a"}])",
+                            R"([{"id": 1, "from_ns": 1e300, "to_ns": 9, "text": "a"}])",
+                            R"([{"id": 1, "from_ns": 5, "to_ns": 9223372036854775807, "text": "a"}])",
+                            R"([{"id": 1, "from_ns": 5, "to_ns": 9, "text": 7}])",
+                            R"([{"id": 1, "removed": "yes"}])", R"([{"id": 1, "from_ns": 1e999}])"}) {
     const std::string problem = problemWith(wrong);
     EXPECT_NE(problem, "") << wrong;
     EXPECT_EQ(problem.find("exception"), std::string::npos) << problem;

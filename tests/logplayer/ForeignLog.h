@@ -12,7 +12,8 @@ namespace logplayer::testing {
 /// A log as other programs write them: messages in any encoding, with any schema.
 class ForeignLog {
  public:
-  explicit ForeignLog(const std::filesystem::path& file) : writer_(std::move(*mcap::Writer::create(file, {}))) {}
+  explicit ForeignLog(const std::filesystem::path& file)
+      : writer_(std::move(*mcap::Writer::create(file, {}))) {}
 
   struct Topic {
     std::string topic;
@@ -23,7 +24,8 @@ class ForeignLog {
   };
   std::uint16_t add(const Topic& topic) {
     std::uint16_t schema = 0;
-    if (!topic.schemaEncoding.empty()) schema = *writer_->addSchema(topic.type, topic.schemaEncoding, topic.schema);
+    if (!topic.schemaEncoding.empty())
+      schema = *writer_->addSchema(topic.type, topic.schemaEncoding, topic.schema);
     return *writer_->addChannel(topic.topic, schema, topic.encoding, {});
   }
   void write(std::uint16_t channel, double time, const std::string& data) {
@@ -57,10 +59,14 @@ inline bool writeForeignLog(const std::filesystem::path& file) {
   const auto text = log.add({"/rosout", "foxglove.Log", "jsonschema", kLogSchema, "json"});
   const auto image = log.add({"/camera", "foxglove.RawImage", "ros2msg", "uint32 height", "cdr"});
   const auto odometry = log.add({"/odom", "nav_msgs/Odometry", "ros1msg", "float64 x", "ros1"});
-  log.write(pose, 100, R"({"stamp": {"sec": 5, "nsec": 250000000}, "frame": "map", "position": {"x": 1.5, "y": -2}, "covariance": [1, null]})");
+  log.write(
+      pose, 100,
+      R"({"stamp": {"sec": 5, "nsec": 250000000}, "frame": "map", "position": {"x": 1.5, "y": -2}, "covariance": [1, null]})");
   log.write(pose, 100.2, R"({"frame": "map", "position": {"x": 2, "y": "far"}, "note": [1]})");
   log.write(pose, 100.3, R"({"frame": )");
-  log.write(text, 100.4, R"({"timestamp": {"sec": 100, "nsec": 0}, "level": 3, "message": "battery low", "name": "base", "line": 12})");
+  log.write(
+      text, 100.4,
+      R"({"timestamp": {"sec": 100, "nsec": 0}, "level": 3, "message": "battery low", "name": "base", "line": 12})");
   log.write(text, 100.5, R"({"level": 2, "message": "all well", "name": "base"})");
   for (int i = 0; i < 10; ++i) log.write(image, 100 + 0.1 * i, std::string(64, '\1'));
   log.write(odometry, 101, std::string(8, '\0'));

@@ -78,7 +78,8 @@ TEST_F(ForeignLogTest, aTableSaysWhichRowsItLacks) {
   ExportReport report;
   const std::string text = written([&](auto& out) { return writeCsv(log(), "a/b/c", out, {}); }, &report);
   EXPECT_EQ(text,
-            "log_time,log_process,log_frame,covariance[0],covariance[1],frame,position.x,position.y,stamp,other_fields\r\n"
+            "log_time,log_process,log_frame,covariance[0],covariance[1],frame,position.x,position.y,stamp,"
+            "other_fields\r\n"
             "100.000000000,,,1,nan,map,1.5,-2,5.250000000,\r\n"
             "100.200000000,,,,,map,2,,,\"{\"\"note\"\":[1],\"\"position.y\"\":\"\"far\"\"}\"\r\n");
   EXPECT_THAT(report.losses, ElementsAre("1 message of a/b/c could not be read; left out"));
@@ -88,7 +89,8 @@ TEST_F(ForeignLogTest, whatIsNotDecodedIsNoTableAndNoImage) {
   std::ostringstream out;
   const auto table = writeCsv(log(), "/camera", out, {});
   ASSERT_FALSE(table);
-  EXPECT_THAT(table.error().text, HasSubstr("the messages of /camera are in the encoding 'cdr', which is not read"));
+  EXPECT_THAT(table.error().text,
+              HasSubstr("the messages of /camera are in the encoding 'cdr', which is not read"));
   const auto images = exportImages(log(), {}, folder_ / "images", {});
   ASSERT_FALSE(images);
   EXPECT_THAT(images.error().text, HasSubstr("those of /camera are in an encoding that is not read"));
@@ -109,7 +111,8 @@ TEST_F(ForeignLogTest, severalStreamsMakeOneTable) {
 
 TEST_F(ForeignLogTest, streamsBecomeLinesOfJson) {
   ExportReport report;
-  const std::string text = written([&](auto& out) { return writeJsonLines(log(), "a/b/c,/rosout", out, {}); }, &report);
+  const std::string text =
+      written([&](auto& out) { return writeJsonLines(log(), "a/b/c,/rosout", out, {}); }, &report);
   std::istringstream lines(text);
   std::string line;
   ASSERT_TRUE(std::getline(lines, line));
@@ -128,7 +131,8 @@ TEST_F(ForeignLogTest, onlyWhatALogSaysToBeARobotIsOne) {
   EXPECT_THAT((*LogFile::open(folder_ / "ours.mcap", {}))->robots(), ElementsAre("red1"));
   {
     testing::ForeignLog foreign(folder_ / "same.mcap");
-    const auto channel = foreign.add({"red1/models/ball", "their.Ball", "jsonschema", testing::kPoseSchema, "json"});
+    const auto channel =
+        foreign.add({"red1/models/ball", "their.Ball", "jsonschema", testing::kPoseSchema, "json"});
     foreign.write(channel, 1, "{}");
     ASSERT_TRUE(foreign.close());
   }

@@ -24,7 +24,8 @@ std::vector<int> names(FrameQueue& queue) {
   std::vector<int> result;
   while (const auto entry = queue.pop()) {
     if (entry->frame) {
-      result.push_back(static_cast<int>(entry->frame->messages[0].time.time_since_epoch().count() / 1'000'000));
+      result.push_back(
+          static_cast<int>(entry->frame->messages[0].time.time_since_epoch().count() / 1'000'000));
     } else {
       entry->job();
       result.push_back(-1);
@@ -78,7 +79,7 @@ TEST(FrameQueue, whatHoldsGoesOnlyWhenThereIsNothingElse) {
   FrameQueue queue(1000);
   queue.push(sized(1, 800, true));
   queue.push(sized(2, 100));
-  queue.push(sized(3, 150));  // 3 is the largest that does not hold
+  queue.push(sized(3, 150));        // 3 is the largest that does not hold
   queue.push(sized(4, 250, true));  // 2, then 1
   EXPECT_EQ(names(queue), (std::vector<int>{4}));
   EXPECT_EQ(queue.dropped().messages, 3U);

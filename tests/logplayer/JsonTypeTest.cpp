@@ -45,7 +45,8 @@ TEST(JsonType, valuesAreOfTheTypesThatTheSchemaSays) {
   ASSERT_NE(type, nullptr);
   EXPECT_EQ(type->name(), "their.Pose");
   const auto message = read(
-      type, R"({"stamp": {"sec": 5, "nsec": 250000000}, "frame": "map", "position": {"x": 1.5, "y": -2}, "covariance": [1, null]})");
+      type,
+      R"({"stamp": {"sec": 5, "nsec": 250000000}, "frame": "map", "position": {"x": 1.5, "y": -2}, "covariance": [1, null]})");
   ASSERT_NE(message, nullptr);
   EXPECT_EQ(numberAt(*message, "position.x"), 1.5);
   EXPECT_EQ(numberAt(*message, "stamp"), 5.25);
@@ -87,15 +88,22 @@ TEST(JsonType, aTypeThatIsOnlyCalledLikeAnOwnOneIsAnother) {
 }
 
 TEST(JsonType, arraysOfArraysReferencesAndAlternativesAreRead) {
-  EXPECT_EQ(shown(R"({"m": {"type": "array", "items": {"type": "array", "items": {"type": "integer"}}}})", R"({"m": [[1, 2], [3]]})"),
+  EXPECT_EQ(shown(R"({"m": {"type": "array", "items": {"type": "array", "items": {"type": "integer"}}}})",
+                  R"({"m": [[1, 2], [3]]})"),
             "m { values: 1 values: 2 } m { values: 3 }");
-  EXPECT_EQ(shown(R"({"n": {"type": ["number", "null"]}, "b": {"type": "boolean"}})", R"({"n": null, "b": true})"), "b: true");
+  EXPECT_EQ(
+      shown(R"({"n": {"type": ["number", "null"]}, "b": {"type": "boolean"}})", R"({"n": null, "b": true})"),
+      "b: true");
   EXPECT_EQ(shown(R"({"v": {"anyOf": [{"type": "null"}, {"type": "integer"}]}})", R"({"v": 4})"), "v: 4");
-  EXPECT_EQ(shown(R"({"v": {"anyOf": [{"type": "string"}, {"type": "integer"}]}})", R"({"v": [1, "x"]})"), R"(v: "[1,\"x\"]")");
-  EXPECT_EQ(shown(R"({"level": {"oneOf": [{"const": 2}, {"title": "WARNING", "const": 3}]}, "way": {"enum": ["a", "b"]}})",
-                  R"({"level": 3, "way": "a"})"),
-            R"(level: 3 way: "a")");
-  const auto type = JsonType::ofSchema("tree", R"({"$ref": "#/$defs/node", "$defs": {"node": {"type": "object", "properties":
+  EXPECT_EQ(shown(R"({"v": {"anyOf": [{"type": "string"}, {"type": "integer"}]}})", R"({"v": [1, "x"]})"),
+            R"(v: "[1,\"x\"]")");
+  EXPECT_EQ(
+      shown(
+          R"({"level": {"oneOf": [{"const": 2}, {"title": "WARNING", "const": 3}]}, "way": {"enum": ["a", "b"]}})",
+          R"({"level": 3, "way": "a"})"),
+      R"(level: 3 way: "a")");
+  const auto type = JsonType::ofSchema(
+      "tree", R"({"$ref": "#/$defs/node", "$defs": {"node": {"type": "object", "properties":
     {"value": {"type": "number"}, "children": {"type": "array", "items": {"$ref": "#/$defs/node"}}}}}})");
   ASSERT_NE(type, nullptr);
   const auto tree = read(type, R"({"value": 1, "children": [{"value": 2, "children": [{"value": 3}]}]})");
@@ -103,12 +111,16 @@ TEST(JsonType, arraysOfArraysReferencesAndAlternativesAreRead) {
 }
 
 TEST(JsonType, namesThatAreNoneInProtobufAreChanged) {
-  EXPECT_EQ(shown(R"({"1st": {"type": "integer"}, "a-b": {"type": "integer"}, "a.b": {"type": "integer"}, "": {"type": "integer"}})",
-                  R"({"1st": 1, "a-b": 2, "a.b": 3, "": 4})"),
-            "_: 4 _1st: 1 a_b: 2 a_b_2: 3");
-  const auto type = JsonType::ofSchema("9 lives/ü..x/", R"({"properties": {"other_fields": {"type": "integer"}}})");
+  EXPECT_EQ(
+      shown(
+          R"({"1st": {"type": "integer"}, "a-b": {"type": "integer"}, "a.b": {"type": "integer"}, "": {"type": "integer"}})",
+          R"({"1st": 1, "a-b": 2, "a.b": 3, "": 4})"),
+      "_: 4 _1st: 1 a_b: 2 a_b_2: 3");
+  const auto type =
+      JsonType::ofSchema("9 lives/ü..x/", R"({"properties": {"other_fields": {"type": "integer"}}})");
   ASSERT_NE(type, nullptr);
-  EXPECT_EQ(shown(read(type, R"({"other_fields": 1, "more": 2})")), R"(other_fields: 1 other_fields_2: "{\"more\":2}")");
+  EXPECT_EQ(shown(read(type, R"({"other_fields": 1, "more": 2})")),
+            R"(other_fields: 1 other_fields_2: "{\"more\":2}")");
 }
 
 TEST(JsonType, integersAreTakenOnlyWhereTheyFit) {
@@ -116,22 +128,25 @@ TEST(JsonType, integersAreTakenOnlyWhereTheyFit) {
   EXPECT_EQ(shown(schema, R"({"i": -9223372036854775808})"), "i: -9223372036854775808");
   EXPECT_EQ(shown(schema, R"({"i": 3.0})"), "i: 3");
   EXPECT_EQ(shown(schema, R"({"i": "12"})"), "i: 12");
-  EXPECT_EQ(shown(schema, R"({"i": 18446744073709551615})"), R"(other_fields: "{\"i\":18446744073709551615}")");
+  EXPECT_EQ(shown(schema, R"({"i": 18446744073709551615})"),
+            R"(other_fields: "{\"i\":18446744073709551615}")");
   EXPECT_EQ(shown(schema, R"({"i": 3.5})"), R"(other_fields: "{\"i\":3.5}")");
   EXPECT_EQ(shown(schema, R"({"i": 1e300})"), R"(other_fields: "{\"i\":1e+300}")");
 }
 
 TEST(JsonType, withoutASchemaTheFirstMessageSays) {
-  const auto type = JsonType::ofMessage("json", bytesOf(R"({"speed": 1, "pose": {"x": 2.5}, "names": ["a"], "on": true})"));
+  const auto type =
+      JsonType::ofMessage("json", bytesOf(R"({"speed": 1, "pose": {"x": 2.5}, "names": ["a"], "on": true})"));
   ASSERT_NE(type, nullptr);
-  EXPECT_EQ(shown(read(type, R"({"speed": 1.5, "pose": {"x": 3, "y": 4}, "names": ["b", "c"], "on": false})")),
-            R"(names: "b" names: "c" on: false pose { x: 3 } speed: 1.5 other_fields: "{\"pose.y\":4}")");
+  EXPECT_EQ(
+      shown(read(type, R"({"speed": 1.5, "pose": {"x": 3, "y": 4}, "names": ["b", "c"], "on": false})")),
+      R"(names: "b" names: "c" on: false pose { x: 3 } speed: 1.5 other_fields: "{\"pose.y\":4}")");
   EXPECT_EQ(JsonType::ofMessage("json", bytesOf("[1, 2]")), nullptr);
 }
 
 TEST(JsonType, whatMakesNoSenseIsRefusedAndNothingGoesTooDeep) {
-  for (const char* schema : {"", "{", "[]", "3", "{}", R"({"type": "object"})", R"({"properties": 3})", R"({"$ref": "#"})",
-                             R"({"$ref": "#/no/where"})"}) {
+  for (const char* schema : {"", "{", "[]", "3", "{}", R"({"type": "object"})", R"({"properties": 3})",
+                             R"({"$ref": "#"})", R"({"$ref": "#/no/where"})"}) {
     EXPECT_EQ(JsonType::ofSchema("T", schema), nullptr) << schema;
   }
   const std::string deep(100'000, '[');

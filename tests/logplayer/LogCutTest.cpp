@@ -134,7 +134,8 @@ TEST_F(LogCutTest, robotsOfEqualNamesGetNewOnesAndTheWorldIsThatOfTheFirst) {
   SampleLog{.frames = 20}.write(folder_ / "b.mcap");
   const auto report = rewritten({.inputs = {{in()}, {folder_ / "b.mcap"}}});
   EXPECT_THAT(report.renamed, ElementsAre(std::pair("b.mcap: red1", "red1-2")));
-  EXPECT_THAT(report.notes, ElementsAre(HasSubstr("scene left out"), HasSubstr("times of in.mcap and b.mcap overlap")));
+  EXPECT_THAT(report.notes,
+              ElementsAre(HasSubstr("scene left out"), HasSubstr("times of in.mcap and b.mcap overlap")));
   const auto file = log();
   EXPECT_THAT(file->robots(), ElementsAre("red1", "red1-2"));
   EXPECT_EQ(count(*file, "red1/models/ball"), 100U);
@@ -166,7 +167,8 @@ TEST_F(LogCutTest, twoCutsOfOneLogMakeThatLogAgain) {
   const auto original = LogFile::open(in(), {});
   const auto file = log();
   EXPECT_THAT(file->robots(), ElementsAre("red1"));
-  for (const auto& stream : (*original)->streams()) EXPECT_EQ(count(*file, stream.path), stream.count) << stream.path;
+  for (const auto& stream : (*original)->streams())
+    EXPECT_EQ(count(*file, stream.path), stream.count) << stream.path;
   EXPECT_EQ(latest<KeyTable>(*file, "red1/tables/keys", sampleTime(99)).keys(0).name(), "after");
   const auto marks = Bookmarks::open(out());
   ASSERT_TRUE(marks);
@@ -184,8 +186,8 @@ TEST_F(LogCutTest, partsStandBesideEachOtherIfThatIsWishedOrTheirTimesOverlap) {
   SampleLog{.frames = 20, .start = 2s}.write(folder_ / "over.mcap");
   const auto beside = rewritten({.inputs = {{in()}, {folder_ / "over.mcap"}}, .overwrite = true});
   EXPECT_THAT(beside.notes, testing::Contains(HasSubstr("the times of in.mcap and over.mcap overlap")));
-  const auto refused = rewriteLogs({.inputs = {{in()}, {folder_ / "over.mcap"}}, .joining = Joining::kConcatenate},
-                                   folder_ / "none.mcap");
+  const auto refused = rewriteLogs(
+      {.inputs = {{in()}, {folder_ / "over.mcap"}}, .joining = Joining::kConcatenate}, folder_ / "none.mcap");
   ASSERT_FALSE(refused);
   EXPECT_THAT(refused.error().text, HasSubstr("cannot be put behind each other: the times of"));
 }
@@ -204,8 +206,10 @@ TEST_F(LogCutTest, robotsWithOtherProgramsAreNoPartsOfOneLog) {
   write("c.mcap", 3, "compact");
   const auto beside = rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "b.mcap"}}, .overwrite = true});
   EXPECT_FALSE(beside.concatenated);
-  EXPECT_THAT(beside.notes, testing::Contains(HasSubstr("red1 runs another program in b.mcap than in a.mcap")));
-  EXPECT_TRUE(rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "c.mcap"}}, .overwrite = true}).concatenated);
+  EXPECT_THAT(beside.notes,
+              testing::Contains(HasSubstr("red1 runs another program in b.mcap than in a.mcap")));
+  EXPECT_TRUE(
+      rewritten({.inputs = {{folder_ / "a.mcap"}, {folder_ / "c.mcap"}}, .overwrite = true}).concatenated);
 }
 
 TEST_F(LogCutTest, aLogIsWrittenAnewWithOtherChunks) {

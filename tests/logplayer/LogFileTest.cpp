@@ -108,7 +108,8 @@ TEST(LogFile, aFileThatIsCutShortWhileItIsOpenSaysSo) {
   ASSERT_TRUE(log);
   EXPECT_EQ(log->damageText(), "");
   fixture.truncate(std::filesystem::file_size(fixture.path()) - 100);
-  EXPECT_NE(log->damageText().find("cut short while it was open: 100 bytes"), std::string::npos) << log->damageText();
+  EXPECT_NE(log->damageText().find("cut short while it was open: 100 bytes"), std::string::npos)
+      << log->damageText();
 }
 
 TEST(LogFile, aCursorGoesInTheOrderOfTimeFromAnywhere) {
@@ -314,7 +315,8 @@ TEST(LogFile, anyFlippedByteHarmsAtMostItsChunk) {
 
 TEST(LogFile, whatIsNoLogIsRefusedWithItsName) {
   const LogFixture fixture;
-  std::ofstream(fixture.path("text.mcap")) << "Dear diary, today I recorded nothing at all, and I am not ashamed of it.";
+  std::ofstream(fixture.path("text.mcap"))
+      << "Dear diary, today I recorded nothing at all, and I am not ashamed of it.";
   const auto text = LogFile::open(fixture.path("text.mcap"), {});
   ASSERT_FALSE(text);
   EXPECT_NE(text.error().describe().find("text.mcap"), std::string::npos) << text.error().describe();

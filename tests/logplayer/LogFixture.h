@@ -42,7 +42,8 @@ class LogFixture {
   LogFixture() : folder_(std::move(*TemporaryFolder::make())) {}
 
   std::filesystem::path path(const std::string& name = "log.mcap") const { return folder_.path() / name; }
-  std::unique_ptr<LogWriter> write(const std::string& name = "log.mcap", mcap::Writer::Options options = {}) const {
+  std::unique_ptr<LogWriter> write(const std::string& name = "log.mcap",
+                                   mcap::Writer::Options options = {}) const {
     return std::move(*LogWriter::create(path(name), std::move(options)));
   }
   void truncate(std::uintmax_t bytes) const { std::filesystem::resize_file(path(), bytes); }

@@ -35,7 +35,8 @@ std::shared_ptr<const BallModel> ballOf(double deviation) {
 
 struct Bench {
   explicit Bench(const std::string& turn)
-      : platform(clock, {{"models/ball", turn, BallModel::descriptor()}, {"camera/image", "", BallModel::descriptor()}}) {
+      : platform(clock, {{"models/ball", turn, BallModel::descriptor()},
+                         {"camera/image", "", BallModel::descriptor()}}) {
     for (robotlink::AnySender* sender : platform.senders()) {
       robotlink::connectUnchecked(*sender, sender->package() == "models/ball"
                                                ? static_cast<robotlink::AnyReceiver&>(watcher.ball)

@@ -48,8 +48,9 @@ TEST(LogWriter, aChannelIsAStreamAndTheProcessThatToldIt) {
   const TestFolder folder;
   {
     const auto writer = create(folder / "a.mcap");
-    ASSERT_TRUE(writer->write({plot("red1/plots/x", 8, 1, "cognition", 3), plot("red1/plots/x", 8, 2, "motion", 4),
-                               plot("transforms", 8, 3, ""), frameInfo(8, 3)}));
+    ASSERT_TRUE(
+        writer->write({plot("red1/plots/x", 8, 1, "cognition", 3), plot("red1/plots/x", 8, 2, "motion", 4),
+                       plot("transforms", 8, 3, ""), frameInfo(8, 3)}));
   }
   const ReadLog log = readLog(folder / "a.mcap");
   EXPECT_TRUE(log.complete);

@@ -99,12 +99,14 @@ TEST(OutputFile, errorsOfItsWriterNameTheFileThatPeopleKnow) {
   const TestFolder folder;
   const auto output = OutputFile::create(folder / "out.txt", false);
   ASSERT_TRUE(output);
-  const robotlink::Error error{"mcap.write",
-                               "cannot write the log file at byte 7: no space; what was written before can be read",
-                               {},
-                               {output->temporary().string(), 0, 0}};
-  EXPECT_EQ(output->named(error).describe(), (folder / "out.txt").string() +
-                                                 ": cannot write the log file at byte 7: no space; nothing is left of it");
+  const robotlink::Error error{
+      "mcap.write",
+      "cannot write the log file at byte 7: no space; what was written before can be read",
+      {},
+      {output->temporary().string(), 0, 0}};
+  EXPECT_EQ(output->named(error).describe(),
+            (folder / "out.txt").string() +
+                ": cannot write the log file at byte 7: no space; nothing is left of it");
   const robotlink::Error other{"x", "y", {}, {"in.txt", 0, 0}};
   EXPECT_EQ(output->named(other), other);
 }

@@ -21,10 +21,12 @@ namespace logplayer::testing {
 using robotlink::Instant;
 using robotlink::StreamMessage;
 
-inline Instant at(int ms) { return Instant(std::chrono::milliseconds(ms)); }
+inline Instant at(int ms) {
+  return Instant(std::chrono::milliseconds(ms));
+}
 
-inline StreamMessage plot(const std::string& path, int ms, double value, const std::string& process = "cognition",
-                          std::uint64_t frame = 0) {
+inline StreamMessage plot(const std::string& path, int ms, double value,
+                          const std::string& process = "cognition", std::uint64_t frame = 0) {
   auto plotted = std::make_shared<robotcontrol::PlotValue>();
   plotted->set_value(value);
   return {path, at(ms), plotted, process, frame};
@@ -37,8 +39,8 @@ inline StreamMessage table(const std::string& path, int ms, const std::string& k
 }
 
 /// A grey image with this many bytes of pixels, in rows of 1000.
-inline StreamMessage image(const std::string& path, int ms, int bytes, const std::string& process = "platform",
-                           std::uint64_t frame = 0) {
+inline StreamMessage image(const std::string& path, int ms, int bytes,
+                           const std::string& process = "platform", std::uint64_t frame = 0) {
   auto picture = std::make_shared<foxglove::RawImage>();
   picture->set_width(1000);
   picture->set_height(static_cast<std::uint32_t>(bytes / 1000));
@@ -77,7 +79,7 @@ struct ReadLog {
     std::string data;
     bool operator==(const Entry&) const = default;
   };
-  std::vector<Entry> entries;  ///< in the order of the file
+  std::vector<Entry> entries;                    ///< in the order of the file
   std::map<std::string, std::string> recording;  ///< the metadata at its end
   bool complete = false;
   std::size_t damages = 0;
@@ -89,8 +91,8 @@ struct ReadLog {
     return result;
   }
   std::size_t count(const std::string& path) const {
-    return static_cast<std::size_t>(
-        std::count_if(entries.begin(), entries.end(), [&](const Entry& entry) { return entry.path == path; }));
+    return static_cast<std::size_t>(std::count_if(entries.begin(), entries.end(),
+                                                  [&](const Entry& entry) { return entry.path == path; }));
   }
 };
 

@@ -17,8 +17,9 @@ RecordedStreams recorded(const std::string& text) {
 
 TEST(RecordedStreams, withoutAChoiceAreAllThatAReplayNeeds) {
   const RecordedStreams streams;
-  for (const char* path : {"red1/camera/image", "red1/joints/states", "red1/frames/motion", "red1/requests", "scene",
-                           "transforms", "red1/models/ball", "red1/drawings/field/ball", "bookmarks"}) {
+  for (const char* path :
+       {"red1/camera/image", "red1/joints/states", "red1/frames/motion", "red1/requests", "scene",
+        "transforms", "red1/models/ball", "red1/drawings/field/ball", "bookmarks"}) {
     EXPECT_TRUE(streams.contains(path)) << path;
   }
   for (const char* path : {"red1/images/segmentation", "red1/logged/models/ball", "recording", "replay"}) {

@@ -137,7 +137,8 @@ TEST_F(RecorderTest, aChoiceKeepsFramesWithTheirEndAndWhatHolds) {
   recorder->add({plot("red1/plots/y", 16, 1), frameInfo(16, 2)});
   recorder->add({table("red1/tables/keys", 16, "k"), frameInfo(16, 1, "debug")});
   stop();
-  EXPECT_THAT(log().paths(), ElementsAre("red1/plots/x", "red1/frames/cognition", "red1/tables/keys", "red1/frames/debug"));
+  EXPECT_THAT(log().paths(),
+              ElementsAre("red1/plots/x", "red1/frames/cognition", "red1/tables/keys", "red1/frames/debug"));
 }
 
 TEST_F(RecorderTest, whatIsLeftOutIsNotKeptInMemoryByTheRest) {
@@ -217,7 +218,8 @@ TEST_F(RecorderTest, imagesOfOneChannelAreNeverCodedWithLosses) {
   foxglove::CompressedImage coded;
   ASSERT_TRUE(coded.ParseFromString(log().entries[0].data));
   EXPECT_EQ(coded.format(), "png");
-  EXPECT_EQ((*logplayer::rawImage(coded))->data(), static_cast<const foxglove::RawImage&>(*classes.value).data());
+  EXPECT_EQ((*logplayer::rawImage(coded))->data(),
+            static_cast<const foxglove::RawImage&>(*classes.value).data());
 }
 
 // ---- The last seconds
@@ -254,7 +256,8 @@ TEST_F(RecorderTest, aTriggerSavesOnceUntilAllIsNew) {
   for (int i = 1; i <= 400; ++i) {
     addFrame(i);
     if (i < 150 || i > 310) continue;  // 1.2 s to 2.48 s
-    recorder->add({plot("red1/plots/ball/lost", 8 * i, 1), frameInfo(8 * i, static_cast<std::uint64_t>(i), "motion")});
+    recorder->add(
+        {plot("red1/plots/ball/lost", 8 * i, 1), frameInfo(8 * i, static_cast<std::uint64_t>(i), "motion")});
     if (i == 150 || i == 275) recorder->finish();
   }
   recorder->finish();
@@ -346,7 +349,8 @@ TEST_F(RecorderTest, whatDoesNotFitIsLeftOutWholeCountedAndSaid) {
   start();
   for (int i = 1; i <= 20; ++i) {
     addFrame(i);
-    recorder->add({image("red1/camera/image", 8 * i, 60'000), frameInfo(8 * i, static_cast<std::uint64_t>(i), "platform")});
+    recorder->add({image("red1/camera/image", 8 * i, 60'000),
+                   frameInfo(8 * i, static_cast<std::uint64_t>(i), "platform")});
     recorder->waitForRoom();
   }
   EXPECT_EQ(recorder->status().dropped_messages(), 40U);
@@ -372,7 +376,8 @@ TEST_F(RecorderTest, aFullDiskEndsTheRecordingAndLeavesAReadableFile) {
   start();
   const auto demand = recorder->demand();
   for (int i = 1; i <= 100; ++i) {
-    recorder->add({image("red1/camera/image", 8 * i, 100'000), frameInfo(8 * i, static_cast<std::uint64_t>(i), "platform")});
+    recorder->add({image("red1/camera/image", 8 * i, 100'000),
+                   frameInfo(8 * i, static_cast<std::uint64_t>(i), "platform")});
     recorder->waitForRoom();
   }
   recorder->finish();

@@ -94,8 +94,10 @@ TEST_P(ShippedLayoutsTest, everySolutionForItsKindOfRobotCanBeChosenInASimulator
 }
 
 TEST_P(ShippedLayoutsTest, withoutASimulatorOraclesSayWhyTheyCannotBeChosen) {
-  EXPECT_EQ("unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)",
-            unavailability(layout_, registeredTasks(), platform(false), "self-localisation", "oracle"));
+  EXPECT_EQ(
+      "unavailable because neither the robot nor another task provides the simulator's ground truth "
+      "(oracle/world)",
+      unavailability(layout_, registeredTasks(), platform(false), "self-localisation", "oracle"));
 }
 
 INSTANTIATE_TEST_SUITE_P(All, ShippedLayoutsTest,

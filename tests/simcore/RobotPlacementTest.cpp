@@ -200,9 +200,11 @@ TEST(RobotPlacement, robotsOfTeamsAreSharedOutAndStandAtTheTeamsHomes) {
   EXPECT_NEAR(robotlink::groundPose(added[0].poseInWorld).x, 6, 1e-6);
   EXPECT_NEAR(robotlink::groundPose(added[0].poseInWorld).heading, 1, 1e-6);
   EXPECT_NEAR(robotlink::groundPose(added[1].poseInWorld).y, 1.5, 1e-6);
-  const auto refused = addRobots(world, nullptr, robot, {.count = 1, .teams = {"green"}}, palette, "field.sdf");
+  const auto refused =
+      addRobots(world, nullptr, robot, {.count = 1, .teams = {"green"}}, palette, "field.sdf");
   ASSERT_FALSE(refused);
-  EXPECT_THAT(refused.error().describe(), testing::HasSubstr("no palette of the scene has the color 'green' of a team"));
+  EXPECT_THAT(refused.error().describe(),
+              testing::HasSubstr("no palette of the scene has the color 'green' of a team"));
 }
 
 TEST(RobotPlacement, whatStandsOnTheFloorIsMissed) {

@@ -114,10 +114,12 @@ TEST_F(SceneTest, aFileThatCannotBeReadIsAnError) {
 TEST_F(SceneTest, brokenXmlHasItsLine) {
   EXPECT_THAT(folder_.errorsOf("<sdf version=\"1.9\">\n<world name=\"w\">\n</sdf>"),
               StartsWith("world.sdf:2: this is not well-formed XML: a tag is closed that is not"));
-  EXPECT_THAT(folder_.errorsOf(""), StartsWith("world.sdf:1: this is not well-formed XML: the file is empty"));
+  EXPECT_THAT(folder_.errorsOf(""),
+              StartsWith("world.sdf:1: this is not well-formed XML: the file is empty"));
   std::string deep;
   for (int i = 0; i < 10'000; ++i) deep += "<a>";
-  EXPECT_THAT(folder_.errorsOf(deep), StartsWith("world.sdf:1: this is not well-formed XML: tags are nested too deeply"));
+  EXPECT_THAT(folder_.errorsOf(deep),
+              StartsWith("world.sdf:1: this is not well-formed XML: tags are nested too deeply"));
 }
 
 TEST_F(SceneTest, brokenIncludesHaveTheirLine) {

@@ -104,14 +104,16 @@ TEST_F(StaticGridTest, manyLongWallsTakeBoundedMemoryAndAreStillFound) {
   robotlink::Random random(2);
   std::vector<std::array<double, 3>> middles;
   for (int i = 0; i < 12'000; ++i) {
-    const double x = random.uniform(-7000, 7000), y = random.uniform(-7000, 7000), turn = random.uniform(0, 3.1);
+    const double x = random.uniform(-7000, 7000), y = random.uniform(-7000, 7000),
+                 turn = random.uniform(0, 3.1);
     addBox(x, y, turn, 14'000, 0.01);
     middles.push_back({x, y, turn});
   }
   grid_.build();
   EXPECT_LE(grid_.entries(), StaticGrid::kMaximumEntries);
   for (std::size_t i = 0; i < 100; ++i) {
-    const double x = middles[i][0] + 3000 * std::cos(middles[i][2]), y = middles[i][1] + 3000 * std::sin(middles[i][2]);
+    const double x = middles[i][0] + 3000 * std::cos(middles[i][2]),
+                 y = middles[i][1] + 3000 * std::sin(middles[i][2]);
     const auto found = near(x - 0.3, x + 0.3, y - 0.3, y + 0.3);
     EXPECT_NE(std::ranges::find(found, geoms_[i]), found.end());
     EXPECT_LT(found.size(), 100U) << "only what is there";

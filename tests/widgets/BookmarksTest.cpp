@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Bookmarks as a person makes, edits, moves and removes them, on the time line and in their list, down to the file.
+// Bookmarks as a person makes, edits, moves and removes them, on the time line and in their list, down to the
+// file.
 #include <QAbstractItemModelTester>
 #include <QLineEdit>
 #include <QTableView>
@@ -33,7 +34,9 @@ class BookmarkBench : public LogBench {
     auto writer = logplayer::LogWriter::create(file, {});
     if (!writer) qFatal("%s", writer.error().describe().c_str());
     auto image = std::make_shared<foxglove::CompressedImage>();
-    if (!(*writer)->write({{"nao/camera/image", at(10), image, "cognition", 1}}) || !(*writer)->container().close()) qFatal("no log");
+    if (!(*writer)->write({{"nao/camera/image", at(10), image, "cognition", 1}}) ||
+        !(*writer)->container().close())
+      qFatal("no log");
     openLog(file.string());
     auto bookmarks = logplayer::Bookmarks::open(file);
     if (!bookmarks) qFatal("%s", bookmarks.error().describe().c_str());
@@ -53,13 +56,18 @@ class BookmarkBench : public LogBench {
   const std::filesystem::path file;
 };
 
-TimeLineCanvas& canvasOf(TimeLineView& view) { return child<TimeLineCanvas>(view, "timeLineCanvas"); }
+TimeLineCanvas& canvasOf(TimeLineView& view) {
+  return child<TimeLineCanvas>(view, "timeLineCanvas");
+}
 
 /// The middle of a bookmark's flag.
 QPoint flag(TimeLineView& view, const logplayer::Bookmark& bookmark) {
   auto& canvas = canvasOf(view);
   const auto lane = canvas.layout().lanes.front();
-  return widgets::bookmarkRect(canvas.bands()[0], bookmark, canvas.look(), lane.rect, QFontMetricsF(canvas.font())).center().toPoint();
+  return widgets::bookmarkRect(canvas.bands()[0], bookmark, canvas.look(), lane.rect,
+                               QFontMetricsF(canvas.font()))
+      .center()
+      .toPoint();
 }
 
 void typeName(TimeLineView& view, const QString& text) {

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person waits for: from a stroke to the new table, and to the new picture on the screen (offscreen, 1280 x 960). Run it with
-// QT_QPA_PLATFORM=offscreen.
+// What a person waits for: from a stroke to the new table, and to the new picture on the screen (offscreen,
+// 1280 x 960). Run it with QT_QPA_PLATFORM=offscreen.
 #include <benchmark/benchmark.h>
 
 #include <QApplication>
@@ -85,7 +85,12 @@ void fromStrokeToScreen(benchmark::State& state) {
   }
   state.counters["worst_ms"] = worst * 1e3;
 }
-BENCHMARK(fromStrokeToScreen)->Arg(12)->Arg(100)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(60);
+BENCHMARK(fromStrokeToScreen)
+    ->Arg(12)
+    ->Arg(100)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(60);
 
 /// An option that changes everything, until its picture was painted.
 void fromOptionToScreen(benchmark::State& state) {
@@ -107,7 +112,12 @@ void fromOptionToScreen(benchmark::State& state) {
     desk.settle();
   }
 }
-BENCHMARK(fromOptionToScreen)->Arg(12)->Arg(100)->UseManualTime()->Unit(benchmark::kMillisecond)->Iterations(40);
+BENCHMARK(fromOptionToScreen)
+    ->Arg(12)
+    ->Arg(100)
+    ->UseManualTime()
+    ->Unit(benchmark::kMillisecond)
+    ->Iterations(40);
 
 }  // namespace
 

@@ -317,7 +317,8 @@ class ColorImageViewTest : public QObject {
     s.tool("colorToolRectangle");
     s.drag({{12, 2}, {37, 12}});  // over the edge
     QVERIFY(effect->isVisible());
-    QVERIFY2(effect->text().contains(QStringLiteral("⚠")) && effect->text().contains(QStringLiteral("green (now orange)")),
+    QVERIFY2(effect->text().contains(QStringLiteral("⚠")) &&
+                 effect->text().contains(QStringLiteral("green (now orange)")),
              qPrintable(effect->text()));
     const std::size_t before = colortool::pixelCount(s.lastStroke().area);
     keepPicture(s.view, "color-effect");
@@ -326,7 +327,8 @@ class ColorImageViewTest : public QObject {
     QVERIFY(colortool::pixelCount(s.lastStroke().area) < before);
     QVERIFY(!colortool::contains(s.lastStroke().area, 30, 7));
     QVERIFY(colortool::contains(s.lastStroke().area, 15, 7));
-    QVERIFY2(!effect->text().contains(QStringLiteral("⚠")) || !effect->isVisible(), qPrintable(effect->text()));
+    QVERIFY2(!effect->text().contains(QStringLiteral("⚠")) || !effect->isVisible(),
+             qPrintable(effect->text()));
     s.bench.undoStack().undo();
     s.bench.undoStack().undo();
     QVERIFY(!effect->isVisible());

@@ -152,7 +152,8 @@ class ColorQualityViewTest : public QObject {
 
   void howFewStrokesTheFiguresStandOnIsSaidAndThatTheyCountAlike() {
     goodStrokes();
-    QTRY_VERIFY(note().contains(QStringLiteral("Stands on 8 strokes, at least 2 of a class and 2 of the background")));
+    QTRY_VERIFY(note().contains(
+        QStringLiteral("Stands on 8 strokes, at least 2 of a class and 2 of the background")));
     QVERIFY(note().contains(QStringLiteral("take the figures as a hint")));
     bench_->undoStack().undo();  // the second stroke of the background
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
@@ -165,7 +166,6 @@ class ColorQualityViewTest : public QObject {
     QTRY_VERIFY2(note().contains(QStringLiteral("nothing.c64: mean recall 0.00 %")), qPrintable(note()));
     QVERIFY(note().contains(QStringLiteral("yours is better")));
   }
-
 
   void damagedImagesAreLeftOutAndTold() {
     QTemporaryDir folder;

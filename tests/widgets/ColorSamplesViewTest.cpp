@@ -78,7 +78,8 @@ class ColorSamplesViewTest : public QObject {
     QVERIFY(tree_->currentIndex().row() > 6);
     QCOMPARE(text(tree_->currentIndex().row(), StrokeModel::kClass), QStringLiteral("white"));
     const int off = tree_->visualRect(tree_->currentIndex()).top() - top;
-    QVERIFY2(std::abs(off) < tree_->visualRect(tree_->currentIndex()).height(), qPrintable(QString::number(off)));
+    QVERIFY2(std::abs(off) < tree_->visualRect(tree_->currentIndex()).height(),
+             qPrintable(QString::number(off)));
   }
 
   void whatDisagreesIsFoundBySortingByIt() {

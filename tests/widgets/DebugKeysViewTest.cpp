@@ -199,7 +199,8 @@ class DebugKeysViewTest : public QObject {
     click(child<QToolButton>(*view, "keysSavePreset"));
     bench.push("red1/tables/keys", someKeys(), 1.5);
     bench.tick(*view);
-    QVERIFY(child<QLabel>(*view, "keysState").text().startsWith(QStringLiteral("Saved the preset ball only")));
+    QVERIFY(
+        child<QLabel>(*view, "keysState").text().startsWith(QStringLiteral("Saved the preset ball only")));
     KeyTable others;
     addKey(others, "ball-percept/circle", KeyMode::ALWAYS, true);
     addKey(others, "ball-percept/edges", KeyMode::OFF, true);

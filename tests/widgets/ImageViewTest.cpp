@@ -136,7 +136,8 @@ class ImageViewTest : public QObject {
     s.world.pushImage("red1/camera/image", kImage, kGrass);
     s.world.pushFrame({});
     s.step();
-    QVERIFY2(!isNear(s.colorAt(40.5, 40.5), QColor(220, 40, 40), 60), "it would look like what is seen in this image");
+    QVERIFY2(!isNear(s.colorAt(40.5, 40.5), QColor(220, 40, 40), 60),
+             "it would look like what is seen in this image");
     QVERIFY2(!isNear(s.colorAt(40.5, 40.5), qColor(kGrass), 10), "it is still there");
     QVERIFY(s.text("imageState").contains(QStringLiteral("faded")));
   }
@@ -173,11 +174,14 @@ class ImageViewTest : public QObject {
     streams->setFocus();
     while (streams->currentIndex() < row) QTest::keyClick(streams, Qt::Key_Down);
     const Rgb orange = *s.world.context.field->color("orange");
-    const std::pair<const char*, QColor> expected[] = {
-        {"none", Qt::black}, {"orange", QColor(orange.r, orange.g, orange.b)}, {"black", QColor(45, 45, 50)}, {"unknown", QColor(128, 128, 128)}};
+    const std::pair<const char*, QColor> expected[] = {{"none", Qt::black},
+                                                       {"orange", QColor(orange.r, orange.g, orange.b)},
+                                                       {"black", QColor(45, 45, 50)},
+                                                       {"unknown", QColor(128, 128, 128)}};
     for (int x = 0; x < 4; ++x) {
       moveMouse(*s.canvas, s.at(x + 0.5, 0.5));
-      QVERIFY2(s.text("imagePixel").endsWith(QLatin1String(expected[x].first)), qPrintable(s.text("imagePixel")));
+      QVERIFY2(s.text("imagePixel").endsWith(QLatin1String(expected[x].first)),
+               qPrintable(s.text("imagePixel")));
       QVERIFY(isNear(s.colorAt(x + 0.5, 0.5), expected[x].second, 2));
     }
   }
@@ -241,7 +245,8 @@ class ImageViewTest : public QObject {
     Shown s;
     const auto tell = [&s](robotcontrol::KeyMode::Kind kind) {
       auto table = std::make_shared<robotcontrol::KeyTable>();
-      for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"}, {"ball-model/ball", "The ball (drawn on the field)"},
+      for (const auto& [name, help] : {std::pair{"ball-percept/disc", "The ball's disc (drawn in the image)"},
+                                       {"ball-model/ball", "The ball (drawn on the field)"},
                                        {"ball-percept/distance", "How far it is (plot)"}}) {
         auto& key = *table->add_keys();
         key.set_name(name);
@@ -262,7 +267,8 @@ class ImageViewTest : public QObject {
     s.clickDrawing(0);
     s.step();
     QCOMPARE(state(), static_cast<int>(Qt::Unchecked));
-    QVERIFY(list->model()->index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("it sleeps")));
+    QVERIFY(
+        list->model()->index(0, 0).data(Qt::ToolTipRole).toString().contains(QStringLiteral("it sleeps")));
     s.world.refusal.clear();
     s.clickDrawing(0);
     QCOMPARE(s.world.requests.back().set_key().name(), std::string("ball-percept/disc"));

@@ -35,9 +35,12 @@ class ToldReading final : public widgets::LogReading {
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks;
 };
 
-inline robotlink::Instant at(double seconds) { return robotlink::Instant(robotlink::fromSeconds(seconds)); }
+inline robotlink::Instant at(double seconds) {
+  return robotlink::Instant(robotlink::fromSeconds(seconds));
+}
 
-/// A log from 10 to 40 s: images at 5 Hz, joints at 100 Hz with a gap from 20 to 25 s, a warning and an error.
+/// A log from 10 to 40 s: images at 5 Hz, joints at 100 Hz with a gap from 20 to 25 s, a warning and an
+/// error.
 inline widgets::LogOverview overviewOfTest(const std::string& file) {
   using robotlink::Instant;
   widgets::LogOverview overview;
@@ -51,7 +54,8 @@ inline widgets::LogOverview overviewOfTest(const std::string& file) {
     for (double t = 10; t <= 40 + 1e-9; t += 1 / rate) {
       if (t < gapFrom || t >= gapTo) times.push_back(at(t));
     }
-    widgets::LogOverview::Stream stream{path, type, times.size(), times.size() * 1000, times.front(), times.back()};
+    widgets::LogOverview::Stream stream{path,          type,        times.size(), times.size() * 1000,
+                                        times.front(), times.back()};
     stream.density = widgets::MessageDensity(times);
     overview.streams.push_back(std::move(stream));
   };
@@ -59,8 +63,10 @@ inline widgets::LogOverview overviewOfTest(const std::string& file) {
   add("nao/frames/cognition", "robotcontrol.FrameInfo", 10, 50, 50);
   add("nao/joints/states", "foxglove.JointStates", 100, 20, 25);
   add("nao/log", "foxglove.Log", 0.5, 50, 50);
-  overview.said.push_back({at(18), widgets::LogEntry::Level::kWarning, QStringLiteral("nao"), QStringLiteral("cognition"), QStringLiteral("the ball was lost")});
-  overview.said.push_back({at(31), widgets::LogEntry::Level::kError, QStringLiteral("nao"), QStringLiteral("motion"), QStringLiteral("a servo does not answer")});
+  overview.said.push_back({at(18), widgets::LogEntry::Level::kWarning, QStringLiteral("nao"),
+                           QStringLiteral("cognition"), QStringLiteral("the ball was lost")});
+  overview.said.push_back({at(31), widgets::LogEntry::Level::kError, QStringLiteral("nao"),
+                           QStringLiteral("motion"), QStringLiteral("a servo does not answer")});
   return overview;
 }
 

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Real files, read in threads as views read them, and what the time line does with them: cut, exported, repaired.
+// Real files, read in threads as views read them, and what the time line does with them: cut, exported,
+// repaired.
 #include <QAction>
 #include <QDir>
 #include <QFileDialog>
@@ -28,7 +29,9 @@ namespace {
 constexpr int kWaitMs = 20000;
 constexpr char kRealLog[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
 
-std::filesystem::path home() { return qgetenv("XDG_CONFIG_HOME").toStdString(); }
+std::filesystem::path home() {
+  return qgetenv("XDG_CONFIG_HOME").toStdString();
+}
 
 /// 300 frames from 10 to 40 s, each with a text; every hundredth is a warning.
 std::filesystem::path writeLog(const char* name) {
@@ -45,7 +48,8 @@ std::filesystem::path writeLog(const char* name) {
     info->set_process("cognition");
     const auto time = at(10 + i * 0.1);
     const auto number = static_cast<std::uint64_t>(i) + 1;
-    if (!(*writer)->write({{"nao/log", time, text, "cognition", number}, {"nao/frames/cognition", time, info, "cognition", number}})) {
+    if (!(*writer)->write({{"nao/log", time, text, "cognition", number},
+                           {"nao/frames/cognition", time, info, "cognition", number}})) {
       qFatal("the log could not be written");
     }
   }
@@ -67,7 +71,8 @@ class ReadBench : public LogBench {
  public:
   ReadBench() { context.logs = std::make_shared<widgets::OpenLogs>(session, widgets::readLogFile); }
   void waitUntilRead(TimeLineView& view) {
-    QTRY_VERIFY_WITH_TIMEOUT((tick(view), logs().logs().front()->overview->stage == LogOverview::Stage::kDone), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (tick(view), logs().logs().front()->overview->stage == LogOverview::Stage::kDone), kWaitMs);
   }
   /// Types a name into the dialog that is open, and waits until the job that this starts has ended.
   void answer(TimeLineView& view, const char* dialogName, const std::filesystem::path& file) {
@@ -88,7 +93,8 @@ class LogReaderTest : public QObject {
   void cleanupTestCase() { Bench::tidyUp(); }
 
   void readsTheRealLogStepByStep() {
-    if (!std::filesystem::exists(kRealLog)) QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
+    if (!std::filesystem::exists(kRealLog))
+      QSKIP("the real log is not here: ../shared/data/logs/bhuman2009.log");
     LogReader reader(kRealLog);
     QTRY_VERIFY_WITH_TIMEOUT(reader.overview()->stage == LogOverview::Stage::kDone, kWaitMs);
     const auto overview = reader.overview();
@@ -100,7 +106,9 @@ class LogReaderTest : public QObject {
     QVERIFY(images->bytes > 1'000'000);
     reader.wantThumbnails("nao/camera/image", {overview->end, overview->begin, images->first}, 60);
     std::vector<widgets::Thumbnail> thumbnails;
-    QTRY_VERIFY_WITH_TIMEOUT((std::ranges::move(reader.takeThumbnails(), std::back_inserter(thumbnails)), thumbnails.size() == 3), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        (std::ranges::move(reader.takeThumbnails(), std::back_inserter(thumbnails)), thumbnails.size() == 3),
+        kWaitMs);
     QCOMPARE(thumbnails[0].time, overview->end);  // in the order in which they were wanted
     QCOMPARE(thumbnails[0].image.size(), QSize(80, 60));
     QCOMPARE(thumbnails[2].image.size(), QSize(80, 60));
@@ -119,7 +127,8 @@ class LogReaderTest : public QObject {
     const auto file = writeLog("left.mcap");
     for (int i = 0; i < 20; ++i) {
       LogReader reader(file);
-      if (i % 2 == 0) QTRY_VERIFY_WITH_TIMEOUT(reader.overview()->stage != LogOverview::Stage::kOpening, kWaitMs);
+      if (i % 2 == 0)
+        QTRY_VERIFY_WITH_TIMEOUT(reader.overview()->stage != LogOverview::Stage::kOpening, kWaitMs);
     }
   }
 
@@ -127,7 +136,10 @@ class LogReaderTest : public QObject {
     const auto file = writeLog("game.mcap");
     ReadBench bench;
     std::string opened;
-    bench.commands.add({"log.open", "", {{"file", robotlink::CommandTable::Type::kText, ""}}, [&](const auto& values) -> robotlink::Result<void> {
+    bench.commands.add({"log.open",
+                        "",
+                        {{"file", robotlink::CommandTable::Type::kText, ""}},
+                        [&](const auto& values) -> robotlink::Result<void> {
                           opened = std::get<std::string>(values[0]);
                           return {};
                         }});
@@ -139,7 +151,8 @@ class LogReaderTest : public QObject {
     const auto cut = home() / "cut.mcap";
     click(child<QToolButton>(*view, "rangeCut"));
     bench.answer(*view, "cutDialog", cut);
-    QVERIFY2(child<QLabel>(*view, "logJobText").text().contains(QStringLiteral("cut.mcap: ")), qPrintable(child<QLabel>(*view, "logJobText").text()));
+    QVERIFY2(child<QLabel>(*view, "logJobText").text().contains(QStringLiteral("cut.mcap: ")),
+             qPrintable(child<QLabel>(*view, "logJobText").text()));
     QCOMPARE(countOf(cut, "nao/log"), 51U);
     click(child<QToolButton>(*view, "logJobOpen"));
     QCOMPARE(opened, cut.string());
@@ -173,14 +186,17 @@ class LogReaderTest : public QObject {
     bench.setRange(14, 15);  // the second half of it
     auto view = bench.openView<TimeLineView>();
     bench.waitUntilRead(*view);
-    QTRY_VERIFY_WITH_TIMEOUT((bench.tick(*view), bench.logs().current()->imageStream == "red1/camera/image"), kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT((bench.tick(*view), bench.logs().current()->imageStream == "red1/camera/image"),
+                             kWaitMs);
     const auto folder = home() / "pictures";
     std::filesystem::create_directories(folder);
     view->findChild<QAction*>(QStringLiteral("exportImages"))->trigger();
     bench.answer(*view, "exportImagesDialog", folder);
-    const QStringList pictures = QDir(QString::fromStdString(folder.string())).entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
+    const QStringList pictures = QDir(QString::fromStdString(folder.string()))
+                                     .entryList({QStringLiteral("*.png")}, QDir::Files, QDir::Name);
     QCOMPARE(pictures.size(), 13);  // every second frame from the 25th on
-    QCOMPARE(QImage(QDir(QString::fromStdString(folder.string())).filePath(pictures.front())).size(), QSize(176, 144));
+    QCOMPARE(QImage(QDir(QString::fromStdString(folder.string())).filePath(pictures.front())).size(),
+             QSize(176, 144));
   }
 
   void aDamagedLogIsRepairedIntoANewOne() {
@@ -198,7 +214,8 @@ class LogReaderTest : public QObject {
     std::filesystem::remove(repaired);
     click(child<QToolButton>(*view, "logRepair"));
     bench.answer(*view, "repairDialog", repaired);
-    QVERIFY2(child<QToolButton>(*view, "logJobOpen").isVisible(), qPrintable(child<QLabel>(*view, "logJobText").text()));
+    QVERIFY2(child<QToolButton>(*view, "logJobOpen").isVisible(),
+             qPrintable(child<QLabel>(*view, "logJobText").text()));
     QVERIFY(countOf(repaired, "nao/log") > 0);
   }
 

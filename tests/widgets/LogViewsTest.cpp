@@ -32,7 +32,8 @@ QModelIndex cell(const QTableView& table, const QString& first, int column) {
 }
 
 void addPackages(robotcontrol::ReplayStatus& status) {
-  const auto add = [&](const char* name, bool logged, bool can, ControlReplay::PackageSource source, bool chosen, const char* why = "") {
+  const auto add = [&](const char* name, bool logged, bool can, ControlReplay::PackageSource source,
+                       bool chosen, const char* why = "") {
     auto& package = *status.add_packages();
     package.set_package(name);
     package.set_logged(logged);
@@ -53,7 +54,8 @@ void addPackages(robotcontrol::ReplayStatus& status) {
   difference.set_largest_field("position_in_robot.x");
   difference.set_largest(0.25);
   difference.set_largest_time(at(21).time_since_epoch().count());
-  status.add_unavailable_tasks("nao/motion: neither the robot nor another task provides requests to joints (joints/request)");
+  status.add_unavailable_tasks(
+      "nao/motion: neither the robot nor another task provides requests to joints (joints/request)");
 }
 
 }  // namespace
@@ -75,8 +77,10 @@ class LogViewsTest : public QObject {
     QCOMPARE(cell(table, image, StreamListModel::kCount).data().toString(), QStringLiteral("151"));
     QCOMPARE(cell(table, image, StreamListModel::kBytes).data().toString(), QStringLiteral("151.0 kB"));
     QCOMPARE(cell(table, image, StreamListModel::kRate).data().toString(), QStringLiteral("5.0"));
-    QCOMPARE(cell(table, image, StreamListModel::kSchema).data().toString(), QStringLiteral("foxglove.CompressedImage"));
-    QVERIFY(child<QLabel>(*view, "streamsSummary").text().contains(QStringLiteral("streams: 4, messages: 2969")));
+    QCOMPARE(cell(table, image, StreamListModel::kSchema).data().toString(),
+             QStringLiteral("foxglove.CompressedImage"));
+    QVERIFY(
+        child<QLabel>(*view, "streamsSummary").text().contains(QStringLiteral("streams: 4, messages: 2969")));
     widgets::test::keepPicture(*view, "streams");
   }
 
@@ -89,7 +93,8 @@ class LogViewsTest : public QObject {
     QCOMPARE(table.model()->rowCount(), 1);
     QTest::keyClick(&child<QLineEdit>(*view, "streamsSearch"), Qt::Key_Escape);
     auto& header = *table.horizontalHeader();
-    QTest::mouseClick(header.viewport(), Qt::LeftButton, {}, {header.sectionViewportPosition(StreamListModel::kCount) + 20, header.height() / 2});
+    QTest::mouseClick(header.viewport(), Qt::LeftButton, {},
+                      {header.sectionViewportPosition(StreamListModel::kCount) + 20, header.height() / 2});
     QCOMPARE(table.model()->index(0, 0).data().toString(), QStringLiteral("nao/log"));
     QCOMPARE(table.model()->index(3, 0).data().toString(), QStringLiteral("nao/joints/states"));
   }
@@ -99,7 +104,8 @@ class LogViewsTest : public QObject {
     bench.openLog(kFile);
     auto view = bench.openView<StreamsView>();
     auto& table = child<QTableView>(*view, "streamsTable");
-    const QPoint where = table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kSchema)).center();
+    const QPoint where =
+        table.visualRect(cell(table, QStringLiteral("nao/joints/states"), StreamListModel::kSchema)).center();
     QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, where);
     QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, where);
     QCOMPARE(bench.logs().replay().steppedStream(), std::string("nao/joints/states"));
@@ -107,7 +113,8 @@ class LogViewsTest : public QObject {
     QTest::keyClick(&table, Qt::Key_Space);
     QVERIFY(bench.logs().logs()[0]->hidden.contains("nao/joints/states"));
     bench.tick(*view);
-    QCOMPARE(cell(table, QStringLiteral("nao/joints/states"), 0).data(Qt::CheckStateRole).toInt(), static_cast<int>(Qt::Unchecked));
+    QCOMPARE(cell(table, QStringLiteral("nao/joints/states"), 0).data(Qt::CheckStateRole).toInt(),
+             static_cast<int>(Qt::Unchecked));
   }
 
   void packagesTellTheirSourceAndHowTheyDiffer() {
@@ -120,15 +127,24 @@ class LogViewsTest : public QObject {
     const QString ball = QStringLiteral("nao/models/ball");
     QCOMPARE(cell(table, ball, ReplayPackageModel::kSource).data().toString(), QStringLiteral("recomputed"));
     QCOMPARE(cell(table, ball, ReplayPackageModel::kCompared).data().toString(), QStringLiteral("120"));
-    QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(), QStringLiteral("7 + 2 alone"));
+    QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(),
+             QStringLiteral("7 + 2 alone"));
     QCOMPARE(cell(table, ball, ReplayPackageModel::kFirst).data().toString(), QStringLiteral("7.500"));
-    QCOMPARE(cell(table, ball, ReplayPackageModel::kLargest).data().toString(), QStringLiteral("position_in_robot.x: 0.25"));
-    QVERIFY(cell(table, QStringLiteral("nao/percepts/ball"), ReplayPackageModel::kSource).data().toString().contains(QStringLiteral("automatic")));
-    QVERIFY(child<QLabel>(*view, "unavailableTasks").text().contains(QStringLiteral("neither the robot nor another task provides requests to joints (joints/request)")));
+    QCOMPARE(cell(table, ball, ReplayPackageModel::kLargest).data().toString(),
+             QStringLiteral("position_in_robot.x: 0.25"));
+    QVERIFY(cell(table, QStringLiteral("nao/percepts/ball"), ReplayPackageModel::kSource)
+                .data()
+                .toString()
+                .contains(QStringLiteral("automatic")));
+    QVERIFY(child<QLabel>(*view, "unavailableTasks")
+                .text()
+                .contains(QStringLiteral(
+                    "neither the robot nor another task provides requests to joints (joints/request)")));
     bench.status.mutable_differences(0)->set_different(9);
     bench.tell();
     bench.tick(*view);
-    QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(), QStringLiteral("9 + 2 alone"));
+    QCOMPARE(cell(table, ball, ReplayPackageModel::kDifferent).data().toString(),
+             QStringLiteral("9 + 2 alone"));
     widgets::test::keepPicture(*view, "packages");
   }
 
@@ -159,7 +175,8 @@ class LogViewsTest : public QObject {
     bench.openLog(kFile);
     auto view = bench.openView<ReplayPackagesView>();
     auto& table = child<QTableView>(*view, "packagesTable");
-    for (const auto& [column, seconds] : {std::pair(ReplayPackageModel::kFirst, 17.5), std::pair(ReplayPackageModel::kLargest, 21.0)}) {
+    for (const auto& [column, seconds] :
+         {std::pair(ReplayPackageModel::kFirst, 17.5), std::pair(ReplayPackageModel::kLargest, 21.0)}) {
       const QPoint where = table.visualRect(cell(table, QStringLiteral("nao/models/ball"), column)).center();
       QTest::mouseClick(table.viewport(), Qt::LeftButton, {}, where);
       QTest::mouseDClick(table.viewport(), Qt::LeftButton, {}, where);
@@ -191,7 +208,8 @@ class LogViewsTest : public QObject {
     QCOMPARE(marks.step, robotlink::Duration(std::chrono::seconds(5)));
     QCOMPARE(marks.first, at(486.749));
     QCOMPARE(widgets::timeText(marks.first + marks.step - at(486.749), marks.step), QStringLiteral("5"));
-    QCOMPARE(widgets::timeText(robotlink::fromSeconds(1.25), std::chrono::milliseconds(50)), QStringLiteral("1.25"));
+    QCOMPARE(widgets::timeText(robotlink::fromSeconds(1.25), std::chrono::milliseconds(50)),
+             QStringLiteral("1.25"));
     std::vector<robotlink::Instant> times;
     for (int i = 0; i < 100'000; ++i) times.push_back(at(10 + i * 1e-3));
     const widgets::MessageDensity longOne(times);

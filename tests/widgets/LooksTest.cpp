@@ -84,7 +84,9 @@ void pushTasks(Bench& bench) {
   add(ball, "regions", "Takes the largest orange region for the ball");
   auto& pose = task("self-localization", "cognition", "odometry");
   add(pose, "odometry", "Adds up what the legs did");
-  add(pose, "oracle", "Takes the true pose", "unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)");
+  add(pose, "oracle", "Takes the true pose",
+      "unavailable because neither the robot nor another task provides the simulator's ground truth "
+      "(oracle/world)");
   auto& behavior = task("behavior", "cognition", "obey");
   add(behavior, "go-to-ball", "Searches the ball, walks there and kicks it");
   add(behavior, "stand", "Stands and looks around");

@@ -88,7 +88,8 @@ class MessagesViewTest : public QObject {
     LogBench bench;
     bench.shapeOverview = [](widgets::LogOverview& overview) {
       std::vector<widgets::LogEntry> texts = overview.said;
-      texts.push_back({at(35), widgets::LogEntry::Level::kInfo, QStringLiteral("nao"), QStringLiteral("motion"), QStringLiteral("stands")});
+      texts.push_back({at(35), widgets::LogEntry::Level::kInfo, QStringLiteral("nao"),
+                       QStringLiteral("motion"), QStringLiteral("stands")});
       overview.texts = std::make_shared<const std::vector<widgets::LogEntry>>(std::move(texts));
     };
     bench.openLog("/logs/game.mcap");

@@ -105,11 +105,16 @@ class MotionViewTest : public QObject {
   void aTakeOverThatIsImpossibleOrRefusedSaysWhy() {
     Bench bench;
     bench.push("red1/tables/solutions",
-               behavior("go-to-ball", "unavailable because neither the robot nor another task provides motions that a person asks for (remote/motion)"), 1);
+               behavior("go-to-ball",
+                        "unavailable because neither the robot nor another task provides motions that a "
+                        "person asks for (remote/motion)"),
+               1);
     auto view = bench.open<widgets::MotionView>();
     QVERIFY(!child<QToolButton>(*view, "motionTakeOver").isEnabled());
-    QVERIFY(
-        child<QLabel>(*view, "motionState").text().contains(QStringLiteral("neither the robot nor another task provides motions that a person asks for (remote/motion)")));
+    QVERIFY(child<QLabel>(*view, "motionState")
+                .text()
+                .contains(QStringLiteral("neither the robot nor another task provides motions that a person "
+                                         "asks for (remote/motion)")));
     bench.push("red1/tables/solutions", behavior("go-to-ball"), 2);
     bench.tick(*view);
     click(child<QToolButton>(*view, "motionTakeOver"));
@@ -211,8 +216,10 @@ class MotionViewTest : public QObject {
     Steering bench;
     const double degree = std::acos(-1.0) / 180;
     using Angle = double (HeadMode::*)() const;
-    const std::pair<const char*, Angle> joints[] = {
-        {"headTilt", &HeadMode::tilt}, {"headPan", &HeadMode::pan}, {"headRoll", &HeadMode::roll}, {"headMouth", &HeadMode::mouth}};
+    const std::pair<const char*, Angle> joints[] = {{"headTilt", &HeadMode::tilt},
+                                                    {"headPan", &HeadMode::pan},
+                                                    {"headRoll", &HeadMode::roll},
+                                                    {"headMouth", &HeadMode::mouth}};
     for (const auto& [name, angle] : joints) {
       auto& slider = child<QSlider>(*bench.view, name);
       slider.setFocus();
@@ -221,7 +228,8 @@ class MotionViewTest : public QObject {
       const auto& head = bench.requests.back().motion().head();
       QCOMPARE(head.kind(), HeadMode::ANGLES);
       QCOMPARE((head.*angle)(), -degree);
-      QCOMPARE(child<QLabel>(*bench.view, (std::string(name) + "Value").c_str()).text(), QStringLiteral("-1.0°"));
+      QCOMPARE(child<QLabel>(*bench.view, (std::string(name) + "Value").c_str()).text(),
+               QStringLiteral("-1.0°"));
     }
   }
 
@@ -238,7 +246,8 @@ class MotionViewTest : public QObject {
     Steering bench;
     auto& turn = child<QSlider>(*bench.view, "walkTurn");
     QTest::mousePress(&turn, Qt::LeftButton, {}, turn.rect().center());
-    QMouseEvent move(QEvent::MouseMove, QPointF(turn.width() - 2.0, turn.height() / 2.0), Qt::NoButton, Qt::LeftButton, {});
+    QMouseEvent move(QEvent::MouseMove, QPointF(turn.width() - 2.0, turn.height() / 2.0), Qt::NoButton,
+                     Qt::LeftButton, {});
     QCoreApplication::sendEvent(&turn, &move);
     bench.step();
     QCOMPARE(bench.motion().kind(), MotionRequest::WALK);

@@ -18,8 +18,8 @@
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/config/RobotDescription.h"
-#include "tests/widgets/LogBench.h"
 #include "tests/widgets/DialogAnswer.h"
+#include "tests/widgets/LogBench.h"
 #include "widgets/PlotCanvas.h"
 
 namespace {
@@ -86,21 +86,27 @@ class PlotsViewTest : public QObject {
     robotcontrol::JointRequest request;
     for (int i = 0; i < 12; ++i) request.add_positions(0.1 * i);
     request.set_stiffness(1);
-    for (const char* stream : {"red1/plots/10", "red1/plots/9", "red1/plots/x"}) bench.push(stream, robotcontrol::PlotValue(), 1);
+    for (const char* stream : {"red1/plots/10", "red1/plots/9", "red1/plots/x"})
+      bench.push(stream, robotcontrol::PlotValue(), 1);
     bench.push("red1/motion/joints", request, 1);
     pushStatus(bench, 1, 0.12);
     bench.tick(*view);
     auto& tree = child<QTreeView>(*view, "plotsTree");
     QStringList names;
     const QModelIndex joints = find(tree, QStringLiteral("joints"));
-    for (int row = 0; row < tree.model()->rowCount(joints); ++row) names << tree.model()->index(row, 0, joints).data().toString();
-    QCOMPARE(names.mid(0, 3), QStringList({QStringLiteral("positions[0] headTilt"), QStringLiteral("positions[1] headPan"), QStringLiteral("positions[2]")}));
-    QVERIFY(names.indexOf(QStringLiteral("positions[11]")) == names.indexOf(QStringLiteral("positions[2]")) + 9);
+    for (int row = 0; row < tree.model()->rowCount(joints); ++row)
+      names << tree.model()->index(row, 0, joints).data().toString();
+    QCOMPARE(names.mid(0, 3),
+             QStringList({QStringLiteral("positions[0] headTilt"), QStringLiteral("positions[1] headPan"),
+                          QStringLiteral("positions[2]")}));
+    QVERIFY(names.indexOf(QStringLiteral("positions[11]")) ==
+            names.indexOf(QStringLiteral("positions[2]")) + 9);
     QCOMPARE(find(tree, QStringLiteral("positions[1] headPan"), 1).data().toString(), QStringLiteral("rad"));
     QCOMPARE(find(tree, QStringLiteral("velocity.x"), 1).data().toString(), QStringLiteral("m/s"));
     QVERIFY(find(tree, QStringLiteral("9")).row() < find(tree, QStringLiteral("10")).row());
     view->addCurve(QStringLiteral("red1/motion/status: velocity.x"));
-    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 2).data().toString(), QStringLiteral("m/s"));
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 2).data().toString(),
+             QStringLiteral("m/s"));
   }
 
   void theValueUnderTheCursorIsShown() {
@@ -111,10 +117,13 @@ class PlotsViewTest : public QObject {
     const QImage before = picture(bench, *view);
     auto& canvas = *view->findChild<widgets::PlotCanvas*>();
     auto& plot = child<QWidget>(*view, "plotCanvas");
-    const auto legend = [&view](int column) { return child<QTreeView>(*view, "plotsLegend").model()->index(0, column).data().toString(); };
+    const auto legend = [&view](int column) {
+      return child<QTreeView>(*view, "plotsLegend").model()->index(0, column).data().toString();
+    };
     QCOMPARE(legend(3), QString());
     const auto [from, to] = canvas.shownTimes();
-    QMouseEvent move(QEvent::MouseMove, QPointF(plot.width() * 3 / 4, plot.height() / 2), Qt::NoButton, Qt::NoButton, {});
+    QMouseEvent move(QEvent::MouseMove, QPointF(plot.width() * 3 / 4, plot.height() / 2), Qt::NoButton,
+                     Qt::NoButton, {});
     QCoreApplication::sendEvent(&plot, &move);
     const double value = legend(3).toDouble();
     QVERIFY2(value >= 3 && value <= 9 && value == std::floor(value), qPrintable(legend(3)));
@@ -183,7 +192,8 @@ class PlotsViewTest : public QObject {
     package.set_source(robotcontrol::ControlReplay::AS_LOGGED);
     bench.openLog("/logs/game.mcap");
     auto view = bench.openView<widgets::PlotsView>();
-    view->restoreState({{QStringLiteral("curves"), QJsonArray{QStringLiteral("nao/motion/status: velocity.x")}}});
+    view->restoreState(
+        {{QStringLiteral("curves"), QJsonArray{QStringLiteral("nao/motion/status: velocity.x")}}});
     robotcontrol::KeyTable keys;
     keys.add_keys()->set_name("package/motion/status");
     bench.push("nao/tables/keys", keys, 11);

@@ -101,7 +101,8 @@ class ProcessesViewTest : public QObject {
   }
 
   void onlyAProcessThatDoesNotKeepUpWithWhatItWaitsForIsWarnedOf() {
-    // Joints come with 125 Hz and images with 25 Hz; cognition waits for both, motion for joints, the logger has a period.
+    // Joints come with 125 Hz and images with 25 Hz; cognition waits for both, motion for joints, the logger
+    // has a period.
     const auto table = [](std::uint64_t n, std::uint64_t motionMisses) {
       ProcessTable all;
       addProcess(all, "platform", 5 * n);

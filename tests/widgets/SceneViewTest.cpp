@@ -287,7 +287,8 @@ class SceneViewTest : public QObject {
     QVERIFY2(first > 0.02 && first < 0.25, qPrintable(QString::number(first)));
     s.settle();
     const Vector3 moved = s.canvas->camera().target - before;
-    QVERIFY2((moved - Vector3(0.4, 0.3, 0)).norm() < 2e-3, qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
+    QVERIFY2((moved - Vector3(0.4, 0.3, 0)).norm() < 2e-3,
+             qPrintable(QStringLiteral("%1 %2").arg(moved.x()).arg(moved.y())));
     // At rest nothing is drawn for it.
     const SceneCamera still = s.canvas->camera();
     s.view.tick();

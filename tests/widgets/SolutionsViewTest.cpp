@@ -30,7 +30,9 @@ SolutionTable someTasks(const std::string& active = "scan-lines") {
   };
   add("scan-lines", "Fits a circle to the ball's edge", "");
   add("regions", "Takes the largest orange region", "");
-  add("oracle", "Looks the ball up", "unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)");
+  add("oracle", "Looks the ball up",
+      "unavailable because neither the robot nor another task provides the simulator's ground truth "
+      "(oracle/world)");
   return table;
 }
 
@@ -95,8 +97,8 @@ class SolutionsViewTest : public QObject {
     bench.tick(*view);
     auto& tree = child<QTreeView>(*view, "solutionsTree");
     const QModelIndex oracle = find(tree, QStringLiteral("oracle"));
-    QVERIFY(
-        oracle.siblingAtColumn(2).data().toString().contains(QStringLiteral("neither the robot nor another task provides the simulator's ground truth (oracle/world)")));
+    QVERIFY(oracle.siblingAtColumn(2).data().toString().contains(QStringLiteral(
+        "neither the robot nor another task provides the simulator's ground truth (oracle/world)")));
     QVERIFY(oracle.data(Qt::ToolTipRole).toString().contains(QStringLiteral("another task provides")));
     clickCell(tree, oracle);
     for (const auto& request : bench.requests) QVERIFY(!request.has_select_solution());

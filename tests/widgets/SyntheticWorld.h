@@ -44,7 +44,7 @@ class SyntheticWorld {
   robotlink::CommandTable commands;
   ViewContext context;
   std::vector<robotcontrol::Request> requests;
-  std::string refusal;      ///< not empty: every request is refused with it
+  std::string refusal;         ///< not empty: every request is refused with it
   bool wrongChecksum = false;  ///< of colour tables, as if something were lost on the way
 
  private:

@@ -36,19 +36,26 @@ class Spots {
   int x(double seconds) const { return static_cast<int>(std::lround(canvas_.look().scale.x(at(seconds)))); }
   QRect lane(Kind kind, const std::string& stream = {}, int band = 0) const {
     for (const auto& lane : canvas_.layout().lanes) {
-      if (lane.kind == kind && lane.band == band && (stream.empty() || lane.stream == stream)) return lane.rect.toRect();
+      if (lane.kind == kind && lane.band == band && (stream.empty() || lane.stream == stream))
+        return lane.rect.toRect();
     }
     qFatal("there is no such lane");
   }
   QPoint ruler(double seconds) const { return {x(seconds), 8}; }
-  QPoint on(Kind kind, double seconds, const std::string& stream = {}) const { return {x(seconds), lane(kind, stream).center().y()}; }
+  QPoint on(Kind kind, double seconds, const std::string& stream = {}) const {
+    return {x(seconds), lane(kind, stream).center().y()};
+  }
 
  private:
   TimeLineCanvas& canvas_;
 };
 
-double secondsOf(std::int64_t ns) { return robotlink::seconds(robotlink::Duration(ns)); }
-bool isAbout(std::int64_t ns, double seconds, double tolerance = 0.1) { return std::abs(secondsOf(ns) - seconds) <= tolerance; }
+double secondsOf(std::int64_t ns) {
+  return robotlink::seconds(robotlink::Duration(ns));
+}
+bool isAbout(std::int64_t ns, double seconds, double tolerance = 0.1) {
+  return std::abs(secondsOf(ns) - seconds) <= tolerance;
+}
 
 QImage painted(const std::vector<widgets::TimeLineBand>& bands, const widgets::TimeLineLook& look) {
   QImage picture(look.size.toSize(), QImage::Format_RGB32);
@@ -99,10 +106,14 @@ class TimeLineTest : public QObject {
     };
     const QImage picture = painted({band}, look);
     const QPalette palette = QApplication::palette();
-    const auto isColor = [&](int px, int py, const QColor& color) { return widgets::test::isNear(picture.pixelColor(px, py), color); };
+    const auto isColor = [&](int px, int py, const QColor& color) {
+      return widgets::test::isNear(picture.pixelColor(px, py), color);
+    };
     QVERIFY(isColor(x(15), lane(Kind::kImages, 0).center().y(), QColor(250, 120, 10)));
-    QVERIFY(isColor(x(18), lane(Kind::kTexts, 0).center().y(), widgets::colorOf(widgets::Meaning::kWarning, palette)));
-    QVERIFY(isColor(x(31), lane(Kind::kTexts, 0).center().y(), widgets::colorOf(widgets::Meaning::kBad, palette)));
+    QVERIFY(isColor(x(18), lane(Kind::kTexts, 0).center().y(),
+                    widgets::colorOf(widgets::Meaning::kWarning, palette)));
+    QVERIFY(isColor(x(31), lane(Kind::kTexts, 0).center().y(),
+                    widgets::colorOf(widgets::Meaning::kBad, palette)));
     QVERIFY(isColor(x(25), lane(Kind::kTexts, 0).center().y(), widgets::playHeadColor(palette)));
     const QRect joints = lane(Kind::kStream, 2);
     QVERIFY(!isColor(x(15), joints.bottom() - 4, palette.color(QPalette::Base)));
@@ -138,7 +149,8 @@ class TimeLineTest : public QObject {
     QCOMPARE(bench.asked().action(), ControlReplay::JUMP_TO_TIME);
     QVERIFY(isAbout(bench.asked().time(), 15));
     QCOMPARE(bench.requests.size(), std::size_t{1});
-    for (double t = 16; t <= 30; ++t) widgets::test::moveMouse(spots.viewport(), spots.ruler(t), Qt::LeftButton);
+    for (double t = 16; t <= 30; ++t)
+      widgets::test::moveMouse(spots.viewport(), spots.ruler(t), Qt::LeftButton);
     QCOMPARE(bench.requests.size(), std::size_t{1});
     QVERIFY(isAbout(spots.canvas().look().shown.time_since_epoch().count(), 30));
     bench.answer(true);
@@ -166,7 +178,8 @@ class TimeLineTest : public QObject {
     QVERIFY(bench.asked().has_range());
     QVERIFY(isAbout(bench.asked().range().from(), 22));
     QVERIFY(isAbout(bench.asked().range().to(), 28));
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.ruler(12), spots.ruler(14), {}, Qt::ShiftModifier);
+    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.ruler(12), spots.ruler(14), {},
+                        Qt::ShiftModifier);
     QVERIFY(isAbout(bench.asked().range().from(), 12));
     QVERIFY(isAbout(bench.asked().range().to(), 14));
   }
@@ -178,7 +191,8 @@ class TimeLineTest : public QObject {
     auto view = bench.openView<TimeLineView>();
     Spots spots(*view);
     QVERIFY(child<QLabel>(*view, "rangeText").text().contains(QStringLiteral("10.000 s")));
-    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kTexts, 30), spots.on(Kind::kTexts, 35));
+    widgets::test::drag(spots.viewport(), Qt::LeftButton, spots.on(Kind::kTexts, 30),
+                        spots.on(Kind::kTexts, 35));
     QVERIFY(isAbout(bench.asked().range().from(), 20));
     QVERIFY(isAbout(bench.asked().range().to(), 35));
     QTest::keyClick(&spots.canvas(), Qt::Key_Escape);
@@ -275,8 +289,10 @@ class TimeLineTest : public QObject {
     for (const auto time : reading.wanted.times) reading.thumbnails.push_back({time, green});
     bench.tick(*view);
     QVERIFY(reading.wanted.times.empty());
-    const QRect strip = spots.lane(Kind::kImages).adjusted(spots.x(10), 0, spots.x(40) - spots.viewport().width(), 0);
-    QVERIFY(widgets::test::countNear(spots.viewport().grab(strip).toImage(), QColor(20, 200, 30)) > strip.width() * strip.height() * 8 / 10);
+    const QRect strip =
+        spots.lane(Kind::kImages).adjusted(spots.x(10), 0, spots.x(40) - spots.viewport().width(), 0);
+    QVERIFY(widgets::test::countNear(spots.viewport().grab(strip).toImage(), QColor(20, 200, 30)) >
+            strip.width() * strip.height() * 8 / 10);
   }
 
   void toolTipsTellWhatWasSaid() {
@@ -284,9 +300,12 @@ class TimeLineTest : public QObject {
     bench.openLog(kFile);
     auto view = bench.openView<TimeLineView>();
     Spots spots(*view);
-    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kTexts, 18)).contains(QStringLiteral("the ball was lost")));
-    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kTexts, 31)).contains(QStringLiteral("a servo does not answer")));
-    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kStream, 31, "nao/joints/states")).contains(QStringLiteral("foxglove.JointStates")));
+    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kTexts, 18))
+                .contains(QStringLiteral("the ball was lost")));
+    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kTexts, 31))
+                .contains(QStringLiteral("a servo does not answer")));
+    QVERIFY(toolTipAt(spots.viewport(), spots.on(Kind::kStream, 31, "nao/joints/states"))
+                .contains(QStringLiteral("foxglove.JointStates")));
   }
 
   void aDoubleClickOnAStreamLetsItBeStepped() {
@@ -341,7 +360,8 @@ class TimeLineTest : public QObject {
     auto view = bench.openView<TimeLineView>();
     Spots spots(*view);
     const auto lanes = spots.canvas().layout().lanes.size();
-    QTest::mouseClick(&spots.viewport(), Qt::LeftButton, {}, QPoint(10, spots.lane(Kind::kHeader).center().y()));
+    QTest::mouseClick(&spots.viewport(), Qt::LeftButton, {},
+                      QPoint(10, spots.lane(Kind::kHeader).center().y()));
     QCOMPARE(spots.canvas().layout().lanes.size(), lanes - 4);
   }
 
@@ -352,7 +372,8 @@ class TimeLineTest : public QObject {
     auto view = bench.openView<TimeLineView>({1000, 600});
     Spots spots(*view);
     QCOMPARE(spots.canvas().bands().size(), std::size_t{2});
-    const QRect offset = widgets::offsetRect(spots.lane(Kind::kHeader, {}, 1), spots.canvas().look()).toRect();
+    const QRect offset =
+        widgets::offsetRect(spots.lane(Kind::kHeader, {}, 1), spots.canvas().look()).toRect();
     const double secondsPerPixel = spots.canvas().look().scale.nsPerPixel * 1e-9;
     widgets::test::drag(spots.viewport(), Qt::LeftButton, offset.center(), offset.center() + QPoint(20, 0));
     QCOMPARE(bench.asked().offsets_size(), 1);
@@ -379,7 +400,9 @@ class TimeLineTest : public QObject {
 
   void aDamagedLogSaysWhatWasLost() {
     LogBench bench;
-    bench.shapeOverview = [](widgets::LogOverview& overview) { overview.damage = QStringLiteral("12 messages could not be read"); };
+    bench.shapeOverview = [](widgets::LogOverview& overview) {
+      overview.damage = QStringLiteral("12 messages could not be read");
+    };
     bench.openLog(kFile);
     auto view = bench.openView<TimeLineView>();
     QVERIFY(child<QWidget>(*view, "logDamageBar").isVisible());

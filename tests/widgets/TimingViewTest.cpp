@@ -76,12 +76,15 @@ class TimingViewTest : public QObject {
       return model.index(0, Model::kRate).data().toString();
     };
     // 10 Hz at first; then nobody measures for ten seconds; then 25 Hz, of which every second frame is told.
-    for (std::uint64_t i = 1; i <= 10; ++i) model.add("cognition", i, at(0.1 * double(i)), times(0.001, 0.002));
+    for (std::uint64_t i = 1; i <= 10; ++i)
+      model.add("cognition", i, at(0.1 * double(i)), times(0.001, 0.002));
     QCOMPARE(rate(), QStringLiteral("10.0"));
-    for (std::uint64_t i = 0; i < 100; i += 2) model.add("cognition", 110 + i, at(11 + 0.04 * double(i)), times(0.001, 0.002));
+    for (std::uint64_t i = 0; i < 100; i += 2)
+      model.add("cognition", 110 + i, at(11 + 0.04 * double(i)), times(0.001, 0.002));
     QCOMPARE(rate(), QStringLiteral("25.0"));
     // The simulation is reset.
-    for (std::uint64_t i = 1; i <= 5; ++i) model.add("cognition", i, at(0.04 * double(i)), times(0.001, 0.002));
+    for (std::uint64_t i = 1; i <= 5; ++i)
+      model.add("cognition", i, at(0.04 * double(i)), times(0.001, 0.002));
     QCOMPARE(rate(), QStringLiteral("25.0"));
   }
 
@@ -117,8 +120,10 @@ class TimingViewTest : public QObject {
     bench.push("red1/tables/processes", program, 2);
     bench.tick(*view);
     QCOMPARE(table.model()->rowCount(), 2);
-    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess), QStringLiteral("cognition"));
-    QCOMPARE(cell(table, QStringLiteral("frame"), widgets::TimingModel::kProcess), QStringLiteral("cognition"));
+    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess),
+             QStringLiteral("cognition"));
+    QCOMPARE(cell(table, QStringLiteral("frame"), widgets::TimingModel::kProcess),
+             QStringLiteral("cognition"));
   }
 
   void asksForTimesAndStopsAskingOnWish() {
@@ -144,8 +149,8 @@ class TimingViewTest : public QObject {
     auto& table = child<QTableView>(*view, "timingTable");
     QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMaximum), QStringLiteral("3.000"));
     click(child<QToolButton>(*view, "timingCopy"));
-    QVERIFY(QApplication::clipboard()->text().contains(
-        QStringLiteral("cognition,pose,particles,3,3,3,3,0,0")));
+    QVERIFY(
+        QApplication::clipboard()->text().contains(QStringLiteral("cognition,pose,particles,3,3,3,3,0,0")));
   }
 
   void aClickOnAHeaderSorts() {

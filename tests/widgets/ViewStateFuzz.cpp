@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What views keep of themselves in window layouts: each gets any JSON object, and what it makes of it is kept and given back.
+// What views keep of themselves in window layouts: each gets any JSON object, and what it makes of it is kept
+// and given back.
 #include <QApplication>
 #include <QJsonDocument>
 #include <cstdio>

@@ -70,7 +70,8 @@ class ColorBench final : public QObject {
   const std::vector<CollectedFrame>& collected() const { return collected_; }
   /// Puts the image aside; nothing happens if it is there already.
   void collect();
-  /// Puts these aside, as many as there is room for; those that are there already once. How many were put aside.
+  /// Puts these aside, as many as there is room for; those that are there already once. How many were put
+  /// aside.
   std::size_t collect(const std::vector<ColorFramePtr>& frames);
   /// What all images that are put aside may take, bytes of pixels.
   static constexpr std::size_t kMostCollectedBytes = std::size_t{128} << 20U;
@@ -88,8 +89,8 @@ class ColorBench final : public QObject {
   void setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name);
   /// The same of any classes; they are matched by their names.
   void setReference(ReferenceTable reference);
-  /// In numbers of the samples' classes, also when these change; what they do not have is none. Null: there is
-  /// none.
+  /// In numbers of the samples' classes, also when these change; what they do not have is none. Null: there
+  /// is none.
   const std::shared_ptr<const colortool::ColorTable>& reference() const { return reference_; }
   const ReferenceTable& givenReference() const { return givenReference_; }
   const QString& referenceName() const { return givenReference_.name; }
@@ -103,8 +104,8 @@ class ColorBench final : public QObject {
   bool hasSelection() const { return selected_; }
   void select(const colortool::CellSet& cells);
   void clearSelection();
-  /// The colour that the cursor points to in an image, corrected, so that others show where it is; nothing: to
-  /// none.
+  /// The colour that the cursor points to in an image, corrected, so that others show where it is; nothing:
+  /// to none.
   const std::optional<robotlink::YCbCr>& pointed() const { return pointed_; }
   void setPointed(const std::optional<robotlink::YCbCr>& color);
 

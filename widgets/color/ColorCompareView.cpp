@@ -268,9 +268,8 @@ void ColorCompareView::selectCells(const QModelIndex& index) {
 }
 
 QJsonObject ColorCompareView::saveState() const {
-  return {
-      {QStringLiteral("folder"), files_.folder()},
-      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
+  return {{QStringLiteral("folder"), files_.folder()},
+          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void ColorCompareView::restoreState(const QJsonObject& state) {

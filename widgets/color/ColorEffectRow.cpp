@@ -28,9 +28,10 @@ ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(par
   describe(*text_, {"colorEffect", tr("What the stroke takes from other classes"), {}});
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   drop_ = new QToolButton(this);
-  describe(*drop_, {"colorDropOutliers", tr("Drop outliers"),
-                    tr("Takes out of the stroke what the table knew as another class: what the brush touched beside "
-                       "a thin line")});
+  describe(*drop_,
+           {"colorDropOutliers", tr("Drop outliers"),
+            tr("Takes out of the stroke what the table knew as another class: what the brush touched beside "
+               "a thin line")});
   drop_->setText(tr("Drop outliers"));
   auto* row = new QHBoxLayout(this);
   row->setContentsMargins(6, 0, 6, 1);
@@ -77,7 +78,8 @@ const colortool::Stroke* ColorEffectRow::stroke() const {
 std::vector<colortool::ClassLoss> ColorEffectRow::losses() const {
   const LearnedColors& colors = *bench_.colors();
   colortool::StrokeEffect effect(*before_, *colors.table);
-  if (colors.frame) effect.add(colors.seen(), colors.frame == bench_.frame() ? stroke()->area : colortool::PixelArea{});
+  if (colors.frame)
+    effect.add(colors.seen(), colors.frame == bench_.frame() ? stroke()->area : colortool::PixelArea{});
   std::size_t others = 0;
   for (const CollectedFrame& collected : bench_.collected()) {
     if (drawing_ || others == kMostOtherImages) break;

@@ -16,9 +16,9 @@ namespace widgets {
 
 class ColorBench;
 
-/// Says, while a stroke is drawn and after it, what it takes away from other classes: in the image that is worked
-/// on, and, once it is drawn, in those that were put aside. Offers to drop from the stroke what the table knew as
-/// another class. Hidden while there is nothing to be said.
+/// Says, while a stroke is drawn and after it, what it takes away from other classes: in the image that is
+/// worked on, and, once it is drawn, in those that were put aside. Offers to drop from the stroke what the
+/// table knew as another class. Hidden while there is nothing to be said.
 class ColorEffectRow final : public QWidget {
   Q_OBJECT
  public:

@@ -65,10 +65,12 @@ bool saveSamples(ColorFiles& files, QWidget* parent) {
 
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
-  QMessageBox box(QMessageBox::Warning, translated("Colour samples"),
-                  files.file().empty() ? translated("The samples of the new color table were not saved yet.")
-                                       : translated("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
-                  QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
+  QMessageBox box(
+      QMessageBox::Warning, translated("Colour samples"),
+      files.file().empty()
+          ? translated("The samples of the new color table were not saved yet.")
+          : translated("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
+      QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("unsavedSamples"));
   box.setInformativeText(translated("Save them?"));
   box.setDefaultButton(QMessageBox::Save);
@@ -91,8 +93,7 @@ ColorFileActions::ColorFileActions(ColorFiles& files, QWidget* view)
 void ColorFileActions::createActions() {
   new_ = makeAction(view_, "file-new",
                     {"colorNew", tr("New"), tr("Begins samples anew, with the classes of 2002")});
-  open_ = makeAction(view_, "open",
-                     {"colorOpen", tr("Open…"), tr("Opens samples from a file")});
+  open_ = makeAction(view_, "open", {"colorOpen", tr("Open…"), tr("Opens samples from a file")});
   save_ = makeAction(view_, "save",
                      {"colorSave", tr("Save"), tr("Saves the samples to their file"), QKeySequence::Save});
   menu_ = new QMenu(tr("Files"), view_);

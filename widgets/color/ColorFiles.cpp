@@ -238,7 +238,8 @@ void ColorFiles::openPictures(const std::vector<std::filesystem::path>& filesOrF
   }
   remember(filesOrFolders.front());
   std::size_t taken = 0;
-  for (const CollectedFrame& collected : bench_.collected()) taken += collected.frame->message()->data().size();
+  for (const CollectedFrame& collected : bench_.collected())
+    taken += collected.frame->message()->data().size();
   const std::size_t room = ColorBench::kMostCollectedBytes - std::min(taken, ColorBench::kMostCollectedBytes);
   pictures_ = std::make_unique<PictureReading>(filesOrFolders, bench_.session().selectedRobot(), room);
 }
@@ -255,7 +256,8 @@ void ColorFiles::takePictures() {
   Q_EMIT bench_.frameWanted(frames.front());
   QString said = tr("Pictures that can be painted in now: %1").arg(frames.size());
   if (read->value().leftOut > 0)
-    said += tr("; there was no room for %1 more, remove some of the strip first (Delete)").arg(read->value().leftOut);
+    said += tr("; there was no room for %1 more, remove some of the strip first (Delete)")
+                .arg(read->value().leftOut);
   if (read->value().problems.empty())
     tell(said);
   else

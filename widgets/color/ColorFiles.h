@@ -55,8 +55,8 @@ class ColorFiles final : public QObject {
   robotlink::Result<void> exportTable(const std::filesystem::path& file, bool several);
   /// A table to compare with, of any format that can be imported.
   robotlink::Result<void> importReference(const std::filesystem::path& file);
-  /// Reads pictures, from files and folders, to be painted in; beside all else. They are put aside, the first is
-  /// shown, and told() or the bench's failed() says what came of it, after some calls of tick().
+  /// Reads pictures, from files and folders, to be painted in; beside all else. They are put aside, the first
+  /// is shown, and told() or the bench's failed() says what came of it, after some calls of tick().
   void openPictures(const std::vector<std::filesystem::path>& filesOrFolders);
   /// What is not saved may go: nothing of it comes back.
   void discard();

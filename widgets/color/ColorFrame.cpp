@@ -60,7 +60,8 @@ std::shared_ptr<const ColorFrame> ColorFrame::ofFile(std::shared_ptr<const foxgl
 
 std::filesystem::path ColorFrame::fileOfName(const std::string& name) {
   constexpr std::size_t kFingerprint = 11;  // " [0a1b2c3d]"
-  if (name.size() <= kFingerprint || name.front() != '/' || name[name.size() - kFingerprint] != ' ') return {};
+  if (name.size() <= kFingerprint || name.front() != '/' || name[name.size() - kFingerprint] != ' ')
+    return {};
   const std::filesystem::path file = name.substr(0, name.size() - kFingerprint);
   std::error_code error;
   return std::filesystem::is_regular_file(file, error) ? file : std::filesystem::path();

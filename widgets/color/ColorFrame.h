@@ -26,7 +26,8 @@ class ColorFrame {
 
   /// A picture of a file. `camera`: a robot's name, "" if it is not known.
   static std::shared_ptr<const ColorFrame> ofFile(std::shared_ptr<const foxglove::RawImage> image,
-                                                  const std::filesystem::path& file, const std::string& camera);
+                                                  const std::filesystem::path& file,
+                                                  const std::string& camera);
   /// The file that a picture is from; empty: it is no picture of a file.
   const std::filesystem::path& file() const { return file_; }
   /// The file that samples name a picture by; empty if the name is that of another kind of image.

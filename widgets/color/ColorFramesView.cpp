@@ -241,9 +241,8 @@ void ColorFramesView::tick() {
 }
 
 QJsonObject ColorFramesView::saveState() const {
-  return {
-      {QStringLiteral("classes"), QJsonArray::fromStringList(finder_.choices())},
-      {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
+  return {{QStringLiteral("classes"), QJsonArray::fromStringList(finder_.choices())},
+          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
 }
 
 void ColorFramesView::restoreState(const QJsonObject& state) {

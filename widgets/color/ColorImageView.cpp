@@ -71,8 +71,7 @@ void ColorImageView::createActions() {
   zoomOut_ = makeAction(this, "zoom-out",
                         {"colorZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
-      this, "lock",
-      {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
+      this, "lock", {"colorFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
   collect_ =
       makeAction(this, "add",
                  {"colorCollect", tr("Collect"), tr("Puts this image aside, to come back to it"), Qt::Key_C});
@@ -91,13 +90,15 @@ void ColorImageView::createActions() {
       makeAction(this, "auto-send",
                  {"colorAutoSend", tr("Send always"), tr("Gives each new table to the robot at once")});
   createPictureActions();
-  for (QAction* action : {freeze_, twoPictures_, showStrokes_, showStrip_, autoSend_}) action->setCheckable(true);
+  for (QAction* action : {freeze_, twoPictures_, showStrokes_, showStrip_, autoSend_})
+    action->setCheckable(true);
   for (QAction* action : {twoPictures_, showStrokes_, showStrip_}) action->setChecked(true);
 }
 
 void ColorImageView::createPictureActions() {
-  showStrip_ = makeAction(this, "down",
-                          {"colorShowStrip", tr("Strip"), tr("Shows the images that were put aside, below this one")});
+  showStrip_ =
+      makeAction(this, "down",
+                 {"colorShowStrip", tr("Strip"), tr("Shows the images that were put aside, below this one")});
   openPictures_ = makeAction(this, "image",
                              {"colorOpenPictures", tr("Open pictures…"),
                               tr("Puts pictures aside to be painted in: PNG, JPEG, .yuyv")});
@@ -157,7 +158,8 @@ QWidget* ColorImageView::createStreamRow() {
   describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
   addButtons(row, {openPictures_, openFolder_});
-  addButtons(row, {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, showStrip_, twoPictures_});
+  addButtons(row,
+             {freeze_, collect_, fit_, oneToOne_, zoomOut_, zoomIn_, showStrokes_, showStrip_, twoPictures_});
   rightLayer_ = new QComboBox(row->parentWidget());
   describe(*rightLayer_, {"colorRightLayer", tr("Right picture"), tr("What the right picture shows")});
   rightLayer_->addItems({tr("Classes"), tr("Classes by the reference"), tr("Difference"), tr("Ambiguity")});

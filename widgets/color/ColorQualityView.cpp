@@ -168,12 +168,14 @@ QString ColorQualityView::countNote() const {
     if (i > 0 && count > 0 && (fewest == 0 || count < fewest)) fewest = count;
   }
   const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
-  QString text = tr("Stands on %1 strokes, at least %2 of a class and %3 of the background; each counts the same, "
-                    "however large it is.")
-                     .arg(all)
-                     .arg(fewest)
-                     .arg(background);
-  if (fewest < kFewStrokes || background < kFewStrokes) text += tr(" That is few: take the figures as a hint.");
+  QString text =
+      tr("Stands on %1 strokes, at least %2 of a class and %3 of the background; each counts the same, "
+         "however large it is.")
+          .arg(all)
+          .arg(fewest)
+          .arg(background);
+  if (fewest < kFewStrokes || background < kFewStrokes)
+    text += tr(" That is few: take the figures as a hint.");
   return text;
 }
 
@@ -189,7 +191,8 @@ QString ColorQualityView::referenceNote(const colortool::Evaluation& own,
   };
   const double recall = mine.meanRecall().value_or(0) - theirs.meanRecall().value_or(0),
                wrong = mine.falseColors().value_or(0) - theirs.falseColors().value_or(0);
-  const QString better = recall >= 0 && wrong <= 0   ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
+  const QString better = recall >= 0 && wrong <= 0
+                             ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
                          : recall <= 0 && wrong >= 0 ? tr("that one is better")
                          : recall > 0                ? tr("yours finds more, but has more false colors")
                                                      : tr("yours finds less, but has fewer false colors");
@@ -205,10 +208,12 @@ QString ColorQualityView::othersNote() const {
   const auto share = [&](std::uint64_t pixels) {
     return QString::number(100 * static_cast<double>(pixels) / static_cast<double>(others.pixels), 'f', 2);
   };
-  if (all == 0) return tr("In %1 images that were seen no color stands where it cannot be.").arg(others.images);
+  if (all == 0)
+    return tr("In %1 images that were seen no color stands where it cannot be.").arg(others.images);
   const auto most = std::ranges::max_element(others.suspicious);
   const auto colorClass = static_cast<int>(most - others.suspicious.begin());
-  return tr("In %1 images that were seen %2 % of the pixels have the color of a thing where none can be, mostly %3 "
+  return tr("In %1 images that were seen %2 % of the pixels have the color of a thing where none can be, "
+            "mostly %3 "
             "(%4 %); the view Suspicious frames shows where.")
       .arg(others.images)
       .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));

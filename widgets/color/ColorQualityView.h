@@ -46,7 +46,8 @@ class ColorQualityView final : public View {
   QString countNote() const;
   QString othersNote() const;
   /// How the table that it is compared with does, and which is better; empty without one.
-  QString referenceNote(const colortool::Evaluation& own, const std::optional<colortool::Evaluation>& reference,
+  QString referenceNote(const colortool::Evaluation& own,
+                        const std::optional<colortool::Evaluation>& reference,
                         const std::vector<std::uint8_t>& alone) const;
   void say(const QString& text, bool bad = false);
 

@@ -49,7 +49,8 @@ void add(ColorQuality::Others& others, colortool::SuspicionMeter& meter, const C
   const colortool::Suspicion suspicion = meter.measure(frame.view());
   others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
   for (std::size_t i = 0; i < suspicion.byClass.size(); ++i)
-    others.suspicious[i] += suspicion.byClass[i].specks + suspicion.byClass[i].enclosed + suspicion.byClass[i].vast;
+    others.suspicious[i] +=
+        suspicion.byClass[i].specks + suspicion.byClass[i].enclosed + suspicion.byClass[i].vast;
   others.pixels += static_cast<std::uint64_t>(frame.width()) * static_cast<std::uint64_t>(frame.height());
   ++others.images;
 }

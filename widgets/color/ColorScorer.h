@@ -34,8 +34,9 @@ struct ColorQuality {
   std::optional<colortool::Evaluation> labelled;
   /// The same of the table that it is compared with, if there is one: over all strokes, and over the images.
   std::optional<colortool::Evaluation> referenceStrokes, referenceLabelled;
-  /// In other images, where no label is needed to see that a color of a thing is wrong: how many pixels of which
-  /// class are suspicious (colortool::SuspicionMeter, without what is merely ambiguous), of how many in all.
+  /// In other images, where no label is needed to see that a color of a thing is wrong: how many pixels of
+  /// which class are suspicious (colortool::SuspicionMeter, without what is merely ambiguous), of how many in
+  /// all.
   struct Others {
     int images = 0;
     std::uint64_t pixels = 0;

@@ -38,8 +38,8 @@ class ColorSender final : public QObject {
   bool autoSend() const { return autoSend_; }
 
   State state() const { return state_; }
-  /// Looks, as often as views tick, whether what was said of a failure is still true: another robot is selected,
-  /// or the table is another one.
+  /// Looks, as often as views tick, whether what was said of a failure is still true: another robot is
+  /// selected, or the table is another one.
   void tick();
   /// For people: "red1 uses it (3f2a91bc)", or why not.
   const QString& text() const { return text_; }

@@ -78,8 +78,8 @@ void ColorSpaceView::createActions() {
                       {"colorSpaceSettings", tr("Classes and cut"),
                        tr("Shows which classes are shown, and where it is cut"), Qt::Key_D},
                       true);
-  reset_ = makeAction(this, "reset",
-                      {"colorSpaceReset", tr("Reset"), tr("Looks at it as at first"), Qt::Key_R});
+  reset_ =
+      makeAction(this, "reset", {"colorSpaceReset", tr("Reset"), tr("Looks at it as at first"), Qt::Key_R});
   clear_ = makeAction(
       this, "clear",
       {"colorSpaceClear", tr("Select nothing"), tr("Forgets what is selected (Escape in the picture)")});

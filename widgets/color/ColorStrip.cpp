@@ -43,9 +43,8 @@ void ColorStrip::refresh() {
     const QSignalBlocker quiet(this);
     clear();
     for (const CollectedFrame& collected : bench_.collected()) {
-      auto* item =
-          new QListWidgetItem(QPixmap::fromImage(collected.thumbnail),
-                              low_ ? QString() : labelOf(*collected.frame), this);
+      auto* item = new QListWidgetItem(QPixmap::fromImage(collected.thumbnail),
+                                       low_ ? QString() : labelOf(*collected.frame), this);
       item->setToolTip(QString::fromStdString(collected.frame->place().name));
     }
     setCurrentRow(std::min(current, count() - 1));

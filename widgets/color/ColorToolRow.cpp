@@ -90,10 +90,11 @@ void ColorToolRow::createTools(QWidget* owner) {
     tools_->addAction(action);
     if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
-  careful_ = makeAction(owner, "filter",
-                        {"colorCareful", tr("Careful brush"),
-                         tr("The brush leaves out what has another color than what it is led along, such as the field "
-                            "beside a line")});
+  careful_ = makeAction(
+      owner, "filter",
+      {"colorCareful", tr("Careful brush"),
+       tr("The brush leaves out what has another color than what it is led along, such as the field "
+          "beside a line")});
   careful_->setCheckable(true);
   careful_->setChecked(true);
   const ColorActions common = addColorActions(*owner, "color", bench_);

@@ -176,15 +176,15 @@ Result<LabelledFolder::Read> LabelledFolder::readAll() {
   if (!read.frames.empty()) return read;
   // A lone PNG is an image without labels, not labels without an image.
   const std::size_t count = imagesIn(folder, {}).size();
-  return failure("image.labels",
-                 !read.problems.empty() ? robotlink::describe(read.problems)
-                 : count == 0
-                     ? "there are no images here. Choose the folder that holds the images, with a folder "
-                       "\"labels\" inside of it or beside it, or that folder of labels itself"
-                     : "none of the " + std::to_string(count) +
-                           " images here has labels: a gray PNG of the same name in a folder \"labels\" inside "
-                           "of this one or beside it",
-                 {folder_.string()});
+  return failure(
+      "image.labels",
+      !read.problems.empty() ? robotlink::describe(read.problems)
+      : count == 0 ? "there are no images here. Choose the folder that holds the images, with a folder "
+                     "\"labels\" inside of it or beside it, or that folder of labels itself"
+                   : "none of the " + std::to_string(count) +
+                         " images here has labels: a gray PNG of the same name in a folder \"labels\" inside "
+                         "of this one or beside it",
+      {folder_.string()});
 }
 
 }  // namespace widgets

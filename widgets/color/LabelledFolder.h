@@ -18,8 +18,8 @@ namespace widgets {
 /// the image's size and of its name but for the ending, in a folder "labels" in this one or beside it, or in
 /// this one. Its values are class numbers, Evaluation::kIgnored where nobody knows; the classes' names stand
 /// in "labels.classes" beside the labels, else they are those of the preset bhuman2009. Images may be in
-/// folders of this one; the folder of the labels does as well as that of the images. What has no label is passed
-/// over. The destructor waits for at most one image.
+/// folders of this one; the folder of the labels does as well as that of the images. What has no label is
+/// passed over. The destructor waits for at most one image.
 class LabelledFolder {
  public:
   struct Read {

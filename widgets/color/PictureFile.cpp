@@ -39,7 +39,9 @@ Result<Image> squarePixels(const std::string& bytes, const fs::path& file) {
   Image image(kYuyvWidth, kYuyvHeight, robotlink::PixelFormat::kYuyv);
   const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
   for (std::size_t i = 0; i < image.data.size(); i += 4, from += 8) {
-    const auto mean = [&](std::size_t at) { return static_cast<std::uint8_t>((from[at] + from[at + 4] + 1) / 2); };
+    const auto mean = [&](std::size_t at) {
+      return static_cast<std::uint8_t>((from[at] + from[at + 4] + 1) / 2);
+    };
     image.data[i] = from[2];
     image.data[i + 1] = mean(1);
     image.data[i + 2] = from[6];
@@ -78,7 +80,8 @@ Result<std::vector<fs::path>> pictureFiles(const std::vector<fs::path>& filesOrF
       if (isPictureFile(entry->path())) files.push_back(entry->path());
     }
     if (error)
-      return failure("image.folder", "this folder cannot be read: " + error.message(), {given.string(), 0, 0});
+      return failure("image.folder", "this folder cannot be read: " + error.message(),
+                     {given.string(), 0, 0});
     std::sort(files.begin() + begin, files.end());
   }
   if (files.empty()) {

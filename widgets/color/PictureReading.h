@@ -14,8 +14,8 @@
 
 namespace widgets {
 
-/// Reads pictures, from files and folders, to be painted in; in a thread of its own. The destructor waits for at
-/// most one picture.
+/// Reads pictures, from files and folders, to be painted in; in a thread of its own. The destructor waits for
+/// at most one picture.
 class PictureReading {
  public:
   struct Read {
@@ -24,7 +24,8 @@ class PictureReading {
     std::size_t leftOut = 0;     ///< pictures that there was no memory for
   };
   /// `camera`: whose images they are, for its corrections. `mostBytes`: of all pixels together.
-  PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera, std::size_t mostBytes);
+  PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera,
+                 std::size_t mostBytes);
   ~PictureReading();
   PictureReading(const PictureReading&) = delete;
   PictureReading& operator=(const PictureReading&) = delete;

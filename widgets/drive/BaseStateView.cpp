@@ -120,7 +120,8 @@ void BaseStateView::createRows() {
   link_->addRow("linkReconnects", tr("Reconnected"), tr("How often the line was lost and came back"));
   link_->addText("linkText", tr("What the line says"));
   connectNow_ = new QPushButton(icon("connect"), tr("Connect now"), link_);
-  describe(*connectNow_, {"linkConnectNow", tr("Connect now"), tr("Tries to reach the robot at once, instead of after the pause")});
+  describe(*connectNow_, {"linkConnectNow", tr("Connect now"),
+                          tr("Tries to reach the robot at once, instead of after the pause")});
   connectNow_->setVisible(false);
   link_->addWidget(connectNow_);
 }
@@ -231,7 +232,8 @@ void BaseStateView::tick() {
 
 void BaseStateView::showAge(std::optional<double> age) {
   base_->set("baseAge",
-             age ? tr("The base has said nothing for %1 s: this is what it said last.").arg(*age, 0, 'f', 0) : QString(),
+             age ? tr("The base has said nothing for %1 s: this is what it said last.").arg(*age, 0, 'f', 0)
+                 : QString(),
              Meaning::kMuted);
   base_->setStale(age.has_value());
   motion_->setStale(age.has_value());
@@ -327,7 +329,8 @@ void BaseStateView::showMotion(const DriveState* state) {
 }
 
 void BaseStateView::showLink(const LinkStatus* status, double age) {
-  connectNow_->setVisible(status != nullptr && status->state() == LinkStatus::LOST && session().timeline().live());
+  connectNow_->setVisible(status != nullptr && status->state() == LinkStatus::LOST &&
+                          session().timeline().live());
   if (status == nullptr) {
     for (const char* row : {"linkAddress", "linkRobot", "linkClient", "linkPackets", "linkErrors",
                             "linkRoundTrip", "linkGap", "linkReconnects"})
@@ -360,9 +363,10 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0)
                                                     : QString());
   }
-  link_->set("linkReconnects", status->reconnects() > 0
-                                   ? status->reconnects() == 1 ? tr("once") : tr("%1 times").arg(status->reconnects())
-                                   : tr("never"));
+  link_->set("linkReconnects",
+             status->reconnects() > 0
+                 ? status->reconnects() == 1 ? tr("once") : tr("%1 times").arg(status->reconnects())
+                 : tr("never"));
   link_->set("linkText", QString::fromStdString(status->text()),
              words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
 }

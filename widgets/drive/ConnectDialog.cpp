@@ -76,8 +76,9 @@ ConnectDialog::ConnectDialog(robotlink::Session& session, robotlink::CommandTabl
 
 void ConnectDialog::createViews() {
   address_ = new QComboBox(this);
-  describe(*address_, {"connectAddress", tr("Address"),
-                       tr("HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
+  describe(*address_,
+           {"connectAddress", tr("Address"),
+            tr("HOST:PORT, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the list has the recent ones")});
   address_->setEditable(true);
   address_->setInsertPolicy(QComboBox::NoInsert);
   address_->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Fixed);
@@ -111,7 +112,8 @@ void ConnectDialog::createViews() {
   connect_->setIcon(icon("connect"));
   connect_->setDefault(true);
   connectNow_ = buttons->addButton(tr("Connect &now"), QDialogButtonBox::ActionRole);
-  describe(*connectNow_, {"connectNow", tr("Connect now"), tr("Tries again at once, instead of after the pause")});
+  describe(*connectNow_,
+           {"connectNow", tr("Connect now"), tr("Tries again at once, instead of after the pause")});
   connectNow_->setVisible(false);
   connect(buttons, &QDialogButtonBox::rejected, this, &QDialog::reject);
   setMinimumWidth(fontMetrics().averageCharWidth() * 64);
@@ -315,7 +317,8 @@ void ConnectDialog::connectRobot() {
 }
 
 void ConnectDialog::connectNow() {
-  if (const auto done = commands_.run("robot.connect-now"); !done) showState(QString::fromStdString(done.error().text), true, true);
+  if (const auto done = commands_.run("robot.connect-now"); !done)
+    showState(QString::fromStdString(done.error().text), true, true);
 }
 
 void ConnectDialog::fail(const QString& reason) {

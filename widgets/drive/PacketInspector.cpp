@@ -53,9 +53,9 @@ PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
 }
 
 void PacketInspector::createActions() {
-  damaged_ = makeAction(
-      this, "warning",
-      {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"), tr("Ctrl+Shift+D")});
+  damaged_ = makeAction(this, "warning",
+                        {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"),
+                         tr("Ctrl+Shift+D")});
   follow_ = makeAction(this, "follow",
                        {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
   pause_ = makeAction(
@@ -68,10 +68,10 @@ void PacketInspector::createActions() {
       {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
   clear_ =
       makeAction(this, "clear", {"packetsClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
-  save_ = makeAction(
-      this, "save",
-      {"packetsSave", tr("Save conversation..."),
-       tr("Saves all packets of the list, whatever the filters, as a .wire file"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  save_ = makeAction(this, "save",
+                     {"packetsSave", tr("Save conversation..."),
+                      tr("Saves all packets of the list, whatever the filters, as a .wire file"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   open_ = makeAction(this, "open",
                      {"packetsOpen", tr("Open conversation..."),
                       tr("Shows a .wire file, whose client's half can be said again")});

@@ -41,7 +41,8 @@ void PacketReplayBar::createActions() {
       makeAction(this, "step",
                  {"packetReplayStep", tr("Next packet"), tr("Sends the client's next packet"), tr("Ctrl+.")});
   cancel_ = makeAction(
-      this, "halt", {"packetReplayCancel", tr("Stop saying it"), tr("Sends no more"), tr("Ctrl+Shift+Backspace")});
+      this, "halt",
+      {"packetReplayCancel", tr("Stop saying it"), tr("Sends no more"), tr("Ctrl+Shift+Backspace")});
   connect(play_, &QAction::triggered, this, [this] {
     if (replay_.state() == ConversationReplay::State::kStepping) {
       replay_.setStepping(false);

@@ -60,9 +60,9 @@ void RadarView::createActions() {
   showDrawings_->setCheckable(true);
   copy_ = makeAction(this, "copy",
                      {"radarCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
-  save_ = makeAction(
-      this, "save",
-      {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  save_ = makeAction(this, "save",
+                     {"radarSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void RadarView::createViews() {
@@ -177,7 +177,10 @@ QString RadarView::hint(const std::string& robot, bool told) const {
 
 void RadarView::updateStatus() {
   const RadarReadings& readings = canvas_->readings();
-  time_->setText(readings.time ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(*readings.time)), 0, 'f', 3) : QString());
+  time_->setText(
+      readings.time
+          ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(*readings.time)), 0, 'f', 3)
+          : QString());
   QStringList nearest;
   if (const auto sonar = readings.nearestSonar()) nearest << tr("sonar %1 m").arg(*sonar, 0, 'f', 2);
   if (const auto laser = readings.nearestLaser()) nearest << tr("laser %1 m").arg(*laser, 0, 'f', 2);

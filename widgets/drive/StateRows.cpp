@@ -45,7 +45,9 @@ void StateRows::addRow(const QString& title, const QString& toolTip, QWidget* wi
   grid_->addWidget(widget, grid_->rowCount() - 1, 1);
 }
 
-void StateRows::addWidget(QWidget* widget) { grid_->addWidget(widget, grid_->rowCount(), 0, 1, 2, Qt::AlignLeft); }
+void StateRows::addWidget(QWidget* widget) {
+  grid_->addWidget(widget, grid_->rowCount(), 0, 1, 2, Qt::AlignLeft);
+}
 
 void StateRows::addText(const char* name, const QString& title) {
   auto* label = new QLabel(this);
@@ -90,7 +92,8 @@ void StateRows::color(const Value& value) const {
   }
   value.label->setPalette(colors);
   QFont font = value.label->font();
-  font.setBold(value.colored && (!stale_ || value.wide) && (value.meaning == Meaning::kBad || value.meaning == Meaning::kWarning));
+  font.setBold(value.colored && (!stale_ || value.wide) &&
+               (value.meaning == Meaning::kBad || value.meaning == Meaning::kWarning));
   value.label->setFont(font);
 }
 

@@ -38,7 +38,8 @@ FieldCanvas::FieldCanvas(std::shared_ptr<const robotlink::FieldDescription> fiel
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 80);
   setToolTip(
-      tr("Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: always): place it, wheel: "
+      tr("Wheel: zoom; drag: move the picture; click a robot: select it; drag a robot or the ball (Shift: "
+         "always): place it, wheel: "
          "turn it; Control and click: send the robot there; arrows: move; F: fit; R: turn"));
   setToolTipDuration(4000);
 }
@@ -55,7 +56,9 @@ void FieldCanvas::setMap(std::shared_ptr<const robotcontrol::GroundMap> map) {
   Q_EMIT viewportChanged();
 }
 
-const robotcontrol::GroundMap* FieldCanvas::map() const { return map_ ? &map_->map() : nullptr; }
+const robotcontrol::GroundMap* FieldCanvas::map() const {
+  return map_ ? &map_->map() : nullptr;
+}
 
 void FieldCanvas::setGoals(GoalFigures goals) {
   goals_ = std::move(goals);

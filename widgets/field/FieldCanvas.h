@@ -24,9 +24,9 @@ namespace widgets {
 
 class MapGround;
 
-/// Paints the field or the map of a building, drawings and figures from above, and turns the mouse into zooming,
-/// panning, dragging of figures and aiming at goals. It knows no session: the view sets what is shown and does
-/// what is wanted. Object name "fieldCanvas".
+/// Paints the field or the map of a building, drawings and figures from above, and turns the mouse into
+/// zooming, panning, dragging of figures and aiming at goals. It knows no session: the view sets what is
+/// shown and does what is wanted. Object name "fieldCanvas".
 class FieldCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -46,7 +46,8 @@ class FieldCanvas final : public QWidget {
   void setNotice(const QString& text);
   /// The models that dragging moves; without `always` only with the Shift key.
   void setMovable(std::vector<std::string> models, bool always);
-  /// Whether a press of the left button aims at a goal; `possible` without `always`: only with the Control key.
+  /// Whether a press of the left button aims at a goal; `possible` without `always`: only with the Control
+  /// key.
   void setAiming(bool possible, bool always);
   bool aiming() const { return mode_ == Mode::kAiming; }
   /// The press that aims now will say nothing more.

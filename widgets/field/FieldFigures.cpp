@@ -20,17 +20,26 @@ constexpr double kLength = 0.27, kWidth = 0.15;  // m
 
 constexpr double kSmallest = 14;  // pixels of a robot's length: where buildings are small, robots are signs
 
-/// From above and in the robot's frame: a body with its corners cut and a wedge to the front, between four wheels.
+/// From above and in the robot's frame: a body with its corners cut and a wedge to the front, between four
+/// wheels.
 QPainterPath wheeledOutline(const Vector2& body) {
   const double x = body.x() / 2, y = body.y() / 2, cut = 0.35 * y, wheel = 0.16 * y;
   QPainterPath path;
-  path.addPolygon(QPolygonF({{x - cut, y - wheel}, {x, y - wheel - cut}, {x, -y + wheel + cut}, {x - cut, -y + wheel},
-                             {-x + cut, -y + wheel}, {-x, -y + wheel + cut}, {-x, y - wheel - cut}, {-x + cut, y - wheel}}));
+  path.addPolygon(QPolygonF({{x - cut, y - wheel},
+                             {x, y - wheel - cut},
+                             {x, -y + wheel + cut},
+                             {x - cut, -y + wheel},
+                             {-x + cut, -y + wheel},
+                             {-x, -y + wheel + cut},
+                             {-x, y - wheel - cut},
+                             {-x + cut, y - wheel}}));
   path.closeSubpath();
   QPainterPath wheels;
   for (const double side : {-1.0, 1.0}) {
     for (const double end : {-1.0, 1.0})
-      wheels.addRoundedRect(QRectF(end * 0.45 * x - 0.34 * x, side * (y - wheel) - wheel, 0.68 * x, 2 * wheel), wheel / 2, wheel / 2);
+      wheels.addRoundedRect(
+          QRectF(end * 0.45 * x - 0.34 * x, side * (y - wheel) - wheel, 0.68 * x, 2 * wheel), wheel / 2,
+          wheel / 2);
   }
   QPainterPath nose;
   nose.addPolygon(QPolygonF({{0.85 * x, 0}, {0.2 * x, 0.4 * y}, {0.2 * x, -0.4 * y}}));
@@ -48,7 +57,9 @@ QPainterPath bodyOutline(const Vector2& body) {
   return path.united(head);
 }
 
-double lengthOf(const Vector2& body) { return body.x() > 0 ? body.x() : kLength; }
+double lengthOf(const Vector2& body) {
+  return body.x() > 0 ? body.x() : kLength;
+}
 
 QPointF map(const QTransform& transform, const Vector2& point) {
   return transform.map(QPointF(point.x(), point.y()));
@@ -67,7 +78,8 @@ QPainterPath outlineAt(const Pose2& pose, const Vector2& body, const QTransform&
   return transform.map(bodyOutline(body));
 }
 
-/// Estimates on the field's green are in a lighter tone of the team's colour, on a map in one that differs from its ground.
+/// Estimates on the field's green are in a lighter tone of the team's colour, on a map in one that differs
+/// from its ground.
 QColor estimateColor(const FieldFigures& figures, const QColor& team, const QPalette& palette) {
   if (figures.onMap && !isDark(palette)) return mixed(team, Qt::black, 0.25);
   return mixed(team, Qt::white, 0.45);
@@ -79,8 +91,8 @@ QPen dashed(const QColor& color) {
   return pen;
 }
 
-void paintTrue(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief, const QTransform& toWidget,
-               const QPalette& palette) {
+void paintTrue(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
+               const QTransform& toWidget, const QPalette& palette) {
   const bool highlighted = belief.robot == figures.highlighted;
   const QPainterPath outline = outlineAt(*belief.truth, belief.body, toWidget);
   if (belief.selected || highlighted) {
@@ -95,8 +107,8 @@ void paintTrue(QPainter& painter, const FieldFigures& figures, const RobotBelief
   painter.drawPath(outline);
 }
 
-void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief, const QTransform& toWidget,
-                   const QPalette& palette) {
+void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
+                   const QTransform& toWidget, const QPalette& palette) {
   const QColor color = estimateColor(figures, belief.team, palette);
   const double radius = belief.positionDeviation * scaleOf(toWidget);
   const QPointF at = map(toWidget, belief.estimate->translation());
@@ -124,7 +136,9 @@ void paintName(QPainter& painter, const RobotBelief& belief, const QTransform& t
   font.setBold(belief.selected);
   painter.setFont(font);
   const QString name = QString::fromStdString(belief.robot);
-  const QPointF below = map(toWidget, pose->translation()) + QPointF(0, std::max(0.63 * lengthOf(belief.body) * scaleOf(toWidget), 0.6 * kSmallest) + 12);
+  const QPointF below =
+      map(toWidget, pose->translation()) +
+      QPointF(0, std::max(0.63 * lengthOf(belief.body) * scaleOf(toWidget), 0.6 * kSmallest) + 12);
   QRectF box = QFontMetricsF(font).boundingRect(name).adjusted(-4, -1, 4, 1);
   box.moveCenter(below);
   painter.setPen(Qt::NoPen);
@@ -191,7 +205,8 @@ bool covers(const Pose2& pose, const Vector2& body, const Vector2& place, double
   const Vector2 inRobot = pose.inverse() * place;
   const bool wheels = body.x() > 0;
   const double x = wheels ? body.x() / 2 : 0.56 * kLength, y = wheels ? body.y() / 2 : kWidth / 2;
-  return std::abs(inRobot.x() + (wheels ? 0 : 0.06 * kLength)) < x + tolerance && std::abs(inRobot.y()) < y + tolerance;
+  return std::abs(inRobot.x() + (wheels ? 0 : 0.06 * kLength)) < x + tolerance &&
+         std::abs(inRobot.y()) < y + tolerance;
 }
 
 }  // namespace
@@ -213,8 +228,8 @@ void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransfo
   painter.restore();
 }
 
-void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures& figures, const QTransform& toWidget,
-                 const QPalette& palette) {
+void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures& figures,
+                 const QTransform& toWidget, const QPalette& palette) {
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);
   const QColor free = figures.onMap ? palette.color(QPalette::Text) : QColor(Qt::white);
@@ -228,8 +243,10 @@ void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures
     const double radius = std::max(4.0, figures.ballRadius * scaleOf(toWidget));
     painter.drawEllipse(at, radius, radius);
   } else {
-    const auto belief = std::find_if(figures.robots.begin(), figures.robots.end(), [&](const RobotBelief& robot) { return robot.robot == place.model; });
-    painter.drawPath(outlineAt(place.pose, belief == figures.robots.end() ? Vector2(0, 0) : belief->body, toWidget));
+    const auto belief = std::find_if(figures.robots.begin(), figures.robots.end(),
+                                     [&](const RobotBelief& robot) { return robot.robot == place.model; });
+    painter.drawPath(
+        outlineAt(place.pose, belief == figures.robots.end() ? Vector2(0, 0) : belief->body, toWidget));
   }
   painter.drawLine(at - QPointF(9, 0), at + QPointF(9, 0));
   painter.drawLine(at - QPointF(0, 9), at + QPointF(0, 9));

@@ -28,7 +28,7 @@ struct FieldFigures {
   /// Where models were, oldest first, by name. Empty: no trails.
   std::map<std::string, std::deque<robotlink::Vector2>> trails;
   std::string highlighted;  ///< the model under the cursor
-  bool onMap = false;  ///< the ground is a map in the palette's colours, not the field's green
+  bool onMap = false;       ///< the ground is a map in the palette's colours, not the field's green
 };
 
 /// A place that a model is wanted at.
@@ -47,7 +47,8 @@ void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures
 /// The key to the two ways of drawing, in the lower left corner of `widget`.
 void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette& palette);
 
-/// The robot whose figure is at a place: the true one, or the estimated one where only that is known. Empty: none.
+/// The robot whose figure is at a place: the true one, or the estimated one where only that is known. Empty:
+/// none.
 std::string robotAt(const FieldFigures& figures, const robotlink::Vector2& place, double tolerance);
 
 /// The name of the model whose figure (the true one) is at a place: robots before the ball. Empty: none.

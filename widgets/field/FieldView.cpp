@@ -23,8 +23,8 @@
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
 #include "widgets/field/PlaceNotice.h"
-#include "widgets/models/DriveAims.h"
 #include "widgets/models/DrawingsModel.h"
+#include "widgets/models/DriveAims.h"
 #include "widgets/models/ShownMap.h"
 #include "widgets/models/WorldDrawings.h"
 
@@ -57,8 +57,9 @@ FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, pare
 FieldView::~FieldView() = default;
 
 void FieldView::createActions() {
-  fit_ = makeAction(this, "fit",
-                    {"fieldFit", tr("Fit"), tr("Shows all of the field or map, as large as it fits"), Qt::Key_F});
+  fit_ = makeAction(
+      this, "fit",
+      {"fieldFit", tr("Fit"), tr("Shows all of the field or map, as large as it fits"), Qt::Key_F});
   zoomIn_ =
       makeAction(this, "zoom-in", {"fieldZoomIn", tr("Zoom in"), tr("Enlarges the field"), Qt::Key_Plus});
   zoomOut_ = makeAction(this, "zoom-out",
@@ -72,16 +73,17 @@ void FieldView::createActions() {
                       Qt::Key_M});
   showTrails_ = makeAction(
       this, "trail",
-      {"fieldTrails", tr("Trails"), tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
+      {"fieldTrails", tr("Trails"),
+       tr("Shows where everything was in the last ten seconds, on maps in the last minute"), Qt::Key_T});
   showDrawings_ = makeAction(this, "layers",
                              {"fieldDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   for (QAction* action : {move_, showTrails_, showDrawings_}) action->setCheckable(true);
   move_->setChecked(true);
   copy_ = makeAction(this, "copy",
                      {"fieldCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
-  save_ = makeAction(
-      this, "save",
-      {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  save_ = makeAction(this, "save",
+                     {"fieldSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void FieldView::createViews() {
@@ -112,7 +114,8 @@ QWidget* FieldView::createToolRow() {
   robots_->setToolTip(tr("Whose drawings are shown, and where it believes that it and the ball are"));
   row->addWidget(robots_);
   row->addStretch(1);
-  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_, showDrawings_});
+  addButtons(row, {goals_->send(), goals_->cancel(), move_, showTrails_, turn_, fit_, zoomOut_, zoomIn_,
+                   showDrawings_});
   return row->parentWidget();
 }
 
@@ -181,8 +184,9 @@ void FieldView::tick() {
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(scene_.models(), move_->isChecked());
-  canvas_->setContents(figures(shownRobots),
-                       worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown));
+  canvas_->setContents(
+      figures(shownRobots),
+      worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown));
   drag_.tick(session());
   updateWanted();
   updateStatus();
@@ -219,7 +223,8 @@ void FieldView::updateGoals(const std::vector<RobotBelief>& beliefs) {
   std::vector<DriveAim> aims;
   for (const RobotBelief& belief : beliefs) {
     if (belief.body.x() <= 0) continue;
-    wish_.want(session(), belief.robot, {robotlink::kDriveState.name, robotlink::kRobotPose.name, robotlink::kDrivePath.name});
+    wish_.want(session(), belief.robot,
+               {robotlink::kDriveState.name, robotlink::kRobotPose.name, robotlink::kDrivePath.name});
     auto aim = driveAim(session().store(), belief.robot, session().timeline().shown());
     if (!aim) continue;
     aim->color = belief.team;
@@ -282,8 +287,8 @@ QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {
   if (!drives(robot)) return {};
   const auto belief = std::ranges::find(beliefs, robot, &RobotBelief::robot);
   if (belief == beliefs.end()) return {};
-  const auto* base = session().store().latestAs<robotcontrol::DriveState>(robot + '/' + robotlink::kDriveState.name,
-                                                                         session().timeline().shown());
+  const auto* base = session().store().latestAs<robotcontrol::DriveState>(
+      robot + '/' + robotlink::kDriveState.name, session().timeline().shown());
   return placeNotice(*belief, base, canvas_->map() != nullptr);
 }
 

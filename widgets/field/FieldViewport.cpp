@@ -12,7 +12,10 @@ constexpr double kFarthest = 20;  // m from what there is to see
 
 FieldViewport unfitted(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   if (!viewport.fit) return viewport;
-  return {false, shownScale(viewport, extent, widget), {extent.center().x(), extent.center().y()}, viewport.quarterTurns};
+  return {false,
+          shownScale(viewport, extent, widget),
+          {extent.center().x(), extent.center().y()},
+          viewport.quarterTurns};
 }
 
 Vector2 nearTo(const QRectF& extent, const Vector2& place) {

@@ -26,7 +26,8 @@ struct FieldViewport {
   bool operator==(const FieldViewport&) const = default;
 };
 
-/// `extent`: what of the ground shall be seen in a viewport that fits, in metres; its top is where y is least.
+/// `extent`: what of the ground shall be seen in a viewport that fits, in metres; its top is where y is
+/// least.
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
 double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
 robotlink::Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at);

@@ -167,7 +167,8 @@ void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity, cons
   painter.restore();
 }
 
-void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings, const QTransform& fieldToWidget) {
+void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
+                    const QTransform& fieldToWidget) {
   for (const WorldDrawing& drawing : drawings) {
     painter.setOpacity(drawing.old ? kOldDrawingOpacity : 1);
     paintFromAbove(painter, *drawing.entity, drawing.frameInField, fieldToWidget);

@@ -22,6 +22,7 @@ void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
                     const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
 
 /// The same for all of them, what is old faded.
-void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings, const QTransform& fieldToWidget);
+void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
+                    const QTransform& fieldToWidget);
 
 }  // namespace widgets

@@ -56,8 +56,7 @@ void ImageView::createActions() {
   zoomOut_ = makeAction(this, "zoom-out",
                         {"imageZoomOut", tr("Zoom out"), tr("Makes the image smaller"), Qt::Key_Minus});
   freeze_ = makeAction(
-      this, "lock",
-      {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
+      this, "lock", {"imageFreeze", tr("Freeze"), tr("Keeps this image while the robot goes on"), Qt::Key_H});
   showDrawings_ = makeAction(this, "layers",
                              {"imageDrawings", tr("Drawings"), tr("Shows the list of drawings"), Qt::Key_D});
   freeze_->setCheckable(true);
@@ -67,9 +66,9 @@ void ImageView::createActions() {
   copyImage_ = makeAction(
       this, "copy",
       {"imageCopyImage", tr("Copy image only"), tr("Copies the image in its own size, without drawings")});
-  save_ = makeAction(
-      this, "save",
-      {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  save_ = makeAction(this, "save",
+                     {"imageSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
   saveImage_ = makeAction(this, "save",
                           {"imageSaveImage", tr("Save image only..."),
                            tr("Saves the image in its own size, without drawings, as PNG")});
@@ -191,9 +190,12 @@ void ImageView::showMessage() {
 
 void ImageView::updateStatus() {
   canvas_->setFrozen(frozenAt_.has_value());
-  time_->setText(image_ ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(imageTime_)), 0, 'f', 3) : tr("no image yet"));
+  time_->setText(
+      image_ ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(imageTime_)), 0, 'f', 3)
+             : tr("no image yet"));
   const bool faded = image_ && std::ranges::any_of(shownDrawings_, &CurrentDrawing::old);
-  QStringList state{image_ ? staleText() : QString(), faded ? tr("faded: drawn in earlier images") : QString()};
+  QStringList state{image_ ? staleText() : QString(),
+                    faded ? tr("faded: drawn in earlier images") : QString()};
   state.removeAll(QString());
   state_->setText(state.join(QStringLiteral(", ")));
   state_->setVisible(!state_->text().isEmpty());

@@ -18,8 +18,9 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"bookmarks", QT_TRANSLATE_NOOP("View", "Bookmarks"),
-     QT_TRANSLATE_NOOP("View", "Lists the bookmarks of the open logs; lets one jump to them, edit and remove them."), "bookmark",
-     false, create<BookmarksView>}};
+     QT_TRANSLATE_NOOP("View",
+                       "Lists the bookmarks of the open logs; lets one jump to them, edit and remove them."),
+     "bookmark", false, create<BookmarksView>}};
 
 }  // namespace
 
@@ -34,13 +35,18 @@ BookmarksView::BookmarksView(ViewContext& context, QWidget* parent)
 
 void BookmarksView::createActions() {
   add_ = makeAction(this, "bookmark", {"bookmarkAdd", tr("Bookmark"), tr("Marks this moment")});
-  remove_ = makeAction(this, "remove", {"bookmarkRemove", tr("Remove"), tr("Removes the chosen bookmark"), Qt::Key_Delete});
-  undo_ = makeAction(this, "undo", {"bookmarkUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
-  redo_ = makeAction(this, "redo", {"bookmarkRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+  remove_ = makeAction(this, "remove",
+                       {"bookmarkRemove", tr("Remove"), tr("Removes the chosen bookmark"), Qt::Key_Delete});
+  undo_ = makeAction(
+      this, "undo",
+      {"bookmarkUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+  redo_ = makeAction(this, "redo",
+                     {"bookmarkRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
 }
 
 void BookmarksView::createViews() {
-  auto* search = makeSearchField(this, {"bookmarksSearch", tr("Search bookmarks"), tr("Shows only bookmarks whose text contains this")});
+  auto* search = makeSearchField(
+      this, {"bookmarksSearch", tr("Search bookmarks"), tr("Shows only bookmarks whose text contains this")});
   filtered_->setSourceModel(&model_);
   filtered_->setFilterKeyColumn(BookmarkModel::kText);
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
@@ -88,9 +94,10 @@ void BookmarksView::connectSignals() {
     const auto& row = model_.row(filtered_->mapToSource(index).row());
     logs_.replay().jumpTo(row.bookmark.from + row.offset);
   });
-  connect(&model_, &BookmarkModel::changeWanted, this, [this](const std::string& path, const logplayer::Bookmark& bookmark) {
-    if (auto* log = logs_.find(path)) logs_.changeBookmark(*log, bookmark);
-  });
+  connect(&model_, &BookmarkModel::changeWanted, this,
+          [this](const std::string& path, const logplayer::Bookmark& bookmark) {
+            if (auto* log = logs_.find(path)) logs_.changeBookmark(*log, bookmark);
+          });
   connect(add_, &QAction::triggered, this, [this] { logs_.addBookmarkHere(); });
   connect(remove_, &QAction::triggered, this, [this] {
     const auto* row = chosen();
@@ -110,15 +117,17 @@ void BookmarksView::tick() {
     for (const auto& bookmark : log->bookmarks->all()) rows.push_back({log->path, log->offset, bookmark});
   }
   // Whoever edits a text is not disturbed by what others change.
-  if (table_->indexWidget(table_->currentIndex()) == nullptr) model_.setRows(std::move(rows), session().timeline().origin());
+  if (table_->indexWidget(table_->currentIndex()) == nullptr)
+    model_.setRows(std::move(rows), session().timeline().origin());
   table_->setColumnHidden(BookmarkModel::kLog, logs_.logs().size() < 2);
   add_->setEnabled(there);
   remove_->setEnabled(table_->currentIndex().isValid());
   undo_->setEnabled(logs_.undoStack().canUndo());
   redo_->setEnabled(logs_.undoStack().canRedo());
-  hint_->setHint(logs_.logs().empty()    ? tr("No log is open.")
-                 : model_.rowCount() > 0 ? QString()
-                                         : tr("There are no bookmarks. Press B to mark the moment that is shown."));
+  hint_->setHint(logs_.logs().empty() ? tr("No log is open.")
+                 : model_.rowCount() > 0
+                     ? QString()
+                     : tr("There are no bookmarks. Press B to mark the moment that is shown."));
 }
 
 }  // namespace widgets

@@ -13,8 +13,8 @@ namespace widgets {
 
 class EmptyHint;
 
-/// The bookmarks of the open logs as a list: Enter or a double click on a time jumps there, a text is edited in place (F2),
-/// Delete removes.
+/// The bookmarks of the open logs as a list: Enter or a double click on a time jumps there, a text is edited
+/// in place (F2), Delete removes.
 class BookmarksView final : public View {
   Q_OBJECT
  public:

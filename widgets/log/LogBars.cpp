@@ -53,7 +53,8 @@ LogJobBar::LogJobBar(QWidget* parent)
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
   layout->addWidget(text_, 1);
-  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_, open_, dismiss_}) layout->addWidget(widget);
+  for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_, open_, dismiss_})
+    layout->addWidget(widget);
   connect(cancel_, &QToolButton::clicked, this, [this] {
     if (job_ != nullptr) job_->cancel();
     cancel_->setEnabled(false);
@@ -102,7 +103,8 @@ void LogJobBar::showOutcome(const LogJob::Outcome& outcome) {
 LogDamageBar::LogDamageBar(QWidget* parent)
     : QWidget(parent),
       text_(makeText(this, "logDamageText")),
-      repair_(makeTextButton(this, {"logRepair", tr("Repair…"), tr("Writes what can be read into a new, whole file")})) {
+      repair_(makeTextButton(
+          this, {"logRepair", tr("Repair…"), tr("Writes what can be read into a new, whole file")})) {
   setObjectName(QStringLiteral("logDamageBar"));
   auto* dismiss = makeTextButton(this, {"logDamageDismiss", tr("Dismiss"), tr("Hides this line")});
   auto* layout = new QHBoxLayout(this);
@@ -111,7 +113,8 @@ LogDamageBar::LogDamageBar(QWidget* parent)
   layout->addWidget(text_, 1);
   layout->addWidget(repair_);
   layout->addWidget(dismiss);
-  connect(repair_, &QToolButton::clicked, this, [this] { Q_EMIT repairWanted(QString::fromStdString(shown_.log)); });
+  connect(repair_, &QToolButton::clicked, this,
+          [this] { Q_EMIT repairWanted(QString::fromStdString(shown_.log)); });
   connect(dismiss, &QToolButton::clicked, this, [this] {
     dismissed_.insert(shown_.log);
     showFirst();
@@ -125,13 +128,16 @@ void LogDamageBar::setDamages(std::vector<Damage> damages) {
   showFirst();
 }
 
-void LogDamageBar::setBusy(bool busy) { repair_->setEnabled(!busy); }
+void LogDamageBar::setBusy(bool busy) {
+  repair_->setEnabled(!busy);
+}
 
 void LogDamageBar::showFirst() {
   for (const Damage& damage : damages_) {
     if (dismissed_.contains(damage.log)) continue;
     shown_ = damage;
-    text_->setText(QStringLiteral("%1: %2").arg(QString::fromStdString(std::filesystem::path(damage.log).filename().string()), damage.text));
+    text_->setText(QStringLiteral("%1: %2").arg(
+        QString::fromStdString(std::filesystem::path(damage.log).filename().string()), damage.text));
     repair_->setVisible(damage.canRepair);
     show();
     return;

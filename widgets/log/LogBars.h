@@ -15,7 +15,8 @@ class QToolButton;
 
 namespace widgets {
 
-/// One job with logs at a time: how far it is, with a button that cancels it, then how it ended. Hidden without one.
+/// One job with logs at a time: how far it is, with a button that cancels it, then how it ended. Hidden
+/// without one.
 class LogJobBar final : public QWidget {
   Q_OBJECT
  public:
@@ -44,7 +45,8 @@ class LogJobBar final : public QWidget {
   std::filesystem::path made_;
 };
 
-/// Says what of a log could not be read, and offers to repair it. Hidden if all logs are whole or it was dismissed.
+/// Says what of a log could not be read, and offers to repair it. Hidden if all logs are whole or it was
+/// dismissed.
 class LogDamageBar final : public QWidget {
   Q_OBJECT
  public:

@@ -11,14 +11,14 @@
 
 namespace widgets {
 
-/// Something long that is done to a log (cut, exported, repaired), in a thread of its own. The destructor gives it up and
-/// waits until it ended. The other functions: one thread, that of the GUI.
+/// Something long that is done to a log (cut, exported, repaired), in a thread of its own. The destructor
+/// gives it up and waits until it ended. The other functions: one thread, that of the GUI.
 class LogJob {
  public:
   struct Outcome {
     bool done = false;  ///< else it failed
     bool cancelled = false;
-    QString text;                ///< what was done, or why not
+    QString text;               ///< what was done, or why not
     std::filesystem::path log;  ///< a new log that can be opened; empty: there is none
   };
   /// The share done; false: give up.

@@ -16,11 +16,17 @@ namespace {
 using Outcome = LogJob::Outcome;
 using Progress = LogJob::Progress;
 
-QString tr(const char* text) { return QCoreApplication::translate("LogJobs", text); }
+QString tr(const char* text) {
+  return QCoreApplication::translate("LogJobs", text);
+}
 
-QString nameOf(const std::filesystem::path& file) { return QString::fromStdString(file.filename().string()); }
+QString nameOf(const std::filesystem::path& file) {
+  return QString::fromStdString(file.filename().string());
+}
 
-Outcome failed(const robotlink::Error& error) { return {false, false, QString::fromStdString(error.describe()), {}}; }
+Outcome failed(const robotlink::Error& error) {
+  return {false, false, QString::fromStdString(error.describe()), {}};
+}
 
 QString withLosses(QString text, const std::vector<std::string>& losses) {
   for (const std::string& loss : losses) text += QLatin1Char('\n') + QString::fromStdString(loss);
@@ -40,19 +46,24 @@ logplayer::ExportOptions exportOptions(const LogRange& range, const Progress& pr
 
 /// Opens the log and lets `what` export from it.
 template <typename What>
-Outcome exported(const std::string& path, const Progress& progress, const char* text, const std::filesystem::path& to, What what) {
+Outcome exported(const std::string& path, const Progress& progress, const char* text,
+                 const std::filesystem::path& to, What what) {
   logplayer::LogFile::Options options;
   options.progress = [&progress](double) { return progress(0); };
   const auto log = logplayer::LogFile::open(path, options);
   if (!log) return failed(log.error());
   const auto report = what(*log);
   if (!report) return failed(report.error());
-  return {true, false, withLosses(tr(text).arg(QString::fromStdString(to.string())).arg(report->written), report->losses), {}};
+  return {true,
+          false,
+          withLosses(tr(text).arg(QString::fromStdString(to.string())).arg(report->written), report->losses),
+          {}};
 }
 
 }  // namespace
 
-LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> logs, LogRange range, std::filesystem::path to) {
+LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> logs, LogRange range,
+                     std::filesystem::path to) {
   return [logs = std::move(logs), range, to = std::move(to)](const Progress& progress) -> Outcome {
     logplayer::RewriteOptions options;
     for (const auto& [file, offset] : logs) options.inputs.push_back({file, offset});
@@ -73,27 +84,31 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
   };
 }
 
-LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range, std::filesystem::path folder) {
+LogJob::Work exportImagesOf(std::string log, std::string stream, LogRange range,
+                            std::filesystem::path folder) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: images written: %2"), folder, [&](const auto& file) {
-      return logplayer::exportImages(file, {{stream}, {}}, folder, exportOptions(range, progress));
-    });
+    return exported(
+        log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: images written: %2"), folder, [&](const auto& file) {
+          return logplayer::exportImages(file, {{stream}, {}}, folder, exportOptions(range, progress));
+        });
   };
 }
 
 LogJob::Work exportTableOf(std::string log, std::string stream, LogRange range, std::filesystem::path to) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: rows written: %2"), to, [&](const auto& file) {
-      return logplayer::exportCsv(file, stream, to, exportOptions(range, progress));
-    });
+    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: rows written: %2"), to,
+                    [&](const auto& file) {
+                      return logplayer::exportCsv(file, stream, to, exportOptions(range, progress));
+                    });
   };
 }
 
 LogJob::Work exportTextsOf(std::string log, LogRange range, std::filesystem::path to) {
   return [=](const Progress& progress) {
-    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: texts written: %2"), to, [&](const auto& file) {
-      return logplayer::exportTexts(file, {}, to, exportOptions(range, progress));
-    });
+    return exported(log, progress, QT_TRANSLATE_NOOP("LogJobs", "%1: texts written: %2"), to,
+                    [&](const auto& file) {
+                      return logplayer::exportTexts(file, {}, to, exportOptions(range, progress));
+                    });
   };
 }
 

@@ -34,7 +34,9 @@ LogEntry logEntry(const robotlink::StreamMessage& message, const foxglove::Log& 
 
 }  // namespace
 
-std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file) { return std::make_unique<LogReader>(file); }
+std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file) {
+  return std::make_unique<LogReader>(file);
+}
 
 LogReader::LogReader(std::filesystem::path file) : file_(std::move(file)) {
   LogOverview overview;
@@ -156,7 +158,8 @@ void LogReader::readTexts(LogOverview& overview) {
   if (!streams.empty()) {
     logplayer::LogFile::Cursor cursor(log_, streams);
     while (const auto message = cursor.next()) {
-      if (!tell(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages)))) return;
+      if (!tell(overview, static_cast<double>(++seen) / static_cast<double>(std::max(seen, messages))))
+        return;
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
       if (texts->size() < kMaxTexts) texts->push_back(logEntry(*message, *log));

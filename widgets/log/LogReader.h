@@ -14,9 +14,9 @@ class LogFile;
 
 namespace widgets {
 
-/// Reads a log file in two threads: one goes over it once, from what is shown first to what costs most (streams and times,
-/// warnings and errors, bookmarks, sizes); the other reads small pictures of its images as they are wanted. The destructor
-/// ends both; it waits for at most one read.
+/// Reads a log file in two threads: one goes over it once, from what is shown first to what costs most
+/// (streams and times, warnings and errors, bookmarks, sizes); the other reads small pictures of its images
+/// as they are wanted. The destructor ends both; it waits for at most one read.
 class LogReader final : public LogReading {
  public:
   explicit LogReader(std::filesystem::path file);

@@ -16,8 +16,8 @@ namespace {
 constexpr int kSaveAfterTicks = 60;
 constexpr std::size_t kMostThumbnails = 600;  // some 25 kB each
 
-/// One change of the bookmarks of a log. The document keeps its own history; this keeps its place among the changes of
-/// other logs.
+/// One change of the bookmarks of a log. The document keeps its own history; this keeps its place among the
+/// changes of other logs.
 class BookmarkCommand final : public QUndoCommand {
  public:
   BookmarkCommand(const QString& text, std::function<logplayer::Bookmarks*()> document,
@@ -48,10 +48,13 @@ OpenLogs::OpenLogs(robotlink::Session& session, ReadLog read, QObject* parent)
   connect(&undo_, &QUndoStack::indexChanged, this, [this] { ++version_; });
 }
 
-OpenLogs::~OpenLogs() { saveBookmarks(); }
+OpenLogs::~OpenLogs() {
+  saveBookmarks();
+}
 
 OpenLogs::Log* OpenLogs::find(const std::string& path) {
-  const auto found = std::find_if(logs_.begin(), logs_.end(), [&](const auto& log) { return log->path == path; });
+  const auto found =
+      std::find_if(logs_.begin(), logs_.end(), [&](const auto& log) { return log->path == path; });
   return found == logs_.end() ? nullptr : found->get();
 }
 
@@ -88,7 +91,8 @@ void OpenLogs::tick() {
 void OpenLogs::followLogs() {
   const auto& told = replay_.status().logs();
   const auto isTold = [&](const auto& log) {
-    return std::any_of(told.begin(), told.end(), [&](const auto& entry) { return entry.path() == log->path; });
+    return std::any_of(told.begin(), told.end(),
+                       [&](const auto& entry) { return entry.path() == log->path; });
   };
   if (!std::all_of(logs_.begin(), logs_.end(), isTold)) {
     saveBookmarks();
@@ -128,7 +132,8 @@ void OpenLogs::takeNews(Log& log) {
     ++version_;
     chooseDefaults(log);
   }
-  for (Thumbnail& thumbnail : log.reading->takeThumbnails()) log.thumbnails[thumbnail.time] = std::move(thumbnail.image);
+  for (Thumbnail& thumbnail : log.reading->takeThumbnails())
+    log.thumbnails[thumbnail.time] = std::move(thumbnail.image);
   auto bookmarks = log.reading->takeBookmarks();
   if (!bookmarks) return;
   if (*bookmarks) {
@@ -138,7 +143,8 @@ void OpenLogs::takeNews(Log& log) {
     if (problem) Q_EMIT failed(QString::fromStdString(problem->describe()));
     addAsked(log);
   } else {
-    Q_EMIT failed(tr("The bookmarks cannot be used: %1").arg(QString::fromStdString(bookmarks->error().describe())));
+    Q_EMIT failed(
+        tr("The bookmarks cannot be used: %1").arg(QString::fromStdString(bookmarks->error().describe())));
   }
 }
 
@@ -149,7 +155,8 @@ void OpenLogs::chooseDefaults(Log& log) {
   if (replay_.steppedStream().empty()) replay_.setSteppedStream(toldAs(log, images.front()));
 }
 
-void OpenLogs::changeBookmarks(Log& log, const QString& what, std::function<void(logplayer::Bookmarks&)> change) {
+void OpenLogs::changeBookmarks(Log& log, const QString& what,
+                               std::function<void(logplayer::Bookmarks&)> change) {
   if (!log.bookmarks) return;
   const auto document = [this, path = log.path]() -> logplayer::Bookmarks* {
     Log* found = find(path);
@@ -162,9 +169,10 @@ void OpenLogs::changeBookmarks(Log& log, const QString& what, std::function<void
 
 std::uint64_t OpenLogs::addBookmark(Log& log, Instant from, Instant to, const QString& text) {
   std::uint64_t id = 0;
-  changeBookmarks(log, tr("add a bookmark"), [&id, from, to, words = text.toStdString()](logplayer::Bookmarks& bookmarks) {
-    id = bookmarks.add(from, to, words);
-  });
+  changeBookmarks(log, tr("add a bookmark"),
+                  [&id, from, to, words = text.toStdString()](logplayer::Bookmarks& bookmarks) {
+                    id = bookmarks.add(from, to, words);
+                  });
   return id;
 }
 
@@ -179,23 +187,28 @@ bool OpenLogs::addBookmarkAt(Instant time, const QString& text) {
 void OpenLogs::addAsked(Log& log) {
   if (!log.bookmarks) return;
   for (const auto& [time, text] : std::exchange(log.toBookmark, {})) {
-    addBookmark(log, time, time, text.isEmpty() ? tr("Bookmark %1").arg(log.bookmarks->all().size() + 1) : text);
+    addBookmark(log, time, time,
+                text.isEmpty() ? tr("Bookmark %1").arg(log.bookmarks->all().size() + 1) : text);
   }
 }
 
 void OpenLogs::changeBookmark(Log& log, const logplayer::Bookmark& bookmark) {
-  changeBookmarks(log, tr("change a bookmark"), [bookmark](logplayer::Bookmarks& bookmarks) { bookmarks.change(bookmark); });
+  changeBookmarks(log, tr("change a bookmark"),
+                  [bookmark](logplayer::Bookmarks& bookmarks) { bookmarks.change(bookmark); });
 }
 
 void OpenLogs::removeBookmark(Log& log, std::uint64_t id) {
-  changeBookmarks(log, tr("remove a bookmark"), [id](logplayer::Bookmarks& bookmarks) { bookmarks.remove(id); });
+  changeBookmarks(log, tr("remove a bookmark"),
+                  [id](logplayer::Bookmarks& bookmarks) { bookmarks.remove(id); });
 }
 
 void OpenLogs::save(Log& log) {
   log.ticksUnsaved = 0;
   const auto saved = log.bookmarks->save();
   log.saveFailed = !saved;
-  if (!saved) Q_EMIT failed(tr("The bookmarks were not saved: %1").arg(QString::fromStdString(saved.error().describe())));
+  if (!saved)
+    Q_EMIT failed(
+        tr("The bookmarks were not saved: %1").arg(QString::fromStdString(saved.error().describe())));
 }
 
 void OpenLogs::saveBookmarks() {

@@ -17,9 +17,9 @@
 
 namespace widgets {
 
-/// The logs of the replay, as all views of a window share them: what they hold, their bookmarks with undo and redo, and what
-/// is shown of them. Follows what the replay says of its logs. Bookmarks are saved two seconds after a change, when their
-/// log is closed, and at the end.
+/// The logs of the replay, as all views of a window share them: what they hold, their bookmarks with undo and
+/// redo, and what is shown of them. Follows what the replay says of its logs. Bookmarks are saved two seconds
+/// after a change, when their log is closed, and at the end.
 ///
 /// tick() is called once a tick, after the session's. GUI thread; the session must outlive it.
 class OpenLogs final : public QObject {
@@ -27,12 +27,12 @@ class OpenLogs final : public QObject {
  public:
   struct Log {
     std::string path;
-    robotlink::Duration offset{0};  ///< added to its times
+    robotlink::Duration offset{0};    ///< added to its times
     std::vector<std::string> robots;  ///< as the replay calls them: where names are equal they get "-2", "-3"
     std::shared_ptr<const LogOverview> overview;
     std::optional<logplayer::Bookmarks> bookmarks;
     std::vector<std::pair<robotlink::Instant, QString>> toBookmark;  ///< was asked for before they were read
-    std::string imageStream;  ///< whose images are shown; empty: none
+    std::string imageStream;                                         ///< whose images are shown; empty: none
     std::map<robotlink::Instant, QImage> thumbnails;
     std::set<std::string> hidden;  ///< streams without a row in the time line
     bool collapsed = false;
@@ -61,8 +61,8 @@ class OpenLogs final : public QObject {
 
   /// All of them can be undone. Their times are the log's own.
   std::uint64_t addBookmark(Log& log, robotlink::Instant from, robotlink::Instant to, const QString& text);
-  /// At a time of the time line, in the log that holds it; later, if its bookmarks are not yet read. An empty text:
-  /// "Bookmark 3". False: no log is open.
+  /// At a time of the time line, in the log that holds it; later, if its bookmarks are not yet read. An empty
+  /// text: "Bookmark 3". False: no log is open.
   bool addBookmarkAt(robotlink::Instant time, const QString& text);
   bool addBookmarkHere() { return addBookmarkAt(replay_.shown(), {}); }
   void changeBookmark(Log& log, const logplayer::Bookmark& bookmark);

@@ -11,7 +11,8 @@ namespace widgets {
 
 using robotcontrol::ControlReplay;
 
-QWidget* PackageSourceDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&, const QModelIndex& index) const {
+QWidget* PackageSourceDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
+                                             const QModelIndex& index) const {
   auto* box = new QComboBox(parent);
   box->setObjectName(QStringLiteral("packageSourceEditor"));
   box->setAccessibleName(tr("Source of the package"));
@@ -24,7 +25,8 @@ QWidget* PackageSourceDelegate::createEditor(QWidget* parent, const QStyleOption
     QString text = ReplayPackageModel::sourceName(source);
     if (!reason.isEmpty()) text = tr("%1: %2").arg(text, reason);
     box->addItem(text, static_cast<int>(source));
-    if (!model->allows(row, source)) qobject_cast<QStandardItemModel*>(box->model())->item(box->count() - 1)->setEnabled(false);
+    if (!model->allows(row, source))
+      qobject_cast<QStandardItemModel*>(box->model())->item(box->count() - 1)->setEnabled(false);
   }
   connect(box, QOverload<int>::of(&QComboBox::activated), this, [this, box] {
     auto* self = const_cast<PackageSourceDelegate*>(this);
@@ -43,7 +45,8 @@ void PackageSourceDelegate::setEditorData(QWidget* editor, const QModelIndex& in
   box->showPopup();
 }
 
-void PackageSourceDelegate::setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const {
+void PackageSourceDelegate::setModelData(QWidget* editor, QAbstractItemModel* model,
+                                         const QModelIndex& index) const {
   const auto* box = qobject_cast<QComboBox*>(editor);
   if (box->currentData() != index.data(Qt::EditRole)) model->setData(index, box->currentData(), Qt::EditRole);
 }

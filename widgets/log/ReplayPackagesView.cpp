@@ -18,7 +18,9 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"replay-packages", QT_TRANSLATE_NOOP("View", "Packages"),
-     QT_TRANSLATE_NOOP("View", "Chooses which packages of a log are recomputed by the program, and shows how they differ from what was logged."),
+     QT_TRANSLATE_NOOP("View",
+                       "Chooses which packages of a log are recomputed by the program, and shows how they "
+                       "differ from what was logged."),
      "packages", false, create<ReplayPackagesView>}};
 
 }  // namespace
@@ -32,14 +34,16 @@ ReplayPackagesView::ReplayPackagesView(ViewContext& context, QWidget* parent)
 }
 
 void ReplayPackagesView::createViews() {
-  auto* search = makeSearchField(this, {"packagesSearch", tr("Search packages"), tr("Shows only packages whose name contains this")});
+  auto* search = makeSearchField(
+      this, {"packagesSearch", tr("Search packages"), tr("Shows only packages whose name contains this")});
   filtered_->setSourceModel(&model_);
   filtered_->setFilterKeyColumn(ReplayPackageModel::kPackage);
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
   filtered_->setSortRole(ReplayPackageModel::kSortRole);
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
   table_ = new QTableView(this);
-  describe(*table_, {"packagesTable", tr("Packages of the replay"), tr("F2 or a double click chooses where a package comes from")});
+  describe(*table_, {"packagesTable", tr("Packages of the replay"),
+                     tr("F2 or a double click chooses where a package comes from")});
   table_->setToolTip({});
   table_->setModel(filtered_);
   table_->setItemDelegateForColumn(ReplayPackageModel::kSource, new PackageSourceDelegate(table_));
@@ -57,7 +61,8 @@ void ReplayPackagesView::createViews() {
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
   header.setStretchLastSection(true);
-  const char* texts[] = {"nao/percepts/regions", "recomputed (automatic)", "Compared", "12 + 2 alone", "First [s]"};
+  const char* texts[] = {"nao/percepts/regions", "recomputed (automatic)", "Compared", "12 + 2 alone",
+                         "First [s]"};
   for (int column = 0; column < ReplayPackageModel::kLargest; ++column) {
     header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
   }
@@ -82,9 +87,9 @@ void ReplayPackagesView::connectSignals() {
     logs_.replay().choosePackage(package.toStdString(), static_cast<ReplayPackageModel::Source>(source));
   });
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
-    const int role = index.column() == ReplayPackageModel::kLargest ? ReplayPackageModel::kLargestRole
+    const int role = index.column() == ReplayPackageModel::kLargest     ? ReplayPackageModel::kLargestRole
                      : index.column() >= ReplayPackageModel::kDifferent ? ReplayPackageModel::kFirstRole
-                                                                         : 0;
+                                                                        : 0;
     const QVariant time = role != 0 ? index.data(role) : QVariant();
     if (time.isValid()) logs_.replay().jumpTo(robotlink::Instant(robotlink::Duration(time.toLongLong())));
   });
@@ -94,15 +99,19 @@ void ReplayPackagesView::tick() {
   const auto& status = logs_.replay().status();
   model_.setStatus(status, session().timeline().origin());
   showTasks();
-  hint_->setHint(!logs_.replay().open()    ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
-                 : model_.rowCount() == 0 ? tr("No program runs on this log.")
-                                          : QString());
+  hint_->setHint(
+      !logs_.replay().open()
+          ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
+      : model_.rowCount() == 0 ? tr("No program runs on this log.")
+                               : QString());
 }
 
 void ReplayPackagesView::showTasks() {
   QStringList lines;
   for (const auto& task : logs_.replay().status().unavailable_tasks()) lines << QString::fromStdString(task);
-  const QString text = lines.isEmpty() ? QString() : tr("Tasks that cannot run on this log:\n%1").arg(lines.join(QLatin1Char('\n')));
+  const QString text = lines.isEmpty()
+                           ? QString()
+                           : tr("Tasks that cannot run on this log:\n%1").arg(lines.join(QLatin1Char('\n')));
   if (tasks_->text() != text) tasks_->setText(text);
   tasks_->setVisible(!text.isEmpty());
 }

@@ -13,8 +13,8 @@ namespace widgets {
 
 class EmptyHint;
 
-/// From where the packages of a replay come, each as logged or recomputed by the program; how what is recomputed differs
-/// from what was logged; which tasks of the program cannot run and why.
+/// From where the packages of a replay come, each as logged or recomputed by the program; how what is
+/// recomputed differs from what was logged; which tasks of the program cannot run and why.
 class ReplayPackagesView final : public View {
   Q_OBJECT
  public:

@@ -17,8 +17,8 @@ namespace {
 
 const ViewRegistration kRegistration{
     {"log-streams", QT_TRANSLATE_NOOP("View", "Streams"),
-     QT_TRANSLATE_NOOP("View", "Lists the streams of the open logs with count, size, rate and schema."), "streams", false,
-     create<StreamsView>}};
+     QT_TRANSLATE_NOOP("View", "Lists the streams of the open logs with count, size, rate and schema."),
+     "streams", false, create<StreamsView>}};
 
 }  // namespace
 
@@ -31,7 +31,8 @@ StreamsView::StreamsView(ViewContext& context, QWidget* parent)
 }
 
 void StreamsView::createViews() {
-  auto* search = makeSearchField(this, {"streamsSearch", tr("Search streams"), tr("Shows only streams whose path or schema contains this")});
+  auto* search = makeSearchField(this, {"streamsSearch", tr("Search streams"),
+                                        tr("Shows only streams whose path or schema contains this")});
   filtered_->setSourceModel(&model_);
   filtered_->setFilterRole(StreamListModel::kFilterRole);
   filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
@@ -39,8 +40,9 @@ void StreamsView::createViews() {
   connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
 
   table_ = new QTableView(this);
-  describe(*table_, {"streamsTable", tr("Streams of the logs"),
-                     tr("The check shows a stream in the time line; a double click lets its messages be stepped")});
+  describe(*table_,
+           {"streamsTable", tr("Streams of the logs"),
+            tr("The check shows a stream in the time line; a double click lets its messages be stepped")});
   table_->setToolTip({});
   table_->setModel(filtered_);
   table_->setSortingEnabled(true);
@@ -57,7 +59,8 @@ void StreamsView::createViews() {
   auto& header = *table_->horizontalHeader();
   header.setHighlightSections(false);
   header.setStretchLastSection(true);
-  const char* texts[] = {"____nao/drawings/image/segmentation", "Messages__", "999.9 kB__", "100.0__", "foxglove.CompressedImage"};
+  const char* texts[] = {"____nao/drawings/image/segmentation", "Messages__", "999.9 kB__", "100.0__",
+                         "foxglove.CompressedImage"};
   for (int column = 0; column < StreamListModel::kLog; ++column) {
     header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
   }
@@ -77,11 +80,13 @@ void StreamsView::createViews() {
 void StreamsView::connectSignals() {
   connect(table_, &QTableView::activated, this, [this](const QModelIndex& index) {
     const auto& row = model_.row(filtered_->mapToSource(index).row());
-    if (const auto* log = logs_.find(row.log)) logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, row.path));
+    if (const auto* log = logs_.find(row.log))
+      logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, row.path));
   });
-  connect(&model_, &StreamListModel::shownChanged, this, [this](const std::string& path, const std::string& stream, bool shown) {
-    if (auto* log = logs_.find(path)) logs_.setHidden(*log, stream, !shown);
-  });
+  connect(&model_, &StreamListModel::shownChanged, this,
+          [this](const std::string& path, const std::string& stream, bool shown) {
+            if (auto* log = logs_.find(path)) logs_.setHidden(*log, stream, !shown);
+          });
   connect(&logs_.replay(), &ReplayControl::steppedStreamChanged, this, [this] { shownVersion_ = 0; });
 }
 
@@ -97,9 +102,10 @@ void StreamsView::tick() {
   }
   model_.setRows(std::move(rows));
   table_->setColumnHidden(StreamListModel::kLog, logs_.logs().size() < 2);
-  hint_->setHint(logs_.logs().empty()
-                     ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
-                     : QString());
+  hint_->setHint(
+      logs_.logs().empty()
+          ? tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window.")
+          : QString());
   showSummary();
 }
 

@@ -13,8 +13,8 @@ namespace widgets {
 
 class EmptyHint;
 
-/// The streams of the open logs with count, size, rate and schema. A check gives a stream a row in the time line; a double
-/// click or Enter lets its messages be stepped.
+/// The streams of the open logs with count, size, rate and schema. A check gives a stream a row in the time
+/// line; a double click or Enter lets its messages be stepped.
 class StreamsView final : public View {
   Q_OBJECT
  public:

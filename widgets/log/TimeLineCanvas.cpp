@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a time line shows: its contents, zoom, pan and scrolling. TimeLineMouse.cpp is what a person does to it.
+// What a time line shows: its contents, zoom, pan and scrolling. TimeLineMouse.cpp is what a person does to
+// it.
 #include "widgets/log/TimeLineCanvas.h"
 
 #include <QPainter>
@@ -24,9 +25,10 @@ bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLine
     const auto sameImage = [](const auto& p, const auto& q) {
       return p.first == q.first && p.second.cacheKey() == q.second.cacheKey();
     };
-    return x.title == y.title && x.offset == y.offset && x.showsOffset == y.showsOffset && x.collapsed == y.collapsed &&
-           x.log == y.log && x.streams == y.streams && x.bookmarks == y.bookmarks && x.hasImages == y.hasImages &&
-           x.imageAspect == y.imageAspect && x.thumbnails.size() == y.thumbnails.size() &&
+    return x.title == y.title && x.offset == y.offset && x.showsOffset == y.showsOffset &&
+           x.collapsed == y.collapsed && x.log == y.log && x.streams == y.streams &&
+           x.bookmarks == y.bookmarks && x.hasImages == y.hasImages && x.imageAspect == y.imageAspect &&
+           x.thumbnails.size() == y.thumbnails.size() &&
            std::equal(x.thumbnails.begin(), x.thumbnails.end(), y.thumbnails.begin(), sameImage);
   };
   return std::equal(a.begin(), a.end(), b.begin(), b.end(), same);
@@ -134,7 +136,8 @@ void TimeLineCanvas::zoom(double factor) {
 
 void TimeLineCanvas::setFrom(Instant from) {
   // Some of the logs is always in sight.
-  const auto width = Duration(std::llround(std::max(1.0, look_.size.width() - look_.gutter) * look_.scale.nsPerPixel));
+  const auto width =
+      Duration(std::llround(std::max(1.0, look_.size.width() - look_.gutter) * look_.scale.nsPerPixel));
   const Instant earliest = std::min(look_.begin - width / 20, look_.end - width + width / 20);
   const Instant latest = std::max(look_.end - width + width / 20, look_.begin - width / 20);
   look_.scale.from = std::clamp(from, earliest, latest);
@@ -158,7 +161,8 @@ void TimeLineCanvas::updateScrollBars() {
   verticalScrollBar()->setSingleStep(static_cast<int>(look_.row));
   verticalScrollBar()->setRange(0, std::max(0, static_cast<int>(std::ceil(all.height - all.body.height()))));
   look_.scroll = verticalScrollBar()->value();
-  const double begin = look_.scale.x(look_.begin) - look_.gutter, end = look_.scale.x(look_.end) - look_.gutter;
+  const double begin = look_.scale.x(look_.begin) - look_.gutter,
+               end = look_.scale.x(look_.end) - look_.gutter;
   const double width = look_.size.width() - look_.gutter;
   const double before = std::clamp(-begin, 0.0, 1e9), behind = std::clamp(end - width, 0.0, 1e9);
   horizontalScrollBar()->setPageStep(static_cast<int>(width));

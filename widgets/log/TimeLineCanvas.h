@@ -11,15 +11,15 @@ class QLineEdit;
 
 namespace widgets {
 
-/// A time line that a person works on. It shows what it is given and says what is wanted; it changes none of it itself, but
-/// for what is seen (zoom, pan, scrolling). GUI thread.
+/// A time line that a person works on. It shows what it is given and says what is wanted; it changes none of
+/// it itself, but for what is seen (zoom, pan, scrolling). GUI thread.
 ///
-/// Mouse: in the ruler and on the images, press and drag move the play head at once; elsewhere a click moves it (to the
-/// nearest message of the row), and dragging selects a range, with Shift everywhere. The ends of the range, bookmarks and
-/// a band's offset are dragged. The wheel zooms at the cursor, with Shift it pans, over the names it scrolls; the middle
-/// button pans. A double click edits a bookmark's text or an offset in place, or chooses a stream whose messages are
-/// stepped. Keys: F2 edits and Delete removes the chosen bookmark, Escape drops the range; what is
-/// not used goes on to the parent.
+/// Mouse: in the ruler and on the images, press and drag move the play head at once; elsewhere a click moves
+/// it (to the nearest message of the row), and dragging selects a range, with Shift everywhere. The ends of
+/// the range, bookmarks and a band's offset are dragged. The wheel zooms at the cursor, with Shift it pans,
+/// over the names it scrolls; the middle button pans. A double click edits a bookmark's text or an offset in
+/// place, or chooses a stream whose messages are stepped. Keys: F2 edits and Delete removes the chosen
+/// bookmark, Escape drops the range; what is not used goes on to the parent.
 class TimeLineCanvas final : public QAbstractScrollArea {
   Q_OBJECT
  public:
@@ -101,7 +101,8 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   void dragBookmark(const QPointF& point);
   void releaseSelection(const QPointF& point);
   void editOffset(int band);
-  QLineEdit* openEditor(const char* name, const QRect& where, const QString& text, std::function<void(const QString&)> done);
+  QLineEdit* openEditor(const char* name, const QRect& where, const QString& text,
+                        std::function<void(const QString&)> done);
   QString toolTipAt(const QPointF& point) const;
   QString timeToolTip(robotlink::Instant time) const;
   QString saidNear(const TimeLineBand& of, robotlink::Instant time) const;
@@ -118,7 +119,7 @@ class TimeLineCanvas final : public QAbstractScrollArea {
   Hit held_;
   bool moved_ = false;
   QPointF pressedAt_, lastAt_;
-  logplayer::Bookmark heldBookmark_;     // as it was when it was pressed
+  logplayer::Bookmark heldBookmark_;  // as it was when it was pressed
   robotlink::Duration heldOffset_{0};
 };
 

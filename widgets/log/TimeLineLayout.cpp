@@ -19,7 +19,8 @@ constexpr double kImageMargin = 2;
 
 const TimeLineLayout::Lane* TimeLineLayout::laneAt(const QPointF& point) const& {
   if (!body.contains(point)) return nullptr;
-  const auto found = std::find_if(lanes.begin(), lanes.end(), [&](const Lane& lane) { return lane.rect.contains(point); });
+  const auto found =
+      std::find_if(lanes.begin(), lanes.end(), [&](const Lane& lane) { return lane.rect.contains(point); });
   return found == lanes.end() ? nullptr : &*found;
 }
 
@@ -47,13 +48,16 @@ TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook
   return layout;
 }
 
-int thumbnailHeight() { return static_cast<int>(kImages - 2 * kImageMargin); }
+int thumbnailHeight() {
+  return static_cast<int>(kImages - 2 * kImageMargin);
+}
 
 std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLineLook& look) {
   std::vector<ThumbnailSlot> slots;
   if (band.log == nullptr || !band.hasImages) return slots;
   const double width = std::max(16.0, thumbnailHeight() * band.imageAspect + kImageMargin);
-  const double begin = look.scale.x(band.log->begin + band.offset), end = look.scale.x(band.log->end + band.offset);
+  const double begin = look.scale.x(band.log->begin + band.offset),
+               end = look.scale.x(band.log->end + band.offset);
   // Counted from the log's begin, so that the same images stay while one pans.
   const double first = std::max(0.0, std::floor((look.gutter - begin) / width));
   for (double i = first; begin + i * width <= std::min(end, look.size.width()); ++i) {
@@ -69,11 +73,14 @@ QRectF bookmarkRect(const TimeLineBand& band, const logplayer::Bookmark& bookmar
                     const QRectF& lane, const QFontMetricsF& metrics) {
   constexpr double kMostText = 180, kPole = 6;
   const double from = look.scale.x(bookmark.from + band.offset), to = look.scale.x(bookmark.to + band.offset);
-  const double text = std::min(kMostText, metrics.horizontalAdvance(QString::fromStdString(bookmark.text)) + 2 * kPole);
+  const double text =
+      std::min(kMostText, metrics.horizontalAdvance(QString::fromStdString(bookmark.text)) + 2 * kPole);
   return {from, lane.top() + 2, std::max({to - from, text, 12.0}), lane.height() - 4};
 }
 
-QRectF collapseRect(const QRectF& lane) { return {lane.left() + 2, lane.top(), 18, lane.height()}; }
+QRectF collapseRect(const QRectF& lane) {
+  return {lane.left() + 2, lane.top(), 18, lane.height()};
+}
 
 QRectF offsetRect(const QRectF& lane, const TimeLineLook& look) {
   const double width = look.row * 3.8;

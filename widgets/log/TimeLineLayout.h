@@ -26,7 +26,7 @@ struct TimeLineBand {
   std::vector<std::string> streams;  ///< that have a row, in this order
   std::vector<logplayer::Bookmark> bookmarks;
   bool hasImages = false;
-  double imageAspect = 4.0 / 3;               ///< width by height
+  double imageAspect = 4.0 / 3;                     ///< width by height
   std::map<robotlink::Instant, QImage> thumbnails;  ///< by the time that they were asked for
 };
 

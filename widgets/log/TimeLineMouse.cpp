@@ -93,7 +93,8 @@ void TimeLineCanvas::mousePressEvent(QMouseEvent* event) {
   if (held_.drag == Drag::kOffset) heldOffset_ = band(held_.band).offset;
   if (held_.drag == Drag::kBookmark) {
     const auto& bookmarks = band(held_.band).bookmarks;
-    heldBookmark_ = *std::find_if(bookmarks.begin(), bookmarks.end(), [&](const auto& b) { return b.id == held_.bookmark; });
+    heldBookmark_ = *std::find_if(bookmarks.begin(), bookmarks.end(),
+                                  [&](const auto& b) { return b.id == held_.bookmark; });
     chooseBookmark(held_.band, held_.bookmark);
     Q_EMIT bookmarkChosen(held_.band, held_.bookmark);
   }
@@ -147,7 +148,8 @@ void TimeLineCanvas::dragBookmark(const QPointF& point) {
   for (auto& bookmark : of.bookmarks) {
     if (bookmark.id != held_.bookmark) continue;
     const auto length = heldBookmark_.to - heldBookmark_.from;
-    bookmark.from = std::clamp(heldBookmark_.from + by, of.log->begin, std::max(of.log->begin, of.log->end - length));
+    bookmark.from =
+        std::clamp(heldBookmark_.from + by, of.log->begin, std::max(of.log->begin, of.log->end - length));
     bookmark.to = bookmark.from + length;
   }
   lookAnew();
@@ -206,7 +208,8 @@ void TimeLineCanvas::wheelEvent(QWheelEvent* event) {
   const QPoint turned = event->angleDelta();
   const double notches = (turned.y() != 0 ? turned.y() : turned.x()) / 120.0;
   if (event->position().x() < look_.gutter) {
-    verticalScrollBar()->setValue(verticalScrollBar()->value() - static_cast<int>(notches * 3 * verticalScrollBar()->singleStep()));
+    verticalScrollBar()->setValue(verticalScrollBar()->value() -
+                                  static_cast<int>(notches * 3 * verticalScrollBar()->singleStep()));
     return;
   }
   fitted_ = false;
@@ -223,7 +226,7 @@ void TimeLineCanvas::keyPressEvent(QKeyEvent* event) {
     case Qt::Key_Up:
     case Qt::Key_Down:
       return verticalScrollBar()->triggerAction(event->key() == Qt::Key_Up ? QScrollBar::SliderSingleStepSub
-                                                                            : QScrollBar::SliderSingleStepAdd);
+                                                                           : QScrollBar::SliderSingleStepAdd);
     case Qt::Key_F2:
       if (chosen) return editBookmark(look_.bookmark.first, look_.bookmark.second);
       break;
@@ -247,7 +250,8 @@ void TimeLineCanvas::editBookmark(int index, std::uint64_t id) {
       if (bookmark.id != id) continue;
       QRectF where = bookmarkRect(band(index), bookmark, look_, lane.rect, QFontMetricsF(font()));
       where.setWidth(std::max(180.0, where.width()));
-      where.moveLeft(std::clamp(where.left(), look_.gutter, std::max(look_.gutter, look_.size.width() - where.width())));
+      where.moveLeft(
+          std::clamp(where.left(), look_.gutter, std::max(look_.gutter, look_.size.width() - where.width())));
       openEditor("bookmarkEdit", where.toRect().adjusted(0, -2, 0, 2), QString::fromStdString(bookmark.text),
                  [this, index, changed = bookmark](const QString& text) mutable {
                    changed.text = text.toStdString();
@@ -263,7 +267,8 @@ void TimeLineCanvas::editOffset(int index) {
   for (const auto& lane : all.lanes) {
     if (lane.kind != Kind::kHeader || lane.band != index) continue;
     openEditor("offsetEdit", offsetRect(lane.rect, look_).toRect(),
-               QString::number(robotlink::seconds(band(index).offset), 'f', 3), [this, index](const QString& text) {
+               QString::number(robotlink::seconds(band(index).offset), 'f', 3),
+               [this, index](const QString& text) {
                  bool ok = false;
                  QString number = text.trimmed();
                  if (number.endsWith(QLatin1Char('s'))) number.chop(1);
@@ -278,7 +283,8 @@ QLineEdit* TimeLineCanvas::openEditor(const char* name, const QRect& where, cons
                                       std::function<void(const QString&)> done) {
   auto* edit = new QLineEdit(text, viewport());
   edit->setObjectName(QLatin1String(name));
-  edit->setAccessibleName(name == std::string("offsetEdit") ? tr("Offset in seconds") : tr("Text of the bookmark"));
+  edit->setAccessibleName(name == std::string("offsetEdit") ? tr("Offset in seconds")
+                                                            : tr("Text of the bookmark"));
   edit->setGeometry(where.width() < 60 ? where.adjusted(where.width() - 80, 0, 0, 0) : where);
   edit->selectAll();
   auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), edit);
@@ -302,7 +308,8 @@ QLineEdit* TimeLineCanvas::openEditor(const char* name, const QRect& where, cons
 }
 
 QString TimeLineCanvas::timeToolTip(Instant time) const {
-  return tr("%1 s since the beginning (time stamp %2 s)").arg(timeText(time - look_.begin), timeText(time.time_since_epoch()));
+  return tr("%1 s since the beginning (time stamp %2 s)")
+      .arg(timeText(time - look_.begin), timeText(time.time_since_epoch()));
 }
 
 QString TimeLineCanvas::bookmarkToolTip(const TimeLineBand& of, const logplayer::Bookmark& bookmark) const {
@@ -317,13 +324,15 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   const TimeLineLayout all = layout();
   const auto* lane = all.laneAt(point);
   if (all.ruler.contains(point)) {
-    return tr("%1<br>Drag: move the play head. Shift+drag: select a range. Wheel: zoom.").arg(timeToolTip(timeAt(point)));
+    return tr("%1<br>Drag: move the play head. Shift+drag: select a range. Wheel: zoom.")
+        .arg(timeToolTip(timeAt(point)));
   }
   if (lane == nullptr) return {};
   const TimeLineBand& of = band(lane->band);
   if (lane->kind == Kind::kHeader) {
     if (const auto id = point.x() < look_.gutter ? 0 : bookmarkAt(*lane, point); id != 0) {
-      return bookmarkToolTip(of, *std::find_if(of.bookmarks.begin(), of.bookmarks.end(), [&](const auto& b) { return b.id == id; }));
+      return bookmarkToolTip(of, *std::find_if(of.bookmarks.begin(), of.bookmarks.end(),
+                                               [&](const auto& b) { return b.id == id; }));
     }
     if (point.x() >= look_.gutter) return tr("Double click: add a bookmark here. Drag: select a range.");
     if (of.showsOffset && offsetRect(lane->rect, look_).contains(point)) {
@@ -332,11 +341,13 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
     return of.log != nullptr ? QString::fromStdString(of.log->file).toHtmlEscaped() : QString();
   }
   if (lane->kind == Kind::kTexts) return saidNear(of, timeAt(point) - of.offset);
-  if (lane->kind != Kind::kStream) return tr("%1<br>Drag: move the play head.").arg(timeToolTip(timeAt(point)));
+  if (lane->kind != Kind::kStream)
+    return tr("%1<br>Drag: move the play head.").arg(timeToolTip(timeAt(point)));
   const auto* stream = of.log->find(lane->stream);
   if (stream == nullptr) return {};
   return QStringLiteral("<b>%1</b><br>%2<br>%3<br>%4")
-      .arg(QString::fromStdString(stream->path).toHtmlEscaped(), QString::fromStdString(stream->type).toHtmlEscaped(),
+      .arg(QString::fromStdString(stream->path).toHtmlEscaped(),
+           QString::fromStdString(stream->type).toHtmlEscaped(),
            tr("%1 messages, %2 a second").arg(stream->count).arg(stream->rate(), 0, 'f', 1),
            tr("Double click: step the messages of this stream. Drag: select a range."));
 }
@@ -352,9 +363,11 @@ QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
       break;
     }
     lines << QStringLiteral("<b>%1 s %2</b> %3: %4")
-                 .arg(timeText(entry.time + of.offset - look_.origin), LogModel::levelName(entry.level), entry.source.toHtmlEscaped(), entry.text.toHtmlEscaped());
+                 .arg(timeText(entry.time + of.offset - look_.origin), LogModel::levelName(entry.level),
+                      entry.source.toHtmlEscaped(), entry.text.toHtmlEscaped());
   }
-  return lines.isEmpty() ? tr("Warnings and errors in the log's messages") : lines.join(QStringLiteral("<br>"));
+  return lines.isEmpty() ? tr("Warnings and errors in the log's messages")
+                         : lines.join(QStringLiteral("<br>"));
 }
 
 bool TimeLineCanvas::viewportEvent(QEvent* event) {

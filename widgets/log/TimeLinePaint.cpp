@@ -37,7 +37,8 @@ struct Canvas {
 
 void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
   QPainter& painter = canvas.painter;
-  painter.fillRect(QRectF(0, 0, canvas.look.size.width(), layout.ruler.height()), canvas.palette.color(QPalette::Window));
+  painter.fillRect(QRectF(0, 0, canvas.look.size.width(), layout.ruler.height()),
+                   canvas.palette.color(QPalette::Window));
   if (canvas.look.end <= canvas.look.begin) return;  // without a log there is no time
   const double label = painter.fontMetrics().horizontalAdvance(QStringLiteral("0000.0000")) + 16;
   const AxisMarks marks = axisMarks(canvas.look.scale, label, canvas.look.origin),
@@ -48,7 +49,8 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
     const double x = std::round(canvas.look.scale.x(time)) + 0.5;
     painter.drawLine(QPointF(x, layout.ruler.bottom() - 5), QPointF(x, layout.ruler.bottom()));
   }
-  for (Instant time = marks.first - marks.step; canvas.look.scale.x(time) < layout.ruler.right(); time += marks.step) {
+  for (Instant time = marks.first - marks.step; canvas.look.scale.x(time) < layout.ruler.right();
+       time += marks.step) {
     const double x = std::round(canvas.look.scale.x(time)) + 0.5;
     painter.setPen(canvas.muted());
     painter.drawLine(QPointF(x, layout.ruler.bottom() - 10), QPointF(x, layout.ruler.bottom()));
@@ -62,11 +64,13 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("s"));
 }
 
-void paintBookmark(const Canvas& canvas, const TimeLineBand& band, const logplayer::Bookmark& bookmark, const Lane& lane) {
+void paintBookmark(const Canvas& canvas, const TimeLineBand& band, const logplayer::Bookmark& bookmark,
+                   const Lane& lane) {
   QPainter& painter = canvas.painter;
   const QRectF rect = bookmarkRect(band, bookmark, canvas.look, lane.rect, QFontMetricsF(painter.font()));
   const bool chosen = canvas.look.bookmark == std::pair(lane.band, bookmark.id);
-  const QColor color = chosen ? canvas.palette.color(QPalette::Highlight) : colorOf(Meaning::kNote, canvas.palette);
+  const QColor color =
+      chosen ? canvas.palette.color(QPalette::Highlight) : colorOf(Meaning::kNote, canvas.palette);
   QColor fill = mixed(canvas.base(), color, chosen ? 1 : 0.22);
   painter.setRenderHint(QPainter::Antialiasing);
   QPainterPath flag;
@@ -101,18 +105,22 @@ void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   painter.setPen(canvas.text());
   QRectF title(22, lane.rect.top(), canvas.look.gutter - 22 - kMargin, lane.rect.height());
   if (band.showsOffset) title.setRight(offsetRect(lane.rect, canvas.look).left());
-  painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter, canvas.elided(band.title, title.width(), Qt::ElideMiddle));
+  painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
+                   canvas.elided(band.title, title.width(), Qt::ElideMiddle));
   painter.setFont(plain);
   if (band.showsOffset) {
     painter.setPen(canvas.muted());
     const double offset = robotlink::seconds(band.offset);
     painter.drawText(offsetRect(lane.rect, canvas.look), Qt::AlignRight | Qt::AlignVCenter,
-                     QStringLiteral("%1%2 s").arg(offset < 0 ? QString(QChar(0x2212)) : QStringLiteral("+")).arg(std::abs(offset), 0, 'f', 3));
+                     QStringLiteral("%1%2 s")
+                         .arg(offset < 0 ? QString(QChar(0x2212)) : QStringLiteral("+"))
+                         .arg(std::abs(offset), 0, 'f', 3));
   }
   const QString note = band.log != nullptr ? band.log->stageText() : QString();
   if (!note.isEmpty()) {
     painter.setPen(canvas.muted());
-    painter.drawText(canvas.plot(lane.rect).adjusted(0, 0, -kMargin, 0), Qt::AlignRight | Qt::AlignVCenter, note);
+    painter.drawText(canvas.plot(lane.rect).adjusted(0, 0, -kMargin, 0), Qt::AlignRight | Qt::AlignVCenter,
+                     note);
   }
 }
 
@@ -130,7 +138,8 @@ void paintImages(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   const QRectF plot = canvas.plot(lane.rect);
   for (const ThumbnailSlot& slot : thumbnailSlots(band, canvas.look)) {
     const QRectF whole(slot.left, plot.top() + 2, slot.right - slot.left, thumbnailHeight());
-    const auto width = Duration(static_cast<Duration::rep>((slot.right - slot.left) * canvas.look.scale.nsPerPixel));
+    const auto width =
+        Duration(static_cast<Duration::rep>((slot.right - slot.left) * canvas.look.scale.nsPerPixel));
     const QImage* image = thumbnailFor(band, slot, width);
     if (image == nullptr) {
       painter.fillRect(whole, mixed(canvas.base(), canvas.text(), 0.08));
@@ -151,19 +160,23 @@ void paintTexts(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
       if ((entry.level >= LogEntry::Level::kError) != errors) continue;
       const double x = std::round(canvas.look.scale.x(entry.time + band.offset));
       if (x < plot.left() - 1 || x > plot.right()) continue;
-      painter.fillRect(QRectF(x - 1, plot.top() + (errors ? 1 : 4), 3, plot.height() - (errors ? 2 : 5)), color);
+      painter.fillRect(QRectF(x - 1, plot.top() + (errors ? 1 : 4), 3, plot.height() - (errors ? 2 : 5)),
+                       color);
     }
   }
 }
 
-void paintDensity(const Canvas& canvas, const TimeLineBand& band, const LogOverview::Stream& stream, const QRectF& plot,
-                  const QColor& color) {
-  const int left = static_cast<int>(std::max(plot.left(), std::floor(canvas.look.scale.x(stream.first + band.offset))));
-  const int right = static_cast<int>(std::min(plot.right(), canvas.look.scale.x(stream.last + band.offset) + 1));
+void paintDensity(const Canvas& canvas, const TimeLineBand& band, const LogOverview::Stream& stream,
+                  const QRectF& plot, const QColor& color) {
+  const int left =
+      static_cast<int>(std::max(plot.left(), std::floor(canvas.look.scale.x(stream.first + band.offset))));
+  const int right =
+      static_cast<int>(std::min(plot.right(), canvas.look.scale.x(stream.last + band.offset) + 1));
   std::vector<std::uint64_t> counts;
   std::uint64_t most = 1;
   for (int x = left; x < right; ++x) {
-    const Instant from = canvas.look.scale.time(x) - band.offset, to = canvas.look.scale.time(x + 1) - band.offset;
+    const Instant from = canvas.look.scale.time(x) - band.offset,
+                  to = canvas.look.scale.time(x + 1) - band.offset;
     counts.push_back(stream.density.between(from, to));
     most = std::max(most, counts.back());
   }
@@ -186,7 +199,8 @@ void paintStream(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   const QColor color = mixed(curveColor(0, canvas.palette), canvas.base(), chosen ? 0 : 0.25);
   paintDensity(canvas, band, *stream, canvas.plot(lane.rect), color);
   canvas.painter.setPen(canvas.line());
-  canvas.painter.drawLine(QPointF(lane.rect.left(), lane.rect.bottom() - 0.5), QPointF(lane.rect.right(), lane.rect.bottom() - 0.5));
+  canvas.painter.drawLine(QPointF(lane.rect.left(), lane.rect.bottom() - 0.5),
+                          QPointF(lane.rect.right(), lane.rect.bottom() - 0.5));
 }
 
 QString laneName(const TimeLineBand& band, const Lane& lane) {
@@ -194,7 +208,9 @@ QString laneName(const TimeLineBand& band, const Lane& lane) {
     case TimeLineLayout::Kind::kImages:
       return QCoreApplication::translate("TimeLine", "images");
     case TimeLineLayout::Kind::kTexts: {
-      const auto errors = std::count_if(band.log->said.begin(), band.log->said.end(), [](const LogEntry& entry) { return entry.level >= LogEntry::Level::kError; });
+      const auto errors =
+          std::count_if(band.log->said.begin(), band.log->said.end(),
+                        [](const LogEntry& entry) { return entry.level >= LogEntry::Level::kError; });
       const auto warnings = static_cast<std::ptrdiff_t>(band.log->said.size()) - errors;
       return QCoreApplication::translate("TimeLine", "warnings: %1, errors: %2").arg(warnings).arg(errors);
     }
@@ -208,7 +224,8 @@ QString laneName(const TimeLineBand& band, const Lane& lane) {
 
 void paintLane(const Canvas& canvas, const TimeLineBand& band, const Lane& lane, const QRectF& body) {
   QPainter& painter = canvas.painter;
-  painter.setClipRect(lane.kind == TimeLineLayout::Kind::kHeader ? body : body.adjusted(canvas.look.gutter, 0, 0, 0));
+  painter.setClipRect(
+      lane.kind == TimeLineLayout::Kind::kHeader ? body : body.adjusted(canvas.look.gutter, 0, 0, 0));
   if (lane.kind == TimeLineLayout::Kind::kHeader) return paintHeader(canvas, band, lane);
   if (lane.kind == TimeLineLayout::Kind::kImages) paintImages(canvas, band, lane);
   if (lane.kind == TimeLineLayout::Kind::kTexts) paintTexts(canvas, band, lane);
@@ -217,7 +234,8 @@ void paintLane(const Canvas& canvas, const TimeLineBand& band, const Lane& lane,
   const bool heading = lane.kind != TimeLineLayout::Kind::kStream;
   const QRectF name(22, lane.rect.top(), canvas.look.gutter - 22 - kMargin, lane.rect.height());
   painter.setPen(heading ? canvas.muted() : canvas.text());
-  painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter, canvas.elided(laneName(band, lane), name.width(), Qt::ElideMiddle));
+  painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
+                   canvas.elided(laneName(band, lane), name.width(), Qt::ElideMiddle));
 }
 
 /// What is outside of the selected range, and outside of all logs, is dimmed.
@@ -228,30 +246,40 @@ void paintRange(const Canvas& canvas, const TimeLineLayout& layout) {
   QColor dim = canvas.palette.color(QPalette::Window);
   dim.setAlphaF(0.55);
   const double begin = canvas.look.scale.x(canvas.look.begin), end = canvas.look.scale.x(canvas.look.end);
-  painter.fillRect(QRectF(plot.left(), layout.body.top(), begin - plot.left(), plot.height()).normalized().intersected(begin > plot.left() ? plot : QRectF()), dim);
-  if (end < plot.right()) painter.fillRect(QRectF(end, layout.body.top(), plot.right() - end, plot.height()), dim);
+  painter.fillRect(QRectF(plot.left(), layout.body.top(), begin - plot.left(), plot.height())
+                       .normalized()
+                       .intersected(begin > plot.left() ? plot : QRectF()),
+                   dim);
+  if (end < plot.right())
+    painter.fillRect(QRectF(end, layout.body.top(), plot.right() - end, plot.height()), dim);
   if (canvas.look.range) {
-    const double from = canvas.look.scale.x(canvas.look.range->first), to = canvas.look.scale.x(canvas.look.range->second);
+    const double from = canvas.look.scale.x(canvas.look.range->first),
+                 to = canvas.look.scale.x(canvas.look.range->second);
     QColor tint = canvas.palette.color(QPalette::Highlight);
     tint.setAlphaF(0.16);
     painter.fillRect(QRectF(from, 0, to - from, plot.height()), tint);
     tint.setAlphaF(1);
     painter.fillRect(QRectF(from, layout.ruler.bottom() - 4, to - from, 4), tint);
-    for (const double edge : {from, to}) painter.fillRect(QRectF(std::round(edge) - 1, 0, 2, plot.height()), tint);
+    for (const double edge : {from, to})
+      painter.fillRect(QRectF(std::round(edge) - 1, 0, 2, plot.height()), tint);
   }
   painter.setClipping(false);
 }
 
 }  // namespace
 
-QColor playHeadColor(const QPalette& palette) { return isDark(palette) ? QColor(0xff6f61) : QColor(0xd3302f); }
+QColor playHeadColor(const QPalette& palette) {
+  return isDark(palette) ? QColor(0xff6f61) : QColor(0xd3302f);
+}
 
-void paintTimeLine(QPainter& painter, const std::vector<TimeLineBand>& bands, const TimeLineLook& look, const QPalette& palette) {
+void paintTimeLine(QPainter& painter, const std::vector<TimeLineBand>& bands, const TimeLineLook& look,
+                   const QPalette& palette) {
   const Canvas canvas{painter, look, palette};
   const TimeLineLayout layout = layOut(bands, look);
   painter.fillRect(QRectF(QPointF(), look.size), canvas.base());
   for (const Lane& lane : layout.lanes) {
-    if (lane.rect.intersects(layout.body)) paintLane(canvas, bands[static_cast<std::size_t>(lane.band)], lane, layout.body);
+    if (lane.rect.intersects(layout.body))
+      paintLane(canvas, bands[static_cast<std::size_t>(lane.band)], lane, layout.body);
   }
   painter.setClipRect(layout.body);
   painter.setPen(canvas.line());

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the time line shows and how its controls are wired. TimeLineJobs.cpp is what it does with ranges and files.
+// What the time line shows and how its controls are wired. TimeLineJobs.cpp is what it does with ranges and
+// files.
 #include "widgets/log/TimeLineView.h"
 
 #include <QAction>
@@ -25,10 +26,11 @@ using robotlink::Instant;
 
 namespace {
 
-const ViewRegistration kRegistration{
-    {"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
-     QT_TRANSLATE_NOOP("View", "Shows logs over time: images, messages, warnings, bookmarks; lets one jump, select, cut and export."),
-     "time-line", false, create<TimeLineView>}};
+const ViewRegistration kRegistration{{"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
+                                      QT_TRANSLATE_NOOP("View",
+                                                        "Shows logs over time: images, messages, warnings, "
+                                                        "bookmarks; lets one jump, select, cut and export."),
+                                      "time-line", false, create<TimeLineView>}};
 
 QString withKey(const QString& text, ReplayKey key) {
   return QStringLiteral("%1 (%2)").arg(text, keySequence(key).toString(QKeySequence::NativeText));
@@ -36,7 +38,8 @@ QString withKey(const QString& text, ReplayKey key) {
 
 }  // namespace
 
-TimeLineView::TimeLineView(ViewContext& context, QWidget* parent) : View(context, parent), logs_(openLogs(context)) {
+TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
+    : View(context, parent), logs_(openLogs(context)) {
   setObjectName(QStringLiteral("timeLineView"));
   createActions();
   createRangeActions();
@@ -47,11 +50,20 @@ TimeLineView::TimeLineView(ViewContext& context, QWidget* parent) : View(context
 }
 
 void TimeLineView::createActions() {
-  bookmark_ = makeAction(this, "bookmark", {"timeLineBookmark", tr("Bookmark"), withKey(tr("Marks this moment, and lets you name it"), ReplayKey::kBookmark)});
-  undo_ = makeAction(this, "undo", {"timeLineUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
-  redo_ = makeAction(this, "redo", {"timeLineRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
-  zoomOut_ = makeAction(this, "zoom-out", {"timeLineZoomOut", tr("Zoom out"), tr("Shows more time (also: the wheel)"), Qt::Key_Minus});
-  zoomIn_ = makeAction(this, "zoom-in", {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
+  bookmark_ = makeAction(this, "bookmark",
+                         {"timeLineBookmark", tr("Bookmark"),
+                          withKey(tr("Marks this moment, and lets you name it"), ReplayKey::kBookmark)});
+  undo_ = makeAction(
+      this, "undo",
+      {"timeLineUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+  redo_ = makeAction(this, "redo",
+                     {"timeLineRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+  zoomOut_ =
+      makeAction(this, "zoom-out",
+                 {"timeLineZoomOut", tr("Zoom out"), tr("Shows more time (also: the wheel)"), Qt::Key_Minus});
+  zoomIn_ = makeAction(
+      this, "zoom-in",
+      {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
   fit_ = makeAction(this, "fit", {"timeLineFit", tr("Fit"), tr("Shows all of the logs"), Qt::Key_F});
   follow_ = makeAction(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the play head in sight")});
   follow_->setCheckable(true);
@@ -61,13 +73,18 @@ void TimeLineView::createActions() {
 void TimeLineView::createRangeActions() {
   loop_ = makeAction(this, "loop", {"rangeLoop", tr("Loop"), tr("Plays the selected range in a loop")});
   cut_ = makeAction(this, "cut", {"rangeCut", tr("Cut…"), tr("Writes the selected range into a new log")});
-  export_ = makeAction(this, "export", {"rangeExport", tr("Export"), tr("Writes the selected range, or all, as images, a table or texts")});
+  export_ = makeAction(
+      this, "export",
+      {"rangeExport", tr("Export"), tr("Writes the selected range, or all, as images, a table or texts")});
   clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Selects nothing (Esc)")});
   exportMenu_ = new QMenu(this);
   exportMenu_->setObjectName(QStringLiteral("exportMenu"));
-  exportMenu_->addAction(tr("Images as &PNG…"), this, &TimeLineView::exportImages)->setObjectName(QStringLiteral("exportImages"));
-  exportMenu_->addAction(tr("The stepped stream as &CSV…"), this, &TimeLineView::exportTable)->setObjectName(QStringLiteral("exportTable"));
-  exportMenu_->addAction(tr("&Texts…"), this, &TimeLineView::exportTexts)->setObjectName(QStringLiteral("exportTexts"));
+  exportMenu_->addAction(tr("Images as &PNG…"), this, &TimeLineView::exportImages)
+      ->setObjectName(QStringLiteral("exportImages"));
+  exportMenu_->addAction(tr("The stepped stream as &CSV…"), this, &TimeLineView::exportTable)
+      ->setObjectName(QStringLiteral("exportTable"));
+  exportMenu_->addAction(tr("&Texts…"), this, &TimeLineView::exportTexts)
+      ->setObjectName(QStringLiteral("exportTexts"));
   export_->setMenu(exportMenu_);
 }
 
@@ -122,7 +139,8 @@ void TimeLineView::connectSignals() {
   connect(cut_, &QAction::triggered, this, &TimeLineView::cut);
   connect(clear_, &QAction::triggered, this, [&replay] { replay.clearRange(); });
   connect(canvas_, &TimeLineCanvas::jumpWanted, this, [&replay](Instant time) { replay.jumpTo(time); });
-  connect(canvas_, &TimeLineCanvas::rangeWanted, this, [&replay](Instant from, Instant to) { replay.setRange(from, to); });
+  connect(canvas_, &TimeLineCanvas::rangeWanted, this,
+          [&replay](Instant from, Instant to) { replay.setRange(from, to); });
   connect(canvas_, &TimeLineCanvas::rangeDropped, this, [&replay] { replay.clearRange(); });
   connect(canvas_, &TimeLineCanvas::streamChosen, this, &TimeLineView::chooseStream);
   connect(canvas_, &TimeLineCanvas::offsetWanted, this, [this](int band, robotlink::Duration offset) {
@@ -156,10 +174,11 @@ void TimeLineView::connectBookmarks() {
   connect(undo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::undo);
   connect(redo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::redo);
   connect(canvas_, &TimeLineCanvas::bookmarkWanted, this, &TimeLineView::addBookmark);
-  connect(canvas_, &TimeLineCanvas::bookmarkChanged, this, [this](int band, const logplayer::Bookmark& bookmark) {
-    if (auto* log = logAt(band)) logs_.changeBookmark(*log, bookmark);
-    showBands();
-  });
+  connect(canvas_, &TimeLineCanvas::bookmarkChanged, this,
+          [this](int band, const logplayer::Bookmark& bookmark) {
+            if (auto* log = logAt(band)) logs_.changeBookmark(*log, bookmark);
+            showBands();
+          });
   connect(canvas_, &TimeLineCanvas::bookmarkDropped, this, [this](int band, std::uint64_t id) {
     if (auto* log = logAt(band)) logs_.removeBookmark(*log, id);
     canvas_->chooseBookmark(-1, 0);
@@ -169,7 +188,8 @@ void TimeLineView::connectBookmarks() {
 
 OpenLogs::Log* TimeLineView::logAt(int band) {
   const auto& logs = logs_.logs();
-  return band >= 0 && band < static_cast<int>(logs.size()) ? logs[static_cast<std::size_t>(band)].get() : nullptr;
+  return band >= 0 && band < static_cast<int>(logs.size()) ? logs[static_cast<std::size_t>(band)].get()
+                                                           : nullptr;
 }
 
 void TimeLineView::chooseStream(int band, const std::string& path) {
@@ -203,8 +223,9 @@ void TimeLineView::addBookmark(int band, Instant time) {
 void TimeLineView::tick() {
   job_->tick();
   const bool open = logs_.replay().open();
-  hint_->setHint(open ? QString()
-                      : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
+  hint_->setHint(
+      open ? QString()
+           : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
   showBands();
   canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
   canvas_->setOrigin(session().timeline().origin());
@@ -249,9 +270,11 @@ void TimeLineView::showBands() {
 
 void TimeLineView::showRange() {
   const auto range = logs_.replay().range();
-  const QString text = !range ? QString()
-                              : tr("%1 – %2 s (%3 s)").arg(logs_.replay().shownText(range->first), logs_.replay().shownText(range->second),
-                                                            timeText(range->second - range->first));
+  const QString text =
+      !range ? QString()
+             : tr("%1 – %2 s (%3 s)")
+                   .arg(logs_.replay().shownText(range->first), logs_.replay().shownText(range->second),
+                        timeText(range->second - range->first));
   if (range_->text() != text) range_->setText(text);
   for (QAction* action : {loop_, clear_}) action->setEnabled(range.has_value());
   const bool free = logs_.replay().open() && !job_->busy();
@@ -282,7 +305,8 @@ void TimeLineView::showDamage() {
     QString text = failure.isEmpty() ? log->overview->damage : failure;
     for (const auto& played : logs_.replay().status().logs()) {
       // What went wrong while it was played is newer than what was found when it was opened.
-      if (failure.isEmpty() && played.path() == log->path && !played.damage().empty()) text = QString::fromStdString(played.damage());
+      if (failure.isEmpty() && played.path() == log->path && !played.damage().empty())
+        text = QString::fromStdString(played.damage());
     }
     if (!text.isEmpty()) damages.push_back({log->path, text, failure.isEmpty() && !log->overview->converted});
   }
@@ -293,7 +317,8 @@ void TimeLineView::wantThumbnails() {
   const int height = static_cast<int>(thumbnailHeight() * devicePixelRatioF());
   for (int band = 0; band < static_cast<int>(canvas_->bands().size()); ++band) {
     auto* log = logAt(band);
-    if (log != nullptr && !log->imageStream.empty()) logs_.wantThumbnails(*log, canvas_->missingThumbnails(band), height);
+    if (log != nullptr && !log->imageStream.empty())
+      logs_.wantThumbnails(*log, canvas_->missingThumbnails(band), height);
   }
 }
 
@@ -317,13 +342,16 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   const auto* stream = all.laneAt(at);
   auto& replay = logs_.replay();
   menu->addAction(bookmark_);
-  menu->addAction(withKey(tr("Range begins here"), ReplayKey::kRangeStart), this, [&replay] { replay.beginRangeHere(); });
-  menu->addAction(withKey(tr("Range ends here"), ReplayKey::kRangeEnd), this, [&replay] { replay.endRangeHere(); });
+  menu->addAction(withKey(tr("Range begins here"), ReplayKey::kRangeStart), this,
+                  [&replay] { replay.beginRangeHere(); });
+  menu->addAction(withKey(tr("Range ends here"), ReplayKey::kRangeEnd), this,
+                  [&replay] { replay.endRangeHere(); });
   menu->addActions({loop_, cut_, clear_});
   if (stream != nullptr && stream->kind == TimeLineLayout::Kind::kStream) {
     const QString name = QString::fromStdString(stream->stream);
     menu->addSeparator();
-    menu->addAction(tr("Step messages of %1").arg(name), this, [this, band = stream->band, path = stream->stream] { chooseStream(band, path); });
+    menu->addAction(tr("Step messages of %1").arg(name), this,
+                    [this, band = stream->band, path = stream->stream] { chooseStream(band, path); });
     menu->addAction(tr("Hide %1").arg(name), this, [this, band = stream->band, path = stream->stream] {
       if (auto* log = logAt(band)) logs_.setHidden(*log, path, true);
     });
@@ -331,7 +359,9 @@ void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
   menu->popup(event->globalPos());
 }
 
-QJsonObject TimeLineView::saveState() const { return {{QStringLiteral("follow"), follow_->isChecked()}}; }
+QJsonObject TimeLineView::saveState() const {
+  return {{QStringLiteral("follow"), follow_->isChecked()}};
+}
 
 void TimeLineView::restoreState(const QJsonObject& state) {
   follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));

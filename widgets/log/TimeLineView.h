@@ -21,8 +21,9 @@ class LogDamageBar;
 class LogJobBar;
 class TimeLineCanvas;
 
-/// The replay's logs over time: images, messages, warnings and errors, bookmarks, the play head and a range, which can be
-/// played in a loop, cut into a new log, or exported. What is long is done in threads, with progress and cancel.
+/// The replay's logs over time: images, messages, warnings and errors, bookmarks, the play head and a range,
+/// which can be played in a loop, cut into a new log, or exported. What is long is done in threads, with
+/// progress and cancel.
 class TimeLineView final : public View {
   Q_OBJECT
  public:

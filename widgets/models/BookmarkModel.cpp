@@ -10,7 +10,9 @@ namespace widgets {
 void BookmarkModel::setRows(std::vector<Row> rows, robotlink::Instant origin) {
   if (rows == rows_ && origin == origin_) return;
   origin_ = origin;
-  const auto sameOne = [](const Row& a, const Row& b) { return a.log == b.log && a.bookmark.id == b.bookmark.id; };
+  const auto sameOne = [](const Row& a, const Row& b) {
+    return a.log == b.log && a.bookmark.id == b.bookmark.id;
+  };
   if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), sameOne)) {
     beginResetModel();
     rows_ = std::move(rows);
@@ -21,16 +23,22 @@ void BookmarkModel::setRows(std::vector<Row> rows, robotlink::Instant origin) {
   if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
 }
 
-int BookmarkModel::rowCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : static_cast<int>(rows_.size()); }
+int BookmarkModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
 
-int BookmarkModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int BookmarkModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
 
 QVariant BookmarkModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
   const Row& at = row(index.row());
   const robotlink::Duration length = at.bookmark.to - at.bookmark.from;
-  if (role == Qt::TextAlignmentRole && index.column() <= kLength) return int(Qt::AlignRight | Qt::AlignVCenter);
-  if (role == kSortRole && index.column() == kTime) return qlonglong{(at.bookmark.from + at.offset).time_since_epoch().count()};
+  if (role == Qt::TextAlignmentRole && index.column() <= kLength)
+    return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == kSortRole && index.column() == kTime)
+    return qlonglong{(at.bookmark.from + at.offset).time_since_epoch().count()};
   if (role == kSortRole && index.column() == kLength) return qlonglong{length.count()};
   if (role != Qt::DisplayRole && role != Qt::EditRole && role != kSortRole) return {};
   switch (index.column()) {

@@ -9,8 +9,8 @@
 
 namespace widgets {
 
-/// The bookmarks of all open logs as a table; their texts can be edited. Shows times since the origin that views count from. GUI
-/// thread.
+/// The bookmarks of all open logs as a table; their texts can be edited. Shows times since the origin that
+/// views count from. GUI thread.
 class BookmarkModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

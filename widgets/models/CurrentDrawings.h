@@ -29,8 +29,8 @@ struct CurrentDrawing {
 inline constexpr double kOldDrawingOpacity = 0.3;
 
 /// Those of `ids` that the robot drew in the newest frame of the process that draws them, in the order of
-/// `ids`; and the last ones of keys that are not on in each frame, which are old then. What a process no longer
-/// draws is gone.
+/// `ids`; and the last ones of keys that are not on in each frame, which are old then. What a process no
+/// longer draws is gone.
 std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
                                             const QStringList& ids, robotlink::Instant shown);
 

@@ -25,9 +25,10 @@ QString drawingId(const std::string& path) {
 
 /// Where a debug key draws, as its help says; empty: it does not, or it does not say so.
 QString kindOf(const QString& help) {
-  static const std::pair<QLatin1String, QLatin1String> kinds[] = {{QLatin1String("(drawn in the image)"), QLatin1String("image")},
-                                                                  {QLatin1String("(drawn on the field)"), QLatin1String("field")},
-                                                                  {QLatin1String("(drawn around the robot)"), QLatin1String("robot")}};
+  static const std::pair<QLatin1String, QLatin1String> kinds[] = {
+      {QLatin1String("(drawn in the image)"), QLatin1String("image")},
+      {QLatin1String("(drawn on the field)"), QLatin1String("field")},
+      {QLatin1String("(drawn around the robot)"), QLatin1String("robot")}};
   for (const auto& [words, kind] : kinds) {
     if (help.contains(words)) return kind;
   }
@@ -48,7 +49,8 @@ void DrawingsModel::refresh(robotlink::Session& session, const std::string& robo
 }
 
 void DrawingsModel::refreshKeys() {
-  const auto tables = latestTable(session_->store(), robot_, robotlink::streams::kKeys, session_->timeline().shown());
+  const auto tables =
+      latestTable(session_->store(), robot_, robotlink::streams::kKeys, session_->timeline().shown());
   const auto* table = tables.empty() || tables.front() == nullptr
                           ? nullptr
                           : dynamic_cast<const robotcontrol::KeyTable*>(tables.front()->value.get());
@@ -108,10 +110,13 @@ void DrawingsModel::switchKey(int row, bool on) {
   robotcontrol::Request request;
   request.set_robot(robot_);
   request.mutable_set_key()->set_name(chosen.id.section(QLatin1Char('/'), 1).toStdString());
-  request.mutable_set_key()->mutable_mode()->set_kind(on ? robotcontrol::KeyMode::ALWAYS : robotcontrol::KeyMode::OFF);
-  session_->request(std::move(request), [guard = QPointer(this), id = chosen.id](const robotcontrol::RequestResult& result) {
-    if (guard) guard->onAnswer(id, result.accepted(), QString::fromStdString(result.reason()));
-  });
+  request.mutable_set_key()->mutable_mode()->set_kind(on ? robotcontrol::KeyMode::ALWAYS
+                                                         : robotcontrol::KeyMode::OFF);
+  session_->request(std::move(request),
+                    [guard = QPointer(this), id = chosen.id](const robotcontrol::RequestResult& result) {
+                      if (guard)
+                        guard->onAnswer(id, result.accepted(), QString::fromStdString(result.reason()));
+                    });
   Q_EMIT dataChanged(index(row), index(row));
 }
 
@@ -177,7 +182,8 @@ QVariant DrawingsModel::data(const QModelIndex& index, int role) const {
     case kOffRole:
       return row.off;
     case Qt::ForegroundRole:
-      return row.exists && !row.off ? QVariant() : QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
+      return row.exists && !row.off ? QVariant()
+                                    : QGuiApplication::palette().brush(QPalette::Disabled, QPalette::Text);
     case kIdRole:
       return row.id;
     case kExistsRole:

@@ -19,8 +19,8 @@ namespace widgets {
 /// somebody switched them on. What the user hid or moved stays so, also while the drawing does not exist (its
 /// row is grey then).
 ///
-/// Drawings whose debug key is off on the robot are listed, too, unchecked: to check one switches its key on. That a key
-/// draws, and where, its help says: "(drawn in the image)". GUI thread.
+/// Drawings whose debug key is off on the robot are listed, too, unchecked: to check one switches its key on.
+/// That a key draws, and where, its help says: "(drawn in the image)". GUI thread.
 class DrawingsModel : public QAbstractListModel {
   Q_OBJECT
  public:
@@ -29,8 +29,8 @@ class DrawingsModel : public QAbstractListModel {
   /// `kinds`: "image"; or "field" and "robot".
   explicit DrawingsModel(QStringList kinds, QObject* parent = nullptr);
 
-  /// Adds what is new: drawings of all robots, and what this robot could draw; cheap while nothing is. The session must
-  /// outlive the model's use.
+  /// Adds what is new: drawings of all robots, and what this robot could draw; cheap while nothing is. The
+  /// session must outlive the model's use.
   void refresh(robotlink::Session& session, const std::string& robot);
   /// The ids of the drawings to be shown, lowest first.
   QStringList shown() const;

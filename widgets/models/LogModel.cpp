@@ -33,7 +33,8 @@ void LogModel::append(std::vector<LogEntry> entries) {
 void LogModel::insert(std::vector<LogEntry> entries) {
   const auto earlier = [](const LogEntry& one, const LogEntry& other) { return one.time < other.time; };
   std::stable_sort(entries.begin(), entries.end(), earlier);
-  if (entries_.empty() || entries.empty() || entries.front().time >= entries_.back().time) return append(std::move(entries));
+  if (entries_.empty() || entries.empty() || entries.front().time >= entries_.back().time)
+    return append(std::move(entries));
   for (LogEntry& entry : entries) {
     if (entries_.size() >= capacity_) return;
     const auto at = std::upper_bound(entries_.begin(), entries_.end(), entry, earlier);
@@ -56,7 +57,8 @@ void LogModel::clear() {
 }
 
 void LogModel::removePublished() {
-  if (std::none_of(entries_.begin(), entries_.end(), [](const LogEntry& said) { return said.logged; })) return clear();
+  if (std::none_of(entries_.begin(), entries_.end(), [](const LogEntry& said) { return said.logged; }))
+    return clear();
   for (int row = rowCount() - 1; row >= 0; --row) {
     if (entry(row).logged) continue;
     beginRemoveRows({}, row, row);
@@ -66,8 +68,9 @@ void LogModel::removePublished() {
 }
 
 int LogModel::rowAt(robotlink::Instant time) const {
-  const auto later = std::upper_bound(entries_.begin(), entries_.end(), time,
-                                      [](robotlink::Instant instant, const LogEntry& entry) { return instant < entry.time; });
+  const auto later = std::upper_bound(
+      entries_.begin(), entries_.end(), time,
+      [](robotlink::Instant instant, const LogEntry& entry) { return instant < entry.time; });
   return static_cast<int>(later - entries_.begin()) - 1;
 }
 

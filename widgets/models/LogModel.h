@@ -31,7 +31,8 @@ class LogModel final : public QAbstractTableModel {
   explicit LogModel(std::size_t capacity = 100'000, QObject* parent = nullptr);
 
   void append(std::vector<LogEntry> entries);
-  /// Each where its time belongs, behind those of the same time. For few of them, or for those that come after all others.
+  /// Each where its time belongs, behind those of the same time. For few of them, or for those that come
+  /// after all others.
   void insert(std::vector<LogEntry> entries);
   /// Rows later than this are muted: a log holds them, but it was not yet played so far.
   void setShown(robotlink::Instant time);

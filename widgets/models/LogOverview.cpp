@@ -12,7 +12,8 @@ double LogOverview::Stream::rate() const {
 }
 
 const LogOverview::Stream* LogOverview::find(const std::string& path) const {
-  const auto found = std::find_if(streams.begin(), streams.end(), [&](const Stream& s) { return s.path == path; });
+  const auto found =
+      std::find_if(streams.begin(), streams.end(), [&](const Stream& s) { return s.path == path; });
   return found == streams.end() ? nullptr : &*found;
 }
 

@@ -17,8 +17,8 @@
 
 namespace widgets {
 
-/// What a log file holds, as much of it as was read so far: what a time line and a list of streams show. All times are
-/// the log's own, without any offset. A plain value; shared read-only between threads.
+/// What a log file holds, as much of it as was read so far: what a time line and a list of streams show. All
+/// times are the log's own, without any offset. A plain value; shared read-only between threads.
 struct LogOverview {
   enum class Stage : std::uint8_t { kOpening, kTimes, kTexts, kSizes, kDone };
   struct Stream {
@@ -27,7 +27,7 @@ struct LogOverview {
     std::uint64_t count = 0;
     std::uint64_t bytes = 0;  ///< 0: not yet counted
     robotlink::Instant first, last;
-    std::string undecoded = {};  ///< the encoding of its messages, if that is not read; they stay bytes
+    std::string undecoded = {};   ///< the encoding of its messages, if that is not read; they stay bytes
     MessageDensity density = {};  ///< empty until Stage::kTexts
 
     /// Messages a second between its first and last; 0 for less than two.
@@ -36,7 +36,7 @@ struct LogOverview {
 
   std::string file;
   Stage stage = Stage::kOpening;
-  double progress = 0;  ///< of the stage, 0 to 1
+  double progress = 0;   ///< of the stage, 0 to 1
   QString failure = {};  ///< why the file could not be opened
   QString damage = {};   ///< what was lost, in words; empty if the file is whole
   bool readOnly = false;
@@ -46,7 +46,8 @@ struct LogOverview {
   std::vector<Stream> streams = {};  ///< by path
   std::vector<LogEntry> said = {};   ///< warnings and errors, by time
   std::uint64_t saidLeftOut = 0;     ///< because there were too many
-  std::shared_ptr<const std::vector<LogEntry>> texts = {};  ///< all of them, by time, up to a bound; null until they were read
+  std::shared_ptr<const std::vector<LogEntry>> texts =
+      {};  ///< all of them, by time, up to a bound; null until they were read
 
   const Stream* find(const std::string& path) const;
   /// Paths of the streams of images; cameras first.
@@ -68,7 +69,8 @@ class LogReading {
   /// As far as it is known; another object whenever there is news.
   virtual std::shared_ptr<const LogOverview> overview() = 0;
   /// What is wanted now, most urgent first; what was wanted before and is not yet there is given up.
-  virtual void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times, int height) = 0;
+  virtual void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times,
+                              int height) = 0;
   /// Those that came since the last call.
   virtual std::vector<Thumbnail> takeThumbnails() = 0;
   /// Once, when they were read; the caller goes on with them.

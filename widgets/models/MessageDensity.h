@@ -8,9 +8,9 @@
 
 namespace widgets {
 
-/// How many messages of a stream were told when, for any zoom of a time line. Memory is bounded: up to `kExact` messages
-/// their times are kept; of longer streams only how many fell into each of `kBins` equal spans, between which messages
-/// count as evenly spread. A plain value.
+/// How many messages of a stream were told when, for any zoom of a time line. Memory is bounded: up to
+/// `kExact` messages their times are kept; of longer streams only how many fell into each of `kBins` equal
+/// spans, between which messages count as evenly spread. A plain value.
 class MessageDensity {
  public:
   static constexpr std::size_t kExact = 1U << 15U;
@@ -22,9 +22,11 @@ class MessageDensity {
 
   std::uint64_t count() const { return count_; }
   /// Messages in [from, to); about so many for streams that are too long to be kept exactly.
-  std::uint64_t between(robotlink::Instant from, robotlink::Instant to) const { return before(to) - before(from); }
-  /// The time of the message nearest to `time`, at most `reach` away; `time` itself if there is none or if they are not
-  /// kept exactly.
+  std::uint64_t between(robotlink::Instant from, robotlink::Instant to) const {
+    return before(to) - before(from);
+  }
+  /// The time of the message nearest to `time`, at most `reach` away; `time` itself if there is none or if
+  /// they are not kept exactly.
   robotlink::Instant snapped(robotlink::Instant time, robotlink::Duration reach) const;
 
  private:

@@ -8,8 +8,8 @@
 #include <map>
 #include <set>
 
-#include "robotlink/debugging/Streams.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/Streams.h"
 #include "robotlink/session/Numbers.h"
 #include "widgets/models/FieldUnits.h"
 
@@ -104,7 +104,8 @@ std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
   }
   for (const auto& [path, type] : types) {
     const auto* described = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
-    for (const std::string& field : robotlink::numericFields(*described)) sources.push_back({path, field, type});
+    for (const std::string& field : robotlink::numericFields(*described))
+      sources.push_back({path, field, type});
   }
   std::ranges::stable_sort(sources, comesBefore, &PlotSource::stream);
   return sources;

@@ -13,8 +13,8 @@ namespace widgets {
 
 /// What a curve shows: a stream of plot values (no field), or a number in the messages of any other stream.
 struct PlotSource {
-  std::string stream;  ///< "red1/models/ball"
-  std::string field;   ///< "position_in_robot.x"; empty for plot values
+  std::string stream;     ///< "red1/models/ball"
+  std::string field;      ///< "position_in_robot.x"; empty for plot values
   std::string type = {};  ///< of the stream's messages; empty where only the source's name is known
   bool operator==(const PlotSource& other) const { return stream == other.stream && field == other.field; }
 
@@ -24,7 +24,8 @@ struct PlotSource {
 
 /// All that can be plotted now: every stream's plot values and numbers, and those of packages that the
 /// robots' processes exchange but do not yet tell, by the type they have. Pictures, drawings, texts and
-/// tables are left out. In the natural order: "sonar 2" before "sonar 10", and fields as their messages have them.
+/// tables are left out. In the natural order: "sonar 2" before "sonar 10", and fields as their messages have
+/// them.
 std::vector<PlotSource> plotSources(const robotlink::StreamStore& store);
 
 /// The debug key to switch on so that this source is told; empty if none is known (yet) or it is on already.

@@ -54,7 +54,8 @@ void PlotTreeModel::setSources(const std::vector<PlotSource>& sources, const Exp
     QStandardItem* item = folders.at(source.stream);
     if (!source.field.empty()) {
       item = addItem(item, QString::fromStdString(source.field));
-      if (const QString more = explain ? explain(source) : QString(); !more.isEmpty()) item->setText(item->text() + QLatin1Char(' ') + more);
+      if (const QString more = explain ? explain(source) : QString(); !more.isEmpty())
+        item->setText(item->text() + QLatin1Char(' ') + more);
       addUnit(item, unitOf(source.type, source.field));
     }
     item->setData(source.text(), kSourceRole);

@@ -8,8 +8,8 @@
 
 namespace widgets {
 
-/// What can be plotted, as a tree by the parts of the streams' paths, with the fields as leaves and their units beside them.
-/// Leaves can be dragged: the data are the texts of their sources, one a line. GUI thread.
+/// What can be plotted, as a tree by the parts of the streams' paths, with the fields as leaves and their
+/// units beside them. Leaves can be dragged: the data are the texts of their sources, one a line. GUI thread.
 class PlotTreeModel final : public QStandardItemModel {
   Q_OBJECT
  public:

@@ -57,7 +57,9 @@ std::vector<ProcessGraph::Port> portsOf(const Ports& now, const Ports* before, r
 }
 
 /// Hz, sent to an input.
-double offeredRate(const ProcessGraph::Port& input) { return input.rate + input.missedRate; }
+double offeredRate(const ProcessGraph::Port& input) {
+  return input.rate + input.missedRate;
+}
 
 /// Finds the inputs of which a process is meant to read every package and does not.
 void findFalling(ProcessGraph::Node& node) {

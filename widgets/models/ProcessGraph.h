@@ -27,8 +27,9 @@ struct ProcessGraph {
     quint64 count = 0;
     quint64 missed = 0;     ///< since the start
     double missedRate = 0;  ///< Hz
-    /// At inputs: packages are lost that the layout means to be read, each of them: its process waits for this package and for
-    /// no slower one, and still does not keep up. A process that only looks at the newest, or has a longer period, loses none.
+    /// At inputs: packages are lost that the layout means to be read, each of them: its process waits for
+    /// this package and for no slower one, and still does not keep up. A process that only looks at the
+    /// newest, or has a longer period, loses none.
     bool falls = false;
     QRectF rect;
   };

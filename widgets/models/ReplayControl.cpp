@@ -25,11 +25,14 @@ ControlReplay action(ControlReplay::Action what) {
   return control;
 }
 
-Instant instant(std::int64_t ns) { return Instant(Duration(ns)); }
+Instant instant(std::int64_t ns) {
+  return Instant(Duration(ns));
+}
 
 }  // namespace
 
-ReplayControl::ReplayControl(robotlink::Session& session, QObject* parent) : QObject(parent), session_(session) {}
+ReplayControl::ReplayControl(robotlink::Session& session, QObject* parent)
+    : QObject(parent), session_(session) {}
 
 ReplayControl::~ReplayControl() = default;
 
@@ -37,7 +40,9 @@ void ReplayControl::refresh() {
   // The newest that was told, whatever its time: a jump back must show at once.
   const auto* stream = session_.store().find(kStream);
   const auto* message = stream != nullptr && !stream->messages.empty() ? &stream->messages.back() : nullptr;
-  auto status = message != nullptr ? std::dynamic_pointer_cast<const robotcontrol::ReplayStatus>(message->value) : nullptr;
+  auto status = message != nullptr
+                    ? std::dynamic_pointer_cast<const robotcontrol::ReplayStatus>(message->value)
+                    : nullptr;
   status_ = status != nullptr && status->logs_size() > 0 ? std::move(status) : nullptr;
   setOrigin();
   if (status_ == nullptr) {
@@ -55,20 +60,34 @@ void ReplayControl::setShowsTimeStamps(bool on) {
   setOrigin();
 }
 
-void ReplayControl::setOrigin() { session_.timeline().setOrigin(open() && !showsTimeStamps_ ? begin() : Instant()); }
+void ReplayControl::setOrigin() {
+  session_.timeline().setOrigin(open() && !showsTimeStamps_ ? begin() : Instant());
+}
 
-Instant ReplayControl::origin() const { return session_.timeline().origin(); }
+Instant ReplayControl::origin() const {
+  return session_.timeline().origin();
+}
 
-QString ReplayControl::shownText(Instant time) const { return timeText(time - origin()); }
+QString ReplayControl::shownText(Instant time) const {
+  return timeText(time - origin());
+}
 
 const robotcontrol::ReplayStatus& ReplayControl::status() const {
   return status_ != nullptr ? *status_ : robotcontrol::ReplayStatus::default_instance();
 }
 
-Instant ReplayControl::shown() const { return aim_.value_or(instant(status().time())); }
-Instant ReplayControl::begin() const { return instant(status().begin()); }
-Instant ReplayControl::start() const { return instant(std::max(status().start(), status().begin())); }
-Instant ReplayControl::end() const { return instant(status().end()); }
+Instant ReplayControl::shown() const {
+  return aim_.value_or(instant(status().time()));
+}
+Instant ReplayControl::begin() const {
+  return instant(status().begin());
+}
+Instant ReplayControl::start() const {
+  return instant(std::max(status().start(), status().begin()));
+}
+Instant ReplayControl::end() const {
+  return instant(status().end());
+}
 
 std::optional<std::pair<Instant, Instant>> ReplayControl::range() const {
   const auto& range = status().range();
@@ -79,15 +98,25 @@ std::optional<std::pair<Instant, Instant>> ReplayControl::range() const {
 void ReplayControl::send(ControlReplay control) {
   robotcontrol::Request request;
   *request.mutable_control_replay() = std::move(control);
-  session_.request(std::move(request), [guard = QPointer<ReplayControl>(this)](const robotcontrol::RequestResult& result) {
-    if (guard && !result.accepted()) Q_EMIT guard->refused(QString::fromStdString(result.reason()));
-  });
+  session_.request(std::move(request),
+                   [guard = QPointer<ReplayControl>(this)](const robotcontrol::RequestResult& result) {
+                     if (guard && !result.accepted())
+                       Q_EMIT guard->refused(QString::fromStdString(result.reason()));
+                   });
 }
 
-void ReplayControl::play() { send(action(ControlReplay::PLAY)); }
-void ReplayControl::pause() { send(action(ControlReplay::PAUSE)); }
-void ReplayControl::playOrPause() { status().playing() ? pause() : play(); }
-void ReplayControl::stop() { send(action(ControlReplay::STOP)); }
+void ReplayControl::play() {
+  send(action(ControlReplay::PLAY));
+}
+void ReplayControl::pause() {
+  send(action(ControlReplay::PAUSE));
+}
+void ReplayControl::playOrPause() {
+  status().playing() ? pause() : play();
+}
+void ReplayControl::stop() {
+  send(action(ControlReplay::STOP));
+}
 
 void ReplayControl::stepFrames(int count) {
   ControlReplay control = action(ControlReplay::STEP_FRAME);
@@ -115,11 +144,12 @@ void ReplayControl::sendJump() {
   newerAim_ = false;
   jumping_ = true;
   ticksWaited_ = 0;
-  session_.request(std::move(request), [guard = QPointer<ReplayControl>(this)](const robotcontrol::RequestResult& result) {
-    if (!guard) return;
-    guard->jumping_ = false;
-    if (!result.accepted()) Q_EMIT guard->refused(QString::fromStdString(result.reason()));
-  });
+  session_.request(std::move(request),
+                   [guard = QPointer<ReplayControl>(this)](const robotcontrol::RequestResult& result) {
+                     if (!guard) return;
+                     guard->jumping_ = false;
+                     if (!result.accepted()) Q_EMIT guard->refused(QString::fromStdString(result.reason()));
+                   });
 }
 
 void ReplayControl::jumpToFrame(std::uint64_t frame) {

@@ -17,11 +17,11 @@ class Session;
 
 namespace widgets {
 
-/// A replay as views see it: the session's stream "replay", and requests. refresh() is called once a tick. GUI thread; the
-/// session must outlive it.
+/// A replay as views see it: the session's stream "replay", and requests. refresh() is called once a tick.
+/// GUI thread; the session must outlive it.
 ///
-/// Jumps that follow each other quickly (a person drags the play head) are thinned out: while one is on its way only the
-/// newest of the others is kept.
+/// Jumps that follow each other quickly (a person drags the play head) are thinned out: while one is on its
+/// way only the newest of the others is kept.
 class ReplayControl final : public QObject {
   Q_OBJECT
  public:
@@ -34,7 +34,8 @@ class ReplayControl final : public QObject {
   bool open() const { return status_ != nullptr; }
   /// As last told; an empty one if no log is open.
   const robotcontrol::ReplayStatus& status() const;
-  /// Where the play head stands: where it was last asked to jump to, as long as that is on its way, or what status() says.
+  /// Where the play head stands: where it was last asked to jump to, as long as that is on its way, or what
+  /// status() says.
   robotlink::Instant shown() const;
   robotlink::Instant begin() const;
   /// Where the log is opened: its first image. Before it there is little to see.
@@ -65,7 +66,8 @@ class ReplayControl final : public QObject {
   void choosePackage(const std::string& package, robotcontrol::ControlReplay::PackageSource source);
   void setOffset(const std::string& log, robotlink::Duration offset);
 
-  /// Whether views show times as the messages bear them; else, as long as a log is open, they count from its begin.
+  /// Whether views show times as the messages bear them; else, as long as a log is open, they count from its
+  /// begin.
   bool showsTimeStamps() const { return showsTimeStamps_; }
   void setShowsTimeStamps(bool on);
   /// The instant that views show as 0 s.

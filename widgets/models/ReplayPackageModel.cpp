@@ -31,7 +31,9 @@ void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status, rob
     row.bytes = package.SerializeAsString() + row.difference.SerializeAsString();
     rows.push_back(std::move(row));
   }
-  const auto samePackage = [](const Row& a, const Row& b) { return a.package.package() == b.package.package(); };
+  const auto samePackage = [](const Row& a, const Row& b) {
+    return a.package.package() == b.package.package();
+  };
   if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), samePackage)) {
     beginResetModel();
     rows_ = std::move(rows);
@@ -45,7 +47,9 @@ void ReplayPackageModel::setStatus(const robotcontrol::ReplayStatus& status, rob
   }
 }
 
-QString ReplayPackageModel::packageName(int row) const { return QString::fromStdString(at(row).package.package()); }
+QString ReplayPackageModel::packageName(int row) const {
+  return QString::fromStdString(at(row).package.package());
+}
 
 bool ReplayPackageModel::allows(int row, Source source) const {
   if (source == ControlReplay::AS_LOGGED) return at(row).package.logged();
@@ -77,9 +81,13 @@ int ReplayPackageModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
-int ReplayPackageModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int ReplayPackageModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
 
-QString ReplayPackageModel::shownTime(std::int64_t ns) const { return timeText(robotlink::Instant(robotlink::Duration(ns)) - origin_); }
+QString ReplayPackageModel::shownTime(std::int64_t ns) const {
+  return timeText(robotlink::Instant(robotlink::Duration(ns)) - origin_);
+}
 
 QVariant ReplayPackageModel::text(const Row& row, int column) const {
   const auto& difference = row.difference;
@@ -90,7 +98,8 @@ QVariant ReplayPackageModel::text(const Row& row, int column) const {
       return QString::fromStdString(row.package.package());
     case kSource: {
       const auto source = row.package.source();
-      const bool there = source == ControlReplay::RECOMPUTED ? row.package.can_recompute() : row.package.logged();
+      const bool there =
+          source == ControlReplay::RECOMPUTED ? row.package.can_recompute() : row.package.logged();
       if (!there) return tr("not available");
       return row.package.chosen() ? sourceName(source) : tr("%1 (automatic)").arg(sourceName(source));
     }
@@ -99,13 +108,16 @@ QVariant ReplayPackageModel::text(const Row& row, int column) const {
     case kDifferent: {
       if (!compared) return none;
       const auto lone = difference.only_logged() + difference.only_recomputed();
-      return lone > 0 ? tr("%1 + %2 alone").arg(difference.different()).arg(lone) : QString::number(difference.different());
+      return lone > 0 ? tr("%1 + %2 alone").arg(difference.different()).arg(lone)
+                      : QString::number(difference.different());
     }
     case kFirst:
       return differs(difference) ? shownTime(difference.first_time()) : none;
     default:
       if (difference.largest_field().empty()) return none;
-      return QStringLiteral("%1: %2").arg(QString::fromStdString(difference.largest_field())).arg(difference.largest(), 0, 'g', 4);
+      return QStringLiteral("%1: %2")
+          .arg(QString::fromStdString(difference.largest_field()))
+          .arg(difference.largest(), 0, 'g', 4);
   }
 }
 
@@ -114,7 +126,8 @@ QVariant ReplayPackageModel::sortKey(const Row& row, int column) const {
     case kCompared:
       return qulonglong{row.difference.compared()};
     case kDifferent:
-      return qulonglong{row.difference.different() + row.difference.only_logged() + row.difference.only_recomputed()};
+      return qulonglong{row.difference.different() + row.difference.only_logged() +
+                        row.difference.only_recomputed()};
     case kFirst:
       return qlonglong{row.difference.first_time()};
     case kLargest:
@@ -164,9 +177,12 @@ QVariant ReplayPackageModel::data(const QModelIndex& index, int role) const {
     case kFirstRole:
       return differs(row.difference) ? QVariant(qlonglong{row.difference.first_time()}) : QVariant();
     case kLargestRole:
-      return row.difference.largest_field().empty() ? QVariant() : QVariant(qlonglong{row.difference.largest_time()});
+      return row.difference.largest_field().empty() ? QVariant()
+                                                    : QVariant(qlonglong{row.difference.largest_time()});
     case Qt::TextAlignmentRole:
-      return index.column() >= kCompared && index.column() <= kFirst ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter)) : QVariant();
+      return index.column() >= kCompared && index.column() <= kFirst
+                 ? QVariant(int(Qt::AlignRight | Qt::AlignVCenter))
+                 : QVariant();
     case Qt::ForegroundRole: {
       const QPalette palette = QGuiApplication::palette();
       if (index.column() == kDifferent && differs(row.difference)) return colorOf(Meaning::kWarning, palette);
@@ -185,7 +201,8 @@ QVariant ReplayPackageModel::data(const QModelIndex& index, int role) const {
 }
 
 bool ReplayPackageModel::setData(const QModelIndex& index, const QVariant& value, int role) {
-  if (!index.isValid() || index.column() != kSource || (role != Qt::EditRole && role != kChoiceRole)) return false;
+  if (!index.isValid() || index.column() != kSource || (role != Qt::EditRole && role != kChoiceRole))
+    return false;
   const auto source = static_cast<Source>(value.toInt());
   if (!allows(index.row(), source)) return false;
   Q_EMIT sourceWanted(packageName(index.row()), source);
@@ -194,7 +211,8 @@ bool ReplayPackageModel::setData(const QModelIndex& index, const QVariant& value
 
 QVariant ReplayPackageModel::headerData(int section, Qt::Orientation orientation, int role) const {
   if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Package"), tr("Source"), tr("Compared"), tr("Different"), tr("First [s]"), tr("Largest")};
+  const QString titles[] = {tr("Package"),   tr("Source"),    tr("Compared"),
+                            tr("Different"), tr("First [s]"), tr("Largest")};
   return titles[section];
 }
 

@@ -9,8 +9,8 @@
 
 namespace widgets {
 
-/// The packages of a replay: from where each comes, and how what is recomputed differs from what was logged. The source can
-/// be chosen. GUI thread.
+/// The packages of a replay: from where each comes, and how what is recomputed differs from what was logged.
+/// The source can be chosen. GUI thread.
 class ReplayPackageModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

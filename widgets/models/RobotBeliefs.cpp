@@ -31,7 +31,8 @@ void addEstimates(RobotBelief& belief, const robotlink::StreamStore& store, robo
 }
 
 QColor colorByNumber(const std::string& robot) {
-  static constexpr QRgb kColors[] = {0xffd8432f, 0xff2f78d6, 0xff2e9e4f, 0xffe39a16, 0xff8e4fc6, 0xff17a2a4, 0xffc7448f, 0xff8a6b3d};
+  static constexpr QRgb kColors[] = {0xffd8432f, 0xff2f78d6, 0xff2e9e4f, 0xffe39a16,
+                                     0xff8e4fc6, 0xff17a2a4, 0xffc7448f, 0xff8a6b3d};
   const std::size_t digits = robot.find_last_not_of("0123456789") + 1;
   unsigned number = 0;
   const auto read = std::from_chars(robot.data() + digits, robot.data() + robot.size(), number);

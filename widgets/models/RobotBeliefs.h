@@ -40,8 +40,8 @@ struct RobotBelief {
 /// All robots of the session at an instant.
 std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneState& scene,
                                       const robotlink::FieldDescription* field, robotlink::Instant shown);
-/// The colour of a robot's team, which its name begins with ("red1"): that of the field's palette. Robots of no team ("p3at2")
-/// differ by their numbers; without one they are grey.
+/// The colour of a robot's team, which its name begins with ("red1"): that of the field's palette. Robots of
+/// no team ("p3at2") differ by their numbers; without one they are grey.
 QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field);
 
 }  // namespace widgets

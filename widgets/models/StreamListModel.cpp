@@ -18,7 +18,8 @@ std::vector<StreamListModel::Row> StreamListModel::rowsOf(const std::string& log
                                                           const std::set<std::string>& hidden) {
   std::vector<Row> rows;
   for (const auto& stream : overview.streams) {
-    rows.push_back({log, stream.path, stream.type, stream.count, stream.bytes, stream.rate(), !hidden.contains(stream.path)});
+    rows.push_back({log, stream.path, stream.type, stream.count, stream.bytes, stream.rate(),
+                    !hidden.contains(stream.path)});
   }
   return rows;
 }
@@ -40,7 +41,9 @@ int StreamListModel::rowCount(const QModelIndex& parent) const {
   return parent.isValid() ? 0 : static_cast<int>(rows_.size());
 }
 
-int StreamListModel::columnCount(const QModelIndex& parent) const { return parent.isValid() ? 0 : kColumns; }
+int StreamListModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
 
 QVariant StreamListModel::data(const QModelIndex& index, int role) const {
   if (!index.isValid()) return {};
@@ -55,7 +58,8 @@ QVariant StreamListModel::data(const QModelIndex& index, int role) const {
     return font;
   }
   if (role == Qt::ToolTipRole && index.column() == kPath) {
-    return at.stepped ? tr("%1: its messages are stepped").arg(QString::fromStdString(at.path)) : QString::fromStdString(at.path);
+    return at.stepped ? tr("%1: its messages are stepped").arg(QString::fromStdString(at.path))
+                      : QString::fromStdString(at.path);
   }
   if (role != Qt::DisplayRole && role != kSortRole) return {};
   const bool sort = role == kSortRole;

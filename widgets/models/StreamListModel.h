@@ -10,12 +10,13 @@ namespace widgets {
 
 struct LogOverview;
 
-/// The streams of all open logs as a table. The check of a row says whether it has a row in the time line. GUI thread.
+/// The streams of all open logs as a table. The check of a row says whether it has a row in the time line.
+/// GUI thread.
 class StreamListModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
   enum Column { kPath, kCount, kBytes, kRate, kSchema, kLog, kColumns };
-  static constexpr int kSortRole = Qt::UserRole + 1;  ///< numbers as numbers
+  static constexpr int kSortRole = Qt::UserRole + 1;    ///< numbers as numbers
   static constexpr int kFilterRole = Qt::UserRole + 2;  ///< path and schema
 
   struct Row {
@@ -32,7 +33,8 @@ class StreamListModel final : public QAbstractTableModel {
   /// Rows that stay the same stream keep their place, so that a selection does.
   void setRows(std::vector<Row> rows);
   const Row& row(int index) const { return rows_[static_cast<std::size_t>(index)]; }
-  static std::vector<Row> rowsOf(const std::string& log, const LogOverview& overview, const std::set<std::string>& hidden);
+  static std::vector<Row> rowsOf(const std::string& log, const LogOverview& overview,
+                                 const std::set<std::string>& hidden);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

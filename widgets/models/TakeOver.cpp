@@ -49,8 +49,9 @@ void TakeOver::update(const std::vector<TaskEntry>& tasks) {
     state_ = State::kSwitching;
   } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
     state_ = State::kUnavailable;
-    reason_ =
-        obey == task->solutions.end() ? translated("its %1 has no solution “obey”").arg(QString::fromStdString(task_)) : obey->unavailable;
+    reason_ = obey == task->solutions.end()
+                  ? translated("its %1 has no solution “obey”").arg(QString::fromStdString(task_))
+                  : obey->unavailable;
   } else {
     state_ = State::kFree;
   }

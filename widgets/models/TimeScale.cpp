@@ -26,7 +26,9 @@ double TimeScale::x(Instant time) const {
   return left + static_cast<double>((time - from).count()) / nsPerPixel;
 }
 
-Instant TimeScale::time(double x) const { return from + duration((x - left) * nsPerPixel); }
+Instant TimeScale::time(double x) const {
+  return from + duration((x - left) * nsPerPixel);
+}
 
 void TimeScale::zoomAt(double x, double factor) {
   constexpr double kFinest = 1e3, kCoarsest = 1e15;  // 1 us and about twelve days a pixel

@@ -11,7 +11,7 @@ namespace widgets {
 
 /// Which time lies where on a horizontal axis in pixels. A plain value.
 struct TimeScale {
-  double left = 0;              ///< x of `from`
+  double left = 0;  ///< x of `from`
   robotlink::Instant from{};
   double nsPerPixel = 1e6;
 
@@ -31,7 +31,8 @@ AxisMarks axisMarks(const TimeScale& scale, double spacing, robotlink::Instant o
 
 /// "12.340": seconds, with as many digits as the resolution needs.
 QString timeText(robotlink::Duration time, robotlink::Duration resolution = std::chrono::milliseconds(1));
-/// What a person types: "12.5", "12.5 s", "1:02.5" (minutes) or "1:02:03"; "+1.5" and "-1.5" count from `now`.
+/// What a person types: "12.5", "12.5 s", "1:02.5" (minutes) or "1:02:03"; "+1.5" and "-1.5" count from
+/// `now`.
 std::optional<robotlink::Duration> timeFromText(const QString& text, robotlink::Duration now);
 
 }  // namespace widgets

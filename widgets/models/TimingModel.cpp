@@ -24,7 +24,8 @@ bool has(const robotcontrol::ProcessTable& program, const std::string& process, 
 void TimingModel::Frames::add(Frame frame) {
   if (frame.number == 0) frame.number = recent.empty() ? 1 : recent.back().number + 1;
   // A clock or a count that went back begins anew: a reset, a jump, another program.
-  if (!recent.empty() && (frame.time < recent.back().time || frame.number <= recent.back().number)) recent.clear();
+  if (!recent.empty() && (frame.time < recent.back().time || frame.number <= recent.back().number))
+    recent.clear();
   recent.push_back(frame);
   while (recent.size() > 2 && recent[1].time <= frame.time - kRateOver) recent.pop_front();
 }
@@ -96,7 +97,9 @@ void TimingModel::keepOnly(const robotcontrol::ProcessTable& program) {
 
 double TimingModel::rateOf(const Row& row) const {
   const auto found = frames_.find(row.process);
-  if (found == frames_.end() || found->second.recent.empty() || found->second.recent.back().time != row.latest) return 0;
+  if (found == frames_.end() || found->second.recent.empty() ||
+      found->second.recent.back().time != row.latest)
+    return 0;
   return found->second.rate();
 }
 
@@ -162,8 +165,8 @@ QVariant TimingModel::headerData(int section, Qt::Orientation orientation, int r
     return tr("Mean time of the task, as a share of the time from one frame of its process to the next");
   }
   if (role != Qt::DisplayRole) return {};
-  const QString titles[] = {tr("Process"),  tr("Task"),     tr("Solution"), tr("Last ms"), tr("Mean ms"),
-                            tr("Min ms"), tr("Max ms"), tr("Hz"),       tr("Share of period")};
+  const QString titles[] = {tr("Process"), tr("Task"),   tr("Solution"), tr("Last ms"),        tr("Mean ms"),
+                            tr("Min ms"),  tr("Max ms"), tr("Hz"),       tr("Share of period")};
   return titles[section];
 }
 

@@ -12,14 +12,15 @@
 namespace robotcontrol {
 class ProcessTable;
 class StopwatchTimes;
-}
+}  // namespace robotcontrol
 
 namespace widgets {
 
 /// How long the tasks of a robot's processes took, by process, task and solution, since the last reset. Times
-/// are real ones in milliseconds, rates refer to the platform's clock over the last two seconds, the share is that of the time
-/// from one frame to the next ("frame" is the row of whole frames): at 100 % the process cannot keep its rate in real time. A
-/// solution that does not run any more has neither rate nor share. add() collects; update() shows it, once a tick. GUI thread.
+/// are real ones in milliseconds, rates refer to the platform's clock over the last two seconds, the share is
+/// that of the time from one frame to the next ("frame" is the row of whole frames): at 100 % the process
+/// cannot keep its rate in real time. A solution that does not run any more has neither rate nor share. add()
+/// collects; update() shows it, once a tick. GUI thread.
 class TimingModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
@@ -66,7 +67,7 @@ class TimingModel final : public QAbstractTableModel {
 
   std::vector<Row> rows_;
   std::map<std::string, Frames> frames_;  // by process
-  int shown_ = 0;  // rows that views know of
+  int shown_ = 0;                         // rows that views know of
 };
 
 }  // namespace widgets

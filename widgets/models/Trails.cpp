@@ -18,7 +18,9 @@ using robotlink::Instant;
 constexpr Duration kShortest = std::chrono::milliseconds(100);  // between two places
 constexpr int kMostPlaces = 300;
 
-Duration stepFor(Duration reach) { return std::max(kShortest, Duration(reach / kMostPlaces)); }
+Duration stepFor(Duration reach) {
+  return std::max(kShortest, Duration(reach / kMostPlaces));
+}
 
 }  // namespace
 

@@ -14,9 +14,9 @@ class StreamStore;
 
 namespace widgets {
 
-/// Where models were in the last seconds, from the history of the transforms or, for robots whose true poses nobody knows,
-/// from what they believed. Going on in time adds places; a jump of the instant that is shown looks them up anew. Field's
-/// frame, metres. GUI thread.
+/// Where models were in the last seconds, from the history of the transforms or, for robots whose true poses
+/// nobody knows, from what they believed. Going on in time adds places; a jump of the instant that is shown
+/// looks them up anew. Field's frame, metres. GUI thread.
 class Trails {
  public:
   /// Names of models by the names of their frames, which are children of the field.

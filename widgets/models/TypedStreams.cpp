@@ -23,8 +23,9 @@ std::vector<const robotlink::StreamMessage*> latestOfType(const robotlink::Strea
   return messages;
 }
 
-std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store, const std::string& robot,
-                                                         const char* path, robotlink::Instant time) {
+std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store,
+                                                         const std::string& robot, const char* path,
+                                                         robotlink::Instant time) {
   const auto* table = store.latest(robot + '/' + path, time);
   if (table == nullptr) return {};
   return {table};
@@ -66,7 +67,8 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
     if (!seen(message)) news.messages.push_back(&message);
   }
   std::reverse(news.messages.begin(), news.messages.end());
-  news.restarted = news.restarted || (count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_);
+  news.restarted =
+      news.restarted || (count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_);
   count_ = stream.count;
   if (!stream.messages.empty()) newest_ = stream.messages.back().time;
   for (const auto* message : news.messages) recent_.push_back(message->value);

@@ -14,10 +14,11 @@ namespace widgets {
 std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink::StreamStore& store,
                                                                  const std::string& robot, const char* type);
 
-/// A robot's table of that time by its path ("tables/keys"), as a list of one; empty if there is none. Processes tell their own
-/// parts of tables below these paths; the joined one is what views show.
-std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store, const std::string& robot,
-                                                         const char* path, robotlink::Instant time);
+/// A robot's table of that time by its path ("tables/keys"), as a list of one; empty if there is none.
+/// Processes tell their own parts of tables below these paths; the joined one is what views show.
+std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store,
+                                                         const std::string& robot, const char* path,
+                                                         robotlink::Instant time);
 
 /// The newest messages not later than `time` of those streams; null where a stream began later. Their
 /// addresses change whenever their contents do, which makes it cheap to see in a tick that nothing is new.

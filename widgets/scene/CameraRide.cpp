@@ -11,12 +11,12 @@ using robotlink::normalizedAngle;
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr double kShare = 0.1;         // of what is missing, in each step
-constexpr double kJump = 1.0;          // m; who is carried so far is not followed on the way
-constexpr double kStill = 2e-4;        // m and rad; less is not worth a new picture
-constexpr double kLead = 0.5;          // m at most, towards the ball
-constexpr double kNearBall = 2.0;      // m
-constexpr double kShoulder = 0.25;     // m before the robot, where a camera behind it looks to
+constexpr double kShare = 0.1;      // of what is missing, in each step
+constexpr double kJump = 1.0;       // m; who is carried so far is not followed on the way
+constexpr double kStill = 2e-4;     // m and rad; less is not worth a new picture
+constexpr double kLead = 0.5;       // m at most, towards the ball
+constexpr double kNearBall = 2.0;   // m
+constexpr double kShoulder = 0.25;  // m before the robot, where a camera behind it looks to
 
 }  // namespace
 
@@ -61,8 +61,10 @@ SceneCamera CameraRide::step(const SceneCamera& camera, const Subject& subject, 
   const bool jumped = missing.norm() > kJump;
   if (missing.norm() < kStill && std::abs(turn) < kStill) return camera;
   const double share = jumped ? 1 : kShare;
-  const Pose2 next{at_->x + share * missing.x(), at_->y + share * missing.y(), normalizedAngle(at_->heading + share * turn)};
-  // What the camera is to the place that it follows stays: direction, distance, and what a person moved it by.
+  const Pose2 next{at_->x + share * missing.x(), at_->y + share * missing.y(),
+                   normalizedAngle(at_->heading + share * turn)};
+  // What the camera is to the place that it follows stays: direction, distance, and what a person moved it
+  // by.
   SceneCamera moved = camera;
   moved.target.head<2>() = next * (at_->inverse() * Vector2(camera.target.head<2>()));
   moved.azimuth = normalizedAngle(camera.azimuth + normalizedAngle(next.heading - at_->heading));

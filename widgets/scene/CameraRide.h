@@ -7,11 +7,13 @@
 
 namespace widgets {
 
-/// Takes a camera along with a robot, gently: what a walking robot sways the picture does not. How the camera stands to
-/// the robot is up to whoever turns and moves it meanwhile. A plain state machine, told the robot's place 30 times a second.
+/// Takes a camera along with a robot, gently: what a walking robot sways the picture does not. How the camera
+/// stands to the robot is up to whoever turns and moves it meanwhile. A plain state machine, told the robot's
+/// place 30 times a second.
 class CameraRide {
  public:
-  /// Beside: the camera keeps its direction, and leads towards a ball that is near. Behind: it turns with the robot.
+  /// Beside: the camera keeps its direction, and leads towards a ball that is near. Behind: it turns with the
+  /// robot.
   enum class Mode : std::uint8_t { kOff, kBeside, kBehind };
   struct Subject {
     robotlink::Pose2 robot;

@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastContrast = 20;  // of 255; what differs less is no edge
+constexpr int kLeastContrast = 20;    // of 255; what differs less is no edge
 constexpr int kShareOfBrightest = 8;  // nor is less than one in so many of the brightest around
 constexpr int kReach = 14;            // pixels along an edge, in each direction
 
@@ -23,20 +23,24 @@ std::vector<std::uint8_t> brightnessOf(const QImage& picture) {
     std::uint8_t* to = result.data() + static_cast<std::ptrdiff_t>(y) * width;
     for (int x = 0; x < width; ++x) {
       const std::uint32_t rgb = from[x];
-      to[x] = static_cast<std::uint8_t>((77 * ((rgb >> 16) & 255U) + 151 * ((rgb >> 8) & 255U) + 28 * (rgb & 255U)) >> 8);
+      to[x] = static_cast<std::uint8_t>(
+          (77 * ((rgb >> 16) & 255U) + 151 * ((rgb >> 8) & 255U) + 28 * (rgb & 255U)) >> 8);
     }
   }
   return result;
 }
 
-/// How much the brightness of pixels and their four neighbors differs, of a row that is not at the picture's rim.
+/// How much the brightness of pixels and their four neighbors differs, of a row that is not at the picture's
+/// rim.
 void findContrasts(const std::uint8_t* row, std::ptrdiff_t width, std::uint8_t* contrasts) {
   for (std::ptrdiff_t x = 1; x < width - 1; ++x) {
-    const std::uint8_t center = row[x], left = row[x - 1], right = row[x + 1], above = row[x - width], below = row[x + width];
+    const std::uint8_t center = row[x], left = row[x - 1], right = row[x + 1], above = row[x - width],
+                       below = row[x + width];
     const std::uint8_t most = std::max(center, std::max(std::max(left, right), std::max(above, below)));
     const std::uint8_t least = std::min(center, std::min(std::min(left, right), std::min(above, below)));
     const auto difference = static_cast<std::uint8_t>(most - least);
-    contrasts[x] = static_cast<std::uint8_t>((difference >= kLeastContrast) & (difference > most / kShareOfBrightest));
+    contrasts[x] =
+        static_cast<std::uint8_t>((difference >= kLeastContrast) & (difference > most / kShareOfBrightest));
   }
 }
 
@@ -48,15 +52,16 @@ struct Mixture {
 
 class EdgeFinder {
  public:
-  EdgeFinder(const std::uint8_t* brightness, int width, int height) : at_(brightness), width_(width), height_(height) {}
+  EdgeFinder(const std::uint8_t* brightness, int width, int height)
+      : at_(brightness), width_(width), height_(height) {}
 
   Mixture mixtureAt(int x, int y) const {
     const std::ptrdiff_t w = width_;
     const std::uint8_t* p = at_ + y * w + x;
     const int alongRow = std::abs(p[-w - 1] + p[w - 1] - 2 * p[-1]) + 2 * std::abs(p[-w] + p[w] - 2 * p[0]) +
                          std::abs(p[-w + 1] + p[w + 1] - 2 * p[1]);
-    const int alongColumn = std::abs(p[-w - 1] + p[-w + 1] - 2 * p[-w]) + 2 * std::abs(p[-1] + p[1] - 2 * p[0]) +
-                            std::abs(p[w - 1] + p[w + 1] - 2 * p[w]);
+    const int alongColumn = std::abs(p[-w - 1] + p[-w + 1] - 2 * p[-w]) +
+                            2 * std::abs(p[-1] + p[1] - 2 * p[0]) + std::abs(p[w - 1] + p[w + 1] - 2 * p[w]);
     const bool isRow = alongRow >= alongColumn;
     const std::ptrdiff_t across = isRow ? w : 1, along = isRow ? 1 : w;
     const int before = std::abs(p[-across] - p[0]), after = std::abs(p[across] - p[0]);
@@ -71,8 +76,10 @@ class EdgeFinder {
     int change = 0;  ///< of the brightness on the edge, from here to there
   };
 
-  /// Where the edge between a pixel and its neighbor ends. Twice the brightness on the edge is that of both together.
-  static End endOf(const std::uint8_t* p, std::ptrdiff_t side, std::ptrdiff_t step, int here, int gradient, int room) {
+  /// Where the edge between a pixel and its neighbor ends. Twice the brightness on the edge is that of both
+  /// together.
+  static End endOf(const std::uint8_t* p, std::ptrdiff_t side, std::ptrdiff_t step, int here, int gradient,
+                   int room) {
     End end;
     const int reach = std::min(kReach, room);
     for (int i = 1; i <= reach; ++i) {
@@ -83,9 +90,11 @@ class EdgeFinder {
     return end;
   }
 
-  static int shareOf(const std::uint8_t* p, std::ptrdiff_t side, std::ptrdiff_t along, int gradient, const int (&room)[2]) {
+  static int shareOf(const std::uint8_t* p, std::ptrdiff_t side, std::ptrdiff_t along, int gradient,
+                     const int (&room)[2]) {
     const int here = p[0] + p[side];
-    const End one = endOf(p, side, -along, here, gradient, room[0]), other = endOf(p, side, along, here, gradient, room[1]);
+    const End one = endOf(p, side, -along, here, gradient, room[0]),
+              other = endOf(p, side, along, here, gradient, room[1]);
     const End& near = one.distance <= other.distance ? one : other;
     const int length = one.distance + other.distance;
     // An edge that goes on as far as anyone looks is straight.

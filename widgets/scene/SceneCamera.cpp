@@ -15,7 +15,7 @@ using robotlink::Vector3;
 
 constexpr double kHighest = robotlink::radians(89.9), kLowest = robotlink::radians(-5);
 constexpr double kFarthestTarget = 200;  // m
-constexpr double kFarthestPlane = 500;  // m
+constexpr double kFarthestPlane = 500;   // m
 
 }  // namespace
 
@@ -104,7 +104,8 @@ void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
   const auto allSeen = [&] {
     for (int corner = 0; corner < 8; ++corner) {
       const Vector3 place(box.center.x() + (corner & 1 ? 0.5 : -0.5) * box.size.x(),
-                          box.center.y() + (corner & 2 ? 0.5 : -0.5) * box.size.y(), corner & 4 ? box.size.z() : 0);
+                          box.center.y() + (corner & 2 ? 0.5 : -0.5) * box.size.y(),
+                          corner & 4 ? box.size.z() : 0);
       const auto at = project(widget, place);
       if (!at || !room.contains(*at)) return false;
     }

@@ -17,7 +17,7 @@ namespace widgets {
 namespace {
 
 constexpr double kKeyStep = 24;  // pixels that an arrow key is worth
-constexpr int kClickSlack = 4;  // pixels that a hand moves while it clicks
+constexpr int kClickSlack = 4;   // pixels that a hand moves while it clicks
 constexpr double kTurnStep = robotlink::radians(15);
 
 }  // namespace
@@ -26,7 +26,8 @@ SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* paren
   setObjectName(QStringLiteral("sceneCanvas"));
   setAccessibleName(tr("Scene"));
   setToolTip(
-      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; click a robot: select it; drag a robot or the ball "
+      tr("Drag: turn; right or middle button, or Shift: move; wheel: zoom; click a robot: select it; drag a "
+         "robot or the ball "
          "(Control: always): place it, wheel: turn it; R: reset"));
   setToolTipDuration(4000);
   setFocusPolicy(Qt::StrongFocus);

@@ -65,10 +65,10 @@ struct SceneFrame {
   bool grid = true;
   SceneContents contents;
   std::string highlighted;  ///< a model
-  /// With several samples a pixel, which costs a processor more than three times as much; else the edges of the finished picture
-  /// are smoothed.
+  /// With several samples a pixel, which costs a processor more than three times as much; else the edges of
+  /// the finished picture are smoothed.
   bool smooth = false;
-  bool hurry = false;       ///< somebody moves the camera or a model: be quick rather than thrifty
+  bool hurry = false;  ///< somebody moves the camera or a model: be quick rather than thrifty
 };
 
 }  // namespace widgets

@@ -10,10 +10,10 @@
 #include <algorithm>
 #include <cmath>
 
-#include "robotlink/config/FieldDescription.h"
-#include "robotlink/config/RobotDescription.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/base/GroundMap.h"
+#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
@@ -75,19 +75,20 @@ void SceneView::createActions() {
   for (QAction* action : {grid_, labels_, move_}) action->setChecked(true);
   copy_ = makeAction(this, "copy",
                      {"sceneCopy", tr("Copy picture"), tr("Copies what is seen here"), QKeySequence::Copy});
-  save_ = makeAction(
-      this, "save",
-      {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"), QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  save_ = makeAction(this, "save",
+                     {"sceneSave", tr("Save picture..."), tr("Saves what is seen here as PNG"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
 }
 
 void SceneView::createCameraActions() {
   reset_ = makeAction(
-      this, "fit", {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
+      this, "fit",
+      {"sceneReset", tr("Reset camera"), tr("Shows the whole field or building from the side"), Qt::Key_R});
   fromAbove_ = makeAction(this, "top-view",
                           {"sceneFromAbove", tr("From above"), tr("Looks down on the field"), Qt::Key_A});
-  behind_ =
-      makeAction(this, "behind",
-                 {"sceneBehind", tr("Over the shoulder"), tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_B});
+  behind_ = makeAction(this, "behind",
+                       {"sceneBehind", tr("Over the shoulder"),
+                        tr("Looks over the robot's shoulder and goes along with it"), Qt::Key_B});
   follow_ =
       makeAction(this, "follow",
                  {"sceneFollow", tr("Follow the robot"), tr("Moves the camera with the robot"), Qt::Key_F});
@@ -143,7 +144,8 @@ void SceneView::connectSignals() {
   });
   connect(canvas_, &SceneCanvas::modelClicked, this, [this](const QString& model) {
     const auto& robots = session().robots();
-    if (std::ranges::find(robots, model.toStdString()) != robots.end()) session().selectRobot(model.toStdString());
+    if (std::ranges::find(robots, model.toStdString()) != robots.end())
+      session().selectRobot(model.toStdString());
   });
   connect(copy_, &QAction::triggered, this, [this] { copyPicture(canvas_->rendered()); });
   connect(save_, &QAction::triggered, this,
@@ -197,8 +199,9 @@ void SceneView::tick() {
   const QString refusal = drag_.refusal();
   canvas_->setNotice(refusal.isEmpty() ? QString() : tr("It cannot be placed here: %1").arg(refusal));
   const bool log = session().store().find(robotlink::streams::kReplay) != nullptr;
-  canvas_->setHint(log ? tr("This log holds no scene; the field view shows where its robots believe they are.")
-                       : tr("No scene yet: start a simulation, or open a log."));
+  canvas_->setHint(
+      log ? tr("This log holds no scene; the field view shows where its robots believe they are.")
+          : tr("No scene yet: start a simulation, or open a log."));
   canvas_->setMovable(scene_.models(), move_->isChecked());
   follow();
   canvas_->setContents(contents(beliefs_));
@@ -265,7 +268,8 @@ void SceneView::follow() {
   CameraRide::Subject subject{*pose, {}};
   if (const auto ball = scene_.modelPose("ball")) subject.ball = ball->translation().head<2>();
   const auto robot = context().robots.find(robots_->robot(session()));
-  if (robot != context().robots.end() && robot->second && robot->second->drive) subject.distance = kWheelsDistance;
+  if (robot != context().robots.end() && robot->second && robot->second->drive)
+    subject.distance = kWheelsDistance;
   canvas_->setCamera(ride_.step(canvas_->camera(), subject, canvas_->overview()));
 }
 

@@ -25,10 +25,10 @@
 // data written, read in the order of the file, and in the order of time with next() and read(); ms to open;
 // us to find and read the newest message of a channel at a random time, and that of all channels.
 //
-// Reading has references of its own: file_of_bare is the speed in the order of the file as a share of reading and
-// decompressing the same chunks and copying them once; time_of_file is that in the order of time as a share of that in
-// the order of the file, time_3MiB the same where both have a cache of 3 MiB. They are to be at least 0.9, 0.95 and 0.95.
-// What is compared is measured in turns, and the best of five counts.
+// Reading has references of its own: file_of_bare is the speed in the order of the file as a share of reading
+// and decompressing the same chunks and copying them once; time_of_file is that in the order of time as a
+// share of that in the order of the file, time_3MiB the same where both have a cache of 3 MiB. They are to be
+// at least 0.9, 0.95 and 0.95. What is compared is measured in turns, and the best of five counts.
 namespace {
 
 using namespace logplayer::mcap;
@@ -169,8 +169,8 @@ std::size_t readInOrderOfTime(std::size_t cacheBytes) {
   return bytes;
 }
 
-/// All chunks, decompressed one after the other into the same memory, and copied from there. The reader is only asked
-/// where they are.
+/// All chunks, decompressed one after the other into the same memory, and copied from there. The reader is
+/// only asked where they are.
 std::size_t readBare() {
   const auto reader = Reader::open(kFile, {});
   const auto source = Source::open(kFile);

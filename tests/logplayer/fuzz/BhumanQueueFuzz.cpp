@@ -5,8 +5,8 @@
 #include <cstdlib>
 
 #include "logplayer/bhuman/QueueImport.h"
-#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

@@ -34,7 +34,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
     return 0;
   }
   const auto all = changed({}, *read);
-  for (const Bookmark& bookmark : all) require(bookmark.to - bookmark.from >= robotlink::Duration(0), "it ends after its begin");
+  for (const Bookmark& bookmark : all)
+    require(bookmark.to - bookmark.from >= robotlink::Duration(0), "it ends after its begin");
   require(changed({}, difference({}, all)) == all, "a difference leads there");
   return 0;
 }

@@ -4,8 +4,8 @@
 #include <cstdlib>
 
 #include "logplayer/ImageCoding.h"
-#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using robotlink::Image;

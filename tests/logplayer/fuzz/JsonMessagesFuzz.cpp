@@ -8,7 +8,8 @@
 #include "logplayer/MessageTable.h"
 #include "tests/fuzz/FuzzTarget.h"
 
-// The input is a schema's name, a JSON schema and messages, a line each. What is read must survive Protobuf's own encoding.
+// The input is a schema's name, a JSON schema and messages, a line each. What is read must survive Protobuf's
+// own encoding.
 using namespace logplayer;
 
 namespace {

@@ -235,7 +235,8 @@ class ManyChunksTest : public MisfitTest {
     messages_.clear();
     for (std::size_t i = 0; i < 600; ++i) {
       const auto id = static_cast<std::uint16_t>(1 + i % 3);
-      messages_.push_back({id, static_cast<std::uint32_t>(i), static_cast<std::int64_t>(10 * i), std::string(i < 450 ? 40 : 50, 'x')});
+      messages_.push_back({id, static_cast<std::uint32_t>(i), static_cast<std::int64_t>(10 * i),
+                           std::string(i < 450 ? 40 : 50, 'x')});
       if (i % 6 == 0) flushes.push_back(i);
     }
     writeLog(whole_, messages_, options, flushes);
@@ -279,7 +280,8 @@ TEST_F(ManyChunksTest, oneDamagedHeadDoesNotMakeTheSummaryALiar) {
   const auto reader = test::open(broken_);
   EXPECT_EQ(readAll(*reader), without(50));
   ASSERT_TRUE(reader->verify());
-  for (const Damage& damage : reader->damage()) EXPECT_EQ(damage.what.find("summary"), std::string::npos) << damage.what;
+  for (const Damage& damage : reader->damage())
+    EXPECT_EQ(damage.what.find("summary"), std::string::npos) << damage.what;
 }
 
 /// Chunks of robots' logs, larger than what is missing of one.
@@ -315,7 +317,8 @@ TEST_P(MissingPartTest, costsOneChunk) {
 }
 
 INSTANTIATE_TEST_SUITE_P(Sizes, MissingPartTest,
-                         testing::Combine(testing::Values(Compression::kNone, Compression::kLz4, Compression::kZstd),
+                         testing::Combine(testing::Values(Compression::kNone, Compression::kLz4,
+                                                          Compression::kZstd),
                                           testing::Values(1, 100, 4'000, 15'000, 20'000)));
 
 class ZerosTest : public RepairTest, public testing::WithParamInterface<bool> {};
@@ -330,7 +333,9 @@ TEST_P(ZerosTest, atTheEndAreNotCountedAsLost) {
   EXPECT_LE(report->bytesLost, withinChunk ? 100U : 0U);
   EXPECT_GE(report->bytesLost, withinChunk ? 90U : 0U);
   EXPECT_EQ(test::open(repaired_)->chunks().size(), 5U);
-  const auto isOfZeros = [](const Damage& damage) { return damage.what.find("are all 0") != std::string::npos; };
+  const auto isOfZeros = [](const Damage& damage) {
+    return damage.what.find("are all 0") != std::string::npos;
+  };
   EXPECT_EQ(std::ranges::count_if(report->damage, isOfZeros), 1);
 }
 

@@ -4,9 +4,9 @@
 #include <map>
 #include <vector>
 
-#include "tests/robotlink/arcos/IdealWheels.h"
 #include "robotlink/arcos/ServerPackets.h"
 #include "robotlink/arcos/ServerSession.h"
+#include "tests/robotlink/arcos/IdealWheels.h"
 
 /// A microcontroller on ideal wheels in an empty world, with a client's hand on it: no socket, no waiting.
 class IdealRobot : public robotlink::arcos::RangeFinders {

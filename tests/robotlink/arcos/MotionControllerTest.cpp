@@ -5,8 +5,8 @@
 
 #include <limits>
 
-#include "tests/robotlink/arcos/IdealWheels.h"
 #include "robotlink/base/Random.h"
+#include "tests/robotlink/arcos/IdealWheels.h"
 
 namespace {
 

@@ -365,7 +365,8 @@ TEST_F(ServerCommandsTest, itsStatusSaysOnlyWhatIsSo) {
   EXPECT_EQ(told.latitude1e7, 428071910);
   EXPECT_EQ(told.longitude1e7, -715786610);
   EXPECT_EQ(told.altitudeCm, 7250);
-  EXPECT_EQ(told.positionQuality, 100) << "clients take a hundredth of it for the dilution of precision; 0 is bad";
+  EXPECT_EQ(told.positionQuality, 100)
+      << "clients take a hundredth of it for the dilution of precision; 0 is bad";
   EXPECT_EQ(told.odometryErrorX1e7, -20000);
 }
 

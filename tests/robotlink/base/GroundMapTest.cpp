@@ -86,7 +86,8 @@ TEST(GroundMap, countsOfTheHeaderAreNotTrusted) {
   EXPECT_EQ(map.lines.size(), 1U);
   EXPECT_EQ(map.points.size(), 2U);
   ASSERT_EQ(map.notes.size(), 2U);
-  EXPECT_NE(map.notes[0].find("room.map:2: the header promises 99999999999 points, but there are 2"), std::string::npos)
+  EXPECT_NE(map.notes[0].find("room.map:2: the header promises 99999999999 points, but there are 2"),
+            std::string::npos)
       << map.notes[0];
 }
 
@@ -94,7 +95,8 @@ TEST(GroundMap, aMapThatWasCutOffSaysSoFirst) {
   const GroundMap map =
       parsed("2D-Map\nMapInfo: x\nNumLines: 4\nNumPoints: 2\nLINES\n0 0 1000 0\nDATA\n1 2\n3 4\n");
   ASSERT_EQ(map.notes.size(), 2U);
-  EXPECT_NE(map.notes[0].find("room.map:3: the header promises 4 lines, but there are 1: the map may have been cut off"),
+  EXPECT_NE(map.notes[0].find(
+                "room.map:3: the header promises 4 lines, but there are 1: the map may have been cut off"),
             std::string::npos)
       << map.notes[0];
 }

@@ -11,7 +11,8 @@ TEST(Image, coloursSurviveTheWayToYCbCrAndBack) {
   for (int r = 0; r < 256; r += 15) {
     for (int g = 0; g < 256; g += 15) {
       for (int b = 0; b < 256; b += 15) {
-        const Rgb color{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g), static_cast<std::uint8_t>(b)};
+        const Rgb color{static_cast<std::uint8_t>(r), static_cast<std::uint8_t>(g),
+                        static_cast<std::uint8_t>(b)};
         const Rgb back = toRgb(toYCbCr(color));
         EXPECT_LE(std::abs(back.r - r), 2);
         EXPECT_LE(std::abs(back.g - g), 2);

@@ -75,7 +75,8 @@ TEST(FieldDescription, aFieldNeedsNoWallsAndNoBeaconsButMayHaveLinesAroundIt) {
   EXPECT_TRUE(field->beacons.empty());
   EXPECT_FALSE(FieldDescription::load(kFile)->hasBoundary());
   EXPECT_EQ(FieldDescription::load(kFile)->goalLineX(), 2.1) << "the walls bound the field of play";
-  EXPECT_THAT(errorsOf(withReplaced("lines: {width: 0.025,", "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
+  EXPECT_THAT(errorsOf(withReplaced("lines: {width: 0.025,",
+                                    "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
               HasSubstr("'length' must lie between"));
 }
 

@@ -20,7 +20,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   solution.name = "solution";
   solution.parameters = &prototype;
   {
-    std::filesystem::remove(folder / "task.solution.textproto");  // disks take their time with files that are written over
+    std::filesystem::remove(
+        folder / "task.solution.textproto");  // disks take their time with files that are written over
     std::ofstream file(folder / "task.solution.textproto", std::ios::binary);
     file.write(reinterpret_cast<const char*>(data), static_cast<std::streamsize>(size));
   }
@@ -36,5 +37,6 @@ std::vector<std::string> fuzzSeeds() {
   request.set_robot("red1");
   request.mutable_set_parameters()->set_task("ball-percept");
   request.mutable_set_parameters()->mutable_value()->set_type("x");
-  return {request.DebugString(), "id: 3 stop { engaged: true } # a comment\n", "set_parameters < task: 'a' solution: \"b\" >\n"};
+  return {request.DebugString(), "id: 3 stop { engaged: true } # a comment\n",
+          "set_parameters < task: 'a' solution: \"b\" >\n"};
 }

@@ -117,8 +117,7 @@ TEST(PartialLayout, aProcessRunsAtThePaceOfWhatItDoesNotRead) {
       if (task.task == "ball-model") task.solution = "last";
     }
   }
-  const PlatformPackages platform{
-      {"camera/image", "joints/states", "percepts/ball"}, {}, {"remote/motion"}};
+  const PlatformPackages platform{{"camera/image", "joints/states", "percepts/ball"}, {}, {"remote/motion"}};
   const Errors errors = checkLayout(layout, registeredTasks(), platform);
   ASSERT_EQ(errors.size(), 1U) << describe(errors);
   EXPECT_EQ(errors.front().id, "layout.blocking-unused");
@@ -127,7 +126,8 @@ TEST(PartialLayout, aProcessRunsAtThePaceOfWhatItDoesNotRead) {
   }
   EXPECT_TRUE(checkLayout(layout, registeredTasks(), platform).empty());
   const auto links = layoutLinks(layout, registeredTasks(), platform);
-  EXPECT_NE(std::find(links.begin(), links.end(), LayoutLink{"camera/image", "", "cognition", true, false}), links.end());
+  EXPECT_NE(std::find(links.begin(), links.end(), LayoutLink{"camera/image", "", "cognition", true, false}),
+            links.end());
 }
 
 TEST(PartialLayout, absentTasksAreShownWithTheirReasonAndCannotBeAsked) {
@@ -135,7 +135,8 @@ TEST(PartialLayout, absentTasksAreShownWithTheirReasonAndCannotBeAsked) {
   Layout layout = toyLayout();
   removeTask(layout, "motion");
   std::erase_if(layout.processes, [](const Layout::Process& p) { return !p.debug && p.tasks.empty(); });
-  layout.absent.push_back({"motion", "motion", "neither the robot nor another task provides joint angles (joints/states)"});
+  layout.absent.push_back(
+      {"motion", "motion", "neither the robot nor another task provides joint angles (joints/states)"});
   const Errors errors = robot.load(layout);
   ASSERT_TRUE(errors.empty()) << describe(errors);
   robotcontrol::Request request;
@@ -157,11 +158,14 @@ TEST(PartialLayout, absentTasksAreShownWithTheirReasonAndCannotBeAsked) {
   EXPECT_EQ(row.process(), "motion");
   EXPECT_EQ(row.active(), "");
   ASSERT_EQ(row.solutions_size(), 1);
-  EXPECT_EQ(row.solutions(0).unavailable(), "unavailable because neither the robot nor another task provides joint angles (joints/states)");
+  EXPECT_EQ(row.solutions(0).unavailable(),
+            "unavailable because neither the robot nor another task provides joint angles (joints/states)");
   EXPECT_GT(table->tasks_size(), 1);
   ASSERT_NE(result, nullptr);
   EXPECT_FALSE(result->accepted());
-  EXPECT_EQ(result->reason(), "task motion does not run because neither the robot nor another task provides joint angles (joints/states)");
+  EXPECT_EQ(result->reason(),
+            "task motion does not run because neither the robot nor another task provides joint angles "
+            "(joints/states)");
 }
 
 TEST(PartialLayout, recordedParametersCountMoreThanFilesAndUnknownOnesNothing) {

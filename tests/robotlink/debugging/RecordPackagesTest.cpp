@@ -64,8 +64,8 @@ TEST(RecordPackages, leaveAPersonsKeysAlone) {
 TEST(RecordPackages, canBeginWithTheFirstFrame) {
   ToyRobot robot;
   const auto yielded = robot.program->yieldedPackages();
-  EXPECT_EQ(yielded, (std::vector<std::string>{"behavior/motion", "joints/request", "models/ball", "motion/status",
-                                               "percepts/ball"}));
+  EXPECT_EQ(yielded, (std::vector<std::string>{"behavior/motion", "joints/request", "models/ball",
+                                               "motion/status", "percepts/ball"}));
   robot.program->recordPackages({yielded.begin(), yielded.end()});
   robot.run(20);
   ASSERT_FALSE(robot.on("percepts/ball").empty());

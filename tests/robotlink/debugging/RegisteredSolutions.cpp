@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // As a folder of solutions does it: keys and solutions that nothing names, in an OBJECT library.
-#include "robotcontrol/Debugging.pb.h"
 #include "foxglove/Image.pb.h"
+#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/debugging/Solution.h"

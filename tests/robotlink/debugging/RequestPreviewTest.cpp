@@ -26,7 +26,8 @@ Request getParameters(const char* task, const char* solution) {
   return request;
 }
 
-Request setParameters(const char* task, const char* solution, double x, const char* type = "robotcontrol.Velocity2") {
+Request setParameters(const char* task, const char* solution, double x,
+                      const char* type = "robotcontrol.Velocity2") {
   Request request;
   auto& wish = *request.mutable_set_parameters();
   wish.set_task(task);
@@ -54,17 +55,28 @@ Request colorTable(std::string cells) {
 
 /// Every kind of request, with answers of every kind.
 std::vector<Request> manyRequests() {
-  std::vector<Request> all{select("behavior", "obey"),          select("behavior", "dance"),
-                           select("ball-percept", "broken"),    select("ball-percept", "untidy"),
-                           select("ball-model", "oracle"),      select("flying", "high"),
-                           getParameters("ball-percept", "region"), getParameters("ball-percept", ""),
-                           getParameters("motion", "walk"),     getParameters("ball-percept", "x"),
-                           setParameters("ball-percept", "region", 7), setParameters("ball-percept", "", 8),
+  std::vector<Request> all{select("behavior", "obey"),
+                           select("behavior", "dance"),
+                           select("ball-percept", "broken"),
+                           select("ball-percept", "untidy"),
+                           select("ball-model", "oracle"),
+                           select("flying", "high"),
+                           getParameters("ball-percept", "region"),
+                           getParameters("ball-percept", ""),
+                           getParameters("motion", "walk"),
+                           getParameters("ball-percept", "x"),
+                           setParameters("ball-percept", "region", 7),
+                           setParameters("ball-percept", "", 8),
                            setParameters("ball-percept", "region", 7, "robotcontrol.Pose2"),
-                           setParameters("motion", "walk", 7),  setKey("ball-percept/dot", KeyMode::ALWAYS),
-                           setKey("ball-percept/dott", KeyMode::ALWAYS), setKey("ball-percept/dot", KeyMode::EVERY_N),
-                           setKey("package/models/ball", KeyMode::N_TIMES, 3), setKey("package/nothing", KeyMode::ALWAYS),
-                           setKey("package/oracle/classes", KeyMode::ALWAYS), colorTable("ten cells."), colorTable("")};
+                           setParameters("motion", "walk", 7),
+                           setKey("ball-percept/dot", KeyMode::ALWAYS),
+                           setKey("ball-percept/dott", KeyMode::ALWAYS),
+                           setKey("ball-percept/dot", KeyMode::EVERY_N),
+                           setKey("package/models/ball", KeyMode::N_TIMES, 3),
+                           setKey("package/nothing", KeyMode::ALWAYS),
+                           setKey("package/oracle/classes", KeyMode::ALWAYS),
+                           colorTable("ten cells."),
+                           colorTable("")};
   Request request;
   request.mutable_send_tables();
   all.push_back(request);

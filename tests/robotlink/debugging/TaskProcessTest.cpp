@@ -83,7 +83,10 @@ TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
   EXPECT_EQ("ball-model", table.tasks(1).name());
   EXPECT_EQ("cognition", table.tasks(1).process());
   EXPECT_EQ("oracle", table.tasks(1).solutions(1).name());
-  EXPECT_EQ("unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)", table.tasks(1).solutions(1).unavailable());
+  EXPECT_EQ(
+      "unavailable because neither the robot nor another task provides the simulator's ground truth "
+      "(oracle/world)",
+      table.tasks(1).solutions(1).unavailable());
   EXPECT_EQ("", table.tasks(1).solutions(0).unavailable());
   EXPECT_TRUE(table.tasks(0).solutions(1).has_parameters());
   for (const auto& task : table.tasks()) {
@@ -96,8 +99,10 @@ TEST(TaskProcessTest, theTableTellsWhatIsActiveAndWhatIsUnavailable) {
 
 TEST(TaskProcessTest, anUnavailableOrUnknownSolutionIsRefusedWithTheReason) {
   ToyRobot robot;
-  EXPECT_EQ("solution oracle of ball-model is unavailable because neither the robot nor another task provides the simulator's ground truth (oracle/world)",
-            robot.select("ball-model", "oracle").reason());
+  EXPECT_EQ(
+      "solution oracle of ball-model is unavailable because neither the robot nor another task provides the "
+      "simulator's ground truth (oracle/world)",
+      robot.select("ball-model", "oracle").reason());
   EXPECT_EQ("task ball-model has no solution 'kalman'", robot.select("ball-model", "kalman").reason());
   EXPECT_EQ("no process of this layout has 'cooking'", robot.select("cooking", "soup").reason());
   robot.run(20);

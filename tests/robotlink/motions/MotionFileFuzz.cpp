@@ -19,11 +19,13 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 
 std::vector<std::string> fuzzSeeds() {
   std::vector<std::filesystem::path> files;
-  for (const auto& entry : std::filesystem::recursive_directory_iterator(ROBOTCONTROL_SOURCE_DIR "/resources/motions")) {
+  for (const auto& entry :
+       std::filesystem::recursive_directory_iterator(ROBOTCONTROL_SOURCE_DIR "/resources/motions")) {
     if (entry.path().extension() == ".mof") files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());
-  std::vector<std::string> seeds{"motion_id = wave\njoints = a b\nlabel start\n10 20 1 100\ntransition next start start\n"};
+  std::vector<std::string> seeds{
+      "motion_id = wave\njoints = a b\nlabel start\n10 20 1 100\ntransition next start start\n"};
   for (const auto& path : files) {
     std::ifstream file(path, std::ios::binary);
     seeds.emplace_back(std::istreambuf_iterator<char>(file), std::istreambuf_iterator<char>());

@@ -47,10 +47,10 @@ double takenByCounted(const std::function<void(robotcontrol::DebugQueue&, double
   return static_cast<double>(heap() - before) / static_cast<double>(session.store().bytes());
 }
 
-#define EXPECT_COUNTED(fill)                    \
+#define EXPECT_COUNTED(fill)                                   \
   if (heap() == 0) GTEST_SKIP() << "the heap cannot be asked"; \
-  const double taken = takenByCounted(fill);    \
-  EXPECT_GT(taken, 0.7);                        \
+  const double taken = takenByCounted(fill);                   \
+  EXPECT_GT(taken, 0.7);                                       \
   EXPECT_LT(taken, 1.2)
 
 }  // namespace
@@ -82,6 +82,7 @@ TEST(HistoryMemory, whatOnlyRecordersWantIsNotKept) {
 
 TEST(HistoryMemory, manySmallMessagesTakeWhatIsCounted) {
   EXPECT_COUNTED([](auto& queue, double time) {
-    for (int i = 0; i < 100; ++i) add(queue, "plots/ball-model/number-" + std::to_string(i), time).mutable_plot()->set_value(i);
+    for (int i = 0; i < 100; ++i)
+      add(queue, "plots/ball-model/number-" + std::to_string(i), time).mutable_plot()->set_value(i);
   });
 }

@@ -12,7 +12,8 @@ inline Instant at(double time) {
   return Instant(fromSeconds(time));
 }
 
-inline robotcontrol::DebugMessage& add(robotcontrol::DebugQueue& queue, const std::string& path, double time) {
+inline robotcontrol::DebugMessage& add(robotcontrol::DebugQueue& queue, const std::string& path,
+                                       double time) {
   robotcontrol::DebugMessage& message = *queue.add_messages();
   message.set_path(path);
   assign(*message.mutable_timestamp(), at(time));

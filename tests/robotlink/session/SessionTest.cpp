@@ -219,7 +219,8 @@ TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
     session.pushResult(result);
   });
   std::vector<std::string> told;
-  session.setRefusalHandler([&](const std::string& what, const std::string& why) { told.push_back(what + ": " + why); });
+  session.setRefusalHandler(
+      [&](const std::string& what, const std::string& why) { told.push_back(what + ": " + why); });
   robotcontrol::Request request;
   request.set_robot("red1");
   request.mutable_set_key()->set_name("a/b");
@@ -232,7 +233,8 @@ TEST(Session, aRefusalThatNobodyWaitsForIsToldToTheHandler) {
   session.request(request);
   EXPECT_TRUE(told.empty()) << "only from the tick";
   session.tick();
-  EXPECT_THAT(told, ElementsAre("set key of red1: the process has failed", "control simulation: the process has failed"));
+  EXPECT_THAT(told, ElementsAre("set key of red1: the process has failed",
+                                "control simulation: the process has failed"));
 }
 
 TEST(Session, theSelectedRobotIsAlwaysOneOfTheRobots) {

@@ -170,8 +170,8 @@ void renderThroughLens(benchmark::State& state) {
   Image image;
   std::uint64_t frame = 0;
   for ([[maybe_unused]] const auto _ : state) {
-    renderer.render(scene.cameras[frame % scene.cameras.size()], camera, PixelFormat::kYuyv,
-                    {3, 1, 1, frame}, image);
+    renderer.render(scene.cameras[frame % scene.cameras.size()], camera, PixelFormat::kYuyv, {3, 1, 1, frame},
+                    image);
     ++frame;
   }
 }

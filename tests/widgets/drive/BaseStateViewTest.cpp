@@ -152,7 +152,8 @@ class BaseStateViewTest : public QObject {
     QCOMPARE(stall.palette().color(QPalette::WindowText), muted);
     QCOMPARE(child<QLabel>(*view, "baseMotorsState").palette().color(QPalette::WindowText), muted);
     QCOMPARE(child<QLabel>(*view, "baseOdometry").palette().color(QPalette::WindowText), muted);
-    QCOMPARE(text(*view, "baseAge"), QStringLiteral("The base has said nothing for 7 s: this is what it said last."));
+    QCOMPARE(text(*view, "baseAge"),
+             QStringLiteral("The base has said nothing for 7 s: this is what it said last."));
     const auto& battery = child<widgets::BatteryGauge>(*view, "baseBattery");
     QVERIFY(battery.level().text().endsWith(QStringLiteral("7 s ago")));
     QImage picture(200, 20, QImage::Format_RGB32);

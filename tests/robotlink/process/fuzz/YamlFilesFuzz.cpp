@@ -32,7 +32,8 @@ void checkRobot(const RobotDescription& robot) {
   for (const auto& joint : robot.joints) {
     require(std::isfinite(joint.minimum) && std::isfinite(joint.maximum), "limits are finite");
     require(joint.minimum < joint.maximum, "the lower limit is below the upper one");
-    require(joint.stance >= joint.minimum && joint.stance <= joint.maximum, "the stance is within the limits");
+    require(joint.stance >= joint.minimum && joint.stance <= joint.maximum,
+            "the stance is within the limits");
   }
   require(!robot.laser || robot.laser->readings >= 2, "a laser has readings");
 }
@@ -56,7 +57,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 std::vector<std::string> fuzzSeeds() {
   std::vector<std::filesystem::path> files;
   for (const char* folder : {"layouts", "robots", "fields"}) {
-    for (const auto& entry : std::filesystem::directory_iterator(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "resources" / folder))
+    for (const auto& entry : std::filesystem::directory_iterator(
+             std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) / "resources" / folder))
       files.push_back(entry.path());
   }
   std::sort(files.begin(), files.end());

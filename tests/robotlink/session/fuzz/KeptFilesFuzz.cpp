@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the workbench keeps for a person: settings and presets of debug keys. Somebody may have edited them, or a disk
-// damaged them.
+// What the workbench keeps for a person: settings and presets of debug keys. Somebody may have edited them,
+// or a disk damaged them.
 #include <cmath>
 #include <cstdio>
 #include <cstdlib>
@@ -35,7 +35,8 @@ void checkSettings(const std::filesystem::path& path) {
   const auto loaded = settings.load();
   require(loaded || !loaded.error().text.empty(), "a refusal says why");
   for (const auto& [name, value] : settings.all()) {
-    if (const auto* number = std::get_if<double>(&value)) require(std::isfinite(*number), "numbers are finite");
+    if (const auto* number = std::get_if<double>(&value))
+      require(std::isfinite(*number), "numbers are finite");
   }
 }
 
@@ -58,8 +59,9 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
 }
 
 std::vector<std::string> fuzzSeeds() {
-  return {R"({"format": "robotcontrol-settings", "version": 1, "settings": {"speed": 2.5, "name": "a", "grid": true,
+  return {
+      R"({"format": "robotcontrol-settings", "version": 1, "settings": {"speed": 2.5, "name": "a", "grid": true,
              "list": ["x", "y"]}})",
-          R"({"format": "robotcontrol-debug-keys", "version": 1, "keys": {"ball-percept/circle": {"mode": "always"},
+      R"({"format": "robotcontrol-debug-keys", "version": 1, "keys": {"ball-percept/circle": {"mode": "always"},
              "timing/tasks": {"mode": "every-n", "n": 12}, "x": {"mode": "every-ms", "n": 100}}})"};
 }
