@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "app/core/TextLimit.h"
-#include "robotlink/arcos/RobotPorts.h"
+#include "robotlink/arcos/server/RobotPorts.h"
 
 namespace app {
 

@@ -10,7 +10,7 @@
 #include "app/core/LinkMeter.h"
 #include "app/core/PioneerPackages.h"
 #include "robotlink/arcos/ClientSession.h"
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/process/Process.h"
 #include "robotlink/process/Receiver.h"
 #include "robotlink/process/Sender.h"

@@ -3,7 +3,7 @@
 
 #include <array>
 
-#include "robotlink/arcos/ByteStream.h"
+#include "robotlink/arcos/stream/OpenStream.h"
 
 namespace app {
 namespace {

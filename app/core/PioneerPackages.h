@@ -8,8 +8,8 @@
 
 #include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Driving.pb.h"
-#include "robotlink/arcos/LaserScan.h"
 #include "robotlink/arcos/StateDecoder.h"
+#include "robotlink/arcos/codec/LaserScan.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/config/RobotDescription.h"
 

@@ -7,10 +7,11 @@
 #include "app/core/SolutionChoices.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/arcos/StreamUrl.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 

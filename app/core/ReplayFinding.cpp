@@ -4,6 +4,7 @@
 
 #include "app/core/ReplayRunParts.h"
 #include "app/core/SolutionChoices.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {

@@ -8,6 +8,7 @@
 #include "app/core/SimulatedPlatform.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Driving.pb.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/MapConversions.h"
 

@@ -3,6 +3,7 @@
 #include <algorithm>
 
 #include "app/core/ReplayRobotProgram.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/core/PioneerBattery.h"
-#include "robotlink/arcos/ServerSession.h"
+#include "robotlink/arcos/server/ServerSession.h"
 #include "robotlink/base/Error.h"
 
 namespace simcore {

@@ -15,6 +15,7 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 #include "simcore/Scene.h"

@@ -9,6 +9,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/process/Layout.h"
 #include "robotlink/session/KeyPresets.h"

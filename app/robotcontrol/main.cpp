@@ -9,7 +9,7 @@
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
-#include "robotlink/arcos/StreamUrl.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/Resources.h"
 
 namespace {

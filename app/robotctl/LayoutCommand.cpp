@@ -6,6 +6,7 @@
 #include "app/robotctl/Commands.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/process/Layout.h"
 

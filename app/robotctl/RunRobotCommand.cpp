@@ -12,7 +12,7 @@
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/TextMessages.h"
 #include "robotcontrol/Debugging.pb.h"
-#include "robotlink/arcos/StreamUrl.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
 
 namespace app {
 namespace {

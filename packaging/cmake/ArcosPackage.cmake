@@ -20,10 +20,13 @@ install(FILES ${CMAKE_CURRENT_LIST_DIR}/RobotControlArcosConfig.cmake ${CMAKE_BI
         DESTINATION ${arcos_package_folder} COMPONENT arcos)
 
 foreach(header
-    arcos/ByteStream.h arcos/ClientSession.h arcos/Command.h arcos/CommandTable.h arcos/Configuration.h arcos/Conversation.h
-    arcos/LaserPacket.h arcos/LaserScan.h arcos/MemoryStream.h arcos/MotionGoal.h arcos/Packet.h arcos/PacketDescription.h arcos/PacketParser.h
-    arcos/PioneerRobot.h arcos/RangeScan.h arcos/RobotState.h arcos/RobotType.h arcos/SensorPackets.h arcos/SerialPorts.h arcos/ServerPackets.h
-    arcos/SimulatorCommands.h arcos/SimulatorPackets.h arcos/StandardInformation.h arcos/StateDecoder.h arcos/StreamUrl.h
+    arcos/ClientSession.h arcos/MotionGoal.h arcos/PioneerRobot.h arcos/RobotState.h arcos/RobotType.h
+    arcos/StateDecoder.h arcos/codec/Command.h arcos/codec/CommandId.h arcos/codec/CommandTable.h
+    arcos/codec/Configuration.h arcos/codec/Conversation.h arcos/codec/Identity.h arcos/codec/LaserPacket.h
+    arcos/codec/LaserScan.h arcos/codec/Packet.h arcos/codec/PacketDescription.h arcos/codec/PacketParser.h
+    arcos/codec/RangeScan.h arcos/codec/SensorPackets.h arcos/codec/ServerPackets.h arcos/codec/SimulatorCommands.h
+    arcos/codec/SimulatorPackets.h arcos/codec/StandardInformation.h arcos/stream/ByteStream.h
+    arcos/stream/MemoryStream.h arcos/stream/OpenStream.h arcos/stream/SerialPorts.h arcos/stream/StreamUrl.h
     base/Clock.h base/Error.h base/Geometry.h)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/robotlink/${header}

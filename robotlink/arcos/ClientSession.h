@@ -5,10 +5,10 @@
 #include <deque>
 #include <optional>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/LaserScan.h"
-#include "robotlink/arcos/PacketParser.h"
-#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/LaserScan.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/base/Clock.h"
 
 namespace robotlink::arcos {

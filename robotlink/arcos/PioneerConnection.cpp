@@ -40,7 +40,7 @@ RangeScan toRangeScan(const LaserScan& laser, const StateDecoder& decoder) {
 
 }  // namespace
 
-PioneerConnection::PioneerConnection(PioneerRobot::Opener opener, std::shared_ptr<const Clock> clock)
+PioneerConnection::PioneerConnection(StreamOpener opener, std::shared_ptr<const Clock> clock)
     : opener_(std::move(opener)),
       clock_(std::move(clock)),
       session_(sessionOptions()),

@@ -6,8 +6,10 @@
 #include <mutex>
 
 #include "robotlink/arcos/ClientSession.h"
-#include "robotlink/arcos/PioneerRobot.h"
+#include "robotlink/arcos/MotionGoal.h"
 #include "robotlink/arcos/StateDecoder.h"
+#include "robotlink/arcos/codec/RangeScan.h"
+#include "robotlink/arcos/stream/OpenStream.h"
 
 namespace robotlink::arcos {
 
@@ -18,7 +20,7 @@ namespace robotlink::arcos {
 /// while he holds `mutex_`, so that getters return at once.
 class PioneerConnection {
  public:
-  PioneerConnection(PioneerRobot::Opener opener, std::shared_ptr<const Clock> clock);
+  PioneerConnection(StreamOpener opener, std::shared_ptr<const Clock> clock);
   ~PioneerConnection() { end(); }
   PioneerConnection(const PioneerConnection&) = delete;
   PioneerConnection& operator=(const PioneerConnection&) = delete;
@@ -78,7 +80,7 @@ class PioneerConnection {
   tl::unexpected<Error> refused(Error why);
   tl::unexpected<Error> notSent(const Error& why) const;
 
-  const PioneerRobot::Opener opener_;
+  const StreamOpener opener_;
   const std::shared_ptr<const Clock> clock_;
 
   std::mutex reading_;        // held by who takes bytes from the line, or opens it

@@ -6,8 +6,8 @@
 #include <limits>
 
 #include "robotlink/arcos/PioneerConnection.h"
-#include "robotlink/arcos/ServerPackets.h"
-#include "robotlink/arcos/SimulatorCommands.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/codec/SimulatorCommands.h"
 
 namespace robotlink::arcos {
 namespace {

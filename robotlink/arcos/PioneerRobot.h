@@ -1,19 +1,18 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <functional>
 #include <memory>
 #include <optional>
 #include <string>
 #include <vector>
 
-#include "robotlink/arcos/ByteStream.h"
-#include "robotlink/arcos/Command.h"
 #include "robotlink/arcos/MotionGoal.h"
-#include "robotlink/arcos/Packet.h"
-#include "robotlink/arcos/RangeScan.h"
 #include "robotlink/arcos/RobotState.h"
 #include "robotlink/arcos/RobotType.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/Packet.h"
+#include "robotlink/arcos/codec/RangeScan.h"
+#include "robotlink/arcos/stream/OpenStream.h"
 
 namespace robotlink::arcos {
 
@@ -41,7 +40,7 @@ class PioneerConnection;
 class PioneerRobot {
  public:
   /// How the line is opened, each time that begin() is called.
-  using Opener = std::function<Result<std::unique_ptr<ByteStream>>()>;
+  using Opener = StreamOpener;
 
   explicit PioneerRobot(std::string url);
   /// Over a line of the caller's making, by a clock that goes on while that line waits for bytes.

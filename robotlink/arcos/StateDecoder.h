@@ -5,7 +5,7 @@
 
 #include "robotlink/arcos/RobotState.h"
 #include "robotlink/arcos/RobotType.h"
-#include "robotlink/arcos/StandardInformation.h"
+#include "robotlink/arcos/codec/StandardInformation.h"
 
 namespace robotlink::arcos {
 

@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RegisteredTasks.h"
+
 #include <algorithm>
 
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Solution.h"
 
 namespace robotlink {
 namespace {

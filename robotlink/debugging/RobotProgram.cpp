@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 
 #include <algorithm>
 

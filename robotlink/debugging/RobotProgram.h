@@ -55,15 +55,8 @@ class RobotProgram {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The catalog of all registered solutions, for layout checks.
-TaskCatalog registeredTasks();
-
 /// The packages that every debug process offers: a person's wishes.
 std::vector<std::string> debugPackages();
 bool isDebugPackage(const std::string& package);
-
-/// The packages of all registered solutions with their types, for those who make packages otherwise, from a
-/// log.
-std::map<std::string, const google::protobuf::Descriptor*> packageTypes();
 
 }  // namespace robotlink

@@ -7,7 +7,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/DebugRoutes.h"
-#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
 

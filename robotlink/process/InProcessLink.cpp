@@ -1,8 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/process/InProcessLink.h"
 
-#include "robotlink/process/Process.h"
-
 namespace robotlink {
 
 void InProcessLink::offer(PackagePtr package) {

@@ -4,17 +4,16 @@
 #include <atomic>
 #include <mutex>
 
+#include "robotlink/process/EndOwner.h"
 #include "robotlink/process/Link.h"
 
 namespace robotlink {
-
-class Process;
 
 /// A link between two processes of one program. Hands the pointer over; never copies the package.
 /// Until close() has returned both processes must live; after that it is only a place where nothing arrives.
 class InProcessLink final : public Link {
  public:
-  InProcessLink(Process& sender, Process& receiver) : sender_(sender), receiver_(receiver) {}
+  InProcessLink(EndOwner& sender, EndOwner& receiver) : sender_(sender), receiver_(receiver) {}
 
   void offer(PackagePtr package) override;
   bool delivered() const override { return !kept_.load(std::memory_order_acquire); }
@@ -24,8 +23,8 @@ class InProcessLink final : public Link {
   std::uint64_t missed() const override { return missed_.load(std::memory_order_relaxed); }
 
  private:
-  Process& sender_;
-  Process& receiver_;
+  EndOwner& sender_;
+  EndOwner& receiver_;
   // Protects inbox_, pending_ and closed_, and is held while a process is woken: close() waits for that.
   std::mutex mutex_;
   PackagePtr inbox_;    // delivered, not yet taken

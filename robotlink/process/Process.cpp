@@ -6,13 +6,13 @@
 
 namespace robotlink {
 
-Process::Process(std::string name, const Clock& clock) : name_(std::move(name)), clock_(clock) {}
+Process::Process(std::string name, const Clock& clock) : EndOwner(std::move(name)), clock_(clock) {}
 
 Process::~Process() = default;
 
 bool Process::satisfied() const {
-  return std::all_of(receivers_.begin(), receivers_.end(), [](const auto* r) { return r->satisfied(); }) &&
-         std::all_of(senders_.begin(), senders_.end(), [](const auto* s) { return s->satisfied(); });
+  return std::all_of(receivers().begin(), receivers().end(), [](const auto* r) { return r->satisfied(); }) &&
+         std::all_of(senders().begin(), senders().end(), [](const auto* s) { return s->satisfied(); });
 }
 
 std::optional<Instant> Process::due() const {
@@ -28,7 +28,7 @@ Duration Process::untilDue() const {
 
 bool Process::tryBeginFrame() {
   if (stopped()) return false;
-  for (AnyReceiver* receiver : receivers_) receiver->take();
+  for (AnyReceiver* receiver : receivers()) receiver->take();
   return untilDue() <= Duration::zero() && satisfied();
 }
 
@@ -45,7 +45,7 @@ void Process::runFrame() {
   const Instant now = clock_.now();
   startPeriod(now);
   frameTime_ = now;
-  for (AnyReceiver* receiver : receivers_) receiver->beginFrame();
+  for (AnyReceiver* receiver : receivers()) receiver->beginFrame();
   // Phase 3 needs no code: links deliver what they keep when the receivers ask.
   if (guard([this] { execute(); })) frames_.fetch_add(1, std::memory_order_relaxed);
 }
@@ -91,8 +91,8 @@ void Process::wake() {
 
 void Process::stop() {
   stopped_.store(true, std::memory_order_release);
-  for (AnyReceiver* receiver : receivers_) receiver->close();
-  for (AnySender* sender : senders_) sender->close();
+  for (AnyReceiver* receiver : receivers()) receiver->close();
+  for (AnySender* sender : senders()) sender->close();
   wake();
 }
 
@@ -102,10 +102,10 @@ std::string Process::failure() const {
 }
 
 std::string Process::waitsFor() const {
-  for (const AnyReceiver* receiver : receivers_) {
+  for (const AnyReceiver* receiver : receivers()) {
     if (!receiver->satisfied()) return receiver->waitsFor();
   }
-  for (const AnySender* sender : senders_) {
+  for (const AnySender* sender : senders()) {
     if (!sender->satisfied()) return "its package " + sender->package() + " to be taken";
   }
   return due() ? "its period" : "nothing";

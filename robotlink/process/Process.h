@@ -7,9 +7,9 @@
 #include <mutex>
 #include <optional>
 #include <string>
-#include <vector>
 
 #include "robotlink/base/Clock.h"
+#include "robotlink/process/EndOwner.h"
 #include "robotlink/process/Sender.h"
 
 namespace robotlink {
@@ -22,14 +22,11 @@ namespace robotlink {
 /// An executor drives it: tryBeginFrame() and runFrame() are called by one thread at a time; wake(), stop()
 /// and the statistics by any. The clock must outlive it. A process that throws is stopped, with the
 /// exception's text as failure().
-class Process {
+class Process : public EndOwner {
  public:
   Process(std::string name, const Clock& clock);
-  virtual ~Process();
-  Process(const Process&) = delete;
-  Process& operator=(const Process&) = delete;
+  ~Process() override;
 
-  const std::string& name() const { return name_; }
   const Clock& clock() const { return clock_; }
   /// At least this long from one frame's start to the next, drift corrected; 0 is event-driven. Before it
   /// runs.
@@ -57,7 +54,7 @@ class Process {
   Instant frameTime() const { return frameTime_; }
   std::optional<Instant> due() const;
 
-  void wake();
+  void wake() override;
   /// Ends it, even while it waits; its links never hold another process back from now on.
   void stop();
   bool stopped() const { return stopped_.load(std::memory_order_acquire); }
@@ -65,29 +62,19 @@ class Process {
   std::string failure() const;
   std::uint64_t frames() const { return frames_.load(std::memory_order_relaxed); }
 
-  const std::vector<AnyReceiver*>& receivers() const { return receivers_; }
-  const std::vector<AnySender*>& senders() const { return senders_; }
-
  protected:
   virtual void execute() = 0;
 
  private:
-  friend class AnyReceiver;
-  friend class AnySender;
-  void add(AnyReceiver& receiver) { receivers_.push_back(&receiver); }
-  void add(AnySender& sender) { senders_.push_back(&sender); }
   bool satisfied() const;
   void startPeriod(Instant now);
   Duration untilDue() const;
 
-  const std::string name_;
   const Clock& clock_;
   Duration period_{0};
   int priority_ = 0;
   std::optional<Instant> due_;
   Instant frameTime_;
-  std::vector<AnyReceiver*> receivers_;
-  std::vector<AnySender*> senders_;
   std::atomic<bool> stopped_{false};
   std::atomic<std::uint64_t> frames_{0};
 

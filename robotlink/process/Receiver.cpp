@@ -3,11 +3,9 @@
 
 #include <google/protobuf/message.h>
 
-#include "robotlink/process/Process.h"
-
 namespace robotlink {
 
-AnyReceiver::AnyReceiver(Process& process, std::string package, Blocking blocking)
+AnyReceiver::AnyReceiver(EndOwner& process, std::string package, Blocking blocking)
     : process_(process), package_(std::move(package)), blocking_(blocking) {
   process.add(*this);
 }

@@ -7,6 +7,7 @@
 #include <mutex>
 #include <string>
 
+#include "robotlink/process/EndOwner.h"
 #include "robotlink/process/Link.h"
 
 namespace google::protobuf {
@@ -14,8 +15,6 @@ class Descriptor;
 }
 
 namespace robotlink {
-
-class Process;
 
 /// Whether an end of a link holds its process back from phase 2.
 enum class Blocking : bool { kNo, kYes };
@@ -27,13 +26,13 @@ enum class Blocking : bool { kNo, kYes };
 /// may be connected, also anew, by any thread at any time, and tells its names and counters to any.
 class AnyReceiver {
  public:
-  AnyReceiver(Process& process, std::string package, Blocking blocking);
+  AnyReceiver(EndOwner& process, std::string package, Blocking blocking);
   ~AnyReceiver();
   AnyReceiver(const AnyReceiver&) = delete;
   AnyReceiver& operator=(const AnyReceiver&) = delete;
 
   const std::string& package() const { return package_; }
-  Process& process() const { return process_; }
+  EndOwner& process() const { return process_; }
   bool blocking() const { return blocking_ == Blocking::kYes; }
   bool connected() const;
   /// The process that sends; empty if there is none.
@@ -59,7 +58,7 @@ class AnyReceiver {
   void close();
   std::string waitsFor() const;
 
-  Process& process_;
+  EndOwner& process_;
   std::string package_;
   Blocking blocking_;
   mutable std::mutex mutex_;  // protects peer_, link_ and missedBefore_

@@ -6,11 +6,10 @@
 #include <algorithm>
 
 #include "robotlink/process/InProcessLink.h"
-#include "robotlink/process/Process.h"
 
 namespace robotlink {
 
-AnySender::AnySender(Process& process, std::string package, Blocking blocking)
+AnySender::AnySender(EndOwner& process, std::string package, Blocking blocking)
     : process_(process), package_(std::move(package)), blocking_(blocking) {
   process.add(*this);
 }

@@ -25,13 +25,13 @@ class AnySender {
  public:
   using Tap = std::function<void(const PackagePtr&)>;
 
-  AnySender(Process& process, std::string package, Blocking blocking);
+  AnySender(EndOwner& process, std::string package, Blocking blocking);
   ~AnySender();
   AnySender(const AnySender&) = delete;
   AnySender& operator=(const AnySender&) = delete;
 
   const std::string& package() const { return package_; }
-  Process& process() const { return process_; }
+  EndOwner& process() const { return process_; }
   bool blocking() const { return blocking_ == Blocking::kYes; }
   /// Somebody receives it.
   bool connected() const;
@@ -55,7 +55,7 @@ class AnySender {
   bool satisfied() const { return !blocking() || delivered(); }
   void close();
 
-  Process& process_;
+  EndOwner& process_;
   std::string package_;
   Blocking blocking_;
   mutable std::mutex mutex_;  // protects links_ and taps_

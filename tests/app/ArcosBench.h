@@ -6,9 +6,9 @@
 #include <vector>
 
 #include "app/core/ArcosSimulation.h"
-#include "robotlink/arcos/ByteStream.h"
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/stream/ByteStream.h"
 
 namespace app {
 

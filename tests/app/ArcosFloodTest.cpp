@@ -11,9 +11,9 @@
 #include <mutex>
 #include <thread>
 
-#include "robotlink/arcos/ByteStream.h"
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/stream/OpenStream.h"
 
 namespace {
 

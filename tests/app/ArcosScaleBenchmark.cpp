@@ -26,9 +26,9 @@
 #include <thread>
 #include <vector>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketParser.h"
-#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace {
 

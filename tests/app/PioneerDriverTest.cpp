@@ -4,7 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "foxglove/Ranging.pb.h"
-#include "robotlink/arcos/ServerSession.h"
+#include "robotlink/arcos/server/ServerSession.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/process/InProcessLink.h"

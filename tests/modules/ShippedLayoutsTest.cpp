@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 
 using namespace robotlink;

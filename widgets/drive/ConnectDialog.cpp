@@ -16,7 +16,7 @@
 #include <QToolButton>
 
 #include "robotcontrol/Driving.pb.h"
-#include "robotlink/arcos/StreamUrl.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"

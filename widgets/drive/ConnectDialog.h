@@ -7,7 +7,7 @@
 #include <utility>
 #include <vector>
 
-#include "robotlink/arcos/SerialPorts.h"
+#include "robotlink/arcos/stream/SerialPorts.h"
 #include "widgets/PackageWish.h"
 
 class QComboBox;

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/arcos/Conversation.h"
+#include "robotlink/arcos/codec/Conversation.h"
 #include "widgets/models/PacketEntry.h"
 
 namespace widgets {

@@ -4,7 +4,7 @@
 #include <QByteArray>
 #include <QObject>
 
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 
 namespace widgets {
 namespace {

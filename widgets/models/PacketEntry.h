@@ -4,7 +4,7 @@
 #include <QString>
 #include <string>
 
-#include "robotlink/arcos/PacketDescription.h"
+#include "robotlink/arcos/codec/PacketDescription.h"
 #include "robotlink/base/Clock.h"
 
 namespace widgets {

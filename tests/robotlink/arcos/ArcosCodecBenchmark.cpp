@@ -8,9 +8,9 @@
 #include <chrono>
 #include <cstring>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketParser.h"
-#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "robotlink/arcos/CommandTable.h"
+#include "robotlink/arcos/codec/CommandTable.h"
 
 namespace robotlink::arcos {
 namespace {

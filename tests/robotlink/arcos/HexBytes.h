@@ -3,7 +3,7 @@
 
 #include <string_view>
 
-#include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/codec/Packet.h"
 
 namespace robotlink::arcos {
 

@@ -4,8 +4,8 @@
 #include <map>
 #include <vector>
 
-#include "robotlink/arcos/ServerPackets.h"
-#include "robotlink/arcos/ServerSession.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/server/ServerSession.h"
 #include "tests/robotlink/arcos/IdealWheels.h"
 
 /// A microcontroller on ideal wheels in an empty world, with a client's hand on it: no socket, no waiting.

@@ -3,7 +3,7 @@
 
 #include <chrono>
 
-#include "robotlink/arcos/MotionController.h"
+#include "robotlink/arcos/server/MotionController.h"
 
 /// Wheels that do at once what they are told, and do not slip.
 struct IdealWheels {

@@ -6,9 +6,9 @@
 
 #include "IdealRobot.h"
 #include "PseudoTerminal.h"
-#include "robotlink/arcos/MemoryStream.h"
-#include "robotlink/arcos/PacketParser.h"
 #include "robotlink/arcos/PioneerRobot.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/stream/MemoryStream.h"
 #include "tests/TestFolder.h"
 
 namespace robotlink::arcos {

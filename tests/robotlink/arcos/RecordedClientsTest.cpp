@@ -3,7 +3,7 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 #include "tests/robotlink/arcos/Recordings.h"
 

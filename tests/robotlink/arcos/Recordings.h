@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "robotlink/arcos/Conversation.h"
+#include "robotlink/arcos/codec/Conversation.h"
 
 namespace robotlink::arcos {
 

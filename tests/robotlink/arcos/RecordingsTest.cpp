@@ -3,10 +3,10 @@
 
 #include <gtest/gtest.h>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketDescription.h"
-#include "robotlink/arcos/PacketParser.h"
-#include "robotlink/arcos/ServerPackets.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketDescription.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "IdealRobot.h"
-#include "robotlink/arcos/ByteStream.h"
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/stream/ByteStream.h"
 
 /// A robot at the end of a line, in one thread and without waiting: who reads from the line lets the robot's
 /// time, and the client's clock, go on. The robot outlives its lines, as a real one does.

@@ -4,7 +4,7 @@
 #include <algorithm>
 #include <deque>
 
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Random.h"
 

@@ -5,6 +5,7 @@
 #include <algorithm>
 
 #include "ToyRobot.h"
+#include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/packages/Packages.h"
 
 using namespace robotlink;

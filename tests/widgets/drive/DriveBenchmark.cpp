@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
-#include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/codec/Packet.h"
 #include "widgets/field/FieldViewport.h"
 #include "widgets/field/MapPainter.h"
 #include "widgets/models/PacketFilter.h"

@@ -10,7 +10,7 @@
 #include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Modeling.pb.h"
-#include "robotlink/arcos/Packet.h"
+#include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/RobotDescription.h"

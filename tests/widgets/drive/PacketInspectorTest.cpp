@@ -16,7 +16,7 @@
 #include <QToolButton>
 #include <QTreeWidget>
 
-#include "robotlink/arcos/Command.h"
+#include "robotlink/arcos/codec/Command.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"

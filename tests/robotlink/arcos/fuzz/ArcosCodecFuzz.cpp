@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketDescription.h"
-#include "robotlink/arcos/PacketParser.h"
-#include "robotlink/arcos/SimulatorCommands.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketDescription.h"
+#include "robotlink/arcos/codec/PacketParser.h"
+#include "robotlink/arcos/codec/SimulatorCommands.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/fuzz/ArcosSeeds.h"
 

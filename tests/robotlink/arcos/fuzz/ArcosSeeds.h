@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/ServerPackets.h"
-#include "robotlink/arcos/SimulatorCommands.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/codec/SimulatorCommands.h"
 
 /// One packet of every kind, of either direction.
 inline std::vector<robotlink::arcos::Packet> arcosSeedPackets() {

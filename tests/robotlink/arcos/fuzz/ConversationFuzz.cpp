@@ -2,7 +2,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "robotlink/arcos/Conversation.h"
+#include "robotlink/arcos/codec/Conversation.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/fuzz/ArcosSeeds.h"
 

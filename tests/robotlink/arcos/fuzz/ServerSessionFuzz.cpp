@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "robotlink/arcos/Command.h"
-#include "robotlink/arcos/PacketParser.h"
+#include "robotlink/arcos/codec/Command.h"
+#include "robotlink/arcos/codec/PacketParser.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 

@@ -1,0 +1,89 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/arcos/codec/PacketParser.h"
+
+#include <algorithm>
+
+namespace robotlink::arcos {
+namespace {
+
+constexpr std::size_t kMaximumDamage = 256;
+
+}  // namespace
+
+const char* describe(Damage::Kind kind) {
+  switch (kind) {
+    case Damage::Kind::kCount:
+      return "impossible length";
+    case Damage::Kind::kChecksum:
+      return "wrong checksum";
+    case Damage::Kind::kPartial:
+      return "end of packet missing";
+    case Damage::Kind::kGarbage:
+      break;
+  }
+  return "no packet";
+}
+
+void PacketParser::push(std::span<const std::uint8_t> bytes) {
+  buffer_.erase(buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(begin_));
+  giveUpBefore_ -= std::min(giveUpBefore_, begin_);
+  begin_ = 0;
+  buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
+  if (buffer_.size() > kMaximumBuffered) {
+    begin_ = buffer_.size() - kMaximumBuffered;
+    counters_.skippedBytes += begin_;
+  }
+}
+
+void PacketParser::clear() {
+  buffer_.clear();
+  begin_ = giveUpBefore_ = 0;
+}
+
+/// Where a header starts, perhaps with its second byte missing at the end; `end` if nowhere.
+std::size_t PacketParser::nextHeader(std::size_t from, std::size_t end) const {
+  for (std::size_t i = from; i < end; ++i) {
+    if (buffer_[i] == kHeader1 && (i + 1 == buffer_.size() || buffer_[i + 1] == kHeader2)) return i;
+  }
+  return end;
+}
+
+Damage PacketParser::takeDamage(Damage::Kind kind, std::size_t end) {
+  end = std::min(end, begin_ + kMaximumDamage);
+  Damage damage{kind, Bytes(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
+                            buffer_.begin() + static_cast<std::ptrdiff_t>(end))};
+  counters_.skippedBytes += damage.bytes.size();
+  if (kind == Damage::Kind::kChecksum) ++counters_.checksumErrors;
+  begin_ = end;
+  return damage;
+}
+
+std::optional<PacketParser::Found> PacketParser::needMore() {
+  if (begin_ >= giveUpBefore_) return std::nullopt;
+  return takeDamage(Damage::Kind::kPartial, nextHeader(begin_ + 1, buffer_.size()));
+}
+
+std::optional<PacketParser::Found> PacketParser::next() {
+  if (begin_ == buffer_.size()) return std::nullopt;
+  const std::size_t header = nextHeader(begin_, buffer_.size());
+  if (header != begin_) return takeDamage(Damage::Kind::kGarbage, header);
+
+  const std::size_t available = buffer_.size() - begin_;
+  if (available < 3) return needMore();
+  const std::size_t count = buffer_[begin_ + 2];
+  if (count < kMinimumCount || count > kMaximumCount) {
+    return takeDamage(Damage::Kind::kCount, nextHeader(begin_ + 2, begin_ + 3));
+  }
+  if (available < count + 3) return needMore();
+
+  const std::span idAndData = std::span(buffer_).subspan(begin_ + 3, count - 2);
+  const std::size_t end = begin_ + 3 + count;
+  if (checksum(idAndData) != ((buffer_[end - 2] << 8U) | buffer_[end - 1])) {
+    return takeDamage(Damage::Kind::kChecksum, nextHeader(begin_ + 2, end));
+  }
+  begin_ = end;
+  ++counters_.packets;
+  return Packet{idAndData[0], Bytes(idAndData.begin() + 1, idAndData.end())};
+}
+
+}  // namespace robotlink::arcos

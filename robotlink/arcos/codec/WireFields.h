@@ -1,0 +1,180 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <algorithm>
+#include <array>
+#include <bit>
+#include <concepts>
+#include <cstring>
+#include <limits>
+#include <optional>
+#include <string>
+#include <type_traits>
+
+#include "robotlink/arcos/codec/Packet.h"
+
+// How the structs of server packets are read and written: each has one function, visitFields(packet,
+// visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers
+// and descriptions are visitors, so the order of fields stands in one place. Integers are little-endian and
+// as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector), then its
+// elements between enter() and leave(); the field that numbers an element is a key().
+//
+// Units may have a factor ("0.1 V", "1/4096 turn"), and values with a meaning behind them ("%; 0 unknown").
+// Those of flags are "bits", or "bits: name, name" from bit 0 on.
+//
+// Only this folder's sources include this.
+namespace robotlink::arcos {
+
+template <std::integral T>
+T loadLittleEndian(const std::uint8_t* from) {
+  std::make_unsigned_t<T> bits = 0;
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&bits, from, sizeof bits);
+  } else {
+    for (std::size_t i = sizeof(T); i-- > 0;)
+      bits = static_cast<decltype(bits)>((std::uint64_t{bits} << 8U) | from[i]);
+  }
+  return static_cast<T>(bits);
+}
+
+template <std::integral T>
+void storeLittleEndian(T value, std::uint8_t* to) {
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(to, &value, sizeof value);
+  } else {
+    const auto bits = static_cast<std::uint64_t>(value);
+    for (std::size_t i = 0; i < sizeof(T); ++i) to[i] = static_cast<std::uint8_t>((bits >> (8 * i)) & 0xFFU);
+  }
+}
+
+/// Reads fields from a packet's data. A required field that is not there makes ok() false; an optional one
+/// that is not there ends the packet: it and all optional ones after it stay empty.
+class FieldReader {
+ public:
+  explicit FieldReader(std::span<const std::uint8_t> data) : data_(data) {}
+
+  template <typename T>
+  void operator()(const char* name, T& value, const char* = "") {
+    if (!take(value)) fail(name);
+  }
+  template <typename T>
+  void key(const char* name, T& value) {
+    (*this)(name, value);
+  }
+  template <typename T>
+  void operator()(const char*, std::optional<T>& value, const char* = "") {
+    T found{};
+    ended_ = ended_ || !take(found);
+    if (!ended_) value = std::move(found);
+  }
+  /// Every element takes at least a byte, so a count that lies costs no memory.
+  template <std::unsigned_integral Count, typename T>
+  void size(const char* name, std::vector<T>& list) {
+    Count count = 0;
+    (*this)(name, count);
+    if (count > data_.size()) fail(name);
+    if (ok_) list.resize(count);
+  }
+  void enter(const char* list, std::size_t) { list_ = list; }
+  void leave() {}
+  void rest(Bytes& bytes) {
+    bytes.assign(data_.begin(), data_.end());
+    data_ = {};
+  }
+  void bytes(Bytes& taken, std::size_t count) {
+    if (count > data_.size()) fail("end");
+    if (!ok_) return;
+    taken.assign(data_.begin(), data_.begin() + static_cast<std::ptrdiff_t>(count));
+    data_ = data_.subspan(count);
+  }
+
+  bool ok() const { return ok_; }
+  /// The first required field that was not there.
+  const char* missing() const { return missing_; }
+
+  /// False, and nothing is taken, if it is not there.
+  template <std::integral T>
+  bool take(T& value) {
+    if (data_.size() < sizeof(T)) return false;
+    value = loadLittleEndian<T>(data_.data());
+    data_ = data_.subspan(sizeof(T));
+    return true;
+  }
+  bool take(std::string& value) {
+    const auto end = std::find(data_.begin(), data_.end(), std::uint8_t{0});
+    if (end == data_.end()) return false;
+    value.assign(data_.begin(), end);
+    data_ = data_.subspan(value.size() + 1);
+    return true;
+  }
+
+ private:
+  void fail(const char* name) {
+    if (ok_) missing_ = *name == '\0' ? list_ : name;
+    ok_ = false;
+  }
+
+  std::span<const std::uint8_t> data_;
+  const char* missing_ = "";
+  const char* list_ = "";
+  bool ok_ = true;
+  bool ended_ = false;
+};
+
+/// Writes fields, behind what `data` has already; stops at the first optional one that is empty. They are in
+/// `data` after finish().
+class FieldWriter {
+ public:
+  explicit FieldWriter(Bytes& data) : data_(data) {}
+  FieldWriter(const FieldWriter&) = delete;
+  FieldWriter& operator=(const FieldWriter&) = delete;
+
+  template <std::integral T>
+  void operator()(const char*, const T& value, const char* = "") {
+    if (used_ + sizeof(T) > buffer_.size()) finish();
+    storeLittleEndian(value, buffer_.data() + used_);
+    used_ += sizeof(T);
+  }
+  void operator()(const char* name, const std::string& value, const char* = "") {
+    finish();
+    data_.insert(data_.end(), value.begin(), std::find(value.begin(), value.end(), '\0'));
+    (*this)(name, std::uint8_t{0});
+  }
+  template <typename T>
+  void operator()(const char* name, const std::optional<T>& value, const char* = "") {
+    ended_ = ended_ || !value;
+    if (!ended_) (*this)(name, *value);
+  }
+  template <typename T>
+  void key(const char* name, const T& value) {
+    (*this)(name, value);
+  }
+  template <std::unsigned_integral Count, typename T>
+  void size(const char* name, const std::vector<T>& list) {
+    (*this)(name, static_cast<Count>(std::min<std::size_t>(list.size(), std::numeric_limits<Count>::max())));
+  }
+  void enter(const char*, std::size_t) {}
+  void leave() {}
+  void rest(const Bytes& bytes) {
+    finish();
+    data_.insert(data_.end(), bytes.begin(), bytes.end());
+  }
+  void bytes(const Bytes& given, std::size_t count) {
+    finish();
+    const std::size_t there = std::min(count, given.size());
+    data_.insert(data_.end(), given.begin(), given.begin() + static_cast<std::ptrdiff_t>(there));
+    data_.insert(data_.end(), count - there, 0);
+  }
+  void finish() {
+    data_.insert(data_.end(), buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(used_));
+    used_ = 0;
+  }
+
+ private:
+  Bytes& data_;
+  std::array<std::uint8_t, 256> buffer_;  ///< so that data_ grows once for many fields
+  std::size_t used_ = 0;
+  bool ended_ = false;
+};
+
+}  // namespace robotlink::arcos

@@ -1,0 +1,226 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/arcos/server/ServerSession.h"
+
+#include <algorithm>
+#include <cmath>
+#include <utility>
+
+#include "robotlink/arcos/codec/ServerPackets.h"
+#include "robotlink/arcos/server/ServerTelemetry.h"
+
+namespace robotlink::arcos {
+namespace {
+
+constexpr std::uint8_t kSync0 = 0, kSync1 = 1, kSync2 = 2;
+/// Clients take these for a restarted controller, and go.
+constexpr std::uint8_t kFirstReserved = 0xFE;
+constexpr std::size_t kMostRequests = 64;
+constexpr Duration kGyroPeriod = std::chrono::milliseconds(25);
+constexpr std::size_t kMostGyroReadings = 8;
+/// Wheels that turn less than this stand: a gyroscope's drift must not turn the robot's heading then.
+constexpr double kStandingSpeed = 0.002;  // m/s
+
+}  // namespace
+
+void ServerSession::Subscription::ask(int argument) {
+  once = argument == 1;
+  always = argument > 1;
+}
+
+bool ServerSession::Subscription::take() {
+  return std::exchange(once, false) || always;
+}
+
+ServerSession::ServerSession(ServerSettings settings)
+    : settings_(std::move(settings)),
+      motion_(settings_.motion),
+      sonars_(settings_.sonars),
+      laser_(settings_.laser) {}
+
+void ServerSession::take(const Packet& packet, Instant now) {
+  lastHeard_ = now;
+  starved_ = false;
+  motion_.hold(false);
+  if (state_ == State::kWaiting) {
+    takeWaiting(packet);
+  } else {
+    takeConnected(packet);
+  }
+}
+
+/// SYNC0 and SYNC1 are echoed, SYNC2 is answered. Number 2 without the others before it is a CLOSE, which
+/// some clients send before they begin; number 1 without the other comes from a client that thinks it is
+/// connected.
+void ServerSession::takeWaiting(const Packet& packet) {
+  if (packet.id == kSync0) {
+    syncs_ = 1;
+    send({kSync0, {}});
+  } else if (packet.id == kSync1 && syncs_ >= 1) {
+    syncs_ = 2;
+    send({kSync1, {}});
+  } else if (packet.id == kSync2 && syncs_ == 2) {
+    state_ = State::kIdentified;
+    send(toPacket(identityOf(settings_)));
+  } else if (packet.id == kSync2) {
+    syncs_ = 0;
+  }
+}
+
+void ServerSession::takeConnected(const Packet& packet) {
+  // Before OPEN a client may still be in doubt of the handshake: it repeats SYNC2, or begins anew.
+  if (state_ == State::kIdentified && packet.id == kSync0) {
+    close();
+    takeWaiting(packet);
+  } else if (state_ == State::kIdentified && packet.id == kSync2 && packet.data.empty()) {
+    send(toPacket(identityOf(settings_)));
+  } else if (const auto command = toCommand(packet); command && !obeySimulator(packet)) {
+    obey(*command);
+  }
+}
+
+void ServerSession::open() {
+  if (state_ == State::kOpen) return;
+  state_ = State::kOpen;
+  motion_.setOdometry({});
+  nextCycle_ = lastHeard_ + settings_.cycle;
+}
+
+void ServerSession::close() {
+  state_ = State::kWaiting;
+  syncs_ = 0;
+  starved_ = false;
+  motion_.hold(false);
+  motion_.enable(false);
+  motion_.restoreParameters();
+  sonars_.restore();
+  laser_.restore();
+  client_ = {};
+}
+
+void ServerSession::clientGone(Instant now) {
+  lastHeard_ = now;
+  close();
+  outgoing_.clear();
+}
+
+void ServerSession::robotReset() {
+  motion_.reset();
+}
+
+bool ServerSession::tellsTruth() const {
+  const Subscription& status = client_.subscriptions[kStatus];
+  return status.once || status.always;
+}
+
+void ServerSession::send(Packet packet) {
+  if (packet.id >= kFirstReserved || packet.count() > kMaximumSentCount ||
+      outgoing_.size() >= kMaximumOutgoing) {
+    ++dropped_;
+    return;
+  }
+  outgoing_.push_back(std::move(packet));
+}
+
+void ServerSession::ask(SimulatorRequest request) {
+  if (requests_.size() < kMostRequests) requests_.push_back(std::move(request));
+}
+
+std::vector<Packet> ServerSession::takeOutgoing() {
+  return std::exchange(outgoing_, {});
+}
+
+std::vector<SimulatorRequest> ServerSession::takeRequests() {
+  return std::exchange(requests_, {});
+}
+
+void ServerSession::mapLoaded(const std::string& file, bool loaded, bool byUser) {
+  if (state_ != State::kOpen) return;
+  // A path that is too long for a packet is told by its end.
+  const std::size_t fitting = kMaximumSentData - 3;
+  MapChanged changed;
+  changed.byUser = byUser;
+  changed.loaded = loaded;
+  changed.file = file.size() > fitting ? file.substr(file.size() - fitting) : file;
+  send(toPacket(changed));
+}
+
+void ServerSession::checkWatchdog(Instant now) {
+  if (!settings_.watchdogStops || state_ == State::kWaiting || starved_) return;
+  if (now - lastHeard_ <= settings_.watchdog) return;
+  starved_ = true;
+  motion_.hold(true);
+}
+
+void ServerSession::checkBumpers(const RobotSensing& sensing) {
+  const bool front = (client_.bumpStall & 1) != 0 && sensing.frontBumpers != 0;
+  const bool rear = (client_.bumpStall & 2) != 0 && sensing.rearBumpers != 0;
+  if (front || rear) motion_.stall(true, true);
+}
+
+MotionController::Wheels ServerSession::wheelsOf(const RobotSensing& sensing) const {
+  MotionController::Wheels wheels{
+      sensing.leftTravel, sensing.rightTravel, sensing.leftBlocked, sensing.rightBlocked, {}};
+  if (settings_.gyroscope == ServerSettings::Gyroscope::kRobot && client_.gyroUsed) {
+    const bool standing =
+        std::abs(sensing.leftSpeed) < kStandingSpeed && std::abs(sensing.rightSpeed) < kStandingSpeed;
+    wheels.rotationRate = standing ? 0 : sensing.rotationRate;
+  }
+  return wheels;
+}
+
+WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& ranges, Instant now) {
+  const Duration passed = now - lastStep_.value_or(now);
+  lastStep_ = now;
+  checkWatchdog(now);
+  if (sensing.stopButton) motion_.enable(false);
+  const WheelCommand command = motion_.step(wheelsOf(sensing), passed);
+  checkBumpers(sensing);
+  if (state_ != State::kOpen) return command;
+  fireSonars(ranges, now);
+  readGyroscope(sensing, now);
+  if (now >= nextCycle_) {
+    // Cycles that were missed are not made up for.
+    nextCycle_ += settings_.cycle * ((now - nextCycle_) / settings_.cycle + 1);
+    sendCycle(sensing, ranges);
+  }
+  return command;
+}
+
+void ServerSession::fireSonars(RangeFinders& ranges, Instant now) {
+  if (settings_.allSonarsEachCycle) return;
+  for (const int disc : sonars_.due(now)) client_.newSonars[disc] = ranges.sonar(disc);
+}
+
+void ServerSession::readGyroscope(const RobotSensing& sensing, Instant now) {
+  if (now < client_.nextGyroReading || !subscription(kGyro).always) return;
+  // Clients take each reading for the rate over one period: on average there must be neither more nor fewer.
+  client_.nextGyroReading = std::max(client_.nextGyroReading + kGyroPeriod, now);
+  if (client_.gyroReadings.size() < kMostGyroReadings) client_.gyroReadings.push_back(gyroReadingOf(sensing));
+}
+
+void ServerSession::sendCycle(const RobotSensing& sensing, RangeFinders& ranges) {
+  if (settings_.allSonarsEachCycle) {
+    for (const int disc : sonars_.all()) client_.newSonars[disc] = ranges.sonar(disc);
+  }
+  // Gyroscope and joystick go before the information packet, everything else after it.
+  if (subscription(kGyro).take()) send(toPacket(GyroPacket{std::exchange(client_.gyroReadings, {}), {}}));
+  if (subscription(kJoystick).take()) send(toPacket(JoystickPacket{}));
+  const ServerReport report{std::exchange(client_.newSonars, {}),
+                            client_.testedBattery.value_or(sensing.battery), client_.digitalOut};
+  send(toPacket(informationOf(settings_, sensing, motion_, sonars_, report)));
+  if (subscription(kIo).take()) send(toPacket(ioOf(settings_, sensing, report)));
+  sendRequested(sensing);
+  if (!laser_.isOn()) return;
+  for (Packet& part : laser_.packets(ranges.laser(), motion_.odometry(), motion_.moving()))
+    send(std::move(part));
+}
+
+void ServerSession::sendRequested(const RobotSensing& sensing) {
+  if (subscription(kEncoder).take()) send(toPacket(encodersOf(settings_, sensing)));
+  if (subscription(kImu).take()) send(toPacket(imuOf(sensing)));
+  if (subscription(kBattery).take()) send(toPacket(batteryOf(sensing)));
+  if (subscription(kGripper).take()) send(toPacket(GripperPacket{}));  // There is none.
+  if (subscription(kStatus).take()) send(toPacket(statusOf(settings_, sensing)));
+}
+
+}  // namespace robotlink::arcos

@@ -1,0 +1,39 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <string>
+#include <vector>
+
+namespace robotlink {
+
+class AnyReceiver;
+class AnySender;
+
+/// What receivers and senders know of the process that owns them: its name, how to wake it, and the lists in
+/// which they enter themselves when they are made. Ends are made before the process runs, by one thread.
+class EndOwner {
+ public:
+  explicit EndOwner(std::string name) : name_(std::move(name)) {}
+  virtual ~EndOwner() = default;
+  EndOwner(const EndOwner&) = delete;
+  EndOwner& operator=(const EndOwner&) = delete;
+
+  const std::string& name() const { return name_; }
+  /// Makes it look for new packages. Any thread.
+  virtual void wake() = 0;
+
+  const std::vector<AnyReceiver*>& receivers() const { return receivers_; }
+  const std::vector<AnySender*>& senders() const { return senders_; }
+
+ private:
+  friend class AnyReceiver;
+  friend class AnySender;
+  void add(AnyReceiver& receiver) { receivers_.push_back(&receiver); }
+  void add(AnySender& sender) { senders_.push_back(&sender); }
+
+  const std::string name_;
+  std::vector<AnyReceiver*> receivers_;
+  std::vector<AnySender*> senders_;
+};
+
+}  // namespace robotlink
