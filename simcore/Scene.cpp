@@ -5,13 +5,13 @@
 #include <cctype>
 #include <optional>
 
-#include "simcore/RenderSceneBuilder.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/maps/MapWorld.h"
 #include "simcore/placement/RobotPlacement.h"
 #include "simcore/sdf/SceneFiles.h"
 #include "simcore/sdf/SdfReader.h"
 #include "simcore/sdf/SdfSpec.h"
+#include "simcore/world/RenderSceneBuilder.h"
 
 namespace simcore {
 namespace fs = std::filesystem;
@@ -140,7 +140,7 @@ bool isMap(const fs::path& file) {
 
 }  // namespace
 
-Scene::Scene() : implementation_(std::make_unique<Implementation>()) {}
+Scene::Scene() : contents_(std::make_unique<SceneContents>()) {}
 Scene::~Scene() = default;
 
 tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
@@ -153,7 +153,7 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   if (errors.empty() && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
-  Implementation& implementation = *scene->implementation_;
+  SceneContents& implementation = *scene->contents_;
   implementation.file = file;
   implementation.world = std::move(draft.world);
   implementation.groundMap = std::move(draft.map);
@@ -170,19 +170,19 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
 }
 
 const fs::path& Scene::file() const {
-  return implementation_->file;
+  return contents_->file;
 }
 const std::vector<Scene::Robot>& Scene::robots() const {
-  return implementation_->robots;
+  return contents_->robots;
 }
 const std::string& Scene::field() const {
-  return implementation_->field;
+  return contents_->field;
 }
 const std::vector<std::string>& Scene::balls() const {
-  return implementation_->balls;
+  return contents_->balls;
 }
 std::shared_ptr<const robotlink::GroundMap> Scene::groundMap() const {
-  return implementation_->groundMap;
+  return contents_->groundMap;
 }
 
 }  // namespace simcore

@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
+#include "simcore/SceneRobots.h"
 
 namespace robotlink {
 struct GroundMap;
@@ -15,28 +16,13 @@ struct GroundMap;
 
 namespace simcore {
 
-/// Robots that are put into a world besides those of its file.
-struct RobotsToAdd {
-  /// A folder of resources/scenes/models, or beside the scene's file; empty: more of the kind that the scene
-  /// has, Pioneers where it has no robots.
-  std::string model = "p3at";
-  int count = 0;
-  std::string namePrefix = {};  ///< "p3at" calls them p3at1, p3at2, ...; empty: the model's name
-  std::uint64_t seed = 1;       ///< decides about the free places
-  /// Teams that robots with a part in their team's color are added to, each to the one with the fewest: the
-  /// name of a team is that of a palette's color, and "red" calls them red1, red2, ... Others ignore it;
-  /// empty: they belong to none.
-  std::vector<std::string> teams = {};
-};
+struct SceneContents;
 
 /// A world as its file describes it, checked and ready for any number of simulations: an SDFormat 1.9 file,
 /// or a map of a building's floor (robotlink::GroundMap), whose lines and points become walls. Immutable.
 class Scene {
  public:
-  struct Robot {
-    std::string name;         ///< "red1"
-    std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
-  };
+  using Robot = SceneRobot;
 
   /// Reads a world file. `model://NAME` is looked for below the folder of the file and below
   /// resources/scenes/models. Every error carries file and line. A file called *.map is a map.
@@ -58,12 +44,12 @@ class Scene {
   /// The map that the world was made from; null if there is none.
   std::shared_ptr<const robotlink::GroundMap> groundMap() const;
 
-  struct Implementation;
-  const Implementation& implementation() const { return *implementation_; }
+  /// For simcore's own sources and tests.
+  const SceneContents& contents() const { return *contents_; }
 
  private:
   Scene();
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<SceneContents> contents_;
 };
 
 }  // namespace simcore

@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "robotlink/base/Random.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/physics/Physics.h"
 #include "simcore/physics/Ports.h"
 #include "simcore/physics/Sensing.h"
@@ -58,17 +58,14 @@ struct Simulation::Implementation {
   bool readingsValid = false, posesValid = false, rangingValid = false;
 
   Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)
-      : scene(std::move(ofScene)),
-        options(with),
-        world(scene->implementation().world),
-        ports(Ports::of(world)) {
+      : scene(std::move(ofScene)), options(with), world(scene->contents().world), ports(Ports::of(world)) {
     for (std::size_t i = 0; i < world.models.size(); ++i) {
       if (world.models[i].type->isBall) balls.push_back(static_cast<int>(i));
       if (!world.models[i].type->robot.empty()) robots.push_back(static_cast<int>(i));
     }
     if (!ports.ranges.empty()) {
-      ranging = std::make_unique<RangeSensing>(scene->implementation().renderScene, ports.ranges,
-                                               ports.rangeOwners);
+      ranging =
+          std::make_unique<RangeSensing>(scene->contents().renderScene, ports.ranges, ports.rangeOwners);
     }
     start();
   }
@@ -96,7 +93,7 @@ struct Simulation::Implementation {
       const Servo& servo = ports.servos[i];
       const double missing = state.target - physics->angle(state.hinge);
       const double speed =
-          std::clamp(kServoGain * missing / Physics::kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
+          std::clamp(kServoGain * missing / kStepSeconds, -servo.maximumSpeed, servo.maximumSpeed);
       physics->setMotor(state.hinge, speed, servo.maximumTorque * state.torqueShare);
     }
   }
@@ -199,7 +196,7 @@ const Scene& Simulation::scene() const {
 }
 
 std::shared_ptr<const RenderScene> Simulation::renderScene() const {
-  return implementation_->scene->implementation().renderScene;
+  return implementation_->scene->contents().renderScene;
 }
 
 std::span<const Pose3> Simulation::bodyPoses() const {

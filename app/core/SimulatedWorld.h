@@ -13,8 +13,8 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
-#include "simcore/Lighting.h"
 #include "simcore/Simulation.h"
+#include "simcore/world/Lighting.h"
 
 namespace app {
 

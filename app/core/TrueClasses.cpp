@@ -2,7 +2,7 @@
 #include "app/core/TrueClasses.h"
 
 #include "colortool/ClassPresets.h"
-#include "simcore/RenderScene.h"
+#include "simcore/world/RenderScene.h"
 
 namespace app {
 namespace {

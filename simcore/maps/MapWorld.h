@@ -3,7 +3,7 @@
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/GroundMap.h"
-#include "simcore/WorldDescription.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/physics/OdeWheels.h"
+
 namespace simcore {
 namespace {
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "simcore/ModelGeometry.h"
 #include "simcore/physics/LumpedLink.h"
+#include "simcore/world/ModelGeometry.h"
 
 namespace simcore {
 namespace {

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simcore/WorldDescription.h"
 #include "simcore/physics/Footprint.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

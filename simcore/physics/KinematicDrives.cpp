@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "simcore/physics/Contacts.h"
-#include "simcore/physics/Physics.h"
+#include "simcore/physics/Step.h"
 
 namespace simcore {
 
@@ -92,15 +92,15 @@ class Mover {
  private:
   static void settle(OdeWheelSide& side, double speed, bool blocked) {
     side.speed = speed;
-    side.travel += speed * Physics::kStepSeconds;
+    side.travel += speed * kStepSeconds;
     side.blockedSteps = blocked ? side.blockedSteps + 1 : 0;
   }
 
   bool tryMove(double speed, double rate) {
     const BodyPose before = poseOfBody(body_);
-    const double turn = rate * Physics::kStepSeconds;
+    const double turn = rate * kStepSeconds;
     const PlanePose pose = planePose(drive_, before);
-    const Vector2 way = speed * Physics::kStepSeconds * (Eigen::Rotation2Dd(turn / 2) * pose.forward);
+    const Vector2 way = speed * kStepSeconds * (Eigen::Rotation2Dd(turn / 2) * pose.forward);
     const Eigen::AngleAxisd whole(turn, Vector3::UnitZ());
     const Vector3 center(pose.center.x(), pose.center.y(), before.position.z());
     const BodyPose after{center + whole * (before.position - center) + Vector3(way.x(), way.y(), 0),
@@ -111,7 +111,7 @@ class Mover {
     } else if (!fits(before, after)) {
       return false;
     }
-    setVelocity((after.position - before.position) / Physics::kStepSeconds, rate);
+    setVelocity((after.position - before.position) / kStepSeconds, rate);
     return true;
   }
 

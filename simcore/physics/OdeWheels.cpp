@@ -4,8 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
-#include "simcore/physics/OdeWorld.h"
-#include "simcore/physics/Physics.h"
+#include "simcore/physics/Step.h"
 
 namespace simcore {
 namespace {
@@ -63,7 +62,7 @@ void settleSide(OdeWheelSide& side, const SideForces& forces) {
   side.speed = limited ? forces.treadSpeed / forces.contacts : target;
   const bool blocked = limited && side.on && std::abs(side.speed) < kHardlyTurns * std::abs(target);
   side.blockedSteps = blocked ? side.blockedSteps + 1 : 0;
-  side.travel += side.speed * Physics::kStepSeconds;
+  side.travel += side.speed * kStepSeconds;
 }
 
 }  // namespace
@@ -141,13 +140,6 @@ void settleWheels(OdeWorld& ode) {
     const bool kinematic = ode.models[static_cast<std::size_t>(ode.drives[i / 2].model)].kinematic;
     if (!kinematic) settleSide(ode.wheelSides[i], sides[i]);
   }
-}
-
-Pose3 wheelLinkPose(const OdeWorld& ode, const OdeWheel& wheel) {
-  const dBodyID body = ode.bodies[wheel.body].id;
-  const double angle = std::remainder(ode.wheelSides[wheel.side].travel / wheel.radius, 2 * robotlink::kPi);
-  return poseOf(dBodyGetPosition(body), dBodyGetRotation(body)) * wheel.linkInBody *
-         Eigen::AngleAxisd(angle, wheel.axisInLink);
 }
 
 }  // namespace simcore

@@ -7,9 +7,9 @@
 #include <deque>
 #include <vector>
 
-#include "simcore/WorldDescription.h"
-#include "simcore/physics/OdeWheels.h"
+#include "simcore/physics/OdeDrive.h"
 #include "simcore/physics/StaticGrid.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 
@@ -49,7 +49,8 @@ struct OdePlace {
 
 /// Owns everything that ODE made for one world.
 struct OdeWorld {
-  explicit OdeWorld(const WorldDescription& description, bool kinematicDrives = false);
+  /// An empty world: see buildOdeWorld().
+  explicit OdeWorld(const WorldDescription& description);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
   OdeWorld& operator=(const OdeWorld&) = delete;
@@ -86,6 +87,8 @@ struct OdeWorld {
   }
   OdeWheelContact& nextWheelContact();
   Pose3 linkPose(std::size_t body) const;
+  /// The link of a wheel that has rolled as far as its side has.
+  Pose3 wheelLinkPose(const OdeWheel& wheel) const;
 };
 
 /// Makes ODE ready to be used by the calling thread.

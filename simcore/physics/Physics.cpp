@@ -9,7 +9,9 @@
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/KinematicDrives.h"
 #include "simcore/physics/OdeRandom.h"
+#include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
+#include "simcore/physics/OdeWorldBuilder.h"
 
 namespace simcore {
 namespace {
@@ -46,7 +48,7 @@ void hitByRay(void* data, dGeomID a, dGeomID b) {
 }  // namespace
 
 Physics::Physics(const WorldDescription& world, Drives drives)
-    : ode_(std::make_unique<OdeWorld>(world, drives == Drives::kKinematic)) {}
+    : ode_(buildOdeWorld(world, drives == Drives::kKinematic)) {}
 Physics::~Physics() = default;
 
 void Physics::step(std::uint64_t seed) {

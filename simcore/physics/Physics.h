@@ -6,7 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "simcore/WorldDescription.h"
+#include "simcore/physics/Step.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 
@@ -20,8 +21,6 @@ struct OdeWorld;
 /// outlive it.
 class Physics {
  public:
-  static constexpr double kStepSeconds = 0.004;
-
   /// Whether models with a drive are moved by forces, or by their odometry.
   enum class Drives : std::uint8_t { kDynamic, kKinematic };
 

@@ -3,9 +3,10 @@
 
 #include <vector>
 
-#include "simcore/RayCaster.h"
-#include "simcore/Simulation.h"
-#include "simcore/WorldDescription.h"
+#include "simcore/rendering/RayCaster.h"
+#include "simcore/world/Devices.h"
+#include "simcore/world/RangeSensor.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

@@ -20,7 +20,7 @@ void Sensing::afterStep() {
     if (source.kind != SensorSource::Kind::kAccelerometer) continue;
     const Vector3 point = physics_.linkInWorld(source.body) * source.poseInLink.translation();
     const Vector3 velocity = physics_.velocityAt(source.body, point);
-    specificForces_[i] = (velocity - velocities_[i]) / Physics::kStepSeconds - gravity_;
+    specificForces_[i] = (velocity - velocities_[i]) / kStepSeconds - gravity_;
     velocities_[i] = velocity;
   }
 }

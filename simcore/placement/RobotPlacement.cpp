@@ -6,8 +6,8 @@
 #include <deque>
 #include <optional>
 
-#include "simcore/ModelGeometry.h"
 #include "simcore/placement/FreeSpace.h"
+#include "simcore/world/ModelGeometry.h"
 
 namespace simcore {
 namespace {

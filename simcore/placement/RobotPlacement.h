@@ -3,9 +3,9 @@
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/GroundMap.h"
-#include "simcore/Scene.h"
-#include "simcore/WorldDescription.h"
-#include "simcore/sdf/SdfReader.h"
+#include "simcore/SceneRobots.h"
+#include "simcore/world/Palette.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "simcore/RangeSensor.h"
-#include "simcore/RayCaster.h"
+#include "simcore/rendering/RayCaster.h"
+#include "simcore/world/RangeSensor.h"
 
 namespace simcore {
 

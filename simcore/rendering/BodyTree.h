@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "simcore/RenderScene.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore::rendering {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "simcore/RenderScene.h"
 #include "simcore/rendering/KernelTypes.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore::rendering {
 

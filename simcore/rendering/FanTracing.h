@@ -7,9 +7,9 @@
 #include <span>
 
 #include "robotlink/base/Geometry.h"
-#include "simcore/RayFan.h"
-#include "simcore/RenderScene.h"
 #include "simcore/rendering/DrawableMesh.h"
+#include "simcore/rendering/RayFan.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore::rendering {
 

@@ -3,8 +3,8 @@
 
 #include <vector>
 
-#include "simcore/CameraRenderer.h"
 #include "simcore/rendering/KernelTypes.h"
+#include "simcore/world/CameraModel.h"
 
 namespace simcore::rendering {
 

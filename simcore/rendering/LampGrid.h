@@ -3,9 +3,9 @@
 
 #include <vector>
 
-#include "simcore/RenderScene.h"
 #include "simcore/rendering/DrawableMesh.h"
 #include "simcore/rendering/KernelTypes.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore::rendering {
 

@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "simcore/CameraRenderer.h"
 #include "simcore/rendering/KernelTypes.h"
+#include "simcore/world/CameraModel.h"
 
 namespace simcore::rendering {
 

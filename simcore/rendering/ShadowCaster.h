@@ -4,11 +4,11 @@
 #include <span>
 #include <vector>
 
-#include "simcore/RenderScene.h"
 #include "simcore/rendering/BodyTree.h"
 #include "simcore/rendering/DrawableMesh.h"
 #include "simcore/rendering/KernelTypes.h"
 #include "simcore/rendering/LampGrid.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore::rendering {
 

@@ -12,7 +12,7 @@
 #include <string_view>
 #include <vector>
 
-#include "simcore/sdf/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfDescription.h"
 
 namespace simcore {
 namespace {
@@ -201,7 +201,7 @@ void checkSdfTree(const tinyxml2::XMLDocument& document, const std::string& file
                       {file, root->GetLineNum(), 0}});
     return;
   }
-  Checker(file, errors).check(*root, current ? spec.implementation().description->Root() : nullptr);
+  Checker(file, errors).check(*root, current ? spec.description().text->Root() : nullptr);
   checkSdfNames(*root, file, errors);
 }
 

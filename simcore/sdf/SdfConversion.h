@@ -6,7 +6,9 @@
 #include <sdf/sdf.hh>
 #include <string>
 
-#include "simcore/sdf/SdfReader.h"
+#include "robotlink/base/Error.h"
+#include "simcore/world/Palette.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

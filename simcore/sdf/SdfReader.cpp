@@ -6,7 +6,7 @@
 #include <sstream>
 
 #include "simcore/sdf/SdfConversion.h"
-#include "simcore/sdf/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfDescription.h"
 
 namespace simcore {
 namespace {
@@ -22,7 +22,7 @@ sdf::ParserConfig parserConfig() {
 /// Reads a text into `root`; false, with errors noted, if that fails.
 bool load(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
   const auto document = std::make_shared<sdf::SDF>();
-  document->Root(spec.implementation().description->Root()->Clone());
+  document->Root(spec.description().text->Root()->Clone());
   sdf::Errors found;
   const bool readable = sdf::readString(text, parserConfig(), document, found);
   if (!context.take(found, nullptr)) return false;

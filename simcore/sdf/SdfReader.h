@@ -1,18 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <map>
 #include <string>
 
 #include "robotlink/base/Error.h"
-#include "simcore/WorldDescription.h"
+#include "simcore/world/Palette.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 
 class SdfSpec;
-
-/// Colours that a scene's files may use by name.
-using Palette = std::map<std::string, Rgb>;
 
 /// Turns the text of a model file into a description, by libsdformat. `file` is the name that errors carry.
 /// What the text says must have passed checkSdfTree(): this reader finds what needs frames and units to be

@@ -4,15 +4,15 @@
 #include <sdf/Console.hh>
 #include <sdf/parser.hh>
 
-#include "simcore/sdf/SdfSpecImplementation.h"
+#include "simcore/sdf/SdfDescription.h"
 
 namespace simcore {
 
-SdfSpec::SdfSpec() : implementation_(std::make_unique<Implementation>()) {
+SdfSpec::SdfSpec() : description_(std::make_unique<SdfDescription>()) {
   // Everything that it prints is returned as an error, too.
   sdf::Console::Instance()->SetQuiet(true);
-  implementation_->description = std::make_shared<sdf::SDF>();
-  sdf::init(implementation_->description);
+  description_->text = std::make_shared<sdf::SDF>();
+  sdf::init(description_->text);
 }
 
 SdfSpec::~SdfSpec() = default;

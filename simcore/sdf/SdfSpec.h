@@ -5,6 +5,8 @@
 
 namespace simcore {
 
+struct SdfDescription;
+
 /// What SDFormat 1.9 consists of, as libsdformat describes it: elements, attributes, types of values. Reading
 /// it takes libsdformat longer than reading a model, so a scene reads it once for all its files. Immutable.
 class SdfSpec {
@@ -14,11 +16,11 @@ class SdfSpec {
   SdfSpec(const SdfSpec&) = delete;
   SdfSpec& operator=(const SdfSpec&) = delete;
 
-  struct Implementation;
-  const Implementation& implementation() const { return *implementation_; }
+  /// For the sources that see libsdformat.
+  const SdfDescription& description() const { return *description_; }
 
  private:
-  std::unique_ptr<Implementation> implementation_;
+  std::unique_ptr<SdfDescription> description_;
 };
 
 }  // namespace simcore

@@ -8,7 +8,7 @@
 #include "colortool/ClassPresets.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "simcore/RenderScene.h"
+#include "simcore/world/RenderScene.h"
 
 using namespace app;
 using robotcontrol::KeyMode;

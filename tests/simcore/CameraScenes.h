@@ -4,7 +4,7 @@
 #include <memory>
 #include <vector>
 
-#include "simcore/CameraRenderer.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 namespace simcore::testing {
 

@@ -4,7 +4,7 @@
 #include <cmath>
 
 #include "CameraScenes.h"
-#include "simcore/CameraRenderer.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 using namespace simcore;
 using namespace simcore::testing;

@@ -3,7 +3,7 @@
 
 #include <cmath>
 
-#include "simcore/CameraRenderer.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 using namespace simcore;
 using robotlink::Image;

@@ -6,7 +6,7 @@
 
 #include "SceneFixture.h"
 #include "robotlink/base/GroundMap.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 
 namespace simcore {
@@ -61,7 +61,7 @@ class MapScene : public testing::Test {
 
 TEST_F(MapScene, aMapHasAFloorAndOneModelOfWalls) {
   const auto scene = load(kHouse);
-  const WorldDescription& world = scene->implementation().world;
+  const WorldDescription& world = scene->contents().world;
   ASSERT_EQ(world.models.size(), 2U);
   EXPECT_EQ(world.models[0].name, "floor");
   EXPECT_EQ(world.models[1].name, "walls");
@@ -131,7 +131,7 @@ TEST_F(MapScene, theMapOfABuildingOpensInUnderASecond) {
   const std::chrono::duration<double> took = std::chrono::steady_clock::now() - start;
   // Some 0.2 s by itself; the limit leaves room for sanitizers and for what else the machine does.
   EXPECT_LT(took.count(), 10);
-  const auto& walls = (*scene)->implementation().world.models[1].type->links[0].collisions;
+  const auto& walls = (*scene)->contents().world.models[1].type->links[0].collisions;
   EXPECT_GT(walls.size(), 5000U);
   EXPECT_LT(walls.size(), 10'000U);
 }

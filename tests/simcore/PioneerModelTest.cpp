@@ -5,7 +5,7 @@
 #include <algorithm>
 
 #include "robotlink/config/RobotDescription.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 
 namespace simcore {
@@ -22,7 +22,7 @@ robotlink::RobotDescription description() {
 }
 
 const ModelDescription& model() {
-  const auto& models = pioneerScene()->implementation().world.models;
+  const auto& models = pioneerScene()->contents().world.models;
   return *std::ranges::find(models, "p3at1", &ModelInstance::name)->type;
 }
 

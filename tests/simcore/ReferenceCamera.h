@@ -7,7 +7,7 @@
 #include <span>
 #include <vector>
 
-#include "simcore/CameraRenderer.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 namespace simcore::testing {
 

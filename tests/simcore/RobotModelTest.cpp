@@ -6,7 +6,7 @@
 
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 #include "tests/simcore/SceneFixture.h"
 
@@ -52,7 +52,7 @@ TEST(RobotModel, servosAreTheDescribedJointsInTheirOrder) {
 
 TEST(RobotModel, massesSumUpToThatOfTheRobot) {
   double sum = 0;
-  for (const ModelInstance& model : shippedScene()->implementation().world.models) {
+  for (const ModelInstance& model : shippedScene()->contents().world.models) {
     if (model.name != "red1") continue;
     for (const LinkDescription& link : model.type->links) sum += link.mass;
   }
@@ -62,7 +62,7 @@ TEST(RobotModel, massesSumUpToThatOfTheRobot) {
 TEST(BallModel, theBallIsThatOfTheField) {
   const auto field =
       robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml").value();
-  const auto& models = shippedScene()->implementation().world.models;
+  const auto& models = shippedScene()->contents().world.models;
   const auto ball =
       std::ranges::find_if(models, [](const ModelInstance& model) { return model.type->isBall; });
   ASSERT_NE(ball, models.end());

@@ -5,7 +5,7 @@
 
 #include <set>
 
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 #include "tests/simcore/SceneFixture.h"
 
@@ -45,8 +45,8 @@ TEST_F(SceneTest, aModelIsParsedOnceHoweverOftenItIsIncluded) {
   const auto scene = Scene::load(folder_.write("world.sdf", worldAround(includes)));
   ASSERT_TRUE(scene) << describe(scene.error());
   std::set<const ModelDescription*> types;
-  for (const ModelInstance& model : (*scene)->implementation().world.models) types.insert(model.type.get());
-  EXPECT_EQ((*scene)->implementation().world.models.size(), 8U);
+  for (const ModelInstance& model : (*scene)->contents().world.models) types.insert(model.type.get());
+  EXPECT_EQ((*scene)->contents().world.models.size(), 8U);
   EXPECT_EQ(types.size(), 1U);
 }
 
@@ -73,7 +73,7 @@ TEST_F(SceneTest, robotsWearTheirTeamsColor) {
       include("<name>other</name><pose>1 0 0 0 0 0</pose><robotcontrol:team>blue</robotcontrol:team>");
   const auto scene = Scene::load(folder_.write("world.sdf", worldAround(palette + red + blue)));
   ASSERT_TRUE(scene) << describe(scene.error());
-  const auto& instances = (*scene)->implementation().renderScene->instances;
+  const auto& instances = (*scene)->contents().renderScene->instances;
   ASSERT_EQ(instances.size(), 2U);
   EXPECT_EQ(instances[0].color, (robotlink::Rgb{200, 0, 0}));
   EXPECT_EQ(instances[1].color, (robotlink::Rgb{0, 0, 90}));

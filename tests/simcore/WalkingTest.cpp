@@ -5,7 +5,7 @@
 #include <cmath>
 
 #include "robotlink/base/Random.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
 #include "simcore/physics/Physics.h"
 #include "tests/simcore/SceneFixture.h"
@@ -70,7 +70,7 @@ TEST(Walking, violentRequestsDoNotBlowUpTheWorld) {
 }
 
 TEST(Walking, hingesHoldTogether) {
-  Physics physics(shippedScene()->implementation().world);
+  Physics physics(shippedScene()->contents().world);
   double gap = 0;
   for (int i = 0; i < 1000; ++i) {
     // Every servo swings fast and with force, so that legs hit the ground and each other's momentum.

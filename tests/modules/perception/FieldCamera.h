@@ -9,9 +9,9 @@
 #include "modules/perception/BodyPosture.h"
 #include "modules/perception/CameraView.h"
 #include "modules/perception/FieldLandmarks.h"
-#include "simcore/CameraRenderer.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 namespace modules {
 

@@ -10,10 +10,10 @@
 #include <functional>
 
 #include "robotlink/base/Resources.h"
-#include "simcore/CameraRenderer.h"
-#include "simcore/RayCaster.h"
 #include "simcore/Scene.h"
 #include "simcore/Simulation.h"
+#include "simcore/rendering/CameraRenderer.h"
+#include "simcore/rendering/RayCaster.h"
 #include "tests/simcore/CameraScenes.h"
 #include "tests/simcore/ReferenceCamera.h"
 

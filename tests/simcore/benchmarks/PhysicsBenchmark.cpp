@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "simcore/Scene.h"
-#include "simcore/SceneImplementation.h"
+#include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
-#include "simcore/physics/OdeWorld.h"
+#include "simcore/physics/OdeWorldBuilder.h"
 #include "simcore/physics/Ports.h"
 #include "tests/simcore/SceneFixture.h"
 
@@ -35,19 +35,19 @@ double median(std::vector<double> values) {
 /// The least that such a world needs: collide, contact joints, set-points, step.
 class BareWorld {
  public:
-  explicit BareWorld(const Scene& scene) : ode_(scene.implementation().world) {
-    for (const dJointID hinge : ode_.hinges) targets_.push_back(dJointGetHingeAngle(hinge));
+  explicit BareWorld(const Scene& scene) : ode_(buildOdeWorld(scene.contents().world)) {
+    for (const dJointID hinge : ode_->hinges) targets_.push_back(dJointGetHingeAngle(hinge));
   }
 
   void step() {
-    for (std::size_t i = 0; i < ode_.hinges.size(); ++i) {
-      const double missing = targets_[i] - dJointGetHingeAngle(ode_.hinges[i]);
-      dJointSetHingeParam(ode_.hinges[i], dParamVel, std::clamp(0.4 * missing / 0.004, -2.8, 2.8));
-      dJointSetHingeParam(ode_.hinges[i], dParamFMax, 1);
+    for (std::size_t i = 0; i < ode_->hinges.size(); ++i) {
+      const double missing = targets_[i] - dJointGetHingeAngle(ode_->hinges[i]);
+      dJointSetHingeParam(ode_->hinges[i], dParamVel, std::clamp(0.4 * missing / 0.004, -2.8, 2.8));
+      dJointSetHingeParam(ode_->hinges[i], dParamFMax, 1);
     }
-    dSpaceCollide(ode_.top, &ode_, &BareWorld::collide);
-    dWorldQuickStep(ode_.world, 0.004);
-    dJointGroupEmpty(ode_.contacts);
+    dSpaceCollide(ode_->top, ode_.get(), &BareWorld::collide);
+    dWorldQuickStep(ode_->world, 0.004);
+    dJointGroupEmpty(ode_->contacts);
   }
 
  private:
@@ -66,7 +66,7 @@ class BareWorld {
     }
   }
 
-  OdeWorld ode_;
+  std::unique_ptr<OdeWorld> ode_;
   std::vector<double> targets_;
 };
 

@@ -3,8 +3,8 @@
 
 #include <memory>
 
-#include "simcore/RenderScene.h"
-#include "simcore/WorldDescription.h"
+#include "simcore/world/RenderScene.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

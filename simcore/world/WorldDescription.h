@@ -9,8 +9,8 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Geometry.h"
 #include "robotlink/base/Image.h"
-#include "simcore/CameraRenderer.h"
-#include "simcore/RenderScene.h"
+#include "simcore/world/CameraModel.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/RangeSensor.h"
+#include "simcore/world/RangeSensor.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

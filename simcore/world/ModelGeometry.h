@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "simcore/WorldDescription.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 

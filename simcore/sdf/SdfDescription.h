@@ -4,13 +4,11 @@
 #include <sdf/Element.hh>
 #include <sdf/SDFImpl.hh>
 
-#include "simcore/sdf/SdfSpec.h"
-
 namespace simcore {
 
 /// For the sources that see libsdformat only.
-struct SdfSpec::Implementation {
-  sdf::SDFPtr description;
+struct SdfDescription {
+  sdf::SDFPtr text;
 };
 
 }  // namespace simcore

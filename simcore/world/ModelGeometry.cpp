@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/ModelGeometry.h"
+#include "simcore/world/ModelGeometry.h"
 
 #include <algorithm>
 #include <cmath>

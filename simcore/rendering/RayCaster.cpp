@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/RayCaster.h"
+#include "simcore/rendering/RayCaster.h"
 
 #include <algorithm>
 #include <cmath>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/RayFan.h"
+#include "simcore/rendering/RayFan.h"
 
 #include <algorithm>
 #include <cmath>

@@ -5,8 +5,8 @@
 #include <optional>
 #include <span>
 
-#include "simcore/RayFan.h"
-#include "simcore/RenderScene.h"
+#include "simcore/rendering/RayFan.h"
+#include "simcore/world/RenderScene.h"
 
 namespace simcore {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/RenderScene.h"
+#include "simcore/world/RenderScene.h"
 
 #include <algorithm>
 #include <cmath>

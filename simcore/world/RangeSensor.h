@@ -3,7 +3,7 @@
 
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Geometry.h"
-#include "simcore/PortInfo.h"
+#include "simcore/world/PortInfo.h"
 
 namespace simcore {
 

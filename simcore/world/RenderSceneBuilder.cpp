@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/RenderSceneBuilder.h"
+#include "simcore/world/RenderSceneBuilder.h"
 
 #include <map>
 #include <tuple>

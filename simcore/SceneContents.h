@@ -1,17 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <filesystem>
+#include <memory>
+#include <string>
+#include <vector>
+
 #include "robotlink/base/GroundMap.h"
-#include "simcore/RenderScene.h"
-#include "simcore/Scene.h"
-#include "simcore/WorldDescription.h"
+#include "simcore/SceneRobots.h"
+#include "simcore/world/RenderScene.h"
+#include "simcore/world/WorldDescription.h"
 
 namespace simcore {
 
 /// What a Scene holds; for this folder's sources and tests only.
-struct Scene::Implementation {
+struct SceneContents {
   std::filesystem::path file;
-  std::vector<Robot> robots;
+  std::vector<SceneRobot> robots;
   std::vector<std::string> balls;
   std::string field;
   WorldDescription world;

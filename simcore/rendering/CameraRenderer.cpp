@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "simcore/CameraRenderer.h"
+#include "simcore/rendering/CameraRenderer.h"
 
 #include <algorithm>
 #include <cmath>

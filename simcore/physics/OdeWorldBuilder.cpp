@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "simcore/physics/OdeWorldBuilder.h"
+
+#include <cmath>
+
+#include "simcore/physics/LumpedLink.h"
+#include "simcore/physics/OdeDriveBuilder.h"
+#include "simcore/physics/OdeGeoms.h"
+#include "simcore/physics/Step.h"
+#include "simcore/world/ModelGeometry.h"
+
+namespace simcore {
+namespace {
+
+// From so many static geoms on the grid is faster than ODE's comparing them one by one.
+constexpr std::size_t kGridFrom = 64;
+constexpr double kSteep = 0.7;  // upward share of a plane's normal
+constexpr double kReach = 0.3;  // m; how much farther than at first the limbs of a robot may reach
+
+/// Fills an OdeWorld from its description.
+class Builder {
+ public:
+  Builder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
+
+  void build() {
+    ode_.models.reserve(ode_.description.models.size());  // spaces point to them
+    for (const ModelInstance& model : ode_.description.models) {
+      const int index = static_cast<int>(ode_.models.size());
+      OdeModel& added = ode_.models.emplace_back();
+      added.firstBody = ode_.bodies.size();
+      if (model.type->isStatic)
+        addStatic(model, index);
+      else
+        addMoving(model, index, added);
+      added.bodyCount = ode_.bodies.size() - added.firstBody;
+    }
+    ode_.grid.build();
+    ode_.usesGrid = ode_.grid.size() >= kGridFrom;
+    for (const dGeomID geom : statics_) {
+      const bool isPlane = dGeomGetClass(geom) == dPlaneClass;
+      if (isPlane || !ode_.usesGrid) dSpaceAdd(ode_.statics, geom);
+    }
+  }
+
+ private:
+  void addStatic(const ModelInstance& model, int index) {
+    for (const LinkDescription& link : model.type->links) {
+      for (const CollisionDescription& collision : link.collisions) {
+        const Pose3 pose = model.poseInWorld * link.poseInModel * collision.poseInLink;
+        const dGeomID geom = addGeom(ode_, nullptr, collision, index, pose);
+        if (collision.shape.kind == Shape::Kind::kPlane) {
+          ode_.hasSteepPlanes |= std::abs(pose.linear()(2, 2)) < kSteep;
+        } else {
+          withOdePose(pose, [&](const dReal* p, const dMatrix3 r) {
+            dGeomSetPosition(geom, p[0], p[1], p[2]);
+            dGeomSetRotation(geom, r);
+          });
+        }
+        statics_.push_back(geom);
+        ode_.grid.add(geom);
+      }
+    }
+  }
+
+  void addMoving(const ModelInstance& model, int index, OdeModel& added) {
+    added.space = dSimpleSpaceCreate(ode_.top);
+    dSpaceSetCleanup(added.space, 0);
+    // A higher level than the static space's: the model as a whole is compared with static geoms first.
+    dSpaceSetSublevel(added.space, 1);
+    dGeomSetData(reinterpret_cast<dGeomID>(added.space), &added);
+    added.kinematic = kinematicDrives_ && model.type->drive.has_value();
+    const ModelDescription& type = *model.type;
+    const std::size_t firstHinge = ode_.hinges.size();
+    ode_.bodies.resize(added.firstBody + type.links.size());
+    for (std::size_t i = 0; i < type.links.size(); ++i) {
+      const int link = static_cast<int>(i);
+      if (isWheel(type, link)) continue;
+      ode_.bodies[added.firstBody + i] = addBody(model, withWheelsLumped(type, link), index, added.space);
+    }
+    if (type.drive) addDrive(ode_, model, index);
+    for (const JointDescription& joint : type.joints) addJoint(model, joint, added.firstBody);
+    pose(model, added.firstBody);
+    const OdeBody& first = ode_.bodies[added.firstBody];
+    OdePlace place{index};
+    place.radius = extentOf(type).radius + (type.links[0].poseInModel * first.centerInLink).head<2>().norm();
+    if (ode_.hinges.size() > firstHinge) place.radius += kReach;
+    ode_.places.push_back(place);
+    (added.kinematic ? ode_.hasKinematic : ode_.hasDynamic) = true;
+    for (std::size_t i = 0; added.kinematic && i < type.links.size(); ++i) {
+      dBodyDisable(ode_.bodies[added.firstBody + i].id);
+    }
+  }
+
+  OdeBody addBody(const ModelInstance& model, const LinkDescription& link, int index, dSpaceID space) {
+    OdeBody body;
+    body.id = dBodyCreate(ode_.world);
+    body.centerInLink = link.centerOfMass;
+    body.firstGeom = ode_.geoms.size();
+    dMass mass;
+    const Eigen::Matrix3d& i = link.inertia;
+    dMassSetParameters(&mass, link.mass, 0, 0, 0, i(0, 0), i(1, 1), i(2, 2), i(0, 1), i(0, 2), i(1, 2));
+    dBodySetMass(body.id, &mass);
+    dBodySetAutoDisableFlag(body.id, 0);
+    setDamping(body.id, link);
+    place(body, model.poseInWorld * link.poseInModel);
+    for (const CollisionDescription& collision : link.collisions)
+      addBodyGeom(ode_, body, collision, index, space);
+    return body;
+  }
+
+  static void setDamping(dBodyID body, const LinkDescription& link) {
+    if (link.linearDamping <= 0 && link.angularDamping <= 0) return;
+    dBodySetLinearDamping(body, link.linearDamping * kStepSeconds);
+    dBodySetAngularDamping(body, link.angularDamping * kStepSeconds);
+    // By default ODE stops damping what moves slowly, and a ball would roll for ever.
+    dBodySetLinearDampingThreshold(body, 0);
+    dBodySetAngularDampingThreshold(body, 0);
+  }
+
+  void addJoint(const ModelInstance& model, const JointDescription& joint, std::size_t firstBody) {
+    if (joint.wheel) return;
+    const dBodyID child = ode_.bodies[firstBody + static_cast<std::size_t>(joint.child)].id;
+    const dBodyID parent =
+        joint.parent < 0 ? nullptr : ode_.bodies[firstBody + static_cast<std::size_t>(joint.parent)].id;
+    if (joint.fixed) {
+      const dJointID id = dJointCreateFixed(ode_.world, nullptr);
+      dJointAttach(id, child, parent);
+      dJointSetFixed(id);
+      return;
+    }
+    const Vector3 anchor = model.poseInWorld * joint.anchorInModel;
+    const Vector3 axis = model.poseInWorld.linear() * joint.axisInModel;
+    const dJointID id = dJointCreateHinge(ode_.world, nullptr);
+    dJointAttach(id, child, parent);
+    dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
+    dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
+    // Set twice: ODE takes a lower stop only if it lies below the upper one.
+    dJointSetHingeParam(id, dParamLoStop, joint.lower);
+    dJointSetHingeParam(id, dParamHiStop, joint.upper);
+    dJointSetHingeParam(id, dParamLoStop, joint.lower);
+    ode_.hinges.push_back(id);
+  }
+
+  /// Turns the joints, which were made at angle 0, to their initial angles.
+  void pose(const ModelInstance& model, std::size_t firstBody) {
+    const ModelDescription& type = *model.type;
+    std::vector<Pose3> moved(type.links.size(), Pose3::Identity());  // by the joints above, in the model
+    for (const JointDescription& joint : type.joints) {
+      const Pose3 above =
+          joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
+      const Eigen::Translation3d anchor(joint.anchorInModel);
+      moved[static_cast<std::size_t>(joint.child)] =
+          above * anchor * Eigen::AngleAxisd(joint.initialAngle, joint.axisInModel) * anchor.inverse();
+    }
+    for (std::size_t i = 0; i < type.links.size(); ++i) {
+      if (ode_.bodies[firstBody + i].wheel >= 0) continue;
+      place(ode_.bodies[firstBody + i], model.poseInWorld * moved[i] * type.links[i].poseInModel);
+    }
+  }
+
+  static void place(const OdeBody& body, const Pose3& link) {
+    const Vector3 center = link * body.centerInLink;
+    withOdePose(link, [&](const dReal*, const dMatrix3 r) {
+      dBodySetPosition(body.id, center.x(), center.y(), center.z());
+      dBodySetRotation(body.id, r);
+    });
+  }
+
+  OdeWorld& ode_;
+  const bool kinematicDrives_;
+  std::vector<dGeomID> statics_;
+};
+
+}  // namespace
+
+std::unique_ptr<OdeWorld> buildOdeWorld(const WorldDescription& description, bool kinematicDrives) {
+  auto world = std::make_unique<OdeWorld>(description);
+  Builder(*world, kinematicDrives).build();
+  return world;
+}
+
+}  // namespace simcore

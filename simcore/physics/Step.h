@@ -1,0 +1,9 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+namespace simcore {
+
+/// One step of the physics, s.
+inline constexpr double kStepSeconds = 0.004;
+
+}  // namespace simcore

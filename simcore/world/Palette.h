@@ -1,0 +1,14 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <string>
+
+#include "simcore/world/RenderScene.h"
+
+namespace simcore {
+
+/// Colors that a scene's files may use by name.
+using Palette = std::map<std::string, Rgb>;
+
+}  // namespace simcore
