@@ -14,7 +14,7 @@
 namespace simcore {
 namespace {
 
-// Of the angle that is missing, the share that a servo tries to make up for in one step; 1 would overshoot.
+// The share of the remaining angle that a servo tries to turn in one step; 1 would overshoot.
 constexpr double kServoGain = 0.4;
 // Solids sink into each other a little where they rest on each other; more than this is a wrong place.
 constexpr double kMaxOverlap = 0.003;

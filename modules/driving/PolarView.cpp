@@ -8,7 +8,8 @@ namespace modules {
 
 using robotlink::Vector2;
 
-// Of a point's distance: within this much aside of the robot's way it is in it, however near it is.
+// Share of a point's distance: a point that is less than this aside of the robot's path blocks it, however
+// near it is.
 constexpr double kNearest = 0.95;
 
 PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double reach) : reach_(reach) {

@@ -11,7 +11,7 @@ namespace {
 
 // m, that what gets in the way while the robot drives must stay away from its outline.
 constexpr double kHardMargin = 0.1;
-// Of the wish's speed, that is kept whatever the direction.
+// Share of the requested speed that is kept in every direction.
 constexpr double kLeastShare = 0.1;
 
 }  // namespace

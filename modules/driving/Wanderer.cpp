@@ -20,7 +20,7 @@ constexpr double kWidest = robotlink::radians(100);
 constexpr double kStraightness = 0.8;
 // The same of a radian away from the side that it likes, and from the direction it chose before.
 constexpr double kLiking = 0.3, kSteadiness = 0.8;
-// Of the room that makes it turn on the spot, at which it stands still.
+// It stands still at this share of the distance at which it begins to turn on the spot.
 constexpr double kTooNear = 0.6;
 // rad, to both sides of a direction, that had better be free with it.
 constexpr double kBeside = 1.01 * PolarView::kSector;

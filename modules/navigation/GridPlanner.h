@@ -49,7 +49,7 @@ class GridPlanner {
   bool passable(int column, int row) const;
   bool passable(const robotlink::Vector2& place) const;
   double costOf(double clearance) const;
-  /// Of a straight way; infinite where it is blocked.
+  /// The cost of a straight path; infinite where it is blocked.
   double costOf(const robotlink::Vector2& from, const robotlink::Vector2& to) const;
   /// Why the goal cannot be stood on; empty if it can.
   std::string wrongWithGoal() const;

@@ -31,7 +31,7 @@ const DebugKey kFilterKey{
 
 /// So many particles are drawn at most.
 constexpr std::size_t kMostDrawn = 1000;
-/// Of who knows no map: sure of nothing.
+/// The estimate without a map: no certainty at all.
 constexpr PoseEstimate kNowhere{{}, 1e3, robotlink::kPi};
 
 bool finite(const Pose2& pose) {

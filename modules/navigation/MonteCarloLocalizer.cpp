@@ -11,9 +11,9 @@ using robotlink::Pose2;
 
 namespace {
 
-// Of which the best are taken where particles are drawn anew.
+// Candidate poses from which the best are taken when particles are drawn anew.
 constexpr int kCandidates = 1500;
-// Of a good fit, below which the robot may have been carried off.
+// Share of a good fit below which the robot may have been carried away.
 constexpr double kLostFit = 0.6;
 // m, of doubt about an estimate that explains nothing.
 constexpr double kMisfitDeviation = 2;

@@ -19,7 +19,7 @@ constexpr double kBinSide = 0.25, kBinAngle = robotlink::radians(15);
 // Where a cluster is looked for, and how far it reaches from its middle.
 constexpr double kClusterSide = 1.0, kClusterAngle = robotlink::radians(45);
 constexpr double kClusterReach = 1.0, kClusterTurn = 0.6;
-// Of the KLD sampling: an error of 0.05 at most in 99 of 100 cases.
+// KLD sampling: an error of at most 0.05 in 99 of 100 cases.
 constexpr double kKldError = 0.05, kKldQuantile = 2.33;
 
 std::uint64_t binOf(const Particle& particle, double side, double angle) {

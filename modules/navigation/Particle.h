@@ -23,7 +23,7 @@ struct WeightSums {
   double sum = 0, squares = 0;  ///< of the weights, the largest being 1
   double effective() const { return sum * sum / squares; }
 };
-/// Of at least one particle.
+/// The sums over at least one particle.
 WeightSums weightSums(std::span<const Particle> particles);
 
 /// The middle of the heaviest cluster, and the deviation of all particles about it; of none a deviation of a

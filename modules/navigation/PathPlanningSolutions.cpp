@@ -64,7 +64,7 @@ class PathPlanner : public robotlink::Solution {
 
  protected:
   virtual double period() const { return 0.5; }
-  /// Of the pose, m, above which nothing is planned.
+  /// Standard deviation of the pose, m, above which nothing is planned.
   virtual double lostDeviation() const { return 1.0; }
   virtual PlannedPath plan(const Vector2& from, const Vector2& goal) = 0;
   virtual void drawMore() {}

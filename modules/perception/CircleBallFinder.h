@@ -42,7 +42,7 @@ class CircleBallFinder {
   /// `image` must be kYuyv. `regions`: those of the ball's colour, largest first.
   BallObservation find(const robotlink::ImageView& image, std::span<const colortool::Region> regions,
                        const CameraView& view);
-  /// Of the last ball that was found.
+  /// The edge points of the last ball that was found.
   const std::vector<EdgePoint>& edge() const { return foundEdge_; }
 
  private:

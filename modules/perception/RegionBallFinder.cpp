@@ -51,7 +51,7 @@ BallDisc RegionBallFinder::discOf(const Region& region, const CameraView& view) 
   if (cut.count() > 1) return cornerDisc(region, cut);
   const double larger = std::max(region.width(), region.height());
   const double smaller = std::min(region.width(), region.height());
-  // Of small regions noise alone may take a row.
+  // Noise alone may remove a row of a small region.
   if (larger > options_.maximumStretch * smaller + 1.5) return {};
   const double radius = 0.5 * larger;
   // Shadow eats the lower side of a ball, never the upper one.

@@ -104,7 +104,7 @@ class ClientSession {
   /// Why there is no connection; nothing while there is one, or while none went wrong.
   const std::optional<Error>& problem() const { return problem_; }
 
-  /// Of the connection, or of the last one. Null until the robot told it.
+  /// What the robot sent on this connection, or on the last one. Null until it was sent.
   const Identity* identity() const { return identity_ ? &*identity_ : nullptr; }
   const Configuration* configuration() const { return configuration_ ? &*configuration_ : nullptr; }
   const StandardInformation* information() const { return information_ ? &*information_ : nullptr; }

@@ -120,7 +120,7 @@ class PioneerRobot {
   Result<void> setSpeed(double speed);
   Result<void> setRotation(double rotation);
   Result<void> drive(double speed, double rotation);
-  /// Of the left and the right wheels, m/s in steps of 0.02.
+  /// Sets the speeds of the left and the right wheels, m/s, in steps of 0.02.
   Result<void> setWheels(double left, double right);
   /// Forwards by `distance`, m, at the speed of setLimits(). It goes on by itself: see waitForMotion().
   Result<void> move(double distance);

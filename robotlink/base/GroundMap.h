@@ -28,8 +28,8 @@ struct GroundMap {
     std::string name;  ///< may be empty
     Pose2 pose;
     bool hasHeading = false;
-    /// Of lines its ends; of areas two opposite corners in a frame that is turned by pose.heading about the
-    /// map's origin.
+    /// The ends of a line; for an area, two opposite corners in a frame that is turned by pose.heading about
+    /// the map's origin.
     Line extent;
     bool operator==(const Place&) const = default;
   };
@@ -48,7 +48,7 @@ struct GroundMap {
   std::vector<std::string> notes;
   bool incomplete = false;  ///< it has fewer lines or points than its header promises
 
-  /// Of all lines and points, and of places where there is neither. Zero if the map is empty.
+  /// The bounds of all lines and points; of the places if there are neither. Zero if the map is empty.
   Bounds bounds() const;
   const Place* find(Place::Kind kind) const;            ///< the first of its kind; null: none
   const Place* find(std::string_view placeName) const;  ///< null: none

@@ -61,7 +61,7 @@ struct ImageView {
   const std::uint8_t* data = nullptr;
 
   const std::uint8_t* row(int y) const { return data + static_cast<std::ptrdiff_t>(y) * step; }
-  /// Of kNv12: the row of Cb Cr pairs of row y.
+  /// The row of Cb Cr pairs that belongs to row y. For kNv12 only.
   const std::uint8_t* chromaRow(int y) const { return row(height + y / 2); }
   bool empty() const { return data == nullptr || width <= 0 || height <= 0; }
 };

@@ -44,7 +44,8 @@ struct FieldDescription {
   std::string wallColor;
   double cornerTriangleSide = 0;
   double lineWidth = 0, centerCircleDiameter = 0;
-  /// Of the lines around the field of play, which is the surface where there are none.
+  /// The size of the rectangle of lines around the field of play, or of the surface if there are no such
+  /// lines.
   double boundaryLength = 0, boundaryWidth = 0;
   double penaltyAreaLength = 0, penaltyAreaWidth = 0;
   std::string lineColor;

@@ -113,7 +113,7 @@ struct SolutionDescription {
   std::vector<std::string> required;
   std::vector<std::string> optional;
   std::vector<std::string> outputs;
-  /// Of all these packages. Functions, as descriptors can be asked for only after main() has started.
+  /// The types of all these packages, as functions: descriptors exist only after main() has started.
   std::map<std::string, const google::protobuf::Descriptor* (*)()> types;
   std::vector<int> keys;                                  ///< indices of its debug keys
   const google::protobuf::Message* parameters = nullptr;  ///< prototype; null if it has none

@@ -49,7 +49,8 @@ class TaskProcess final : public Process {
   // does not run.
   /// Why a solution could not be switched to; nothing is switched.
   Result<void> trySolution(const std::string& task, const std::string& solution) const;
-  /// Of a solution, or of the active one if it is empty. Null: there is no such task or solution.
+  /// The parameters of a solution; of the active one if `solution` is empty. Null if there is no such task or
+  /// solution.
   const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
   /// Its tables of keys and solutions, if tasks used these solutions instead of theirs.
   void describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,

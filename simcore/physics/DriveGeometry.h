@@ -15,7 +15,7 @@ struct DriveGeometry {
   double radius = 0;                  ///< of a circle about the centre that holds all solids, seen from above
 };
 
-/// Of a model with a drive.
+/// The geometry of a model that has a drive.
 DriveGeometry driveGeometry(const ModelDescription& model);
 
 /// The ratio of slips that makes wheels at (+-a, +-b) turn about a track; 1 if they stand on one axle.

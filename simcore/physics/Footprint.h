@@ -17,7 +17,7 @@ struct Footprint {
   friend bool meet(const Footprint& a, const Footprint& b);
 };
 
-/// Of a solid with an end. Exact for an upright box; the others' bounds.
+/// The footprint of a solid of finite size: exact for an upright box, the bounds of others.
 Footprint footprintOf(dxGeom* geom);
 
 }  // namespace simcore

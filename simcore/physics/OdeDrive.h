@@ -50,7 +50,7 @@ struct OdeDrive {
   Vector3 centerInBody = Vector3::Zero();  ///< between the wheels
   Vector3 axisInBody = Vector3::UnitY();   ///< of the axles, to the left
   double radius = 0;  ///< of a circle about the centre that holds the model, seen from above
-  // Of a model that is moved by its odometry:
+  // For a model that is moved by its odometry:
   std::size_t place = 0;               ///< of OdeWorld::places
   Footprint footprint;                 ///< seen from its centre, x to the front
   bool touches = false;                ///< something, where it is

@@ -32,7 +32,7 @@ class Physics {
 
   std::size_t bodyCount() const;
   Pose3 linkInWorld(std::size_t body) const;
-  /// Of a point that is fixed to a body and now at `point` (world).
+  /// The velocity of a point that is fixed to a body and now at `point` (world).
   Vector3 velocityAt(std::size_t body, const Vector3& point) const;
   Vector3 angularVelocityOf(std::size_t body) const;
 

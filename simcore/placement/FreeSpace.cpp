@@ -14,7 +14,7 @@ namespace {
 constexpr double kFarAhead = 5;  // m; a way that is free for longer is as good as any
 constexpr int kDirections = 16;
 constexpr int kDraws = 48;  // of which the one farthest from all others is taken
-// Of eight directions, in how many something must be for a place to be inside of it.
+// A place is inside of something that is seen in this many of eight directions.
 constexpr int kSidesAround = 7;
 
 double distanceToNearest(const Vector2& point, const std::vector<Vector2>& others) {

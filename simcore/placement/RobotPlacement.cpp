@@ -93,7 +93,7 @@ ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const
     if (!isInTheWay(solid)) continue;
     const double half = solid.radius > 0 ? solid.radius : solid.size.norm() / 2;
     const Vector2 middle = solid.pose.translation();
-    // Of long walls the corners, not the circle around them.
+    // Long walls count by their corners, not by the circle around them.
     if (solid.radius > 0) {
       bounds.extend(middle - Vector2(half, half)).extend(middle + Vector2(half, half));
       continue;
@@ -177,7 +177,7 @@ class Placer {
   std::vector<Vector2> taken_;
 };
 
-/// Of a team's robots on a field.
+/// The home places of a team's robots on a field.
 std::deque<Pose2> homesOf(const WorldDescription& world, const std::string& team) {
   std::deque<Pose2> homes;
   for (const ModelInstance& model : world.models) {

@@ -137,7 +137,7 @@ class CameraRenderer::Implementation {
   std::vector<ShadeLamp> lamps_;
   Lighting lighting_;
   bool moved_ = true;
-  // Of the last image.
+  // State of the last image, for label().
   std::vector<Drawn> drawn_;
   int width_ = 0, height_ = 0;
   std::vector<std::uint8_t> recordLabels_;

@@ -63,8 +63,8 @@ struct VisibilityBuffer {
 struct LampCell {
   float nearest = 0;
   float second = 0;
-  /// Of the nearest, in the low half of the third word, and of the second. Numbers too large for it are -1,
-  /// which is never left out.
+  /// The instance of the nearest triangle, in the low half of the third word, and of the second nearest.
+  /// Numbers too large for it are -1, which is never left out.
   std::int16_t nearestInstance = -1;
   std::int16_t secondInstance = -1;
 };

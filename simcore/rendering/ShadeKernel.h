@@ -72,8 +72,8 @@ SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
   return (face * gridSize + cv) * gridSize + cu;
 }
 
-/// Of some lanes with points at squared distances from a lamp, those that something in their cell could
-/// shade.
+/// Selects, from some lanes with points at squared distances from a lamp, those that something in their cell
+/// could shade.
 SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Float8 squaredDistance,
                                 Int8 lanes) {
   const auto* base = reinterpret_cast<const float*>(cells);

@@ -22,7 +22,7 @@ class ShadowCaster {
   const LampCell* cells(std::size_t lamp) const { return grids_[lamp].cells(); }
   /// Adds the light of those unsure pixels that the lamp sees; `stride` pixels make a row of the strip.
   ///
-  /// Of every four pixels one has its ray traced at once. The others do as their neighbours where these
+  /// One ray is traced for every four pixels. The other pixels take their neighbors' result where these
   /// agree, and have their own ray elsewhere: at the edges of shadows.
   void addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light);
 

@@ -31,7 +31,7 @@ struct Conversation {
   bool operator==(const Conversation&) const = default;
 };
 
-/// Of a file as large as this no more is read than an error.
+/// A file of at least this size is refused without being read.
 inline constexpr std::size_t kMaximumConversationBytes = 256U << 20U;
 
 /// Empty lines and those that begin with # are skipped. The first line that is wrong is the error, with file

@@ -18,7 +18,8 @@ using Clock = std::chrono::steady_clock;
 
 /// So long a line is silent within a packet until the packet is given up.
 constexpr std::chrono::milliseconds kPartialFor{100};
-/// Of one port in one call of serve(): who connects again and again costs no more than who sends.
+/// Connections that one port accepts in one call of serve(), so that connecting repeatedly costs no more than
+/// sending.
 constexpr int kMaximumAccepts = 4;
 /// What the system keeps of what was sent and not yet read: little, so that what waits can still be dropped.
 constexpr int kSystemBuffer = 16 << 10;
@@ -200,7 +201,7 @@ class Port {
       sending_.written(
           client_.write_some(asio::buffer(sending_.bytes().data(), sending_.bytes().size()), error));
     }
-    // Of a line that is broken reading tells.
+    // Reading reports a broken connection.
     if (error != asio::error::would_block) return sending_.clear();
     writing_ = true;
     client_.async_wait(tcp::socket::wait_write,

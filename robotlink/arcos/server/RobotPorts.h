@@ -26,7 +26,7 @@ namespace robotlink::arcos {
 /// No thread of its own: bytes move in serve() and send(), which one thread calls.
 class RobotPorts {
  public:
-  /// Of one port in one call of serve(). Real robots obey some 300 packets a second.
+  /// What one port may take in one call of serve(). Real robots obey about 300 packets a second.
   static constexpr std::size_t kMaximumBytes = 16U << 10U;
   static constexpr std::size_t kMaximumPackets = 64;
   struct Options {
@@ -64,7 +64,7 @@ class RobotPorts {
   std::uint16_t port(std::size_t robot) const;
   /// Whether only programs of this machine can connect.
   bool loopbackOnly() const;
-  /// Of the present client and of all before it.
+  /// Counts for the present client and all clients before it.
   Statistics statistics(std::size_t robot) const;
 
   /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already.

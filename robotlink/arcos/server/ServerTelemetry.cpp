@@ -9,7 +9,7 @@ namespace robotlink::arcos {
 namespace {
 
 constexpr double kShutdownVoltage = 11.0, kLowVoltage = 11.5;
-/// Of a turn: 4096 units.
+/// The unit of angles on the wire: 1/4096 of a turn, in rad.
 constexpr double kAngleUnit = 2 * kPi / 4096;
 /// ARIA: rate (deg/s) = (512 - reading) * 5 V / 1023 * 300 deg/s / 2.5 V * 1.626, the factor of a p3at-sh.
 constexpr double kGyroCentre = 512, kGyroUnitDeg = 5.0 / 1023 * 300 / 2.5 * 1.626;
