@@ -5,6 +5,7 @@
 #include <cmath>
 
 #include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
 #include "simcore/SceneContents.h"
 #include "simcore/physics/Physics.h"
 #include "simcore/physics/Ports.h"

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/debugging/ModeCounter.h"
-#include "robotlink/process/Sender.h"
+#include "robotlink/process/Process.h"
 
 namespace robotlink {
 

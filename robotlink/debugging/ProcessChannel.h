@@ -8,7 +8,7 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/process/Sender.h"
+#include "robotlink/process/Process.h"
 
 namespace robotlink {
 

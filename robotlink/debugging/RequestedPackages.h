@@ -6,7 +6,7 @@
 #include <string>
 
 #include "robotlink/debugging/ModeCounter.h"
-#include "robotlink/process/Sender.h"
+#include "robotlink/process/Process.h"
 
 namespace robotlink {
 

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "robotlink/base/Image.h"
 #include "simcore/rendering/KernelTypes.h"
 #include "simcore/world/CameraModel.h"
 

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfSpec.h"
 
 namespace simcore {
 namespace {

@@ -8,6 +8,7 @@
 #include "robotlink/arcos/codec/CommandTable.h"
 #include "robotlink/arcos/codec/ConfigurationFields.h"
 #include "robotlink/arcos/codec/ServerPacketFields.h"
+#include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/codec/SimulatorCommands.h"
 
 namespace robotlink::arcos {
