@@ -7,6 +7,7 @@
 
 #include "simcore/sdf/SdfConversion.h"
 #include "simcore/sdf/SdfDescription.h"
+#include "simcore/sdf/SdfSpec.h"
 
 namespace simcore {
 namespace {
