@@ -8,7 +8,6 @@
 #include <fstream>
 #include <mutex>
 
-#include "ServedWorld.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -16,6 +15,7 @@
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/QueueMessages.h"
+#include "tests/app/ServedWorld.h"
 
 using namespace app;
 using namespace std::chrono_literals;

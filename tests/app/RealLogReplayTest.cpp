@@ -5,10 +5,10 @@
 
 #include <set>
 
-#include "ReplayFixture.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
+#include "tests/app/ReplayFixture.h"
 
 using namespace app;
 using namespace app::testing;

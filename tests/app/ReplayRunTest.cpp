@@ -7,12 +7,12 @@
 
 #include <fstream>
 
-#include "ReplayFixture.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "logplayer/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/app/ReplayFixture.h"
 
 using namespace app;
 using namespace app::testing;

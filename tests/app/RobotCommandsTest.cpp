@@ -3,9 +3,9 @@
 
 #include <filesystem>
 
-#include "TickUntil.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "tests/app/TickUntil.h"
 
 using namespace app;
 

@@ -5,7 +5,7 @@
 
 #include <random>
 
-#include "PlainCleanUp.h"
+#include "tests/colortool/PlainCleanUp.h"
 
 namespace colortool {
 namespace {

@@ -7,8 +7,8 @@
 #include <cmath>
 #include <random>
 
-#include "SampleFixture.h"
 #include "colortool/CrossValidation.h"
+#include "tests/colortool/SampleFixture.h"
 
 namespace colortool {
 namespace {

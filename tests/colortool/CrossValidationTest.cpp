@@ -6,8 +6,8 @@
 #include <array>
 #include <random>
 
-#include "SampleFixture.h"
 #include "colortool/TableTrainer.h"
+#include "tests/colortool/SampleFixture.h"
 
 namespace colortool {
 namespace {

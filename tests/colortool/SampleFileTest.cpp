@@ -7,8 +7,8 @@
 #include <random>
 #include <sstream>
 
-#include "SampleFixture.h"
 #include "tests/TestFolder.h"
+#include "tests/colortool/SampleFixture.h"
 
 using namespace colortool;
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "SampleFixture.h"
 #include "colortool/SampleDocument.h"
+#include "tests/colortool/SampleFixture.h"
 
 using namespace colortool;
 

@@ -5,7 +5,7 @@
 
 #include <map>
 
-#include "SampleFixture.h"
+#include "tests/colortool/SampleFixture.h"
 
 namespace colortool {
 namespace {

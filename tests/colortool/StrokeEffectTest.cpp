@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "SampleFixture.h"
 #include "colortool/TableTrainer.h"
+#include "tests/colortool/SampleFixture.h"
 
 namespace colortool {
 namespace {

@@ -6,8 +6,8 @@
 #include <algorithm>
 #include <random>
 
-#include "PlainCleanUp.h"
 #include "colortool/ColorVotes.h"
+#include "tests/colortool/PlainCleanUp.h"
 
 namespace colortool {
 namespace {

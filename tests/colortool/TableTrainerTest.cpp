@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <random>
 
-#include "SampleFixture.h"
+#include "tests/colortool/SampleFixture.h"
 
 using namespace colortool;
 

@@ -7,9 +7,9 @@
 
 #include <thread>
 
-#include "LogFixture.h"
 #include "logplayer/LogChannels.h"
 #include "robotlink/session/Numbers.h"
+#include "tests/logplayer/LogFixture.h"
 
 using namespace logplayer;
 using namespace logplayer::testing;

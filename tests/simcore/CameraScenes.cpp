@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "CameraScenes.h"
+#include "tests/simcore/CameraScenes.h"
 
 #include <array>
 

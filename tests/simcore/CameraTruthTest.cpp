@@ -3,8 +3,8 @@
 
 #include <cmath>
 
-#include "CameraScenes.h"
 #include "simcore/rendering/CameraRenderer.h"
+#include "tests/simcore/CameraScenes.h"
 
 using namespace simcore;
 using namespace simcore::testing;

@@ -4,10 +4,10 @@
 
 #include <chrono>
 
-#include "SceneFixture.h"
 #include "robotlink/base/GroundMap.h"
 #include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "ReferenceCamera.h"
+#include "tests/simcore/ReferenceCamera.h"
 
 #include <algorithm>
 #include <cmath>

@@ -6,8 +6,8 @@
 
 #include <span>
 
-#include "SceneFixture.h"
 #include "simcore/maps/MapWorld.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

@@ -5,9 +5,9 @@
 
 #include <cstdlib>
 
-#include "QueueBuilder.h"
 #include "logplayer/bhuman/QueueImport.h"
 #include "robotlink/base/Random.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

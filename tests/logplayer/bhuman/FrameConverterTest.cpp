@@ -3,13 +3,13 @@
 
 #include <array>
 
-#include "QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/bhuman/QueueImport.h"
 #include "robotcontrol/Motion.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/Random.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "QueueBuilder.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer::bhuman;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "QueueBuilder.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 #include <bit>
 #include <cmath>

@@ -4,7 +4,6 @@
 
 #include <cmath>
 
-#include "QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "logplayer/bhuman/QueueImport.h"
@@ -13,6 +12,7 @@
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using namespace logplayer::bhuman;

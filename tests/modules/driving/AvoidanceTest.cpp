@@ -2,7 +2,7 @@
 // Both ways to avoid obstacles, with and without a laser.
 #include <gtest/gtest.h>
 
-#include "Ride.h"
+#include "tests/modules/driving/Ride.h"
 
 namespace modules {
 namespace {

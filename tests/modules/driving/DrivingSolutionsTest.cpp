@@ -4,10 +4,10 @@
 #include <gtest/gtest.h>
 
 #include "DrivingParameters.pb.h"
-#include "RollingPackages.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Motion.pb.h"
+#include "tests/modules/driving/RollingPackages.h"
 
 namespace modules {
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "FlatWorld.h"
+#include "tests/modules/driving/FlatWorld.h"
 
 #include <algorithm>
 #include <cmath>

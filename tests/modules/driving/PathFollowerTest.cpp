@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "RollingRobot.h"
 #include "modules/driving/SpeedLimiter.h"
+#include "tests/modules/driving/RollingRobot.h"
 
 namespace modules {
 namespace {

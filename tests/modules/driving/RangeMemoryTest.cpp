@@ -3,7 +3,7 @@
 
 #include <gtest/gtest.h>
 
-#include "RollingRobot.h"
+#include "tests/modules/driving/RollingRobot.h"
 
 namespace modules {
 namespace {

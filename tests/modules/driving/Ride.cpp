@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "Ride.h"
+#include "tests/modules/driving/Ride.h"
 
 namespace modules {
 

@@ -5,11 +5,11 @@
 #include <optional>
 #include <span>
 
-#include "RollingRobot.h"
 #include "modules/driving/DynamicWindow.h"
 #include "modules/driving/RangeMemory.h"
 #include "modules/driving/SpeedLimiter.h"
 #include "modules/driving/VectorField.h"
+#include "tests/modules/driving/RollingRobot.h"
 
 namespace modules {
 

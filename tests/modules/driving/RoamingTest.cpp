@@ -4,8 +4,8 @@
 
 #include <set>
 
-#include "Ride.h"
 #include "modules/driving/Wanderer.h"
+#include "tests/modules/driving/Ride.h"
 
 namespace modules {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "OneSolution.h"
-#include "RollingRobot.h"
 #include "foxglove/Ranging.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/packages/Conversions.h"
+#include "tests/modules/driving/OneSolution.h"
+#include "tests/modules/driving/RollingRobot.h"
 
 namespace modules {
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "RollingRobot.h"
+#include "tests/modules/driving/RollingRobot.h"
 
 #include <algorithm>
 #include <stdexcept>

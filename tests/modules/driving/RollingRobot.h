@@ -3,10 +3,10 @@
 
 #include <vector>
 
-#include "FlatWorld.h"
 #include "modules/navigation/RangeBeam.h"
 #include "robotlink/base/Random.h"
 #include "robotlink/config/RobotDescription.h"
+#include "tests/modules/driving/FlatWorld.h"
 
 namespace modules {
 

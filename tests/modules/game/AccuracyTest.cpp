@@ -4,11 +4,11 @@
 
 #include <cmath>
 
-#include "PlayedGame.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
+#include "tests/modules/game/PlayedGame.h"
 
 namespace modules {
 namespace {

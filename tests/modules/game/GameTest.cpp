@@ -2,7 +2,7 @@
 // Whole games with the default solutions: what the robot does, as a spectator sees it.
 #include <gmock/gmock.h>
 
-#include "PlayedGame.h"
+#include "tests/modules/game/PlayedGame.h"
 
 namespace modules {
 namespace {

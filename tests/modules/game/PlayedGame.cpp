@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "PlayedGame.h"
+#include "tests/modules/game/PlayedGame.h"
 
 #include <cstdlib>
 #include <stdexcept>

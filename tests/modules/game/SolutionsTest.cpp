@@ -8,8 +8,8 @@
 #include <fstream>
 #include <sstream>
 
-#include "PlayedGame.h"
 #include "robotlink/debugging/Solution.h"
+#include "tests/modules/game/PlayedGame.h"
 
 namespace modules {
 namespace {

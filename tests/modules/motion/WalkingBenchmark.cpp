@@ -4,8 +4,8 @@
 
 #include <cstdio>
 
-#include "WalkingRobot.h"
 #include "robotlink/base/Resources.h"
+#include "tests/modules/motion/WalkingRobot.h"
 
 namespace modules {
 namespace {

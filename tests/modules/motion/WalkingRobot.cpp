@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "WalkingRobot.h"
+#include "tests/modules/motion/WalkingRobot.h"
 
 #include <google/protobuf/text_format.h>
 

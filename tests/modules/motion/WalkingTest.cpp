@@ -4,8 +4,8 @@
 
 #include <fstream>
 
-#include "WalkingRobot.h"
 #include "robotlink/base/Random.h"
+#include "tests/modules/motion/WalkingRobot.h"
 
 namespace modules {
 namespace {

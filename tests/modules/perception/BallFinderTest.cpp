@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include <gtest/gtest.h>
 
-#include "FieldCamera.h"
 #include "modules/perception/CircleBallFinder.h"
 #include "modules/perception/RegionBallFinder.h"
+#include "tests/modules/perception/FieldCamera.h"
 
 namespace modules {
 namespace {

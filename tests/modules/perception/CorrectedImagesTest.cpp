@@ -6,11 +6,11 @@
 #include <cmath>
 #include <limits>
 
-#include "LoggedRobot.h"
 #include "colortool/ColorCorrection.h"
 #include "colortool/ColorTable.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Sensing.pb.h"
+#include "tests/modules/perception/LoggedRobot.h"
 
 using namespace modules;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "FieldCamera.h"
+#include "tests/modules/perception/FieldCamera.h"
 
 #include <stdexcept>
 

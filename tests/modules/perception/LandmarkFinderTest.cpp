@@ -3,9 +3,9 @@
 
 #include <algorithm>
 
-#include "FieldCamera.h"
 #include "modules/perception/BandLandmarkFinder.h"
 #include "modules/perception/HorizonLandmarkFinder.h"
+#include "tests/modules/perception/FieldCamera.h"
 
 namespace modules {
 namespace {

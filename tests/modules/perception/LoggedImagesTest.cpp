@@ -5,11 +5,11 @@
 
 #include <cmath>
 
-#include "LoggedRobot.h"
 #include "colortool/ColorTableFile.h"
 #include "logplayer/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
+#include "tests/modules/perception/LoggedRobot.h"
 
 using namespace modules;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "LoggedRobot.h"
+#include "tests/modules/perception/LoggedRobot.h"
 
 #include <stdexcept>
 

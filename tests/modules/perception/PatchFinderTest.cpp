@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "FieldCamera.h"
+#include "tests/modules/perception/FieldCamera.h"
 
 namespace modules {
 namespace {

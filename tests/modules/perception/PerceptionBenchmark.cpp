@@ -4,11 +4,11 @@
 
 #include <cstring>
 
-#include "FieldCamera.h"
 #include "modules/perception/BandLandmarkFinder.h"
 #include "modules/perception/CircleBallFinder.h"
 #include "modules/perception/HorizonLandmarkFinder.h"
 #include "modules/perception/RegionBallFinder.h"
+#include "tests/modules/perception/FieldCamera.h"
 
 namespace modules {
 namespace {

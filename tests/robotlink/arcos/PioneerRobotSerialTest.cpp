@@ -2,9 +2,9 @@
 // The robot object on a serial line of 9600 baud with noise, and with a cable that is pulled.
 #include <gmock/gmock.h>
 
-#include "RobotOnSerialLine.h"
 #include "robotlink/arcos/PioneerRobot.h"
 #include "tests/TestFolder.h"
+#include "tests/robotlink/arcos/RobotOnSerialLine.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <gmock/gmock.h>
 
-#include "SimulatedLine.h"
+#include "tests/robotlink/arcos/SimulatedLine.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -4,12 +4,12 @@
 
 #include <thread>
 
-#include "IdealRobot.h"
-#include "PseudoTerminal.h"
 #include "robotlink/arcos/PioneerRobot.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/MemoryStream.h"
 #include "tests/TestFolder.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
+#include "tests/robotlink/arcos/PseudoTerminal.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -7,9 +7,9 @@
 #include <mutex>
 #include <thread>
 
-#include "IdealRobot.h"
-#include "PseudoTerminal.h"
 #include "robotlink/arcos/codec/PacketParser.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
+#include "tests/robotlink/arcos/PseudoTerminal.h"
 
 /// A robot in real time at the end of a serial line of 9600 baud that is as bad as lines are: bytes trickle
 /// in, each fifth packet has a wrong byte, and there is noise between packets. It does not notice when its

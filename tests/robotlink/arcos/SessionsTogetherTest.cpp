@@ -2,9 +2,9 @@
 // A client's session and a robot's, with good and bad lines between them and no socket.
 #include <gtest/gtest.h>
 
-#include "IdealRobot.h"
-#include "UnreliableLine.h"
 #include "robotlink/arcos/ClientSession.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
+#include "tests/robotlink/arcos/UnreliableLine.h"
 
 namespace robotlink::arcos {
 namespace {

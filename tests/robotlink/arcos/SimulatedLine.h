@@ -4,9 +4,9 @@
 #include <deque>
 #include <memory>
 
-#include "IdealRobot.h"
 #include "robotlink/arcos/codec/PacketParser.h"
 #include "robotlink/arcos/stream/ByteStream.h"
+#include "tests/robotlink/arcos/IdealRobot.h"
 
 /// A robot at the end of a line, in one thread and without waiting: who reads from the line lets the robot's
 /// time, and the client's clock, go on. The robot outlives its lines, as a real one does.

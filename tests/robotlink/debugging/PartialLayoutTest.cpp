@@ -4,9 +4,9 @@
 
 #include <algorithm>
 
-#include "ToyRobot.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/packages/Packages.h"
+#include "tests/robotlink/debugging/ToyRobot.h"
 
 using namespace robotlink;
 using robotlink::testing::kToyLayout;

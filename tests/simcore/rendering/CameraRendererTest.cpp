@@ -7,8 +7,8 @@
 #include <cstdlib>
 #include <thread>
 
-#include "CameraScenes.h"
-#include "ReferenceCamera.h"
+#include "tests/simcore/CameraScenes.h"
+#include "tests/simcore/ReferenceCamera.h"
 
 using namespace simcore;
 using namespace simcore::testing;

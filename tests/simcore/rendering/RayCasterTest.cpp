@@ -7,7 +7,7 @@
 #include <limits>
 #include <thread>
 
-#include "CameraScenes.h"
+#include "tests/simcore/CameraScenes.h"
 
 using namespace simcore;
 using Eigen::Vector3d;

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
-#include "SceneFixture.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
 namespace {

@@ -6,8 +6,8 @@
 #include <numeric>
 #include <thread>
 
-#include "PseudoTerminal.h"
 #include "tests/TestFolder.h"
+#include "tests/robotlink/arcos/PseudoTerminal.h"
 
 namespace robotlink::arcos {
 namespace {

@@ -7,7 +7,7 @@
 #include <thread>
 #include <vector>
 
-#include "TcpServer.h"
+#include "tests/robotlink/arcos/TcpServer.h"
 
 namespace robotlink::arcos {
 namespace {
