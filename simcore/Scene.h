@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/base/Error.h"
-#include "simcore/SceneRobots.h"
+#include "simcore/world/SceneRobots.h"
 
 namespace robotlink {
 struct GroundMap;

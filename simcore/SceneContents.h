@@ -7,8 +7,8 @@
 #include <vector>
 
 #include "robotlink/base/GroundMap.h"
-#include "simcore/SceneRobots.h"
 #include "simcore/world/RenderScene.h"
+#include "simcore/world/SceneRobots.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {

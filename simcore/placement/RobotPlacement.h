@@ -3,8 +3,8 @@
 
 #include "robotlink/base/Error.h"
 #include "robotlink/base/GroundMap.h"
-#include "simcore/SceneRobots.h"
 #include "simcore/world/Palette.h"
+#include "simcore/world/SceneRobots.h"
 #include "simcore/world/WorldDescription.h"
 
 namespace simcore {
