@@ -25,9 +25,9 @@ constexpr double kSteep = 0.7;  // upward share of a plane's normal
 constexpr double kReach = 0.3;  // m; how much farther than at first the limbs of a robot may reach
 
 /// Fills an OdeWorld from its description.
-class Builder {
+class WorldBuilder {
  public:
-  Builder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
+  WorldBuilder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
 
   void build() {
     ode_.models.reserve(ode_.description.models.size());  // spaces point to them
@@ -206,7 +206,7 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription, bool kinematicDrive
   dSpaceSetCleanup(statics, 0);
   contacts = dJointGroupCreate(0);
   ray = dCreateRay(nullptr, 1);
-  Builder(*this, kinematicDrives).build();
+  WorldBuilder(*this, kinematicDrives).build();
 }
 
 OdeWorld::~OdeWorld() {

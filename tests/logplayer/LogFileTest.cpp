@@ -12,7 +12,7 @@
 #include "robotlink/session/Numbers.h"
 
 using namespace logplayer;
-using namespace logplayer::testing;
+using namespace logplayer::tests;
 
 namespace {
 
