@@ -8,13 +8,13 @@ namespace colortool {
 namespace {
 
 using Row = CellSet::Row;
-constexpr std::size_t kSide = 64;
+constexpr std::size_t kSetSide = 64;
 /// Rows in a grid with an empty row all around, so that each row has its neighbours.
-constexpr std::size_t kPaddedSide = kSide + 2;
+constexpr std::size_t kPaddedSide = kSetSide + 2;
 using PaddedRows = std::array<Row, kPaddedSide * kPaddedSide>;
 
 constexpr std::size_t paddedRow(std::size_t row) {
-  return (row / kSide + 1) * kPaddedSide + row % kSide + 1;
+  return (row / kSetSide + 1) * kPaddedSide + row % kSetSide + 1;
 }
 
 PaddedRows padded(const CellSet& cells) {

@@ -13,7 +13,7 @@
 namespace colortool {
 namespace {
 
-constexpr std::size_t kCells = ColorTable::kCells;
+constexpr std::size_t kCellsASide = ColorTable::kCells;
 constexpr double kMiddle = ColorTable::kCellSize / 2;
 constexpr int kDimensions = 3;
 /// Of several samples in one cell as many count as are learned from.
@@ -26,7 +26,7 @@ struct CellColor {
   double y, cb, cr;
 };
 
-CellColor colorOf(std::size_t cell) {
+CellColor cellColorOf(std::size_t cell) {
   const auto middle = [](std::size_t index) {
     return ColorTable::kCellSize * static_cast<double>(index) + kMiddle;
   };
@@ -35,7 +35,7 @@ CellColor colorOf(std::size_t cell) {
 
 /// As the header says.
 std::array<float, kDimensions> featureOf(std::size_t cell) {
-  const CellColor color = colorOf(cell);
+  const CellColor color = cellColorOf(cell);
   const double k = 160 / (color.y + 24);
   return {static_cast<float>(kBrightnessWeight * color.y), static_cast<float>(k * (color.cb - 128)),
           static_cast<float>(k * (color.cr - 128))};
@@ -86,9 +86,9 @@ struct Lesson {
 template <typename ClassOf>
 ColorTable tableOf(ClassOf classOf) {
   ColorTable table;
-  for (std::size_t y = 0, cell = 0; y < kCells; ++y) {
-    for (std::size_t cb = 0; cb < kCells; ++cb) {
-      for (std::size_t cr = 0; cr < kCells; ++cr, ++cell) {
+  for (std::size_t y = 0, cell = 0; y < kCellsASide; ++y) {
+    for (std::size_t cb = 0; cb < kCellsASide; ++cb) {
+      for (std::size_t cr = 0; cr < kCellsASide; ++cr, ++cell) {
         table.setCell(static_cast<int>(y), static_cast<int>(cb), static_cast<int>(cr),
                       static_cast<std::uint8_t>(classOf(cell)));
       }
@@ -143,7 +143,7 @@ class Neighborhood {
 
  private:
   static CellColor weighted(std::size_t cell) {
-    CellColor color = colorOf(cell);
+    CellColor color = cellColorOf(cell);
     color.y *= kBrightnessWeight;
     return color;
   }

@@ -21,7 +21,7 @@ using robotlink::Result;
 namespace {
 
 constexpr std::string_view kFirstLine = "robotcontrol-color-classes 1";
-constexpr std::size_t kMostBytes = 64U << 10U;
+constexpr std::size_t kMostTableBytes = 64U << 10U;
 constexpr std::size_t kMostErrors = 20;
 
 std::string_view trimmed(std::string_view text) {
@@ -41,9 +41,9 @@ std::optional<robotlink::Rgb> color(std::string_view text) {
 }
 
 /// Reads a file of classes line by line.
-class Parser {
+class NamedTableParser {
  public:
-  explicit Parser(const std::string& file) : file_(file) {}
+  explicit NamedTableParser(const std::string& file) : file_(file) {}
 
   void line(std::string_view text) {
     ++line_;
@@ -113,7 +113,7 @@ std::string colorClassesText(const ColorClasses& classes) {
 }
 
 tl::expected<ColorClasses, Errors> parseColorClasses(std::string_view text, const std::string& file) {
-  Parser parser(file);
+  NamedTableParser parser(file);
   for (std::size_t begin = 0; begin < text.size() && parser.goesOn();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     parser.line(text.substr(begin, end - begin));
@@ -143,7 +143,7 @@ tl::expected<NamedColorTable, Errors> NamedColorTable::load(const std::filesyste
     unnamed.nameAll();
     return unnamed;
   }
-  const auto text = robotlink::readFile(beside, kMostBytes);
+  const auto text = robotlink::readFile(beside, kMostTableBytes);
   if (!text) return tl::unexpected(Errors{text.error()});
   auto classes = parseColorClasses(*text, beside.string());
   if (!classes) return tl::unexpected(classes.error());
@@ -176,7 +176,7 @@ Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
         "file.io", "cannot remove the names of other classes, which stood here: " + error.message(),
         {beside.string(), 0, 0});
   }
-  const auto before = robotlink::readFile(beside, kMostBytes);
+  const auto before = robotlink::readFile(beside, kMostTableBytes);
   if (const auto named = robotlink::writeFileAtomically(beside, colorClassesText(classes)); !named)
     return named;
   const auto saved = file.save(table);

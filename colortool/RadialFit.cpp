@@ -16,7 +16,7 @@ constexpr double kLeastFreedom = 4;
 /// Residuals above so many standard deviations count less.
 constexpr double kHuber = 1.5;
 /// By how much the sum of squares must fall, in variances: chance does that once in a thousand times.
-constexpr double kLeastGain = 14;
+constexpr double kLeastRadialGain = 14;
 /// The shade of an image's corners stays above this while it is being fitted.
 constexpr double kDarkest = 0.15;
 
@@ -36,7 +36,7 @@ struct Equation {
   Eigen::Vector2d slope;
 };
 
-double curve(const Eigen::Vector2d& c, double squaredRadius) {
+double radialCurve(const Eigen::Vector2d& c, double squaredRadius) {
   return (c[0] + c[1] * squaredRadius) * squaredRadius;
 }
 
@@ -68,9 +68,9 @@ std::vector<Equation> equationsAt(const Eigen::Vector2d& c, std::span<const Radi
   for (std::size_t i = 0; i < samples.size(); ++i) {
     const RadialSample& s = samples[i];
     const double r2 = s.squaredRadius;
-    const double shade = std::max(1 + curve(c, r2), kDarkest);
+    const double shade = std::max(1 + radialCurve(c, r2), kDarkest);
     const bool tint = model == RadialModel::kTint;
-    const double expected = tint ? curve(c, r2) : std::log(shade);
+    const double expected = tint ? radialCurve(c, r2) : std::log(shade);
     equations.push_back({s.group, s.weight * trust[i], s.value - expected,
                          Eigen::Vector2d(r2, r2 * r2) / (tint ? 1 : shade)});
   }
@@ -119,7 +119,7 @@ bool isWideEnough(std::span<const RadialSample> samples) {
 }
 
 /// Shorter, so that no corner becomes darker than can be.
-Eigen::Vector2d limited(const Eigen::Vector2d& c, RadialModel model) {
+Eigen::Vector2d limitedRadius(const Eigen::Vector2d& c, RadialModel model) {
   const double corner = 1 + c.sum();
   return model == RadialModel::kShade && corner < kDarkest ? c * (1 - kDarkest) / (1 - corner) : c;
 }
@@ -145,12 +145,12 @@ RadialFit fitRadial(std::span<const RadialSample> samples, RadialModel model) {
       const double size = std::abs(e.residual) / (kHuber * deviation);
       trust[i] = size <= 1 ? 1 : 1 / size;
     }
-    c = limited(c + normal.ldlt().solve(right), model);
+    c = limitedRadius(c + normal.ldlt().solve(right), model);
   }
   const double before = squares(equationsAt(Eigen::Vector2d::Zero(), samples, model, trust));
   const double after = squares(equationsAt(c, samples, model, trust));
   const double variance = std::max(deviation * deviation, after / (freedomOf(samples) - 2));
-  if (before - after < kLeastGain * variance) return {RadialFit::Outcome::kNothing, {}};
+  if (before - after < kLeastRadialGain * variance) return {RadialFit::Outcome::kNothing, {}};
   return {RadialFit::Outcome::kFound, {c[0], c[1]}};
 }
 

@@ -20,7 +20,7 @@ constexpr int kVersion = 1;
 constexpr std::size_t kMostBytes = std::size_t{512} << 20U;
 constexpr int kMostSide = 1 << 16;
 constexpr std::size_t kMostProblems = 100;
-constexpr std::array<const char*, 3> kMethods = {"votes", "gaussians", "support_vectors"};
+constexpr std::array<const char*, 3> kMethodNames = {"votes", "gaussians", "support_vectors"};
 
 void appendHex(std::string& text, std::uint8_t byte) {
   constexpr char kDigits[] = "0123456789abcdef";
@@ -134,7 +134,7 @@ int side(const Json& object, const char* name) {
 
 Json written(const TrainingSettings& s) {
   return {{"settings",
-           {{"method", kMethods.at(static_cast<std::size_t>(s.method))},
+           {{"method", kMethodNames.at(static_cast<std::size_t>(s.method))},
             {"votes",
              {{"radius", s.votes.radius},
               {"brightness_weight", s.votes.brightnessWeight},
@@ -156,11 +156,11 @@ Json written(const TrainingSettings& s) {
 TrainingSettings readSettings(const Json& line) {
   const Json& object = optionalPart(line, "settings");
   TrainingSettings s;
-  std::string method = kMethods[0];
+  std::string method = kMethodNames[0];
   optional(object, "method", method);
-  const auto known = std::ranges::find(kMethods, method);
-  if (known == kMethods.end()) throw Wrong("there is no method \"" + method + "\"");
-  s.method = static_cast<TrainingMethod>(known - kMethods.begin());
+  const auto known = std::ranges::find(kMethodNames, method);
+  if (known == kMethodNames.end()) throw Wrong("there is no method \"" + method + "\"");
+  s.method = static_cast<TrainingMethod>(known - kMethodNames.begin());
   const Json &votes = optionalPart(object, "votes"), &gaussians = optionalPart(object, "gaussians"),
              &vectors = optionalPart(object, "support_vectors"), &cleanUp = optionalPart(object, "clean_up");
   optional(votes, "radius", s.votes.radius);

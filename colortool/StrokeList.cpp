@@ -17,14 +17,14 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kColumns = {"image", "class", "x", "y", "radius"};
 enum Column : std::size_t { kImage, kClass, kX, kY, kRadius };
-constexpr std::size_t kMostErrors = 20;
+constexpr std::size_t kMostListErrors = 20;
 
 struct Field {
   std::string_view text;
   int column = 1;  // in the line, from 1
 };
 
-std::string_view trimmed(std::string_view text) {
+std::string_view unquoted(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r\"");
   return first == std::string_view::npos ? std::string_view()
                                          : text.substr(first, text.find_last_not_of(" \t\r\"") - first + 1);
@@ -34,20 +34,20 @@ std::vector<Field> fieldsOf(std::string_view line) {
   std::vector<Field> fields;
   for (std::size_t begin = 0;;) {
     const std::size_t end = std::min(line.find(',', begin), line.size());
-    fields.push_back({trimmed(line.substr(begin, end - begin)), static_cast<int>(begin) + 1});
+    fields.push_back({unquoted(line.substr(begin, end - begin)), static_cast<int>(begin) + 1});
     if (end == line.size()) return fields;
     begin = end + 1;
   }
 }
 
 /// Reads a list line by line.
-class Parser {
+class StrokeListParser {
  public:
-  explicit Parser(const std::string& file) : file_(file) {}
+  explicit StrokeListParser(const std::string& file) : file_(file) {}
 
   void line(std::string_view text) {
     ++line_;
-    if (trimmed(text).empty()) return;
+    if (unquoted(text).empty()) return;
     const std::vector<Field> fields = fieldsOf(text);
     if (!headed_) return header(fields);
     if (fields.size() < columns_.size()) {
@@ -56,7 +56,7 @@ class Parser {
     }
     stroke(fields);
   }
-  bool goesOn() const { return errors_.size() < kMostErrors && (headed_ || errors_.empty()); }
+  bool goesOn() const { return errors_.size() < kMostListErrors && (headed_ || errors_.empty()); }
 
   tl::expected<std::vector<DiscStroke>, Errors> result() {
     if (!headed_ && errors_.empty())
@@ -120,7 +120,7 @@ class Parser {
 
 tl::expected<std::vector<DiscStroke>, Errors> parseStrokeList(std::string_view text,
                                                               const std::string& file) {
-  Parser parser(file);
+  StrokeListParser parser(file);
   for (std::size_t begin = 0; begin < text.size() && parser.goesOn();) {
     const std::size_t end = std::min(text.find('\n', begin), text.size());
     parser.line(text.substr(begin, end - begin));

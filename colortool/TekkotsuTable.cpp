@@ -19,7 +19,7 @@ namespace {
 
 constexpr std::string_view kMagic = "TMAP\n", kType = "YUV";
 constexpr std::size_t kMostLine = 64;
-constexpr std::size_t kMostErrors = 20;
+constexpr std::size_t kMostTekkotsuErrors = 20;
 
 /// Takes numbers and signs from the front of a text.
 class Scanner {
@@ -59,7 +59,8 @@ class Scanner {
   std::string_view rest_;
 };
 
-tl::unexpected<robotlink::Error> wrong(const std::string& file, std::size_t offset, const std::string& what) {
+tl::unexpected<robotlink::Error> wrongTekkotsu(const std::string& file, std::size_t offset,
+                                               const std::string& what) {
   return robotlink::failure("color-table.tekkotsu",
                             fmt::format("this is no threshold map of Tekkotsu: at byte {} {}", offset, what),
                             {file, 0, 0});
@@ -84,20 +85,21 @@ class ColorsParser {
     if (scanner.done() || scanner.sign('#')) return;
     const auto index = scanner.number(ColorClasses::kMost);
     if (!index)
-      return wrong(fmt::format("a line begins with the number of its class, 0 to {}", ColorClasses::kMost));
+      return wrongTekkotsu(
+          fmt::format("a line begins with the number of its class, 0 to {}", ColorClasses::kMost));
     const bool open = scanner.sign('(');
     const auto red = scanner.number(255), green = scanner.number(255), blue = scanner.number(255);
     if (!open || !red || !green || !blue || !scanner.sign(')'))
-      return wrong("the class's colour is wanted after its number, as in (255 128 0)");
+      return wrongTekkotsu("the class's colour is wanted after its number, as in (255 128 0)");
     auto name = scanner.quoted();
-    if (!name) return wrong("the class's name is wanted after its colour, in quotes");
+    if (!name) return wrongTekkotsu("the class's name is wanted after its colour, in quotes");
     const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
     add(*index, {std::move(*name), {byte(*red), byte(*green), byte(*blue)}});
   }
-  bool goesOn() const { return errors_.size() < kMostErrors; }
+  bool goesOn() const { return errors_.size() < kMostTekkotsuErrors; }
 
   tl::expected<ColorClasses, Errors> result() {
-    if (line_ == 0) wrong("the file is empty");
+    if (line_ == 0) wrongTekkotsu("the file is empty");
     if (!errors_.empty()) return tl::unexpected(std::move(errors_));
     std::vector<NamedColor> listed;
     for (const auto& [index, color] : colors_) listed.push_back(color);
@@ -114,15 +116,15 @@ class ColorsParser {
   void add(int index, NamedColor color) {
     if (index != ColorClasses::kNone) {
       if (std::string problem = classNameProblem(color.name); !problem.empty())
-        return wrong(std::move(problem));
+        return wrongTekkotsu(std::move(problem));
     }
     const auto sameName = [&](const auto& one) { return one.second.name == color.name; };
     if (std::ranges::any_of(colors_, sameName))
-      return wrong("'" + color.name + "' stands here a second time");
+      return wrongTekkotsu("'" + color.name + "' stands here a second time");
     if (!colors_.emplace(index, std::move(color)).second)
-      wrong(fmt::format("class {} stands here a second time", index));
+      wrongTekkotsu(fmt::format("class {} stands here a second time", index));
   }
-  void wrong(std::string text) {
+  void wrongTekkotsu(std::string text) {
     errors_.push_back({"color-table.tekkotsu-colors", std::move(text), {}, {file_, std::max(line_, 1), 0}});
   }
 
@@ -139,11 +141,11 @@ bool isTekkotsuMap(std::string_view bytes) {
 }
 
 Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& file) {
-  if (!isTekkotsuMap(bytes)) return wrong(file, 0, "the line TMAP is wanted");
+  if (!isTekkotsuMap(bytes)) return wrongTekkotsu(file, 0, "the line TMAP is wanted");
   std::size_t at = kMagic.size();
   const auto type = lineAt(bytes, at);
   if (!type || type->substr(0, kType.size()) != kType)
-    return wrong(file, at, "the line that says YUV is wanted; other colour spaces are not read");
+    return wrongTekkotsu(file, at, "the line that says YUV is wanted; other colour spaces are not read");
   at += type->size() + 1;
   const auto sizes = lineAt(bytes, at);
   CellGrid grid;
@@ -151,16 +153,16 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   for (int& side : grid.sides) {
     const auto number = scanner.number(CellGrid::kMostCells);
     if (!number || !CellGrid::fits(*number))
-      return wrong(file, at, "three numbers of cells are wanted: powers of two up to 128");
+      return wrongTekkotsu(file, at, "three numbers of cells are wanted: powers of two up to 128");
     side = *number;
   }
-  if (!scanner.done()) return wrong(file, at, "something follows the numbers of cells");
+  if (!scanner.done()) return wrongTekkotsu(file, at, "something follows the numbers of cells");
   at += sizes->size() + 1;
   const std::size_t cells = CellGrid::count(grid.sides);
   if (bytes.size() - at != cells) {
-    return wrong(file, at,
-                 fmt::format("{} cells are wanted, {} x {} x {}, but {} bytes follow", cells, grid.sides[0],
-                             grid.sides[1], grid.sides[2], bytes.size() - at));
+    return wrongTekkotsu(file, at,
+                         fmt::format("{} cells are wanted, {} x {} x {}, but {} bytes follow", cells,
+                                     grid.sides[0], grid.sides[1], grid.sides[2], bytes.size() - at));
   }
   grid.classes.assign(bytes.begin() + static_cast<std::ptrdiff_t>(at), bytes.end());
   return grid;

@@ -8,6 +8,7 @@
 
 #include "logplayer/Losses.h"
 #include "logplayer/OutputFile.h"
+#include "logplayer/Plural.h"
 #include "logplayer/RecordedStreams.h"
 #include "robotcontrol/Debugging.pb.h"
 
@@ -99,10 +100,6 @@ bool isUndecoded(const LogFile& log, const StreamMessage& message) {
   const auto& all = log.streams();
   return std::any_of(all.begin(), all.end(),
                      [&](const auto& stream) { return stream.path == message.path && stream.undecoded > 0; });
-}
-
-std::string plural(std::uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
 void noteDamage(const LogFile& log, ExportReport& report) {

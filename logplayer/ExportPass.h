@@ -50,7 +50,4 @@ void noteUnread(const Unread& unread, ExportReport& report);
 /// Whether a message stayed bytes because of its encoding.
 bool isUndecoded(const LogFile& log, const robotlink::StreamMessage& message);
 
-/// "1 image", "2 images".
-std::string plural(std::uint64_t count, const std::string& noun);
-
 }  // namespace logplayer

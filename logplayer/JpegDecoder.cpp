@@ -11,7 +11,7 @@ using robotlink::Image;
 using robotlink::PixelFormat;
 using robotlink::Result;
 
-constexpr std::size_t kMaximumPixels = 64U << 20U;
+constexpr std::size_t kMaximumJpegPixels = 64U << 20U;
 /// A progressive image of a few kilobytes can ask for thousands of passes over all its pixels.
 constexpr int kMaximumScans = 100;
 
@@ -127,7 +127,7 @@ Result<Image> decodeFourInks(Decoder& decoder) {
 Result<Image> decodeJpeg(std::span<const std::uint8_t> data) {
   Decoder decoder(data);
   if (!decoder.readHeader()) return refused(decoder);
-  if (auto error = tooLarge(decoder, kMaximumPixels)) return tl::unexpected(*std::move(error));
+  if (auto error = tooLarge(decoder, kMaximumJpegPixels)) return tl::unexpected(*std::move(error));
   if (decoder.components() == 4) return decodeFourInks(decoder);
   if (decoder.space() == JCS_YCbCr && decoder.width() % 2 == 0) return decodeYuyv(decoder);
   const bool grey = decoder.space() == JCS_GRAYSCALE;

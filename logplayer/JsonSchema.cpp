@@ -94,7 +94,7 @@ const json* onlyAlternative(const json& schema) {
 }
 
 /// Whether an object is a time, as ROS and Foxglove have them.
-bool isTime(const json& properties) {
+bool isTimeSchema(const json& properties) {
   if (properties.size() != 2 || !properties.contains("sec")) return false;
   if (!properties.contains("nsec") && !properties.contains("nanosec")) return false;
   return std::all_of(properties.begin(), properties.end(),
@@ -170,7 +170,7 @@ JsonSchema::Kind JsonSchema::kindOf(const json& given, const std::string& hint) 
 JsonSchema::Kind JsonSchema::kindOfObject(const json& schema, const std::string& hint) {
   const json* properties = memberAt(schema, "properties", json::value_t::object);
   if (properties == nullptr || properties->empty()) return {};
-  if (isTime(*properties)) {
+  if (isTimeSchema(*properties)) {
     const bool duration = textAt(schema, "title") == "duration";
     return {FieldDescriptorProto::TYPE_MESSAGE, duration ? kDuration : kTimestamp, false};
   }

@@ -14,6 +14,7 @@
 #include "logplayer/JsonSchema.h"
 #include "logplayer/JsonText.h"
 #include "logplayer/JsonValues.h"
+#include "logplayer/Silence.h"
 
 namespace logplayer {
 
@@ -25,13 +26,6 @@ using google::protobuf::Message;
 using nlohmann::json;
 
 namespace {
-
-/// A file from anywhere may hold anything: nothing is printed, the failure is the answer.
-class Silence final : public DescriptorPool::ErrorCollector {
- public:
-  void AddError(const std::string&, const std::string&, const Message*, ErrorLocation,
-                const std::string&) override {}
-};
 
 std::string_view viewOf(mcap::Bytes data) {
   return {reinterpret_cast<const char*>(data.data()), data.size()};

@@ -69,7 +69,7 @@ const json* memberOf(const json& object, std::initializer_list<const char*> keys
   return nullptr;
 }
 
-bool isTime(const Descriptor& type) {
+bool isTimeType(const Descriptor& type) {
   return type.full_name() == "google.protobuf.Timestamp" || type.full_name() == "google.protobuf.Duration";
 }
 
@@ -203,7 +203,7 @@ bool Assignment::addMessage(Message& to, const FieldDescriptor& field, const jso
   Message& inner =
       field.is_repeated() ? *reflection->AddMessage(&to, &field) : *reflection->MutableMessage(&to, &field);
   const Descriptor& type = *inner.GetDescriptor();
-  if (isTime(type)) return assignTime(inner, value);
+  if (isTimeType(type)) return assignTime(inner, value);
   // Only rows of arrays of arrays are arrays.
   const bool row = type.field_count() == 1 && type.field(0)->is_repeated() && !fields_.contains(&type);
   if (row) return value.is_array() && assignAll(inner, *type.field(0), value, path);

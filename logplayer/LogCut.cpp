@@ -22,7 +22,7 @@ using robotlink::Duration;
 using robotlink::Instant;
 using robotlink::Result;
 
-constexpr double kOpeningShare = 0.2;  // of the progress, as most logs need no scan
+constexpr double kOpeningShareOfCut = 0.2;  // of the progress, as most logs need no scan
 constexpr std::uint64_t kUnitsPerProgress = 256;
 constexpr std::size_t kCacheBytes = 64U << 20U;  // of all inputs together
 
@@ -118,7 +118,7 @@ Result<void> Rewriting::openInputs() {
   for (const RewriteInput& wanted : options_.inputs) {
     const double before = static_cast<double>(inputs_.size()) / count;
     const auto progress = [&](double share) {
-      return !options_.progress || options_.progress(kOpeningShare * (before + share / count));
+      return !options_.progress || options_.progress(kOpeningShareOfCut * (before + share / count));
     };
     auto source = LogSource::open(wanted.file, progress, kCacheBytes / options_.inputs.size());
     if (!source) return tl::unexpected(source.error());
@@ -364,7 +364,8 @@ bool Rewriting::goOn() {
     const double here = robotlink::seconds(input->source.position() - begin);
     done += (input->begun && !input->unit) || length <= 0 ? 1 : std::clamp(here / length, 0.0, 1.0);
   }
-  return options_.progress(kOpeningShare + (1 - kOpeningShare) * done / static_cast<double>(inputs_.size()));
+  return options_.progress(kOpeningShareOfCut +
+                           (1 - kOpeningShareOfCut) * done / static_cast<double>(inputs_.size()));
 }
 
 void Rewriting::conclude() {

@@ -14,6 +14,7 @@
 #include "logplayer/JsonText.h"
 #include "logplayer/LogExport.h"
 #include "logplayer/MessageTable.h"
+#include "logplayer/Plural.h"
 
 namespace logplayer {
 namespace {

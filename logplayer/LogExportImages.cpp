@@ -9,6 +9,7 @@
 #include "logplayer/ExportPass.h"
 #include "logplayer/ImageCoding.h"
 #include "logplayer/LogExport.h"
+#include "logplayer/Plural.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace logplayer {

@@ -9,6 +9,7 @@
 
 #include "logplayer/ContainerFile.h"
 #include "logplayer/LogChannels.h"
+#include "logplayer/Plural.h"
 #include "robotlink/session/HeldMessages.h"
 
 namespace logplayer {
@@ -20,10 +21,6 @@ using robotlink::StreamMessage;
 namespace {
 
 constexpr MessagePosition kStart{Instant::min(), 0, 0, 0};
-
-std::string plural(std::uint64_t count, const std::string& noun) {
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
-}
 
 }  // namespace
 

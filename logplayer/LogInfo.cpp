@@ -15,7 +15,7 @@ namespace {
 
 using robotlink::Result;
 
-constexpr double kOpeningShare = 0.5;  // of the progress; the rest is counting
+constexpr double kOpeningShareOfInfo = 0.5;  // of the progress; the rest is counting
 
 const char* nameOf(mcap::Compression compression) {
   switch (compression) {
@@ -62,7 +62,7 @@ void count(const LogFile::Stream& stream, LogInfo& info) {
 Result<void> describeStreams(LogFile& log, const LogFile::Progress& progress, LogInfo& info) {
   bool givenUp = false;
   const auto streams = log.countBytes([&](double share) {
-    givenUp = progress && !progress(kOpeningShare + (1 - kOpeningShare) * share);
+    givenUp = progress && !progress(kOpeningShareOfInfo + (1 - kOpeningShareOfInfo) * share);
     return !givenUp;
   });
   if (givenUp) return robotlink::failure("log.given-up", "given up");
@@ -80,7 +80,7 @@ Result<void> describeStreams(LogFile& log, const LogFile::Progress& progress, Lo
 }  // namespace
 
 Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Progress& progress) {
-  const auto opening = [&](double share) { return !progress || progress(kOpeningShare * share); };
+  const auto opening = [&](double share) { return !progress || progress(kOpeningShareOfInfo * share); };
   const auto container = ContainerFile::of(file, opening);
   if (!container) return tl::unexpected(container.error());
   mcap::Reader::Options options;

@@ -45,7 +45,7 @@ std::string rateText(double rate) {
   return formatted(rate < 9.995 ? "%.2f Hz" : "%.1f Hz", rate);
 }
 
-std::string timeText(Instant time) {
+std::string dateOrSeconds(Instant time) {
   return isDate(time) ? dateText(time) : formatted("%.3f s", robotlink::seconds(time));
 }
 
@@ -120,7 +120,7 @@ class Table {
   std::vector<std::vector<std::string>> rows_;
 };
 
-std::vector<std::string> list(const std::map<std::string, std::uint64_t>& counts) {
+std::vector<std::string> countTexts(const std::map<std::string, std::uint64_t>& counts) {
   std::vector<std::string> parts;
   parts.reserve(counts.size());
   for (const auto& [name, count] : counts) parts.push_back(countText(count) + " " + name);
@@ -146,7 +146,7 @@ std::vector<std::string> frameParts(const LogInfo& info) {
   std::map<std::string, std::uint64_t> steps, frames;
   for (const auto& [process, count] : info.framesOf)
     (process.ends_with("/platform") ? steps : frames)[process] = count;
-  std::vector<std::string> parts = list(frames);
+  std::vector<std::string> parts = countTexts(frames);
   if (parts.size() > 1) parts.insert(parts.begin(), countText(info.frames) + " in all");
   for (const auto& [process, count] : steps) parts.push_back(countText(count) + " steps of " + process);
   return parts;
@@ -187,7 +187,7 @@ std::string figures(const LogInfo& info) {
   if (info.chunks > 0) add("chunks", compressionText(info));
   add("time", info.messages == 0
                   ? "no messages"
-                  : timeText(info.begin) + " to " + timeText(info.end) + ", " +
+                  : dateOrSeconds(info.begin) + " to " + dateOrSeconds(info.end) + ", " +
                         formatted("%.3f s", robotlink::seconds(info.end - info.begin)) + " long");
   addParts(table, "robots", info.robots);
   add("messages", countText(info.messages) + " in " + countText(info.streams.size()) + " streams");
@@ -195,7 +195,7 @@ std::string figures(const LogInfo& info) {
   addParts(table, "frames", frameParts(info));
   add("images", countText(info.images));
   addParts(table, "attachments", info.attachments);
-  addParts(table, "not understood", list(info.notUnderstood));
+  addParts(table, "not understood", countTexts(info.notUnderstood));
   for (const mcap::Metadata& record : info.metadata)
     addParts(table, recordName(record.name), valueParts(record));
   return table.text();
@@ -271,8 +271,8 @@ std::string toText(const LogInfo& info) {
     for (const Bookmark& bookmark : info.bookmarks) {
       std::string name = bookmark.text;
       std::replace(name.begin(), name.end(), '\n', ' ');
-      bookmarks.add(
-          {timeText(bookmark.from), bookmark.to == bookmark.from ? "" : timeText(bookmark.to), name});
+      bookmarks.add({dateOrSeconds(bookmark.from),
+                     bookmark.to == bookmark.from ? "" : dateOrSeconds(bookmark.to), name});
     }
     text += "\n" + bookmarks.text();
   }

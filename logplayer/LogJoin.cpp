@@ -24,17 +24,18 @@ Duration toleranceOf(const LogPart& part) {
   return std::min<Duration>(std::chrono::seconds(1), (part.end() - part.begin()) / 20);
 }
 
-std::string typeOf(Reader& reader, const mcap::Channel& channel) {
+std::string typeNameOf(Reader& reader, const mcap::Channel& channel) {
   const auto schema = reader.schemas().find(channel.schemaId);
   return schema == reader.schemas().end() ? std::string() : schema->second.name;
 }
 
 /// A robot's set-up as it is told first, or last.
-std::optional<ProgramSetup> setupOf(Reader& reader, const std::string& robot, bool last) {
+std::optional<ProgramSetup> setupIn(Reader& reader, const std::string& robot, bool last) {
   std::vector<std::uint16_t> channels;
   for (const auto& [id, channel] : reader.channels()) {
     const bool program = channel.topic == robot + "/" + robotlink::streams::kProgram;
-    if (program && typeOf(reader, channel) == ProgramSetup::descriptor()->full_name()) channels.push_back(id);
+    if (program && typeNameOf(reader, channel) == ProgramSetup::descriptor()->full_name())
+      channels.push_back(id);
   }
   if (channels.empty()) return std::nullopt;
   const auto position =
@@ -79,7 +80,7 @@ std::string whyNotJoined(const LogPart& earlier, const LogPart& later) {
   }
   for (const std::string& robot : later.source.robots()) {
     if (!earlier.source.robots().contains(robot)) continue;
-    if (!agree(setupOf(earlier.source.reader(), robot, true), setupOf(later.source.reader(), robot, false))) {
+    if (!agree(setupIn(earlier.source.reader(), robot, true), setupIn(later.source.reader(), robot, false))) {
       return robot + " runs another program in " + nameOf(later) + " than in " + nameOf(earlier);
     }
   }
@@ -97,7 +98,7 @@ LogSeam::LogSeam(const LogPart& earlier, const LogPart& later)
   std::vector<std::uint16_t> channels, holding;
   for (const auto& [id, channel] : reader.channels()) {
     channels.push_back(id);
-    if (holdsUntilToldAnew(channel.topic, typeOf(reader, channel))) holding.push_back(id);
+    if (holdsUntilToldAnew(channel.topic, typeNameOf(reader, channel))) holding.push_back(id);
   }
   const Duration moved = earlier.offset - later.offset;
   forEachFrom(reader, Instant::min(), holding, [&](const std::string& topic, const mcap::Message& message) {

@@ -20,7 +20,7 @@ constexpr robotlink::Duration kFrameSpan = std::chrono::seconds(1);
 // Frames of a process that may be open at a time, should their messages be told in turns.
 constexpr std::size_t kOpenFrames = 8;
 
-std::string robotOf(const std::string& path) {
+std::string robotPartOf(const std::string& path) {
   const auto slash = path.find('/');
   return slash == std::string::npos ? std::string() : path.substr(0, slash);
 }
@@ -28,14 +28,14 @@ std::string robotOf(const std::string& path) {
 std::string framesPathOf(const mcap::Channel& channel) {
   const auto process = channel.metadata.find("process");
   if (process == channel.metadata.end() || process->second.empty()) return {};
-  return robotOf(channel.topic) + "/" + robotlink::streams::kFrames + process->second;
+  return robotPartOf(channel.topic) + "/" + robotlink::streams::kFrames + process->second;
 }
 
 std::string counted(std::uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-std::string list(const std::map<std::string, std::uint64_t>& counts) {
+std::string listed(const std::map<std::string, std::uint64_t>& counts) {
   std::string text;
   for (const auto& [kind, count] : counts)
     text += (text.empty() ? "" : ", ") + std::to_string(count) + " " + kind;
@@ -67,7 +67,7 @@ Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFi
   source.bookmarks_ = stored->bookmarks();
   if (stored->problem) source.otherLosses_.push_back(stored->problem->describe());
   for (const auto& [id, channel] : source.reader_->channels()) {
-    if (const std::string robot = robotOf(channel.topic); !robot.empty()) source.robots_.insert(robot);
+    if (const std::string robot = robotPartOf(channel.topic); !robot.empty()) source.robots_.insert(robot);
   }
   source.choose({}, {}, {});
   return source;
@@ -76,7 +76,7 @@ Result<LogSource> LogSource::open(const std::filesystem::path& file, const LogFi
 void LogSource::noteConversion(const ImportReport& report) {
   if (!report.notUnderstood.empty()) {
     notes_.push_back(file_.string() + ": not understood of the " + report.format + ": " +
-                     list(report.notUnderstood));
+                     listed(report.notUnderstood));
   }
   if (!report.damage.empty()) otherLosses_.push_back(file_.string() + ": " + report.damage);
 }

@@ -41,7 +41,7 @@ std::string base64(const std::string& bytes) {
 }
 
 /// Time stamps and durations have the same fields.
-bool isTime(const google::protobuf::Descriptor& type) {
+bool isTimeMessage(const google::protobuf::Descriptor& type) {
   const auto* seconds = type.FindFieldByNumber(1);
   const auto* nanos = type.FindFieldByNumber(2);
   return (type.full_name() == "google.protobuf.Timestamp" ||
@@ -143,7 +143,7 @@ class MessageTable::Walk {
     place_.push_back(field.index());
     place_.push_back(element);
     fields_.push_back(&field);
-    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || isTime(*field.message_type())) {
+    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || isTimeMessage(*field.message_type())) {
       visit_(*this, message, field, element);
     } else {
       const Reflection* reflection = message.GetReflection();

@@ -9,6 +9,7 @@
 #include <map>
 
 #include "logplayer/JsonType.h"
+#include "logplayer/Silence.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace logplayer {
@@ -19,13 +20,6 @@ using google::protobuf::FileDescriptorSet;
 using google::protobuf::Message;
 
 namespace {
-
-/// A file from anywhere may hold anything: nothing is printed, the failure is the answer.
-class Silence final : public DescriptorPool::ErrorCollector {
- public:
-  void AddError(const std::string&, const std::string&, const Message*, ErrorLocation,
-                const std::string&) override {}
-};
 
 bool fitsProtobuf(std::size_t size) {
   return size <= static_cast<std::size_t>(std::numeric_limits<int>::max());

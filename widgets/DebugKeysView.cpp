@@ -24,7 +24,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kDebugKeysViewRegistration{
     {"debug-keys", QT_TRANSLATE_NOOP("View", "Debug keys"),
      QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
      false, create<DebugKeysView>}};

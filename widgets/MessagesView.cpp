@@ -30,7 +30,7 @@ using robotlink::Instant;
 
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kMessagesViewRegistration{
     {"messages", QT_TRANSLATE_NOOP("View", "Messages"),
      QT_TRANSLATE_NOOP("View", "Shows what the robots say in words, with filters and a search."), "messages",
      true, create<MessagesView>}};

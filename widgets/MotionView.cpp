@@ -27,7 +27,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kMotionViewRegistration{
     {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
      QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion",
      false, create<MotionView>}};

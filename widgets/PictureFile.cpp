@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* text) {
+QString pictureText(const char* text) {
   return QCoreApplication::translate("widgets::PictureFile", text);
 }
 
@@ -22,15 +22,15 @@ bool savePicture(QWidget* view, const QImage& picture, const QString& file) {
   QSaveFile out(file);
   if (!picture.isNull() && out.open(QIODevice::WriteOnly) && picture.save(&out, "PNG") && out.commit())
     return true;
-  const QString reason = picture.isNull() ? translated("there is no picture yet") : out.errorString();
-  QMessageBox::warning(view, translated("Save picture"),
-                       translated("Nothing was saved to %1: %2").arg(file, reason));
+  const QString reason = picture.isNull() ? pictureText("there is no picture yet") : out.errorString();
+  QMessageBox::warning(view, pictureText("Save picture"),
+                       pictureText("Nothing was saved to %1: %2").arg(file, reason));
   return false;
 }
 
 void savePictureAs(QWidget* view, const QImage& picture, const QString& proposal) {
-  const QString file = QFileDialog::getSaveFileName(view, translated("Save picture"), proposal,
-                                                    translated("Pictures (*.png)"));
+  const QString file = QFileDialog::getSaveFileName(view, pictureText("Save picture"), proposal,
+                                                    pictureText("Pictures (*.png)"));
   if (!file.isEmpty()) savePicture(view, picture, file);
 }
 

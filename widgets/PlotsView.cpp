@@ -26,7 +26,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kPlotsViewRegistration{
     {"plots", QT_TRANSLATE_NOOP("View", "Plots"),
      QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
      create<PlotsView>}};

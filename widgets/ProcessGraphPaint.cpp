@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-constexpr double kMargin = 8;
+constexpr double kNodeMargin = 8;
 
 QString rateText(double rate) {
   return rate > 0 ? ProcessGraphWidget::tr("%1 Hz").arg(rate, 0, 'f', rate < 10 ? 1 : 0) : QString();
@@ -56,7 +56,7 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 }
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
-  const QRectF row = port.rect.adjusted(kMargin, 0, -kMargin, 0);
+  const QRectF row = port.rect.adjusted(kNodeMargin, 0, -kNodeMargin, 0);
   // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in
   // the tool tip.
   const bool lossy = !output && port.falls;
@@ -71,9 +71,9 @@ void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, c
   painter.drawText(row, (output ? Qt::AlignLeft : Qt::AlignRight) | Qt::AlignVCenter, figures);
 }
 
-void paintHeader(QPainter& painter, const ProcessGraph::Node& node, const QPalette& palette) {
+void paintNodeHeader(QPainter& painter, const ProcessGraph::Node& node, const QPalette& palette) {
   const QRectF header(node.rect.topLeft(), QSizeF(node.rect.width(), GraphSizes::kHeader));
-  const QRectF line = header.adjusted(kMargin, 3, -kMargin, -GraphSizes::kHeader / 2);
+  const QRectF line = header.adjusted(kNodeMargin, 3, -kNodeMargin, -GraphSizes::kHeader / 2);
   QFont font = painter.font();
   font.setBold(true);
   painter.setFont(font);
@@ -106,7 +106,7 @@ void paintNode(QPainter& painter, const ProcessGraph::Node& node, bool selected,
   painter.setPen(QPen(frame, selected || node.failed ? 2.2 : 1.2));
   painter.setBrush(Qt::NoBrush);
   painter.drawPath(box);
-  paintHeader(painter, node, palette);
+  paintNodeHeader(painter, node, palette);
   for (const auto& port : node.inputs) paintPort(painter, port, false, palette);
   for (const auto& port : node.outputs) paintPort(painter, port, true, palette);
 }

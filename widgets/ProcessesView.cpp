@@ -17,7 +17,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kProcessesViewRegistration{
     {"processes", QT_TRANSLATE_NOOP("View", "Processes"),
      QT_TRANSLATE_NOOP("View", "Shows the robot's processes, the packages between them and their rates."),
      "processes", false, create<ProcessesView>}};

@@ -22,7 +22,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kSolutionsViewRegistration{
     {"solutions", QT_TRANSLATE_NOOP("View", "Solutions"),
      QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
      "solutions", false, create<SolutionsView>}};

@@ -21,7 +21,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kTimingViewRegistration{
     {"timing", QT_TRANSLATE_NOOP("View", "Timing"),
      QT_TRANSLATE_NOOP("View", "Shows how long each task takes, and its share of its process's period."),
      "timing", false, create<TimingView>}};

@@ -33,7 +33,7 @@ bool drives(int key) {
 }
 
 /// Forwards and turning do not bound each other, so the pad of wheels is a square.
-void paintGrid(QPainter& painter, const QRectF& disc, const QPalette& palette, bool wheels) {
+void paintRings(QPainter& painter, const QRectF& disc, const QPalette& palette, bool wheels) {
   const QColor line = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.25);
   painter.setPen(QPen(line, 1));
   painter.setBrush(palette.color(QPalette::Base));
@@ -107,7 +107,7 @@ void WalkPad::show(Picture picture) {
 void WalkPad::paint(QPainter& painter, const QRectF& rect, const Picture& picture, const QPalette& palette) {
   const QRectF disc = discIn(rect);
   painter.setRenderHint(QPainter::Antialiasing);
-  paintGrid(painter, disc, palette, picture.wheels);
+  paintRings(painter, disc, palette, picture.wheels);
   if (picture.measured)
     paintVector(painter, disc, *picture.measured, colorOf(Meaning::kGood, palette), false, picture.wheels);
   if (picture.enabled) {

@@ -5,6 +5,7 @@
 #include <cmath>
 #include <limits>
 
+#include "app/core/CommandValues.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -18,7 +19,6 @@ using robotlink::CommandTable;
 using robotlink::failure;
 using robotlink::Result;
 using Type = CommandTable::Type;
-using Values = std::vector<CommandTable::Value>;
 
 constexpr double kSlowest = 0.05, kFastest = 50;  // times real time
 
@@ -51,13 +51,6 @@ class Logs {
  private:
   Workbench* workbench_;
 };
-
-const std::string& text(const Values& values, std::size_t index) {
-  return std::get<std::string>(values[index]);
-}
-double number(const Values& values, std::size_t index) {
-  return std::get<double>(values[index]);
-}
 
 Result<std::int32_t> wholeCount(double value) {
   constexpr double kMost = std::numeric_limits<std::int32_t>::max();

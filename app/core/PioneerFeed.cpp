@@ -12,7 +12,7 @@ namespace app {
 namespace {
 
 constexpr std::chrono::milliseconds kStep{10};
-constexpr std::chrono::milliseconds kStatusEvery{100};
+constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
 
 }  // namespace
 
@@ -47,7 +47,7 @@ void PioneerFeed::step() {
   run_->step();
   const auto real = Clock::now();
   due_ = std::max(due_ + kStep, real);  // What was missed is not made up for.
-  if (real - lastStatus_ >= kStatusEvery) publishStatus();
+  if (real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
 }
 
 robotlink::Result<PlatformFeed::Answer> PioneerFeed::fulfil(const robotcontrol::Request& request) {

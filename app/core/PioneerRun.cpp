@@ -22,11 +22,7 @@ using robotlink::RobotProgram;
 
 namespace {
 
-const std::filesystem::path kFieldFile = "fields/2002.yaml";
-
-std::filesystem::path descriptionFile(const std::string& kind) {
-  return robotlink::resource("robots/" + kind + ".yaml");
-}
+const std::filesystem::path kPioneerFieldFile = "fields/2002.yaml";
 
 }  // namespace
 
@@ -57,7 +53,7 @@ Errors PioneerRun::load() {
   auto description = robotlink::readRobotDescription(descriptionFile(options_.kind));
   if (!description) return description.error();
   description_ = std::make_shared<const robotlink::RobotDescription>(std::move(*description));
-  auto field = robotlink::FieldDescription::load(robotlink::resource(kFieldFile));
+  auto field = robotlink::FieldDescription::load(robotlink::resource(kPioneerFieldFile));
   if (!field) return field.error();
   field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
   if (!options_.map.empty()) {
@@ -114,7 +110,7 @@ void PioneerRun::start(std::unique_ptr<RobotProgram> program) {
             tellTrouble(process, "runs with normal priority: " + why);
           }});
   if (tap_) {
-    const ProgramFiles files{layout(), descriptionFile(options_.kind), robotlink::resource(kFieldFile),
+    const ProgramFiles files{layout(), descriptionFile(options_.kind), robotlink::resource(kPioneerFieldFile),
                              "threads"};
     tap_->attach(options_.robot, *platform_, *program_, programSetup(*program_, *platform_, files));
     if (map_) tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map_, clock_.now())});

@@ -92,6 +92,10 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
 
 }  // namespace
 
+std::filesystem::path descriptionFile(const std::string& kind) {
+  return robotlink::resource("robots/" + kind + ".yaml");
+}
+
 tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
     const std::filesystem::path& file, const std::map<std::string, std::string>& solutions) {
   auto layout = robotlink::readLayout(file);

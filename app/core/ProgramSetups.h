@@ -25,6 +25,9 @@ struct ProgramFiles {
   std::string executor;  ///< "lockstep" or "threads"
 };
 
+/// The file that describes a kind of robot, such as "nao".
+std::filesystem::path descriptionFile(const std::string& kind);
+
 /// A layout with other solutions than its own for some tasks, by their names.
 tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
     const std::filesystem::path& file, const std::map<std::string, std::string>& solutions);

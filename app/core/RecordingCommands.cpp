@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RecordingCommands.h"
 
+#include "app/core/CommandValues.h"
 #include "app/core/Recording.h"
 #include "app/core/Workbench.h"
 #include "logplayer/RecordedStreams.h"
@@ -13,11 +14,6 @@ using robotlink::CommandTable;
 using robotlink::failure;
 using robotlink::Result;
 using Type = CommandTable::Type;
-using Values = std::vector<CommandTable::Value>;
-
-const std::string& text(const Values& values) {
-  return std::get<std::string>(values[0]);
-}
 
 Result<void> act(Workbench& workbench, ControlRecording::Action action, const std::string& path = {}) {
   ControlRecording control;
@@ -31,11 +27,12 @@ void addActions(CommandTable& commands, Workbench& workbench) {
                 "Starts recording into a new file in the folder for recordings",
                 {},
                 [&workbench](const Values&) { return act(workbench, ControlRecording::START); }});
-  commands.add(
-      {"recording.start-file",
-       "Starts recording into a file",
-       {{"file", Type::kText, "a log file that does not exist yet"}},
-       [&workbench](const Values& values) { return act(workbench, ControlRecording::START, text(values)); }});
+  commands.add({"recording.start-file",
+                "Starts recording into a file",
+                {{"file", Type::kText, "a log file that does not exist yet"}},
+                [&workbench](const Values& values) {
+                  return act(workbench, ControlRecording::START, text(values, 0));
+                }});
   commands.add({"recording.stop", "Ends the recording", {}, [&workbench](const Values&) {
                   return act(workbench, ControlRecording::STOP);
                 }});
@@ -54,14 +51,14 @@ void addActions(CommandTable& commands, Workbench& workbench) {
                 "Saves the last seconds that are kept in memory into a file",
                 {{"file", Type::kText, "a log file that does not exist yet"}},
                 [&workbench](const Values& values) {
-                  return act(workbench, ControlRecording::SAVE_LAST, text(values));
+                  return act(workbench, ControlRecording::SAVE_LAST, text(values, 0));
                 }});
   commands.add(
       {"recording.bookmark",
        "Marks the instant that is shown in the recording; if none runs, saves the last seconds with the mark",
        {{"text", Type::kText, "what is to be seen there"}},
        [&workbench](const Values& values) {
-         return workbench.recording().bookmark(text(values), workbench.session().timeline().shown());
+         return workbench.recording().bookmark(text(values, 0), workbench.session().timeline().shown());
        }});
 }
 
@@ -109,15 +106,16 @@ void addChoices(CommandTable& commands, Recording& recording) {
                 "Chooses what is recorded; nothing is all that a replay needs",
                 {{"selection", Type::kText,
                   "paths with * for any text between commas, - before what is left out: red1/*,-*/log"}},
-                [&recording](const Values& values) { return chooseStreams(recording, text(values)); }});
+                [&recording](const Values& values) { return chooseStreams(recording, text(values, 0)); }});
   commands.add({"recording.images",
                 "Chooses how images are recorded",
                 {{"coding", Type::kText, "as-is, jpeg or png"}},
-                [&recording](const Values& values) { return chooseImages(recording, text(values)); }});
-  commands.add({"recording.compression",
-                "Chooses how new files are compressed",
-                {{"compression", Type::kText, "none, lz4 or zstd"}},
-                [&recording](const Values& values) { return chooseCompression(recording, text(values)); }});
+                [&recording](const Values& values) { return chooseImages(recording, text(values, 0)); }});
+  commands.add(
+      {"recording.compression",
+       "Chooses how new files are compressed",
+       {{"compression", Type::kText, "none, lz4 or zstd"}},
+       [&recording](const Values& values) { return chooseCompression(recording, text(values, 0)); }});
   commands.add({"recording.keep",
                 "Keeps the last seconds in memory, to be saved when something has happened; 0 keeps nothing",
                 {{"seconds", Type::kNumber, "0 to 3600"}},
@@ -131,13 +129,13 @@ void addChoices(CommandTable& commands, Recording& recording) {
                 {{"stream", Type::kText, "its path, with * for any text: red1/plots/ball-model/*"}},
                 [&recording](const Values& values) {
                   ControlRecording control;
-                  control.set_trigger(text(values));
+                  control.set_trigger(text(values, 0));
                   return recording.control(control);
                 }});
   commands.add({"recording.folder",
                 "Chooses the folder for new recordings",
                 {{"folder", Type::kText, "its path"}},
-                [&recording](const Values& values) { return recording.setFolder(text(values)); }});
+                [&recording](const Values& values) { return recording.setFolder(text(values, 0)); }});
 }
 
 }  // namespace

@@ -18,7 +18,7 @@ using robotlink::Errors;
 using robotlink::Instant;
 using robotlink::Result;
 
-constexpr std::chrono::milliseconds kStatusEvery{100};
+constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
 /// The images of the robot by which the log is stepped.
 std::string imagesOf(const ReplayRun& run) {
@@ -125,7 +125,7 @@ std::optional<PacedThread::Clock::time_point> ReplayFeed::due() {
   if (stale_ && !playback_.playing()) return Clock::now();
   const auto next = playback_.next(place());
   if (!next) return std::nullopt;
-  return std::min(next->due, lastStatus_ + kStatusEvery);
+  return std::min(next->due, lastStatus_ + kReplayStatusEvery);
 }
 
 void ReplayFeed::step() {
@@ -151,7 +151,7 @@ void ReplayFeed::step() {
         break;
     }
   }
-  if (real - lastStatus_ >= kStatusEvery) publishStatus();
+  if (real - lastStatus_ >= kReplayStatusEvery) publishStatus();
 }
 
 void ReplayFeed::tellFailure(const Result<void>& done) {

@@ -29,7 +29,7 @@ std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
   return outputs;
 }
 
-std::string joined(const std::set<std::string>& texts) {
+std::string listed(const std::set<std::string>& texts) {
   std::string all;
   for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
   return all;
@@ -185,7 +185,7 @@ void Planner::replaceTasks() {
       const bool goes = !outputs.empty() && replaced.size() == outputs.size();
       if (goes) {
         plan_.layout.absent.push_back(
-            {process.name, task.task, "what it yields is as logged: " + joined(replaced)});
+            {process.name, task.task, "what it yields is as logged: " + listed(replaced)});
       } else {
         plan_.layout.withheld.merge(replaced);
       }

@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "app/core/ColorTables.h"
+#include "app/core/CommandValues.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -16,17 +17,6 @@ using robotcontrol::Request;
 using robotlink::CommandTable;
 using robotlink::Result;
 using Type = CommandTable::Type;
-using Values = std::vector<CommandTable::Value>;
-
-const std::string& text(const Values& values, std::size_t index) {
-  return std::get<std::string>(values[index]);
-}
-double number(const Values& values, std::size_t index) {
-  return std::get<double>(values[index]);
-}
-bool flag(const Values& values, std::size_t index) {
-  return std::get<bool>(values[index]);
-}
 
 /// Asks the selected robot for something.
 Result<void> ask(Workbench& workbench, Request request) {

@@ -12,7 +12,7 @@
 namespace app {
 namespace {
 
-constexpr const char* kField = "field";
+constexpr const char* kFieldFrame = "field";
 
 robotlink::Instant now(const simcore::Simulation& simulation) {
   return robotlink::Instant(simulation.time());
@@ -28,7 +28,7 @@ std::string modelOf(const std::string& body, const std::vector<std::string>& mov
 
 /// A body's frame. The ground frame of a robot has the robot's own name, so bodies wear a prefix.
 std::string frameOf(const std::string& body) {
-  return body == "world" ? kField : "body:" + body;
+  return body == "world" ? kFieldFrame : "body:" + body;
 }
 
 void assignMesh(foxglove::TriangleListPrimitive& to, const simcore::Mesh& mesh) {
@@ -47,7 +47,7 @@ void addTransform(foxglove::FrameTransforms& to, const std::string& child, const
                   robotlink::Instant time) {
   auto& transform = *to.add_transforms();
   robotlink::assign(*transform.mutable_timestamp(), time);
-  transform.set_parent_frame_id(kField);
+  transform.set_parent_frame_id(kFieldFrame);
   transform.set_child_frame_id(child);
   foxglove::Pose message;
   robotlink::assign(message, pose);

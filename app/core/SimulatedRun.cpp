@@ -32,10 +32,6 @@ const std::string kField = "2002";
 /// Every so many steps it is recorded where all bodies are: about 30 times a second.
 constexpr int kTransformsEvery = 4;
 
-std::filesystem::path descriptionFile(const std::string& name) {
-  return robotlink::resource("robots/" + name + ".yaml");
-}
-
 }  // namespace
 
 std::vector<std::string> teamsNamed(const std::string& name) {

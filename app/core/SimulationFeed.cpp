@@ -15,8 +15,8 @@
 namespace app {
 namespace {
 
-constexpr std::chrono::milliseconds kTransformsEvery{15};
-constexpr std::chrono::milliseconds kStatusEvery{100};
+constexpr std::chrono::milliseconds kTransformsPeriod{15};
+constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
 }  // namespace
 
@@ -81,11 +81,11 @@ void SimulationFeed::step() {
   if (stepsWanted_ > 0) --stepsWanted_;
   const auto real = Clock::now();
   const bool single = !running_;
-  if (single || real - lastTransforms_ >= kTransformsEvery) {
+  if (single || real - lastTransforms_ >= kTransformsPeriod) {
     lastTransforms_ = real;
     publishTransforms();
   }
-  if (single || real - lastStatus_ >= kStatusEvery) publishStatus();
+  if (single || real - lastStatus_ >= kSimulationStatusEvery) publishStatus();
   tellAnswers();
 }
 
@@ -188,7 +188,7 @@ void SimulationFeed::publishTransforms() {
 void SimulationFeed::publishStatus() {
   SimulatedWorld& world = run_->world();
   const double elapsed = std::chrono::duration<double>(Clock::now() - lastStatus_).count();
-  if (elapsed >= 0.5 * std::chrono::duration<double>(kStatusEvery).count()) {
+  if (elapsed >= 0.5 * std::chrono::duration<double>(kSimulationStatusEvery).count()) {
     measuredSpeed_ = running_ ? robotlink::seconds(now() - lastStatusTime_) / elapsed : 0;
     lastStatus_ = Clock::now();
     lastStatusTime_ = now();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/core/CommandValues.h"
 #include "app/core/LogCommands.h"
 #include "app/core/RecordingCommands.h"
 #include "app/core/RobotCommands.h"
@@ -17,7 +18,6 @@
 namespace app {
 
 using robotlink::CommandTable;
-using Values = std::vector<CommandTable::Value>;
 using Control = robotcontrol::ControlSimulation;
 
 namespace {

@@ -19,7 +19,7 @@
 namespace app {
 namespace {
 
-constexpr qint64 kLookEveryMs = 250;
+constexpr qint64 kLookAtDocksEveryMs = 250;
 constexpr int kAskAgainMs = 50;
 
 }  // namespace
@@ -48,7 +48,7 @@ void MainWindow::createDocks() {
 void MainWindow::tickDocks() {
   docks_->tick();
   dockSpace_->nameFloats();
-  if (sinceLooked_.elapsed() < kLookEveryMs || QApplication::mouseButtons() != Qt::NoButton ||
+  if (sinceLooked_.elapsed() < kLookAtDocksEveryMs || QApplication::mouseButtons() != Qt::NoButton ||
       dockSpace_->busy())
     return;
   if (maximizedView_->active()) return;  // all others are hidden for a while

@@ -9,7 +9,7 @@ namespace app {
 namespace {
 
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
-constexpr int kLookEveryMs = 100;
+constexpr int kLookForSignalsEveryMs = 100;
 
 /// The only thing that a signal handler can reach.
 std::atomic<bool> wanted{false};
@@ -33,7 +33,7 @@ QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
   wanted = false;
   // Reset, so that the second one finds the default again.
   setHandlers([](int) { wanted = true; }, static_cast<int>(SA_RESETHAND) | SA_RESTART);
-  startTimer(kLookEveryMs);
+  startTimer(kLookForSignalsEveryMs);
 }
 
 QuitSignals::~QuitSignals() {

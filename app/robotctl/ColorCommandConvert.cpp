@@ -25,7 +25,7 @@ const TableFormatName* findFormat(const std::string& name) {
 }
 
 /// Says what the new table lacks.
-int tellLosses(const std::string& file, const colortool::ImportedTable& imported) {
+int tellImportLosses(const std::string& file, const colortool::ImportedTable& imported) {
   if (imported.mixedCells != 0)
     std::cerr
         << file << ": " << imported.mixedCells
@@ -39,7 +39,7 @@ int tellLosses(const std::string& file, const colortool::ImportedTable& imported
   return imported.mixedCells + imported.reducedCells != 0 ? kDoneWithLosses : kDone;
 }
 
-int run(const ConvertArguments& arguments) {
+int convert(const ConvertArguments& arguments) {
   colortool::ImportOptions options;
   if (const TableFormatName* format = findFormat(arguments.format)) options.format = format->format;
   options.colors = arguments.colors;
@@ -58,7 +58,7 @@ int run(const ConvertArguments& arguments) {
               imported->sides[0], imported->sides[1], imported->sides[2]);
   printCells(imported->table);
   std::fflush(stdout);
-  return tellLosses(arguments.to, *imported);
+  return tellImportLosses(arguments.to, *imported);
 }
 
 }  // namespace
@@ -77,7 +77,7 @@ void addColorConvertCommand(CLI::App& color, int& status) {
                       "tekkotsu: its classes (.col), if not those of the same name or alone beside it");
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers, instead of that team's");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] { status = convert(*arguments); });
 }
 
 }  // namespace app

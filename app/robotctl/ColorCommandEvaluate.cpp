@@ -35,7 +35,7 @@ std::vector<std::uint8_t> falseClasses(const ColorClasses& classes) {
   return numbers;
 }
 
-void printJson(const Evaluation& evaluation, const ColorClasses& classes) {
+void printFigures(const Evaluation& evaluation, const ColorClasses& classes) {
   nlohmann::ordered_json recall = nlohmann::ordered_json::object(),
                          confusion = nlohmann::ordered_json::object();
   for (int label = 0; label < evaluation.classes(); ++label) {
@@ -56,7 +56,7 @@ void printJson(const Evaluation& evaluation, const ColorClasses& classes) {
   std::cout << result.dump(2) << "\n";
 }
 
-void printText(const Evaluation& evaluation, const ColorClasses& classes) {
+void printFiguresAsText(const Evaluation& evaluation, const ColorClasses& classes) {
   for (int label = 0; label < evaluation.classes(); ++label) {
     const std::uint64_t all = evaluation.labelled(label);
     if (all == 0) continue;
@@ -93,8 +93,8 @@ Result<std::optional<robotlink::Image>> labelsOf(const ColorImages& images, cons
 }
 
 /// Adds an image if it has labels. How many images were added.
-Result<int> add(const ColorImages& images, const std::string& name, const EvaluateArguments& arguments,
-                const colortool::ColorTable& table, Evaluation& evaluation) {
+Result<int> addImage(const ColorImages& images, const std::string& name, const EvaluateArguments& arguments,
+                     const colortool::ColorTable& table, Evaluation& evaluation) {
   const auto labels = labelsOf(images, name, arguments);
   if (!labels) return tl::unexpected(labels.error());
   if (!*labels) return 0;
@@ -123,7 +123,7 @@ tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArgumen
   return *chosen;
 }
 
-int run(const EvaluateArguments& arguments) {
+int evaluate(const EvaluateArguments& arguments) {
   const auto named = loadTable(arguments.table, arguments.classes);
   if (!named) return printErrors(named.error());
   const auto labelled = labelClasses(arguments);
@@ -145,7 +145,7 @@ int run(const EvaluateArguments& arguments) {
   Evaluation evaluation(classes.size());
   int evaluated = 0;
   for (const std::string& name : images->names()) {
-    const auto added = add(*images, name, arguments, table, evaluation);
+    const auto added = addImage(*images, name, arguments, table, evaluation);
     if (!added) return printErrors({added.error()});
     evaluated += *added;
   }
@@ -157,9 +157,9 @@ int run(const EvaluateArguments& arguments) {
                          {arguments.labels, 0, 0}}});
   }
   if (arguments.json)
-    printJson(evaluation, classes);
+    printFigures(evaluation, classes);
   else
-    printText(evaluation, classes);
+    printFiguresAsText(evaluation, classes);
   return kDone;
 }
 
@@ -185,7 +185,7 @@ void addColorEvaluateCommand(CLI::App& color, int& status) {
                    "labels.classes among the labels, or the real log's")
       ->delimiter(',');
   command->add_flag("--json", arguments->json, "Prints JSON: fractions");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] { status = evaluate(*arguments); });
 }
 
 }  // namespace app

@@ -29,7 +29,7 @@ Image classImage(const colortool::ColorImage& image, const colortool::ColorTable
   return classes;
 }
 
-Result<void> write(const Image& image, const std::filesystem::path& to) {
+Result<void> writeImage(const Image& image, const std::filesystem::path& to) {
   const auto png = logplayer::encodePng(image.view());
   if (!png) return tl::unexpected(png.error());
   return robotlink::writeFileAtomically(
@@ -42,7 +42,7 @@ Result<void> writeClasses(const colortool::ColorClasses& classes, const std::fil
   return robotlink::writeFileAtomically(folder / kLabelClassesFile, colorClassesText(classes));
 }
 
-int run(const SegmentArguments& arguments) {
+int segment(const SegmentArguments& arguments) {
   const auto named = loadTable(arguments.table, arguments.classes);
   if (!named) return printErrors(named.error());
   const auto images = ColorImages::open(arguments.images);
@@ -58,8 +58,8 @@ int run(const SegmentArguments& arguments) {
     const auto image = images->load(name);
     if (!image) return printErrors({image.error()});
     const Image classes = classImage(*image, table);
-    const auto done = write(arguments.numbers ? classes : shownImage(classes.view(), named->classes),
-                            folder / (std::filesystem::path(name).stem().string() + ".png"));
+    const auto done = writeImage(arguments.numbers ? classes : shownImage(classes.view(), named->classes),
+                                 folder / (std::filesystem::path(name).stem().string() + ".png"));
     if (!done) return printErrors({done.error()});
   }
   if (arguments.numbers) {
@@ -82,7 +82,7 @@ void addColorSegmentCommand(CLI::App& color, int& status) {
                    "Names of the classes, in the order of their numbers, if not those beside the table");
   command->add_flag("--numbers", arguments->numbers,
                     "Grey pictures with the classes' numbers, as labels have them");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] { status = segment(*arguments); });
 }
 
 }  // namespace app

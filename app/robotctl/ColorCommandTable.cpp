@@ -66,7 +66,7 @@ TableDifference difference(const NamedColorTable& before, const NamedColorTable&
   return {singleTable(before.file), before.classes, singleTable(after.file), after.classes};
 }
 
-nlohmann::ordered_json json(const TableDifference& difference) {
+nlohmann::ordered_json jsonOf(const TableDifference& difference) {
   nlohmann::ordered_json changes = nlohmann::ordered_json::array(),
                          classes = nlohmann::ordered_json::object();
   for (int from = 0; from < difference.classes().size(); ++from) {
@@ -83,7 +83,7 @@ nlohmann::ordered_json json(const TableDifference& difference) {
   return {{"changed", difference.changed()}, {"changes", changes}, {"classes", classes}};
 }
 
-void print(const TableDifference& difference) {
+void printDifference(const TableDifference& difference) {
   const auto number = [](std::uint64_t count) { return static_cast<unsigned long long>(count); };
   for (int from = 0; from < difference.classes().size(); ++from) {
     for (int to = 0; to < difference.classes().size(); ++to) {
@@ -102,9 +102,9 @@ int diff(const TableArguments& arguments) {
   if (!second) return printErrors(second.error());
   const TableDifference found = difference(*first, *second);
   if (arguments.json)
-    std::cout << json(found).dump(2) << "\n";
+    std::cout << jsonOf(found).dump(2) << "\n";
   else
-    print(found);
+    printDifference(found);
   return kDone;
 }
 

@@ -65,7 +65,7 @@ tl::expected<void, Errors> checkClasses(const std::vector<DiscStroke>& strokes,
 }
 
 /// Adds what a stroke touches of its image. False: nothing.
-bool add(Samples& samples, const DiscStroke& stroke, const colortool::ColorImage& image) {
+bool addStroke(Samples& samples, const DiscStroke& stroke, const colortool::ColorImage& image) {
   const double scale = static_cast<double>(image.width) / DiscStroke::kReferenceWidth;
   const colortool::ImagePoint at[] = {{stroke.x * scale, stroke.y * scale}};
   const auto area = colortool::brushArea(image.width, image.height, at, stroke.radius * scale);
@@ -92,7 +92,7 @@ tl::expected<Learned, Errors> samplesOfStrokes(const TrainArguments& arguments) 
       if (!read) return tl::unexpected(Errors{read.error()});
       image = loaded.emplace(stroke.image, std::move(*read)).first;
     }
-    if (!add(learned.samples, stroke, image->second)) ++learned.outside;
+    if (!addStroke(learned.samples, stroke, image->second)) ++learned.outside;
   }
   return learned;
 }
@@ -134,7 +134,7 @@ int tellLosses(const TrainArguments& arguments, const Learned& learned, const Co
   return losses ? kDoneWithLosses : kDone;
 }
 
-int run(const TrainArguments& arguments) {
+int train(const TrainArguments& arguments) {
   auto learned = arguments.samples.empty() ? samplesOfStrokes(arguments) : samplesOfFile(arguments.samples);
   if (!learned) return printErrors(learned.error());
   Samples& samples = learned->samples;
@@ -227,7 +227,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
   command->callback([arguments, strokes, samples, &status] {
     if (strokes->empty() && samples->empty())
       throw CLI::RequiredError("--strokes with --images, or --samples");
-    status = run(*arguments);
+    status = train(*arguments);
   });
 }
 

@@ -39,7 +39,7 @@ std::string counted(std::uint64_t count, const std::string& noun) {
   return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
 }
 
-int write(logplayer::RewriteOptions& options, const std::string& to) {
+int writeLog(logplayer::RewriteOptions& options, const std::string& to) {
   const auto report = rewrite(options, to);
   if (!report) return printErrors({report.error()});
   for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
@@ -63,7 +63,7 @@ int cut(CutArguments& arguments) {
   arguments.options.from = range->from;
   arguments.options.to = range->to;
   arguments.options.inputs = {{input->path()}};
-  return write(arguments.options, arguments.to);
+  return writeLog(arguments.options, arguments.to);
 }
 
 /// "FILE=SECONDS" to the input it names; false and a message if it names none.
@@ -98,7 +98,7 @@ int merge(CutArguments& arguments) {
     if (!input) return printErrors({input.error()});
     named.file = opened.emplace_back(std::move(*input)).path();
   }
-  return write(arguments.options, arguments.files.back());
+  return writeLog(arguments.options, arguments.files.back());
 }
 
 void addStreams(CLI::App& command, CutArguments& arguments) {

@@ -84,7 +84,7 @@ Result<std::shared_ptr<logplayer::LogFile>> opened(const std::filesystem::path& 
   return logplayer::LogFile::open(file, options);
 }
 
-int run(const ExportArguments& arguments) {
+int exportLog(const ExportArguments& arguments) {
   if (arguments.images.empty() && arguments.csv.empty() && arguments.json.empty() && !arguments.texts) {
     std::cerr << "robotctl log export: say what: --images, --csv, --json or --texts\n";
     return kUsage;
@@ -127,7 +127,7 @@ void addLogExportCommand(CLI::App& log, int& status) {
       ->allow_extra_args(false);
   command->add_option("--exclude", arguments->streams.exclude, "None of these")->allow_extra_args(false);
   command->add_flag("--force", arguments->force, "Overwrites files of these names");
-  command->callback([arguments, &status] { status = run(*arguments); });
+  command->callback([arguments, &status] { status = exportLog(*arguments); });
 }
 
 }  // namespace app

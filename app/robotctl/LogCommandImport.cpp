@@ -32,7 +32,7 @@ void printKinds(const char* head, const std::map<std::string, std::uint64_t>& ki
   for (const auto& [kind, count] : kinds) std::cout << std::setw(10) << count << "  " << kind << "\n";
 }
 
-void print(const ImportArguments& arguments, const logplayer::ImportReport& report) {
+void printReport(const ImportArguments& arguments, const logplayer::ImportReport& report) {
   if (arguments.asJson) {
     const json object{{"file", arguments.to},
                       {"format", report.format},
@@ -74,7 +74,7 @@ int import(ImportArguments& arguments) {
   progress.erase();
   if (!report) return printErrors({output->named(report.error())});
   if (const auto named = output->commit(); !named) return printErrors({named.error()});
-  print(arguments, *report);
+  printReport(arguments, *report);
   if (report->damage.empty()) return kDone;
   return printLosses({arguments.from + ": " + report->damage});
 }
@@ -106,8 +106,8 @@ int repair(ImportArguments& arguments) {
   return printLosses(logplayer::lossesOf(arguments.from, true, report->damage));
 }
 
-CLI::App* add(CLI::App& log, const char* name, const char* help,
-              const std::shared_ptr<ImportArguments>& arguments) {
+CLI::App* addImporter(CLI::App& log, const char* name, const char* help,
+                      const std::shared_ptr<ImportArguments>& arguments) {
   CLI::App* command = log.add_subcommand(name, help);
   command->add_option("from", arguments->from, "The log to read; - is standard input")->required();
   command->add_option("to", arguments->to, "The MCAP file to write")->required();
@@ -119,7 +119,7 @@ CLI::App* add(CLI::App& log, const char* name, const char* help,
 
 void addLogImportCommands(CLI::App& log, int& status) {
   auto arguments = std::make_shared<ImportArguments>();
-  CLI::App* command = add(
+  CLI::App* command = addImporter(
       log, "import", "Converts a log of an older format; says what was and was not understood", arguments);
   command->add_option("--robot", arguments->options.robot, "The name that the robot gets")
       ->check(robotName)
@@ -132,7 +132,8 @@ void addLogImportCommands(CLI::App& log, int& status) {
   command->callback([arguments, &status] { status = withResources([&] { return import(*arguments); }); });
 
   auto wanted = std::make_shared<ImportArguments>();
-  command = add(log, "repair", "Writes what can be read of a damaged log into a new, complete one", wanted);
+  command =
+      addImporter(log, "repair", "Writes what can be read of a damaged log into a new, complete one", wanted);
   command->callback([wanted, &status] { status = repair(*wanted); });
 }
 

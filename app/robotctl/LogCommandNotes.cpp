@@ -37,7 +37,7 @@ std::string timeText(Instant time) {
   return text.data();
 }
 
-void print(const Bookmarks& bookmarks, bool asJson) {
+void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
   json all = json::array();
   for (const Bookmark& bookmark : bookmarks.all()) {
     if (!asJson) {
@@ -54,7 +54,7 @@ void print(const Bookmarks& bookmarks, bool asJson) {
 }
 
 /// Adds the one that is asked for; "usage" if the times make no sense.
-Result<void> add(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
+Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
   const auto range = arguments.range.of(arguments.file);
   if (!range) return tl::unexpected(range.error());
   if (!range->from) return robotlink::failure("usage", "--add needs --from, and for a range --to");
@@ -86,14 +86,14 @@ int bookmark(const BookmarkArguments& arguments) {
   auto bookmarks = Bookmarks::open(input->path());
   if (!bookmarks) return printErrors({bookmarks.error()});
   Result<void> done;
-  if (!arguments.add.empty()) done = add(*bookmarks, arguments);
+  if (!arguments.add.empty()) done = addBookmark(*bookmarks, arguments);
   if (done && !arguments.remove.empty()) done = remove(*bookmarks, arguments);
   if (done && changes) done = bookmarks->save();
   if (!done) {
     printErrors({done.error()});
     return done.error().id == "usage" ? kUsage : kFailed;
   }
-  print(*bookmarks, arguments.asJson);
+  printBookmarks(*bookmarks, arguments.asJson);
   if (changes && bookmarks->savedIn() != arguments.file) {
     std::cerr << "the log cannot be changed; its bookmarks are in " << bookmarks->savedIn().string() << "\n";
   }

@@ -109,8 +109,8 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::f
   return status;
 }
 
-void add(CLI::App& log, int& status, const char* name, const char* help,
-         Result<Findings> (*find)(const std::filesystem::path&)) {
+void addReader(CLI::App& log, int& status, const char* name, const char* help,
+               Result<Findings> (*find)(const std::filesystem::path&)) {
   auto arguments = std::make_shared<ReadArguments>();
   CLI::App* command = log.add_subcommand(name, help);
   command->add_option("files", arguments->files, "Log files, of older formats, too; - is standard input")
@@ -122,9 +122,9 @@ void add(CLI::App& log, int& status, const char* name, const char* help,
 }  // namespace
 
 void addLogReadCommands(CLI::App& log, int& status) {
-  add(log, status, "info", "Says what logs hold: streams with counts, sizes and rates, time, robots, damage",
-      describe);
-  add(log, status, "verify", "Reads all of logs and checks all checksums", verify);
+  addReader(log, status, "info",
+            "Says what logs hold: streams with counts, sizes and rates, time, robots, damage", describe);
+  addReader(log, status, "verify", "Reads all of logs and checks all checksums", verify);
 }
 
 }  // namespace app

@@ -257,7 +257,7 @@ void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
 }
 
 /// Steps to the end; how many instants there were. A signal ends it before.
-std::uint64_t play(ReplayRun& run, const Recording& recording, TerminalProgress& progress) {
+std::uint64_t playLog(ReplayRun& run, const Recording& recording, TerminalProgress& progress) {
   std::uint64_t instants = 1;
   const auto show = progress.function();
   const double length = robotlink::seconds(run.end() - run.begin());
@@ -281,7 +281,7 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
   const auto start = std::chrono::steady_clock::now();
   // What holds from before the log's first instant is told by a jump there.
   if (const auto errors = (*run)->jump((*run)->begin()); !errors.empty()) return printErrors(errors);
-  const std::uint64_t instants = play(**run, recording, progress);
+  const std::uint64_t instants = playLog(**run, recording, progress);
   progress.erase();
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   if (auto closed = recording.close(); !closed) return printErrors({closed.error()});
@@ -325,7 +325,7 @@ robotlink::Result<void> readInputs(ReplayOptions& options, std::vector<LogInput>
   return {};
 }
 
-int run(const RunArguments& arguments) {
+int replay(const RunArguments& arguments) {
   if (isRobotAddress(arguments.platform)) return runOnRobot(arguments);
   ReplayOptions options;
   if (const std::string wrong = takeLogs(arguments, options); !wrong.empty()) return usage(wrong);
@@ -383,7 +383,7 @@ void addRunCommand(CLI::App& app, int& status) {
       ->check(CLI::Range(0.0, 1e6));
   command->add_flag("--motors", robot.motorsOn, "Robots: switches the motors on as soon as it is connected");
   command->add_flag("--texts", robot.texts, "Robots: prints the program's text messages on stderr");
-  command->callback([arguments, &status] { status = withResources([&] { return run(*arguments); }); });
+  command->callback([arguments, &status] { status = withResources([&] { return replay(*arguments); }); });
 }
 
 }  // namespace app

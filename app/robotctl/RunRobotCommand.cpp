@@ -21,7 +21,7 @@ using nlohmann::json;
 
 constexpr std::chrono::milliseconds kStep{10};
 
-PioneerRun::Listeners listenersFor(const RunRobotArguments& arguments) {
+PioneerRun::Listeners robotListeners(const RunRobotArguments& arguments) {
   PioneerRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
     std::cerr << robot << ": " << text << "\n";
@@ -87,7 +87,7 @@ int runRobot(const RunRobotArguments& arguments) {
   const Interrupt interrupt;
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
-  auto run = PioneerRun::create(std::move(options), listenersFor(arguments), recorder->get());
+  auto run = PioneerRun::create(std::move(options), robotListeners(arguments), recorder->get());
   if (!run) {
     std::error_code ignored;
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);

@@ -90,7 +90,7 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
 
 /// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
 /// recording: nothing is in a hurry here.
-bool play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
+bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
   Pace pace;
   pace.setSpeed(arguments.speed);
   const auto& clock = run.world().clock();
@@ -135,7 +135,7 @@ int runOnce(const SimArguments& arguments) {
   printMapNotes((*run)->map().get());
   const auto start = std::chrono::steady_clock::now();
   unfinished.reset();
-  const bool played = play(**run, arguments, recorder->get());
+  const bool played = simulate(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int status = *recorder ? finishRecording(**recorder) : kDone;
   if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone)

@@ -10,7 +10,7 @@ using robotlink::Image;
 using robotlink::PixelFormat;
 using robotlink::Result;
 
-constexpr std::size_t kMaximumPixels = 4U << 20U;
+constexpr std::size_t kMaximumCameraPixels = 4U << 20U;
 /// Bytes of a pixel: Y0 Cb Y1 Cr of two neighbours in a row of the camera.
 constexpr std::size_t kQuad = 4;
 
@@ -29,7 +29,7 @@ Result<ImageHeader> readHeader(PayloadReader& payload) {
   constexpr int kMaximumSide = 1 << 14;
   const bool possible = header.width > 0 && header.width % 2 == 0 && header.height > 0 &&
                         header.width <= kMaximumSide && header.height <= kMaximumSide &&
-                        header.pixels() <= kMaximumPixels;
+                        header.pixels() <= kMaximumCameraPixels;
   if (!possible)
     return robotlink::failure("bhuman.image", "the image claims " + std::to_string(header.width) + " x " +
                                                   std::to_string(header.height) +
@@ -69,7 +69,7 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   if (!header) return tl::unexpected(header.error());
   reader.skip(sizeof(std::int32_t));  // the JPEG's size: the rest
   // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
-  auto jpeg = decodeJpegComponents(reader.rest(), kMaximumPixels);
+  auto jpeg = decodeJpegComponents(reader.rest(), kMaximumCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
   if (jpeg->width != header->width || jpeg->height != header->height ||
       jpeg->count != static_cast<int>(kQuad))

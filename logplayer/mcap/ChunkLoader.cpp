@@ -9,7 +9,7 @@ namespace logplayer::mcap {
 namespace {
 
 // More than a chunk's head takes with any compression known here.
-constexpr std::size_t kHeadBytes = 128;
+constexpr std::size_t kChunkHeadBytes = 128;
 constexpr std::size_t kPiece = 128U << 10U;
 
 tl::unexpected<std::string> problem(std::string text) {
@@ -31,9 +31,9 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
   if (!section.unknownCompression.empty()) {
     return problem("a chunk is compressed by " + section.unknownCompression + ", which is not known here");
   }
-  std::uint8_t bytes[kHeadBytes];
+  std::uint8_t bytes[kChunkHeadBytes];
   const std::span<std::uint8_t> begin =
-      std::span(bytes).first(std::min<std::size_t>(kHeadBytes, info.length));
+      std::span(bytes).first(std::min<std::size_t>(kChunkHeadBytes, info.length));
   if (!source_.read(info.offset, begin)) return problem("the system cannot read it");
   const bool isChunk =
       begin.size() > kRecordHeadBytes && begin[0] == static_cast<std::uint8_t>(Opcode::kChunk);

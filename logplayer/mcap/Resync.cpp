@@ -9,7 +9,7 @@
 namespace logplayer::mcap {
 namespace {
 
-constexpr std::size_t kHeadBytes = 128;
+constexpr std::size_t kSearchedHeadBytes = 128;
 constexpr std::uint64_t kBlock = 256U << 10U;
 constexpr int kMessagesInARow = 3;
 constexpr std::uint64_t kPatience = 64U << 20U;
@@ -25,7 +25,7 @@ bool isZero(Bytes bytes) {
 }  // namespace
 
 std::optional<Section> chunkAt(SourceWindow& window, const Source& source, std::uint64_t offset) {
-  const Bytes bytes = window.look(offset, kHeadBytes);
+  const Bytes bytes = window.look(offset, kSearchedHeadBytes);
   if (bytes.size() < kRecordHeadBytes || !is(bytes[0], Opcode::kChunk)) return std::nullopt;
   const auto content = loadNumber<std::uint64_t>(bytes.data() + 1);
   if (content > source.bytes() - offset - kRecordHeadBytes) return std::nullopt;

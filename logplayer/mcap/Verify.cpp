@@ -5,7 +5,7 @@
 namespace logplayer::mcap {
 namespace {
 
-constexpr std::uint64_t kPiece = 1U << 20U;
+constexpr std::uint64_t kVerifiedPiece = 1U << 20U;
 
 /// Reads what a file's index tells of and compares it.
 class Verification {
@@ -98,9 +98,9 @@ void Verification::checkStatistics() {
 /// Nothing: given up.
 std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
   std::uint32_t crc = 0;
-  for (std::uint64_t offset = 0; offset < index_.dataEnd; offset += kPiece) {
+  for (std::uint64_t offset = 0; offset < index_.dataEnd; offset += kVerifiedPiece) {
     if (!goOn(before + offset)) return std::nullopt;
-    crc = crc32(source_.read(offset, std::min(kPiece, index_.dataEnd - offset)), crc);
+    crc = crc32(source_.read(offset, std::min(kVerifiedPiece, index_.dataEnd - offset)), crc);
   }
   return crc;
 }

@@ -13,7 +13,7 @@ using robotlink::Vector2;
 namespace {
 
 // m, beyond which more room makes no difference.
-constexpr double kReach = 3.5;
+constexpr double kOpenReach = 3.5;
 // rad, to the sides that it chooses from while it drives.
 constexpr double kWidest = robotlink::radians(100);
 // m of room that a radian away from straight on is worth.
@@ -94,7 +94,7 @@ DriveVelocity Wanderer::decide(std::span<const Vector2> points, const Pose2& rob
     likingUntil_ = time + options_.likingTime * random_.uniform(0.5, 1.5);
   }
   visit(robotInOdometry.translation(), time);
-  const PolarView view(points, options_.halfWidth, kReach);
+  const PolarView view(points, options_.halfWidth, kOpenReach);
   const double ahead = view.free(0);
   direction_ = bestDirection(view, robotInOdometry);
   heading_ = robotInOdometry.heading + direction_;

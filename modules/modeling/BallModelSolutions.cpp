@@ -150,7 +150,7 @@ class OracleBall final : public BallModeler {
   robotlink::Input<robotcontrol::OracleWorld> world_;
 };
 
-const robotlink::SolutionRegistration kOracle =
+const robotlink::SolutionRegistration kOracleBall =
     robotlink::SolutionBuilder<OracleBall>("ball-model", "oracle",
                                            "The ball's true place, from the simulator.")
         .needs(robotlink::kOracleWorld)

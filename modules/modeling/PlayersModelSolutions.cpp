@@ -104,7 +104,7 @@ class OraclePlayers final : public PlayersModeler {
   robotlink::Input<robotcontrol::OracleWorld> world_;
 };
 
-const robotlink::SolutionRegistration kOracle =
+const robotlink::SolutionRegistration kOraclePlayers =
     robotlink::SolutionBuilder<OraclePlayers>("players-model", "oracle",
                                               "The true places of the other robots, from the simulator.")
         .needs(robotlink::kOracleWorld)

@@ -154,7 +154,7 @@ class OracleLocator final : public SelfLocator {
   robotlink::Input<robotcontrol::OracleWorld> world_;
 };
 
-const robotlink::SolutionRegistration kOracle =
+const robotlink::SolutionRegistration kOracleLocator =
     robotlink::SolutionBuilder<OracleLocator>("self-localisation", "oracle",
                                               "The robot's true pose, from the simulator.")
         .needs(robotlink::kOracleWorld)

@@ -151,7 +151,7 @@ class LookAround final : public HeadControlSolution {
 };
 
 template <typename S>
-robotlink::SolutionDescription described(const char* name, const char* help) {
+robotlink::SolutionDescription headSolution(const char* name, const char* help) {
   return robotlink::SolutionBuilder<S>("head-control", name, help)
       .needs(robotlink::kJointStates)
       .uses(robotlink::kHeadMode)
@@ -161,16 +161,16 @@ robotlink::SolutionDescription described(const char* name, const char* help) {
       .template parameters<robotcontrol::HeadControlParameters>();
 }
 
-const robotlink::SolutionRegistration kSearchAndTrack =
-    described<SearchAndTrack>("search-and-track",
-                              "Looks at the ball as long as it is known, searches it in two sweeps, far and "
-                              "near, when it is lost, and obeys the other "
-                              "head modes.");
+const robotlink::SolutionRegistration kSearchAndTrack = headSolution<SearchAndTrack>(
+    "search-and-track",
+    "Looks at the ball as long as it is known, searches it in two sweeps, far and "
+    "near, when it is lost, and obeys the other "
+    "head modes.");
 const robotlink::SolutionRegistration kLookAround =
-    described<LookAround>("look-around",
-                          "Sweeps from side to side at the height of beacons and goals whatever is asked "
-                          "for, except for given angles: for tests "
-                          "of localisation.");
+    headSolution<LookAround>("look-around",
+                             "Sweeps from side to side at the height of beacons and goals whatever is asked "
+                             "for, except for given angles: for tests "
+                             "of localisation.");
 
 }  // namespace
 }  // namespace modules

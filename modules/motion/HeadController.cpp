@@ -4,6 +4,8 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/motion/Approach.h"
+
 namespace modules {
 namespace {
 
@@ -11,10 +13,6 @@ namespace {
 constexpr double kNearest = 0.06;
 // How far the head may stay behind a sweep before the sweep waits for it.
 constexpr double kLag = 0.5;
-
-double approached(double value, double target, double change) {
-  return value + std::clamp(target - value, -change, change);
-}
 
 }  // namespace
 

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "modules/motion/Approach.h"
 #include "modules/motion/FootCurve.h"
 
 namespace modules {
@@ -11,10 +12,6 @@ namespace modules {
 using robotlink::Vector3;
 
 namespace {
-
-double approached(double value, double target, double change) {
-  return value + std::clamp(target - value, -change, change);
-}
 
 /// Whether phases from `from` to `to` (a little later) pass a multiple of a half: there all paws of a trot
 /// are down.

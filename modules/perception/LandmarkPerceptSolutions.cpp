@@ -20,9 +20,9 @@ using robotlink::DebugKey;
 const DebugKey kBoxesKey{
     "landmark-percepts/boxes",
     "The boxes of beacons and goals in the image, with their names (drawn in the image)"};
-const DebugKey kPlacesKey{"landmark-percepts/places",
-                          "Where beacons and goals are, seen from the robot (drawn around the robot)"};
-const DebugKey kCountKey{"landmark-percepts/count", "How many landmarks were seen"};
+const DebugKey kLandmarkPlacesKey{
+    "landmark-percepts/places", "Where beacons and goals are, seen from the robot (drawn around the robot)"};
+const DebugKey kLandmarkCountKey{"landmark-percepts/count", "How many landmarks were seen"};
 
 /// What both solutions share: the landmarks of the field, the package and what is told of it.
 class LandmarkPerceptor : public robotlink::Solution {
@@ -65,7 +65,7 @@ class LandmarkPerceptor : public robotlink::Solution {
 
  private:
   void draw(const std::vector<LandmarkObservation>& seen) {
-    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(seen.size()));
+    if (debug_.on(kLandmarkCountKey)) debug_.plot(kLandmarkCountKey, static_cast<double>(seen.size()));
     if (debug_.on(kBoxesKey)) {
       auto drawing = debug_.imageDrawing(kBoxesKey);
       for (const LandmarkObservation& each : seen) {
@@ -74,8 +74,8 @@ class LandmarkPerceptor : public robotlink::Solution {
         drawing.text({each.box.left, each.box.top - 1}, landmarks_[each.landmark].name, color);
       }
     }
-    if (debug_.on(kPlacesKey)) {
-      auto drawing = debug_.robotDrawing(kPlacesKey);
+    if (debug_.on(kLandmarkPlacesKey)) {
+      auto drawing = debug_.robotDrawing(kLandmarkPlacesKey);
       for (const LandmarkObservation& each : seen) {
         const robotlink::Vector2 place(each.distance * std::cos(each.bearing),
                                        each.distance * std::sin(each.bearing));
@@ -119,7 +119,7 @@ const robotlink::SolutionRegistration kColorBands =
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kLandmarkPercepts)
-        .keys({&kBoxesKey, &kPlacesKey, &kCountKey})
+        .keys({&kBoxesKey, &kLandmarkPlacesKey, &kLandmarkCountKey})
         .parameters<robotcontrol::ColorBandsLandmarkParameters>();
 
 class HorizonScanLandmarkPerceptor final : public LandmarkPerceptor {
@@ -164,7 +164,7 @@ const robotlink::SolutionRegistration kHorizonScan =
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kLandmarkPercepts)
-        .keys({&kBoxesKey, &kPlacesKey, &kCountKey})
+        .keys({&kBoxesKey, &kLandmarkPlacesKey, &kLandmarkCountKey})
         .parameters<robotcontrol::HorizonScanLandmarkParameters>();
 
 }  // namespace

@@ -14,9 +14,9 @@ namespace {
 
 using robotlink::DebugKey;
 
-const DebugKey kPlacesKey{"robot-percepts/places",
-                          "Where other robots are, seen from this one (drawn around the robot)"};
-const DebugKey kCountKey{"robot-percepts/count", "How many other robots were seen"};
+const DebugKey kRobotPlacesKey{"robot-percepts/places",
+                               "Where other robots are, seen from this one (drawn around the robot)"};
+const DebugKey kRobotCountKey{"robot-percepts/count", "How many other robots were seen"};
 
 /// What both solutions share: the teams' colours, the package and what is told of it.
 class RobotPerceptor : public robotlink::Solution {
@@ -56,9 +56,9 @@ class RobotPerceptor : public robotlink::Solution {
 
  private:
   void draw(const std::vector<RobotObservation>& seen) {
-    if (debug_.on(kCountKey)) debug_.plot(kCountKey, static_cast<double>(seen.size()));
-    if (!debug_.on(kPlacesKey)) return;
-    auto drawing = debug_.robotDrawing(kPlacesKey);
+    if (debug_.on(kRobotCountKey)) debug_.plot(kRobotCountKey, static_cast<double>(seen.size()));
+    if (!debug_.on(kRobotPlacesKey)) return;
+    auto drawing = debug_.robotDrawing(kRobotPlacesKey);
     for (const RobotObservation& robot : seen)
       drawing.circle(robot.positionInRobot, 0.1, {classes_.shownColor(robot.teamClass)}, 2);
   }
@@ -89,7 +89,7 @@ const robotlink::SolutionRegistration kPatches =
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)
-        .keys({&kPlacesKey, &kCountKey})
+        .keys({&kRobotPlacesKey, &kRobotCountKey})
         .parameters<robotcontrol::PatchParameters>();
 
 class ClusterRobotPerceptor final : public RobotPerceptor {
@@ -110,7 +110,7 @@ const robotlink::SolutionRegistration kClusters =
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)
-        .keys({&kPlacesKey, &kCountKey})
+        .keys({&kRobotPlacesKey, &kRobotCountKey})
         .parameters<robotcontrol::PatchParameters>();
 
 }  // namespace

@@ -12,10 +12,30 @@ if(NOT CMAKE_BUILD_TYPE)
   set(CMAKE_BUILD_TYPE Release)
 endif()
 
+# Linking is a tenth of all work with the linker that compilers take by themselves; others need a quarter of its time.
+# Sanitizers keep theirs.
+if(NOT ROBOTCONTROL_SANITIZE)
+  find_program(ROBOTCONTROL_LINKER NAMES ld.mold ld.lld ld.gold DOC "A linker that is faster than the default")
+  if(ROBOTCONTROL_LINKER MATCHES "ld\\.(mold|lld|gold)$")
+    add_link_options(-fuse-ld=${CMAKE_MATCH_1})
+  endif()
+endif()
+
 find_program(CCACHE ccache)
 if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
+
+option(ROBOTCONTROL_UNITY "Compile the sources of a target several at a time, which takes a third of the time" OFF)
+# So many sources at a time: enough that their common headers are read seldom, few enough that an edit is compiled soon.
+set(ROBOTCONTROL_UNITY_BATCH 12)
+
+# robotcontrol_unity(TARGET): in unity builds the target's sources are compiled together, as if they were one file. So names
+# in anonymous namespaces have to be unique in a target. A source that needs flags of its own is compiled by itself.
+function(robotcontrol_unity target)
+  set_target_properties(${target} PROPERTIES
+    UNITY_BUILD ${ROBOTCONTROL_UNITY} UNITY_BUILD_BATCH_SIZE ${ROBOTCONTROL_UNITY_BATCH})
+endfunction()
 
 add_library(robotcontrol_options INTERFACE)
 target_include_directories(robotcontrol_options INTERFACE ${PROJECT_SOURCE_DIR})
@@ -23,6 +43,12 @@ target_compile_options(robotcontrol_options INTERFACE
   -Wall -Wextra -Wpedantic -Wshadow -Wconversion -Werror
   # Results must not depend on which expressions the compiler fuses.
   -ffp-contract=off)
+if(ROBOTCONTROL_UNITY)
+  # Where a compiler takes several sources for one, these warn of what is right in each of them: of parameters with the name of
+  # a function of another source, and of members whose type is the source's own. Builds that are not unity have both.
+  target_compile_options(robotcontrol_options INTERFACE
+    -Wno-shadow $<$<CXX_COMPILER_ID:GNU>:-Wshadow=local> -Wno-subobject-linkage)
+endif()
 if(ROBOTCONTROL_SANITIZE)
   target_compile_options(robotcontrol_options INTERFACE
     -fsanitize=${ROBOTCONTROL_SANITIZE} -fno-omit-frame-pointer -fno-sanitize-recover=all)
@@ -57,6 +83,7 @@ function(robotcontrol_library name)
     return()
   endif()
   add_library(${name} ${kind} ${ARG_SOURCES})
+  robotcontrol_unity(${name})
   target_link_libraries(${name} PUBLIC robotcontrol_options ${ARG_PUBLIC} PRIVATE ${ARG_PRIVATE})
   if(ARG_MOC)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
@@ -91,6 +118,7 @@ function(robotcontrol_test name)
     math(EXPR ARG_TIMEOUT "${ARG_TIMEOUT} * 10")  # what sanitizers cost at most, on a machine that does other things, too
   endif()
   add_executable(${name} ${ARG_SOURCES})
+  robotcontrol_unity(${name})
   target_compile_definitions(${name} PRIVATE
     ROBOTCONTROL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   if(ARG_QT)

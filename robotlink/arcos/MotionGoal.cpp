@@ -6,12 +6,12 @@
 namespace robotlink::arcos {
 namespace {
 
-constexpr double kStandingSpeed = 0.005;            // m/s
+constexpr double kArrivedSpeed = 0.005;             // m/s
 constexpr double kStandingRotation = radians(1.0);  // rad/s
 constexpr double kLongestStep = 1.0;                // m; more is an odometry that was set anew
 
 bool stands(const RobotState& state) {
-  return !state.moving && std::abs(state.speed) < kStandingSpeed &&
+  return !state.moving && std::abs(state.speed) < kArrivedSpeed &&
          std::abs(state.rotation) < kStandingRotation;
 }
 

@@ -23,7 +23,7 @@ Registry& registry() {
   return instance;
 }
 
-[[noreturn]] void refuse(const char* name, const char* why) {
+[[noreturn]] void refuseKey(const char* name, const char* why) {
   std::fprintf(stderr, "debug key \"%s\": %s\n", name, why);
   std::abort();
 }
@@ -40,13 +40,13 @@ bool isPath(std::string_view name) {
 DebugKey::DebugKey(const char* name, const char* help) {
   Registry& keys = registry();
   if (!isPath(name))
-    refuse(name, "a name is a path of lower case letters, digits and '-', its parts separated by one '/'");
+    refuseKey(name, "a name is a path of lower case letters, digits and '-', its parts separated by one '/'");
   if (keys.sealed)
-    refuse(name, "declared after the first debug context was made; declare keys at namespace scope");
+    refuseKey(name, "declared after the first debug context was made; declare keys at namespace scope");
   keys.entries.push_back({name, help});
   number_ = static_cast<int>(keys.entries.size());
   if (!keys.indices.emplace(name, index()).second)
-    refuse(name, "declared twice; names of keys are unique in a program");
+    refuseKey(name, "declared twice; names of keys are unique in a program");
 }
 
 const std::string& DebugKey::name() const {

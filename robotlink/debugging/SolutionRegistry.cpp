@@ -10,7 +10,7 @@ namespace robotlink {
 namespace {
 
 // By task and name, so that nothing depends on the order in which files are linked.
-std::vector<SolutionDescription>& registry() {
+std::vector<SolutionDescription>& solutions() {
   static std::vector<SolutionDescription> solutions;
   return solutions;
 }
@@ -19,7 +19,7 @@ bool before(const SolutionDescription& a, const SolutionDescription& b) {
   return std::tie(a.task, a.name) < std::tie(b.task, b.name);
 }
 
-[[noreturn]] void refuse(const SolutionDescription& solution, const char* why) {
+[[noreturn]] void refuseSolution(const SolutionDescription& solution, const char* why) {
   std::fprintf(stderr, "solution \"%s\" of task \"%s\": %s\n", solution.name.c_str(), solution.task.c_str(),
                why);
   std::abort();
@@ -28,11 +28,11 @@ bool before(const SolutionDescription& a, const SolutionDescription& b) {
 }  // namespace
 
 const std::vector<SolutionDescription>& SolutionRegistry::all() {
-  return registry();
+  return solutions();
 }
 
 const SolutionDescription* SolutionRegistry::find(const std::string& task, const std::string& solution) {
-  const auto& all = registry();
+  const auto& all = solutions();
   const auto found = std::lower_bound(all.begin(), all.end(), std::tie(task, solution),
                                       [](const SolutionDescription& entry, const auto& wanted) {
                                         return std::tie(entry.task, entry.name) < wanted;
@@ -42,15 +42,16 @@ const SolutionDescription* SolutionRegistry::find(const std::string& task, const
 
 SolutionRegistration::SolutionRegistration(SolutionDescription description) {
   if (description.task.empty() || description.name.empty())
-    refuse(description, "task and solution need names");
+    refuseSolution(description, "task and solution need names");
   for (const int key : description.keys) {
     if (key < 0)
-      refuse(description, "names a debug key that is declared in another file; declare its keys above it");
+      refuseSolution(description,
+                     "names a debug key that is declared in another file; declare its keys above it");
   }
   if (SolutionRegistry::find(description.task, description.name)) {
-    refuse(description, "registered twice; names of solutions are unique in a task");
+    refuseSolution(description, "registered twice; names of solutions are unique in a task");
   }
-  auto& all = registry();
+  auto& all = solutions();
   all.insert(std::upper_bound(all.begin(), all.end(), description, before), std::move(description));
 }
 

@@ -69,7 +69,7 @@ std::optional<double> parseNumber(const std::string& text) {
   return whole && std::isfinite(number) ? std::optional(number) : std::nullopt;
 }
 
-std::optional<Value> parse(Type type, const std::string& text) {
+std::optional<Value> parseValue(Type type, const std::string& text) {
   if (type == Type::kBool) {
     const auto value = parseBool(text);
     return value ? std::optional<Value>(*value) : std::nullopt;
@@ -128,7 +128,7 @@ Result<void> CommandTable::runLine(const std::string& line) const {
   if (words->size() - 1 != wanted.size()) return wrongCount(**command, words->size() - 1);
   std::vector<Value> arguments;
   for (std::size_t i = 0; i < wanted.size(); ++i) {
-    const auto value = parse(wanted[i].type, (*words)[i + 1]);
+    const auto value = parseValue(wanted[i].type, (*words)[i + 1]);
     if (!value) return wrongType(**command, wanted[i], '"' + (*words)[i + 1] + '"');
     arguments.push_back(*value);
   }

@@ -24,7 +24,7 @@ constexpr std::array<std::pair<const char*, KeyMode::Kind>, 4> kModes{{{"always"
                                                                        {"every-n", KeyMode::EVERY_N},
                                                                        {"every-ms", KeyMode::EVERY_MS}}};
 
-const VersionedFormat& format() {
+const VersionedFormat& presetFormat() {
   static const VersionedFormat instance{"robotcontrol-debug-keys", 1, "keys"};
   return instance;
 }
@@ -39,7 +39,7 @@ json toJson(const KeyMode& mode) {
 }
 
 // False if it is none.
-bool fromJson(const json& value, KeyMode& mode) {
+bool modeFromJson(const json& value, KeyMode& mode) {
   if (!value.is_object()) return false;
   const json name = value.value("mode", json());
   const auto* named =
@@ -93,13 +93,13 @@ Result<KeyTable> KeyPresets::load(const std::string& name) const {
   if (!std::filesystem::exists(*file, ignored)) {
     return failure("preset.unknown", "there is no preset \"" + name + "\"", {file->string(), 0, 0}, {name});
   }
-  const auto contents = readVersioned(*file, format());
+  const auto contents = readVersioned(*file, presetFormat());
   if (!contents) return tl::unexpected(contents.error());
   KeyTable table;
   for (const auto& [key, value] : contents->items()) {
     auto& entry = *table.add_keys();
     entry.set_name(key);
-    if (fromJson(value, *entry.mutable_mode())) continue;
+    if (modeFromJson(value, *entry.mutable_mode())) continue;
     return failure("preset.mode",
                    "the key " + key +
                        " needs a \"mode\" (always, n-times, every-n, every-ms) and, but for always, "
@@ -117,7 +117,7 @@ Result<void> KeyPresets::save(const std::string& name, const KeyTable& keys) con
     json mode = toJson(key.mode());
     if (!mode.is_null()) contents[key.name()] = std::move(mode);
   }
-  return writeVersioned(*file, format(), contents);
+  return writeVersioned(*file, presetFormat(), contents);
 }
 
 Result<void> KeyPresets::remove(const std::string& name) const {

@@ -12,12 +12,12 @@ namespace {
 
 using nlohmann::json;
 
-const VersionedFormat& format() {
+const VersionedFormat& settingsFormat() {
   static const VersionedFormat instance{"robotcontrol-settings", 1, "settings"};
   return instance;
 }
 
-std::optional<Settings::Value> fromJson(const json& value) {
+std::optional<Settings::Value> valueFromJson(const json& value) {
   if (value.is_boolean()) return value.get<bool>();
   if (value.is_number()) return value.get<double>();
   if (value.is_string()) return value.get<std::string>();
@@ -35,10 +35,10 @@ std::optional<Settings::Value> fromJson(const json& value) {
 Result<void> Settings::load() {
   values_.clear();
   changed_ = false;
-  const auto contents = readVersioned(file_, format());
+  const auto contents = readVersioned(file_, settingsFormat());
   if (!contents) return tl::unexpected(keepAside(file_, contents.error()));
   for (const auto& [name, value] : contents->items()) {
-    if (auto read = fromJson(value)) values_[name] = std::move(*read);
+    if (auto read = valueFromJson(value)) values_[name] = std::move(*read);
   }
   return {};
 }
@@ -49,7 +49,7 @@ Result<void> Settings::save() {
   for (const auto& [name, value] : values_) {
     contents[name] = std::visit([](const auto& v) { return json(v); }, value);
   }
-  auto written = writeVersioned(file_, format(), contents);
+  auto written = writeVersioned(file_, settingsFormat(), contents);
   if (written) changed_ = false;
   return written;
 }

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeWheels.h"
 
 namespace simcore {
@@ -14,10 +15,6 @@ constexpr double kContactErrorReduction = 0.3;
 constexpr double kContactSoftness = 1e-5;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
 constexpr double kFloor = 0.7;  // upward share of the normal of what is a floor or a ramp, not an obstacle
-
-OdeGeom& infoOf(dGeomID geom) {
-  return *static_cast<OdeGeom*>(dGeomGetData(geom));
-}
 
 dGeomID asGeom(dSpaceID space) {
   return reinterpret_cast<dGeomID>(space);
@@ -36,14 +33,6 @@ dBodyID movedBody(OdeWorld& ode, const OdeGeom& geom) {
 bool isUnmoved(dGeomID space) {
   const auto* model = static_cast<const OdeModel*>(dGeomGetData(space));
   return model == nullptr || model->kinematic;
-}
-
-/// Goes down into spaces, but never inside one: calls `callback` for each pair of geoms of different models.
-template <typename Data>
-bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
-  if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
-  dSpaceCollide2(a, b, data, callback);
-  return true;
 }
 
 /// `upward` is that share of the contact's normal.

@@ -13,7 +13,7 @@ using robotlink::Vector2;
 
 namespace {
 
-constexpr double kTolerance = 0.0005;  // m; sinking in less than that is only touching
+constexpr double kPositionTolerance = 0.0005;  // m; sinking in less than that is only touching
 constexpr int kHalvings = 6;
 constexpr double kClearance = 1;  // m; farther away nobody looks for obstacles
 
@@ -125,7 +125,7 @@ class Mover {
   bool fits(const BodyPose& before, const BodyPose& after) {
     const double depth = depthNow();
     drive_.touches = depth > 0;
-    if (depth > kTolerance) {
+    if (depth > kPositionTolerance) {
       setPose(body_, before);
       const double depthBefore = depthNow(NoteTouches::kYes);
       if (depth > depthBefore) {
@@ -148,7 +148,7 @@ class Mover {
     for (int i = 0; i < kHalvings; ++i) {
       const double middle = (free + blocked) / 2;
       setPose(body_, partly(middle));
-      (depthNow() <= kTolerance ? free : blocked) = middle;
+      (depthNow() <= kPositionTolerance ? free : blocked) = middle;
     }
     setPose(body_, partly(free));
     depthNow(NoteTouches::kYes);

@@ -13,6 +13,20 @@ dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& colli
 void addBodyGeom(OdeWorld& ode, const OdeBody& body, const CollisionDescription& collision, int model,
                  dSpaceID space);
 
+/// What is known of a solid.
+inline OdeGeom& infoOf(dGeomID geom) {
+  return *static_cast<OdeGeom*>(dGeomGetData(geom));
+}
+
+/// Goes down into spaces, but never inside one: calls `callback` with `data` for each pair of geoms of
+/// different models. Returns false if neither is a space, so that there is nothing to go down into.
+template <typename Data>
+bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
+  if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
+  dSpaceCollide2(a, b, data, callback);
+  return true;
+}
+
 /// Calls `set` with a pose as ODE has them: a position and a rotation.
 template <typename Set>
 void withOdePose(const Pose3& pose, Set set) {

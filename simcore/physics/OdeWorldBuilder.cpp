@@ -18,9 +18,9 @@ constexpr double kSteep = 0.7;  // upward share of a plane's normal
 constexpr double kReach = 0.3;  // m; how much farther than at first the limbs of a robot may reach
 
 /// Fills an OdeWorld from its description.
-class Builder {
+class WorldBuilder {
  public:
-  Builder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
+  WorldBuilder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
 
   void build() {
     ode_.models.reserve(ode_.description.models.size());  // spaces point to them
@@ -175,7 +175,7 @@ class Builder {
 
 std::unique_ptr<OdeWorld> buildOdeWorld(const WorldDescription& description, bool kinematicDrives) {
   auto world = std::make_unique<OdeWorld>(description);
-  Builder(*world, kinematicDrives).build();
+  WorldBuilder(*world, kinematicDrives).build();
   return world;
 }
 

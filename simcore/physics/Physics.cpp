@@ -8,6 +8,7 @@
 #include "robotlink/base/Random.h"
 #include "simcore/physics/Contacts.h"
 #include "simcore/physics/KinematicDrives.h"
+#include "simcore/physics/OdeGeoms.h"
 #include "simcore/physics/OdeRandom.h"
 #include "simcore/physics/OdeWheels.h"
 #include "simcore/physics/OdeWorld.h"
@@ -17,18 +18,6 @@ namespace simcore {
 namespace {
 
 constexpr int kBlockedSteps = 25;
-
-OdeGeom& infoOf(dGeomID geom) {
-  return *static_cast<OdeGeom*>(dGeomGetData(geom));
-}
-
-/// Goes down into spaces, but never inside one: calls `found` for each pair of geoms of different models.
-template <typename Data>
-bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
-  if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
-  dSpaceCollide2(a, b, data, callback);
-  return true;
-}
 
 struct RayQuery {
   int ownModel = 0;

@@ -9,7 +9,7 @@ namespace simcore {
 namespace {
 
 constexpr double kCell = 0.5;  // m
-constexpr double kMostCells = 1 << 20;
+constexpr double kMostGridCells = 1 << 20;
 constexpr double kRounding = 1e-6;  // of a cell's size
 
 struct Span {
@@ -63,7 +63,7 @@ void StaticGrid::build() {
   bottom_ = all[2];
   const double width = all[1] - all[0], height = all[3] - all[2];
   double cell = kCell;
-  while ((width / cell + 1) * (height / cell + 1) > kMostCells) cell *= 2;
+  while ((width / cell + 1) * (height / cell + 1) > kMostGridCells) cell *= 2;
   const std::size_t most = std::max(kMaximumEntries, geoms_.size());
   // In two rounds: how many are in each cell, then which.
   for (;; cell *= 2) {

@@ -8,7 +8,7 @@ namespace simcore {
 namespace {
 
 constexpr double kSmallest = 1e-5, kLargest = 1000;  // metres
-constexpr double kFar = 10'000;
+constexpr double kFarAway = 10'000;
 
 Vector3 checkedSize(const ignition::math::Vector3d& size, const sdf::ElementPtr& element,
                     const SdfContext& context) {
@@ -193,7 +193,7 @@ Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
                    const sdf::ElementPtr& element, const SdfContext& context) {
   ignition::math::Pose3d pose;
   context.take(semantic.Resolve(pose, frame), element);
-  if (pose.Pos().IsFinite() && pose.Pos().Length() <= kFar && pose.Rot().IsFinite()) return toEigen(pose);
+  if (pose.Pos().IsFinite() && pose.Pos().Length() <= kFarAway && pose.Rot().IsFinite()) return toEigen(pose);
   context.fail(element, "scene.pose", "a pose must be finite and at most 10 km away");
   return Pose3::Identity();
 }

@@ -43,9 +43,9 @@ Mesh makeMesh(const Shape& shape) {
   return {};
 }
 
-class Builder {
+class SceneBuilder {
  public:
-  explicit Builder(const WorldDescription& world) {
+  explicit SceneBuilder(const WorldDescription& world) {
     scene_->ambient = world.ambient;
     scene_->background = world.background;
     scene_->lamps = world.lamps;
@@ -88,7 +88,7 @@ class Builder {
 }  // namespace
 
 std::shared_ptr<const RenderScene> buildRenderScene(const WorldDescription& world) {
-  return Builder(world).scene();
+  return SceneBuilder(world).scene();
 }
 
 }  // namespace simcore

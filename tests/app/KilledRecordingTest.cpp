@@ -15,7 +15,7 @@
 #include "logplayer/LogFile.h"
 #include "tests/logplayer/RecordedMessages.h"
 
-using logplayer::testing::TestFolder;
+using logplayer::tests::TestFolder;
 
 namespace {
 

@@ -79,7 +79,7 @@ class OpenedLogsGuiTest : public QObject {
   }
 
   void aLogOfAnotherProgramSaysWhatIsInItAndCanBePlayed() {
-    QVERIFY(logplayer::testing::writeForeignLog(file("foreign.mcap")));
+    QVERIFY(logplayer::tests::writeForeignLog(file("foreign.mcap")));
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     open(desk, "first.mcap");

@@ -12,8 +12,8 @@
 #include "tests/logplayer/RecordedMessages.h"
 
 using app::test::ShortLog;
-using logplayer::testing::ReadLog;
-using logplayer::testing::TestFolder;
+using logplayer::tests::ReadLog;
+using logplayer::tests::TestFolder;
 
 namespace {
 
@@ -56,12 +56,12 @@ TEST_F(RecordedReplayTest, whatIsPlayedIsRecordedAndAJumpBeginsANewFile) {
   for (int i = 0; i < 2; ++i) runLog("log.step 1");
   run("recording.stop");
   workbench.recording().recorder().finish();
-  const ReadLog first = logplayer::testing::readLog(folder / "a.mcap");
+  const ReadLog first = logplayer::tests::readLog(folder / "a.mcap");
   EXPECT_TRUE(first.complete) << first.error;
   EXPECT_EQ(first.count("red1/frames/planner"), 3U);
   EXPECT_GE(first.count("red1/camera/image"), 1U);
   EXPECT_EQ(first.count("replay"), 0U);
-  const ReadLog second = logplayer::testing::readLog(folder / "a-2.mcap");
+  const ReadLog second = logplayer::tests::readLog(folder / "a-2.mcap");
   EXPECT_TRUE(second.complete) << second.error;
   EXPECT_GE(second.count("red1/frames/planner"), 3U);
   EXPECT_GE(second.count("red1/camera/image"), 2U);

@@ -25,8 +25,8 @@
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
 
-using logplayer::testing::ReadLog;
-using logplayer::testing::TestFolder;
+using logplayer::tests::ReadLog;
+using logplayer::tests::TestFolder;
 using robotcontrol::ControlRecording;
 
 namespace {
@@ -124,7 +124,7 @@ class RecordingGuiTest : public QObject {
     QCOMPARE(button.text(), QStringLiteral("Record"));
     look(desk.window, "recorded");
     desk.workbench.recording().recorder().finish();
-    const ReadLog log = logplayer::testing::readLog(folder / only(folder));
+    const ReadLog log = logplayer::tests::readLog(folder / only(folder));
     QVERIFY(log.complete);
     QVERIFY(log.count("red1/joints/states") > 20);
     QVERIFY(log.count("red1/program") > 0);
@@ -193,12 +193,12 @@ class RecordingGuiTest : public QObject {
     QTest::keyClick(&desk.window, Qt::Key_R, Qt::ControlModifier | Qt::ShiftModifier);
     QVERIFY(!desk.status().recording());
     desk.workbench.recording().recorder().finish();
-    const ReadLog log = logplayer::testing::readLog(folder / recorded);
+    const ReadLog log = logplayer::tests::readLog(folder / recorded);
     QCOMPARE(log.count("bookmarks"), std::size_t{1});
     for (const auto& entry : log.entries) {
       if (entry.path == "bookmarks") QVERIFY(entry.data.find("ball missed") != std::string::npos);
     }
-    QVERIFY(logplayer::testing::readLog(desk.status().saved_path()).count("red1/joints/states") > 10);
+    QVERIFY(logplayer::tests::readLog(desk.status().saved_path()).count("red1/joints/states") > 10);
   }
 
   void buttonsSaveAndMark() {
@@ -217,7 +217,7 @@ class RecordingGuiTest : public QObject {
     QVERIFY(answer.asked());
     desk.workbench.recording().recorder().finish();
     QCOMPARE(folder.files().size(), std::size_t{2});
-    QCOMPARE(logplayer::testing::readLog(desk.status().saved_path()).count("bookmarks"), std::size_t{1});
+    QCOMPARE(logplayer::tests::readLog(desk.status().saved_path()).count("bookmarks"), std::size_t{1});
   }
 
   void whatIsChosenInTheMenuHoldsAfterARestart() {

@@ -15,8 +15,8 @@
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace app;
-using logplayer::testing::ReadLog;
-using logplayer::testing::TestFolder;
+using logplayer::tests::ReadLog;
+using logplayer::tests::TestFolder;
 using robotcontrol::ControlRecording;
 using robotcontrol::ProgramSetup;
 using robotcontrol::Request;
@@ -52,7 +52,7 @@ class RecordingTest : public ::testing::Test {
     control.set_action(ControlRecording::STOP);
     EXPECT_TRUE(recorder->control(control).has_value());
     recorder->finish();
-    return logplayer::testing::readLog(folder / name);
+    return logplayer::tests::readLog(folder / name);
   }
   void steps(int count) {
     for (int i = 0; i < count; ++i) run->step();
@@ -285,7 +285,7 @@ TEST_F(RecordingTest, aDebugKeyTriggersThatTheLastSecondsAreSaved) {
   steps(40);
   recorder->finish();
   ASSERT_EQ(folder.files().size(), 1U);
-  const ReadLog log = logplayer::testing::readLog(folder / folder.files()[0]);
+  const ReadLog log = logplayer::tests::readLog(folder / folder.files()[0]);
   EXPECT_TRUE(log.complete);
   EXPECT_NEAR(static_cast<double>(log.count("red1/joints/states")), 63, 3);
   EXPECT_EQ(log.count("red1/program"), 1U);
@@ -300,7 +300,7 @@ TEST_F(RecordingTest, anotherLayoutGoesOnInTheSameFileAndAResetInANewOne) {
   ASSERT_TRUE(run->reset(1).empty());
   steps(50);
   const ReadLog first = stop();
-  const ReadLog second = logplayer::testing::readLog(folder / "a-2.mcap");
+  const ReadLog second = logplayer::tests::readLog(folder / "a-2.mcap");
   const auto setups = on(first, "red1/program");
   ASSERT_EQ(setups.size(), 2U);
   EXPECT_EQ(parsed<ProgramSetup>(setups[1]).layout().name(), "layouts/parallel.yaml");

@@ -45,7 +45,7 @@ struct Score {
   double share() const { return static_cast<double>(right) / static_cast<double>(all); }
 };
 
-void add(Score& score, const ColorTable& table, const Session& session) {
+void addScore(Score& score, const ColorTable& table, const Session& session) {
   std::uint8_t colorClass = 0;
   for (const auto& [label, colors] : session) {
     ++colorClass;
@@ -66,7 +66,7 @@ TEST(CrossRobot, aTableOfOneAiboSortsTheColoursOfTheOthers) {
     for (unsigned seed = 1; seed <= 3; ++seed) {
       const ColorTable table = learned(session, seed);
       for (const auto& [pupil, other] : robots) {
-        if (pupil != teacher) add(score, table, other);
+        if (pupil != teacher) addScore(score, table, other);
       }
     }
     // One of the robots sees green nearly as blue as others see light blue.

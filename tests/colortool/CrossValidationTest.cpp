@@ -35,7 +35,7 @@ double rightOf(const StrokeQuality& quality, std::uint64_t stroke) {
   return -1;
 }
 
-constexpr std::array<std::uint8_t, 3> kColors = {1, 2, 3};
+constexpr std::array<std::uint8_t, 3> kBrightnesses = {1, 2, 3};
 
 TEST(CrossValidation, strokesOfLikeColoursPredictEachOther) {
   Samples samples = twiceQuarterSamples();
@@ -45,7 +45,7 @@ TEST(CrossValidation, strokesOfLikeColoursPredictEachOther) {
     const auto quality = crossValidate(samples);
     ASSERT_TRUE(quality.has_value());
     EXPECT_DOUBLE_EQ(quality->evaluation.meanRecall(), 1) << static_cast<int>(method);
-    EXPECT_DOUBLE_EQ(quality->evaluation.falseColor(kColors), 0);
+    EXPECT_DOUBLE_EQ(quality->evaluation.falseColor(kBrightnesses), 0);
     EXPECT_EQ(quality->evaluation.labelled(1), 2 * StrokeQuality::kStroke);
     EXPECT_EQ(quality->strokesOf, (std::vector<int>{2, 2, 2, 2}));
     EXPECT_EQ(quality->strokes.size(), 8U);

@@ -18,7 +18,7 @@ namespace {
 using namespace colortool;
 namespace fs = std::filesystem;
 
-const fs::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+const fs::path kFrameData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
 constexpr int kWidth = 320, kHeight = 240;
 constexpr int kSeeds = 5;
 constexpr std::array<std::uint8_t, 4> kThings = {1, 2, 3, 7};  // orange, yellow, blue, red
@@ -34,12 +34,12 @@ struct Frame {
 Frame readFrame(const std::string& stem) {
   Frame frame;
   frame.name = stem;
-  const std::string bytes = robotlink::readFile(kData / "yuyv" / (stem + ".yuyv")).value();
+  const std::string bytes = robotlink::readFile(kFrameData / "yuyv" / (stem + ".yuyv")).value();
   for (std::size_t i = 0; i < frame.image.pixels.size(); ++i) {
     const auto byte = [&](std::size_t at) { return static_cast<std::uint8_t>(bytes.at(4 * i + at)); };
     frame.image.pixels[i] = {byte(2), byte(1), byte(3)};
   }
-  const std::string png = robotlink::readFile(kData / "labels" / (stem + ".png")).value();
+  const std::string png = robotlink::readFile(kFrameData / "labels" / (stem + ".png")).value();
   frame.labels =
       logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()}).value().data;
   const auto label = [&](int x, int y) { return frame.labels[static_cast<std::size_t>(y * kWidth + x)]; };
@@ -109,7 +109,8 @@ Score score(const std::vector<Frame>& frames, int perClass) {
 }
 
 TEST(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStrokesKnowThemBetter) {
-  if (!fs::exists(kData)) GTEST_SKIP() << "the real images are not here: ../shared/data/colour/bhuman2009";
+  if (!fs::exists(kFrameData))
+    GTEST_SKIP() << "the real images are not here: ../shared/data/colour/bhuman2009";
   std::vector<Frame> frames;
   for (const char* stem : {"000", "032", "066"}) frames.push_back(readFrame(stem));
   const Score one = score(frames, 1), three = score(frames, 3), ten = score(frames, 10);

@@ -12,11 +12,11 @@
 namespace colortool {
 namespace {
 
-const std::vector<NamedColor> kPalette = {{"green", {0, 130, 50}},     {"white", {235, 235, 235}},
-                                          {"orange", {255, 105, 0}},   {"yellow", {250, 215, 0}},
-                                          {"skyblue", {40, 165, 235}}, {"pink", {250, 90, 160}},
-                                          {"red", {200, 15, 25}},      {"blue", {15, 30, 130}},
-                                          {"carpet", {95, 88, 84}},    {"dark", {45, 45, 50}}};
+const std::vector<NamedColor> kColorsOfPalette = {{"green", {0, 130, 50}},     {"white", {235, 235, 235}},
+                                                  {"orange", {255, 105, 0}},   {"yellow", {250, 215, 0}},
+                                                  {"skyblue", {40, 165, 235}}, {"pink", {250, 90, 160}},
+                                                  {"red", {200, 15, 25}},      {"blue", {15, 30, 130}},
+                                                  {"carpet", {95, 88, 84}},    {"dark", {45, 45, 50}}};
 constexpr std::array<std::string_view, 8> kNames = {"orange", "pink",  "yellow", "skyblue",
                                                     "green",  "white", "red",    "blue"};
 
@@ -36,13 +36,13 @@ robotlink::YCbCr noisy(robotlink::YCbCr color, double sigma, robotlink::Random& 
 
 class PaletteTable : public testing::Test {
  protected:
-  ColorClasses classes_ = ColorClasses::select(kPalette, kNames);
-  ColorTable table_ = paletteTable(kPalette, classes_);
+  ColorClasses classes_ = ColorClasses::select(kColorsOfPalette, kNames);
+  ColorTable table_ = paletteTable(kColorsOfPalette, classes_);
 };
 
 TEST_F(PaletteTable, knowsEveryColorInShadowAndInFullLightDespiteNoise) {
   robotlink::Random random(1);
-  for (const NamedColor& color : kPalette) {
+  for (const NamedColor& color : kColorsOfPalette) {
     if (color.name == "white" || classes_.index(color.name) == ColorClasses::kNone) continue;
     int right = 0, all = 0;
     for (int i = 0; i < 2000; ++i, ++all) {
@@ -66,13 +66,13 @@ TEST_F(PaletteTable, takesBlackAndColorsThatTheSceneLacksForNone) {
 }
 
 TEST_F(PaletteTable, isTheSameEveryTime) {
-  EXPECT_EQ(table_, paletteTable(kPalette, classes_));
+  EXPECT_EQ(table_, paletteTable(kColorsOfPalette, classes_));
 }
 
 TEST_F(PaletteTable, isNarrowerWithLessTolerance) {
   LightingRange strict;
   strict.tolerance = 8;
-  const ColorTable narrow = paletteTable(kPalette, classes_, strict);
+  const ColorTable narrow = paletteTable(kColorsOfPalette, classes_, strict);
   const auto size = [](const ColorTable& table) {
     return std::ranges::count_if(table.cells(), [](auto c) { return c != 0; });
   };

@@ -18,13 +18,13 @@ namespace {
 using namespace colortool;
 namespace fs = std::filesystem;
 
-const fs::path kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
-constexpr int kWidth = 320, kHeight = 240;
+const fs::path kSuspectData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
+constexpr int kSuspectWidth = 320, kSuspectHeight = 240;
 
 /// Pixels of (Y1, Cb, Cr); as an image each is twice as wide.
 robotlink::Image imageOf(const std::string& stem) {
-  const std::string bytes = robotlink::readFile(kData / "yuyv" / (stem + ".yuyv")).value();
-  robotlink::Image image(2 * kWidth, kHeight, robotlink::PixelFormat::kYuyv);
+  const std::string bytes = robotlink::readFile(kSuspectData / "yuyv" / (stem + ".yuyv")).value();
+  robotlink::Image image(2 * kSuspectWidth, kSuspectHeight, robotlink::PixelFormat::kYuyv);
   std::copy_n(bytes.begin(), std::min(bytes.size(), image.data.size()), image.data.begin());
   for (std::size_t i = 0; i < image.data.size(); i += 4) image.data[i] = image.data[i + 2];
   return image;
@@ -32,13 +32,14 @@ robotlink::Image imageOf(const std::string& stem) {
 
 std::vector<std::string> stems() {
   std::vector<std::string> stems;
-  for (const auto& entry : fs::directory_iterator(kData / "yuyv")) stems.push_back(entry.path().stem());
+  for (const auto& entry : fs::directory_iterator(kSuspectData / "yuyv"))
+    stems.push_back(entry.path().stem());
   std::ranges::sort(stems);
   return stems;
 }
 
 robotlink::Image labelsOf(const std::string& stem) {
-  const std::string bytes = robotlink::readFile(kData / "labels" / (stem + ".png")).value();
+  const std::string bytes = robotlink::readFile(kSuspectData / "labels" / (stem + ".png")).value();
   return logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).value();
 }
 
@@ -62,15 +63,15 @@ Samples strokes(int perClass, const std::vector<std::uint8_t>& ofClasses, unsign
     const ColorImage colors = ColorImage::of(image.view());
     for (const std::uint8_t colorClass : ofClasses) {
       std::vector<ImagePoint> places;
-      for (int y = 4; y < kHeight - 4; ++y) {
-        for (int x = 4; x < kWidth - 4; ++x) {
+      for (int y = 4; y < kSuspectHeight - 4; ++y) {
+        for (int x = 4; x < kSuspectWidth - 4; ++x) {
           if (labels.row(y)[x] == colorClass && isInside(labels, x, y)) places.push_back({2.0 * x, 1.0 * y});
         }
       }
       for (int i = 0; i < perClass && !places.empty(); ++i) {
         const ImagePoint at[] = {places[random() % places.size()]};
-        addStroke(samples, {0, stem, "nao", "", 2 * kWidth, kHeight}, colors,
-                  brushArea(2 * kWidth, kHeight, at, 3), {colorClass});
+        addStroke(samples, {0, stem, "nao", "", 2 * kSuspectWidth, kSuspectHeight}, colors,
+                  brushArea(2 * kSuspectWidth, kSuspectHeight, at, 3), {colorClass});
       }
     }
   }
@@ -85,7 +86,7 @@ SuspicionMeter meterOf(const Samples& samples) {
 }
 
 SuspicionMeter meterOfTheTeam() {
-  const ColorTableFile file = ColorTableFile::load(kData / "tables/default.c64").value();
+  const ColorTableFile file = ColorTableFile::load(kSuspectData / "tables/default.c64").value();
   const ColorClasses classes = findClassPreset("bhuman2009")->classes();
   return {ColorTable::translated(file.singleClasses(), classNumbers(classes, classes)),
           {},
@@ -103,8 +104,8 @@ int falseColors(const SuspicionMeter& meter, const std::string& stem) {
   const robotlink::Image labels = labelsOf(stem);
   const std::vector<bool> things = thingClasses(findClassPreset("bhuman2009")->classes());
   int count = 0;
-  for (int y = 0; y < kHeight; ++y) {
-    for (int x = 0; x < kWidth; ++x) {
+  for (int y = 0; y < kSuspectHeight; ++y) {
+    for (int x = 0; x < kSuspectWidth; ++x) {
       const std::uint8_t label = labels.row(y)[x], found = meter.classes().row(y)[2 * x];
       count += label != kAnyone && label != found && things[found] ? 1 : 0;
     }
@@ -115,7 +116,7 @@ int falseColors(const SuspicionMeter& meter, const std::string& stem) {
 class RealSuspicion : public testing::Test {
  protected:
   void SetUp() override {
-    if (!fs::exists(kData)) GTEST_SKIP() << "the real images are not in " << kData;
+    if (!fs::exists(kSuspectData)) GTEST_SKIP() << "the real images are not in " << kSuspectData;
   }
 };
 

@@ -21,7 +21,7 @@ void setBlock(ColorTable& table, std::array<int, 3> first, std::array<int, 3> la
   }
 }
 
-std::size_t cellAt(int y, int cb, int cr) {
+std::size_t cleanedCell(int y, int cb, int cr) {
   return static_cast<std::size_t>(y * 4096 + cb * 64 + cr);
 }
 
@@ -29,8 +29,8 @@ std::size_t cellAt(int y, int cb, int cr) {
 class TableCleanUpTest : public testing::Test {
  protected:
   TableCleanUpTest() {
-    sampled_[1].set(cellAt(20, 20, 20));
-    sampled_[2].set(cellAt(50, 50, 50));
+    sampled_[1].set(cleanedCell(20, 20, 20));
+    sampled_[2].set(cleanedCell(50, 50, 50));
     setBlock(raw_, {10, 10, 10}, {30, 30, 30}, 1);
   }
   const ColorTable& clean(const CleanUpOptions& options = {}) {
@@ -54,7 +54,7 @@ TEST_F(TableCleanUpTest, islandsWithoutASampleGo) {
   EXPECT_EQ(clean().cell(42, 42, 42), 0) << "the sample of its class is elsewhere";
   EXPECT_EQ(clean().cell(10, 30, 10), 1);
   EXPECT_EQ(clean({false, true}), raw_);
-  sampled_[2].set(cellAt(44, 44, 44));
+  sampled_[2].set(cleanedCell(44, 44, 44));
   EXPECT_EQ(clean().cell(42, 42, 42), 2);
 }
 
@@ -62,20 +62,20 @@ TEST_F(TableCleanUpTest, holesOfOneClassAreFilledUnlessBackgroundWasSampledThere
   setBlock(raw_, {15, 15, 15}, {16, 16, 16}, 0);
   EXPECT_EQ(clean().cell(15, 16, 15), 1);
   EXPECT_EQ(clean({true, false}), raw_);
-  sampled_[0].set(cellAt(16, 16, 16));
+  sampled_[0].set(cleanedCell(16, 16, 16));
   EXPECT_EQ(clean(), raw_);
 }
 
 TEST_F(TableCleanUpTest, whatOpensToTheSidesOrToAnotherClassIsNoHole) {
   setBlock(raw_, {15, 15, 10}, {15, 15, 20}, 0);
   EXPECT_EQ(clean().cell(15, 15, 20), 0) << "opens to the outside";
-  sampled_[2].set(cellAt(15, 15, 10));
+  sampled_[2].set(cleanedCell(15, 15, 10));
   raw_.setCell(15, 15, 10, 2);
   EXPECT_EQ(clean().cell(15, 15, 20), 0) << "closed by another class";
   raw_.setCell(15, 15, 10, 1);
   EXPECT_EQ(clean().cell(15, 15, 20), 1);
   setBlock(raw_, {0, 40, 40}, {5, 45, 45}, 3);
-  sampled_[3].set(cellAt(3, 43, 43));
+  sampled_[3].set(cleanedCell(3, 43, 43));
   raw_.setCell(0, 42, 42, 0);
   EXPECT_EQ(clean().cell(0, 42, 42), 0) << "at a side of the cube";
 }

@@ -12,20 +12,21 @@ namespace {
 
 using Change = TableDifference::Change;
 
-const ColorClasses kClasses({{"orange", {255, 128, 0}}, {"green", {0, 160, 40}}});
+const ColorClasses kComparedClasses({{"orange", {255, 128, 0}}, {"green", {0, 160, 40}}});
 
 /// Cells of row y = 1, cb = 2, from cr = `first` on.
-ColorTable table(std::initializer_list<std::uint8_t> cells, int first = 0) {
+ColorTable tableWith(std::initializer_list<std::uint8_t> cells, int first = 0) {
   ColorTable table;
   for (const std::uint8_t cell : cells) table.setCell(1, 2, first++, cell);
   return table;
 }
-std::size_t cellAt(int cr) {
+std::size_t differentCell(int cr) {
   return (std::size_t{1} * 64 + 2) * 64 + static_cast<std::size_t>(cr);
 }
 
 TEST(TableDifference, countsWhatBecameOfEachClass) {
-  const TableDifference difference(table({1, 1, 1, 2, 0}), kClasses, table({1, 2, 0, 2, 2}), kClasses);
+  const TableDifference difference(tableWith({1, 1, 1, 2, 0}), kComparedClasses, tableWith({1, 2, 0, 2, 2}),
+                                   kComparedClasses);
   EXPECT_EQ(difference.changed(), 3U);
   EXPECT_EQ(difference.count(1, 2), 1U);
   EXPECT_EQ(difference.count(1, 0), 1U);
@@ -38,11 +39,11 @@ TEST(TableDifference, countsWhatBecameOfEachClass) {
 }
 
 TEST(TableDifference, saysWhichCellsChanged) {
-  const TableDifference difference(table({1, 1, 1, 2, 0}, 60 - 1), kClasses, table({1, 2, 0, 2, 2}, 60 - 1),
-                                   kClasses);
+  const TableDifference difference(tableWith({1, 1, 1, 2, 0}, 60 - 1), kComparedClasses,
+                                   tableWith({1, 2, 0, 2, 2}, 60 - 1), kComparedClasses);
   const auto expect = [](const CellSet& cells, std::initializer_list<int> wanted) {
     EXPECT_EQ(cells.size(), wanted.size());
-    for (const int cr : wanted) EXPECT_TRUE(cells.contains(cellAt(cr))) << cr;
+    for (const int cr : wanted) EXPECT_TRUE(cells.contains(differentCell(cr))) << cr;
   };
   expect(difference.cells(), {60, 61, 63});
   expect(difference.cells(2, Change::kGained), {60, 63});
@@ -55,7 +56,8 @@ TEST(TableDifference, saysWhichCellsChanged) {
 TEST(TableDifference, classesAreThoseOfTheSameName) {
   const ColorClasses others({{"pink", {250, 90, 160}}, {"green", {1, 1, 1}}, {"orange", {2, 2, 2}}});
   // Before: pink, green, orange, green. After: none, green, orange, orange.
-  const TableDifference difference(table({1, 2, 3, 2}), others, table({0, 2, 1, 1}), kClasses);
+  const TableDifference difference(tableWith({1, 2, 3, 2}), others, tableWith({0, 2, 1, 1}),
+                                   kComparedClasses);
   ASSERT_EQ(difference.classes().names(), (std::vector<std::string>{"orange", "green", "pink"}));
   EXPECT_EQ(difference.classes().shownColor(2), (robotlink::Rgb{0, 160, 40})) << "as they are shown now";
   EXPECT_EQ(difference.changed(), 2U);
@@ -65,7 +67,8 @@ TEST(TableDifference, classesAreThoseOfTheSameName) {
 }
 
 TEST(TableDifference, numbersWithoutAClassAreNone) {
-  const TableDifference difference(table({1, 9, 200}), kClasses, table({1, 0, 2}), kClasses);
+  const TableDifference difference(tableWith({1, 9, 200}), kComparedClasses, tableWith({1, 0, 2}),
+                                   kComparedClasses);
   EXPECT_EQ(difference.changed(), 1U);
   EXPECT_EQ(difference.count(0, 2), 1U);
 }

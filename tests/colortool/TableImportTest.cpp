@@ -49,7 +49,7 @@ ImportedTable parsed(const std::string& bytes, std::optional<TableFormat> format
   EXPECT_TRUE(imported) << robotlink::describe(imported.error());
   return imported.value_or(ImportedTable());
 }
-std::string refusal(const std::string& bytes, std::optional<TableFormat> format = {}) {
+std::string importRefusal(const std::string& bytes, std::optional<TableFormat> format = {}) {
   const auto imported = colortool::parseTable(bytes, "f", format);
   return imported ? "" : robotlink::describe(imported.error());
 }
@@ -163,46 +163,47 @@ TEST(TableImport, compressedTablesAreRead) {
 
 TEST(TableImport, whatIsNoCompressedTableIsRefused) {
   const std::string good = compressed(std::string(k64, '\0'));
-  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("this bzip2 file is damaged: at byte"));
-  EXPECT_THAT(refusal(good.substr(0, good.size() - 1)), HasSubstr("it ends too early"));
-  EXPECT_THAT(refusal(good + "x"), HasSubstr("something follows its end"));
+  EXPECT_THAT(importRefusal(good.substr(0, good.size() - 1)),
+              HasSubstr("this bzip2 file is damaged: at byte"));
+  EXPECT_THAT(importRefusal(good.substr(0, good.size() - 1)), HasSubstr("it ends too early"));
+  EXPECT_THAT(importRefusal(good + "x"), HasSubstr("something follows its end"));
   std::string damaged = good;
   damaged[10] ^= 1;
-  EXPECT_THAT(refusal(damaged), HasSubstr("its contents do not fit together"));
-  EXPECT_THAT(refusal(compressed(std::string((4U << 20U) + 1, 'a'))),
+  EXPECT_THAT(importRefusal(damaged), HasSubstr("its contents do not fit together"));
+  EXPECT_THAT(importRefusal(compressed(std::string((4U << 20U) + 1, 'a'))),
               HasSubstr("becomes larger than 4194304 bytes"));
-  EXPECT_THAT(refusal(compressed(std::string(4U << 20U, 'a'))), HasSubstr("no format is known"));
+  EXPECT_THAT(importRefusal(compressed(std::string(4U << 20U, 'a'))), HasSubstr("no format is known"));
   EXPECT_FALSE(colortool::decompressBzip2("", 10, "f"));
 }
 
 TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
-  EXPECT_THAT(refusal(""),
+  EXPECT_THAT(importRefusal(""),
               StartsWith("f: no format is known of which a table has these 0 bytes; known are c64, "));
-  EXPECT_THAT(refusal(std::string(k64 - 1, '\0')), HasSubstr("a table has these 262143 bytes"));
-  EXPECT_THAT(refusal("", TableFormat::kUPenn), HasSubstr("UPennalizers has 262144 bytes, this has 0"));
-  EXPECT_THAT(refusal("", TableFormat::kNUbots), HasSubstr("NUbots has 2097152 bytes, this has 0"));
-  EXPECT_THAT(refusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is wanted"));
-  EXPECT_THAT(refusal("", TableFormat::kC64), HasSubstr("this is no .c64 colour table"));
+  EXPECT_THAT(importRefusal(std::string(k64 - 1, '\0')), HasSubstr("a table has these 262143 bytes"));
+  EXPECT_THAT(importRefusal("", TableFormat::kUPenn), HasSubstr("UPennalizers has 262144 bytes, this has 0"));
+  EXPECT_THAT(importRefusal("", TableFormat::kNUbots), HasSubstr("NUbots has 2097152 bytes, this has 0"));
+  EXPECT_THAT(importRefusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is wanted"));
+  EXPECT_THAT(importRefusal("", TableFormat::kC64), HasSubstr("this is no .c64 colour table"));
   std::string bytes = bytes128(0);
   bytes[77777] = 11;
-  EXPECT_THAT(refusal(bytes),
+  EXPECT_THAT(importRefusal(bytes),
               HasSubstr("not a table of the NUbots: byte 77777 is 11, which is none of its classes"));
   bytes[0] = 127;
-  EXPECT_THAT(refusal(bytes), HasSubstr("not a table of rUNSWift 2005: byte 77777 is 11"));
+  EXPECT_THAT(importRefusal(bytes), HasSubstr("not a table of rUNSWift 2005: byte 77777 is 11"));
 }
 
 TEST(TableImport, mapsThatLieAreRefusedWithTheirPlace) {
-  EXPECT_THAT(refusal("TMAP\n"), HasSubstr("at byte 5 the line that says YUV is wanted"));
-  EXPECT_THAT(refusal("TMAP\nHSV8\n1 1 1\nx"), HasSubstr("at byte 5 the line that says YUV is wanted"));
+  EXPECT_THAT(importRefusal("TMAP\n"), HasSubstr("at byte 5 the line that says YUV is wanted"));
+  EXPECT_THAT(importRefusal("TMAP\nHSV8\n1 1 1\nx"), HasSubstr("at byte 5 the line that says YUV is wanted"));
   for (const char* sizes : {"16 64", "0 64 64", "-1 1 1", "16 63 64", "256 1 1", "4294967297 1 1", "a b c"})
-    EXPECT_THAT(refusal(std::string("TMAP\nYUV8\n") + sizes + "\n"),
+    EXPECT_THAT(importRefusal(std::string("TMAP\nYUV8\n") + sizes + "\n"),
                 HasSubstr("at byte 10 three numbers of cells"))
         << sizes;
-  EXPECT_THAT(refusal("TMAP\nYUV8\n1 1 1"), HasSubstr("at byte 10 three numbers of cells"));
-  EXPECT_THAT(refusal("TMAP\nYUV8\n1 1 1 1\n"), HasSubstr("at byte 10 something follows"));
-  EXPECT_THAT(refusal("TMAP\nYUV8\n1 2 1\nx"),
+  EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 1 1"), HasSubstr("at byte 10 three numbers of cells"));
+  EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 1 1 1\n"), HasSubstr("at byte 10 something follows"));
+  EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\nx"),
               HasSubstr("at byte 16 2 cells are wanted, 1 x 2 x 1, but 1 bytes follow"));
-  EXPECT_THAT(refusal("TMAP\nYUV8\n1 2 1\n\1\xF0"),
+  EXPECT_THAT(importRefusal("TMAP\nYUV8\n1 2 1\n\1\xF0"),
               HasSubstr("byte 17 is of class 240, but a .c64 numbers classes up to 127"));
 }
 

@@ -7,7 +7,7 @@
 
 #include "logplayer/mcap/Writer.h"
 
-namespace logplayer::testing {
+namespace logplayer::tests {
 
 /// A log as other programs write them: messages in any encoding, with any schema.
 class ForeignLog {
@@ -73,4 +73,4 @@ inline bool writeForeignLog(const std::filesystem::path& file) {
   return log.close();
 }
 
-}  // namespace logplayer::testing
+}  // namespace logplayer::tests

@@ -24,7 +24,7 @@ using ::testing::Not;
 
 class ForeignLogTest : public ::testing::Test {
  protected:
-  void SetUp() override { ASSERT_TRUE(testing::writeForeignLog(folder_ / "a.mcap")); }
+  void SetUp() override { ASSERT_TRUE(tests::writeForeignLog(folder_ / "a.mcap")); }
   std::shared_ptr<LogFile> log() const {
     auto file = LogFile::open(folder_ / "a.mcap", {});
     EXPECT_TRUE(file);
@@ -130,9 +130,9 @@ TEST_F(ForeignLogTest, onlyWhatALogSaysToBeARobotIsOne) {
   SampleLog{}.write(folder_ / "ours.mcap");
   EXPECT_THAT((*LogFile::open(folder_ / "ours.mcap", {}))->robots(), ElementsAre("red1"));
   {
-    testing::ForeignLog foreign(folder_ / "same.mcap");
+    tests::ForeignLog foreign(folder_ / "same.mcap");
     const auto channel =
-        foreign.add({"red1/models/ball", "their.Ball", "jsonschema", testing::kPoseSchema, "json"});
+        foreign.add({"red1/models/ball", "their.Ball", "jsonschema", tests::kPoseSchema, "json"});
     foreign.write(channel, 1, "{}");
     ASSERT_TRUE(foreign.close());
   }
@@ -141,7 +141,7 @@ TEST_F(ForeignLogTest, onlyWhatALogSaysToBeARobotIsOne) {
 
 TEST_F(ForeignLogTest, jsonWithoutASchemaIsReadByItsFirstMessage) {
   {
-    testing::ForeignLog foreign(folder_ / "plain.mcap");
+    tests::ForeignLog foreign(folder_ / "plain.mcap");
     const auto channel = foreign.add({"/speed", "", "", "", "json"});
     foreign.write(channel, 1, R"({"speed": 0.5})");
     foreign.write(channel, 2, R"({"speed": 1.5})");

@@ -41,7 +41,7 @@ std::string shown(const std::string& properties, const std::string& message) {
 }  // namespace
 
 TEST(JsonType, valuesAreOfTheTypesThatTheSchemaSays) {
-  const auto type = JsonType::ofSchema("their.Pose", testing::kPoseSchema);
+  const auto type = JsonType::ofSchema("their.Pose", tests::kPoseSchema);
   ASSERT_NE(type, nullptr);
   EXPECT_EQ(type->name(), "their.Pose");
   const auto message = read(
@@ -56,7 +56,7 @@ TEST(JsonType, valuesAreOfTheTypesThatTheSchemaSays) {
 }
 
 TEST(JsonType, whatDoesNotFitTheSchemaIsKeptAsJson) {
-  const auto type = JsonType::ofSchema("their.Pose", testing::kPoseSchema);
+  const auto type = JsonType::ofSchema("their.Pose", tests::kPoseSchema);
   const auto message = read(type, R"({"position": {"x": 2, "y": "far"}, "note": [1]})");
   ASSERT_NE(message, nullptr);
   EXPECT_EQ(numberAt(*message, "position.x"), 2);
@@ -64,7 +64,7 @@ TEST(JsonType, whatDoesNotFitTheSchemaIsKeptAsJson) {
 }
 
 TEST(JsonType, aSchemaOfAnOwnTypeGivesThatType) {
-  const auto type = JsonType::ofSchema("foxglove.Log", testing::kLogSchema);
+  const auto type = JsonType::ofSchema("foxglove.Log", tests::kLogSchema);
   const auto message = read(type, R"({"timestamp": {"sec": 7, "nsec": 1}, "level": 3, "message": "low"})");
   const auto* log = dynamic_cast<const foxglove::Log*>(message.get());
   ASSERT_NE(log, nullptr);

@@ -12,7 +12,7 @@
 #include "tests/logplayer/LogFixture.h"
 
 using namespace logplayer;
-using namespace logplayer::testing;
+using namespace logplayer::tests;
 
 namespace {
 

@@ -12,7 +12,7 @@
 #include "logplayer/TemporaryFolder.h"
 #include "robotcontrol/Debugging.pb.h"
 
-namespace logplayer::testing {
+namespace logplayer::tests {
 
 using robotlink::Instant;
 using robotlink::StreamMessage;
@@ -59,4 +59,4 @@ class LogFixture {
   TemporaryFolder folder_;
 };
 
-}  // namespace logplayer::testing
+}  // namespace logplayer::tests

@@ -8,7 +8,7 @@
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace logplayer;
-using namespace logplayer::testing;
+using namespace logplayer::tests;
 
 namespace {
 

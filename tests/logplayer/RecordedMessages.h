@@ -16,7 +16,7 @@
 #include "robotlink/session/StreamMessage.h"
 #include "tests/TestFolder.h"
 
-namespace logplayer::testing {
+namespace logplayer::tests {
 
 using robotlink::Instant;
 using robotlink::StreamMessage;
@@ -119,4 +119,4 @@ inline ReadLog readLog(const std::filesystem::path& file) {
   return log;
 }
 
-}  // namespace logplayer::testing
+}  // namespace logplayer::tests

@@ -15,7 +15,7 @@
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace logplayer;
-using namespace logplayer::testing;
+using namespace logplayer::tests;
 using robotcontrol::ControlRecording;
 using ::testing::ElementsAre;
 using ::testing::HasSubstr;

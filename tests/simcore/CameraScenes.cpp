@@ -180,6 +180,11 @@ Pose3 addRobot(SceneBuilder& builder, const RobotMeshes& meshes, int index) {
 
 }  // namespace
 
+robotlink::Rgb pixel(const robotlink::Image& image, int x, int y) {
+  const std::uint8_t* p = image.row(y) + 3 * x;
+  return {p[0], p[1], p[2]};
+}
+
 Pose3 lookAt(const Vector3d& from, const Vector3d& to) {
   const Vector3d front = (to - from).normalized();
   const Vector3d up = std::abs(front.z()) > 0.99 ? Vector3d::UnitX() : Vector3d::UnitZ();

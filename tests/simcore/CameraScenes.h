@@ -15,6 +15,9 @@ struct CameraScene {
   std::vector<Pose3> cameras;
 };
 
+/// A pixel of an image of 8-bit RGB.
+robotlink::Rgb pixel(const robotlink::Image& image, int x, int y);
+
 /// A camera at a place that looks at another, upright.
 Pose3 lookAt(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 

@@ -38,11 +38,6 @@ CameraScene glowing(const CameraScene& from) {
   return {scene, from.poses, from.cameras};
 }
 
-Rgb pixel(const Image& image, int x, int y) {
-  const std::uint8_t* p = image.row(y) + 3 * x;
-  return {p[0], p[1], p[2]};
-}
-
 /// A wall that fills the image, in even light.
 std::shared_ptr<RenderScene> wall(Rgb color) {
   auto scene = std::make_shared<RenderScene>();

@@ -27,6 +27,10 @@ std::string boxAt(const std::string& name, const robotlink::Vector3& center, con
   return text.str();
 }
 
+std::string wallAhead() {
+  return boxAt("wall", {1.5, 0, 0.5}, {0.1, 4, 1});
+}
+
 std::string piecesAt(double x, double y0, double y1, int count) {
   std::ostringstream text;
   const double width = (y1 - y0) / count;

@@ -9,12 +9,17 @@
 
 namespace simcore {
 
+/// The name of the first Pioneer.
+inline constexpr const char* kRobot = "p3at1";
+
 /// A Pioneer that stands somewhere, for a world's text.
 std::string pioneerAt(const std::string& name, double x, double y, double heading = 0);
 /// A static box for a world's text, or a wall of many boxes.
 std::string boxAt(const std::string& name, const robotlink::Vector3& center, const robotlink::Vector3& size,
                   double pitch = 0);
 
+/// A wall across the way of a robot at the origin, its face at x = 1.45.
+std::string wallAhead();
 std::string piecesAt(double x, double y0, double y1, int count);
 
 /// A world of a floor, what `contents` says, and the shipped models.
@@ -30,7 +35,7 @@ class DrivenWorld {
   void drive(double left, double right, double seconds, std::size_t robot = 0);
   /// The same at once, without a ramp.
   void jerk(double left, double right, double seconds, std::size_t robot = 0);
-  robotlink::Pose2 pose(const std::string& robot = "p3at1");
+  robotlink::Pose2 pose(const std::string& robot = kRobot);
   double reading(const std::string& path, std::size_t axis = 0);
 
  private:

@@ -60,13 +60,6 @@ TEST(Drive, inCurvesItTurnsAboutItsTrack) {
   EXPECT_NEAR(meter.track(), 0.588, 0.588 * 0.03);
 }
 
-const char* const kRobot = "p3at1";
-
-/// A wall across the way, its face at x = 1.45.
-std::string wallAhead() {
-  return boxAt("wall", {1.5, 0, 0.5}, {0.1, 4, 1});
-}
-
 TEST(Drive, aStopIsAShortOne) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0));
   world.drive(0.5, 0.5, 3);

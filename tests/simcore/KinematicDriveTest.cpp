@@ -9,12 +9,7 @@
 namespace simcore {
 namespace {
 
-const char* const kRobot = "p3at1";
 constexpr SimulationOptions kKinematic{.seed = 1, .noise = false, .kinematic = true};
-
-std::string wallAhead() {
-  return boxAt("wall", {1.5, 0, 0.5}, {0.1, 4, 1});
-}
 
 TEST(KinematicDrive, itGoesExactlyAsItsWheelsSay) {
   DrivenWorld world(pioneerAt(kRobot, 0, 0), kKinematic);

@@ -7,6 +7,7 @@
 #include "robotlink/base/GroundMap.h"
 #include "simcore/SceneContents.h"
 #include "simcore/Simulation.h"
+#include "tests/simcore/HouseMap.h"
 #include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
@@ -18,14 +19,6 @@ using testing::HasSubstr;
 
 const std::filesystem::path kMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
 
-/// A house of 8 x 6 m with a wall that leaves a door of 2 m, a pillar of points, and a home.
-const char* const kHouse =
-    "2D-Map\nResolution: 20\n"
-    "Cairn: RobotHome 1500 1500 90 \"\" ICON \"Home\"\n"
-    "Cairn: ForbiddenArea 0 0 0 \"\" ICON \"\" 5000 0 8000 3000\n"
-    "LINES\n0 0 8000 0\n8000 0 8000 6000\n8000 6000 0 6000\n0 6000 0 0\n4000 0 4000 4000\n"
-    "DATA\n2000 4000\n2020 4000\n2000 4020\n2020 4020\n";
-
 std::vector<Pose2> placesOf(const std::shared_ptr<const Scene>& scene) {
   const auto simulation = Simulation::create(scene, {});
   EXPECT_TRUE(simulation) << simulation.error().describe();
@@ -33,16 +26,6 @@ std::vector<Pose2> placesOf(const std::shared_ptr<const Scene>& scene) {
   for (const Scene::Robot& robot : scene->robots())
     places.push_back(robotlink::groundPose(*(*simulation)->modelPose(robot.name)));
   return places;
-}
-
-/// The least distance between two places.
-double leastDistance(const std::vector<Pose2>& places) {
-  double least = 1e9;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k)
-      least = std::min(least, (places[i].translation() - places[k].translation()).norm());
-  }
-  return least;
 }
 
 class MapScene : public testing::Test {

@@ -17,7 +17,7 @@ std::shared_ptr<const Scene> pioneerScene() {
   return kScene ? *kScene : nullptr;
 }
 
-robotlink::RobotDescription description() {
+robotlink::RobotDescription pioneerDescription() {
   return robotlink::readRobotDescription(ROBOTCONTROL_SOURCE_DIR "/resources/robots/p3at.yaml").value();
 }
 
@@ -53,7 +53,7 @@ TEST(PioneerModel, itIsTheDescribedRobot) {
   ASSERT_EQ(pioneerScene()->robots().size(), 1U);
   EXPECT_EQ(pioneerScene()->robots()[0].name, "p3at1");
   EXPECT_EQ(pioneerScene()->robots()[0].description, "p3at");
-  const auto drive = *description().drive;
+  const auto drive = *pioneerDescription().drive;
   ASSERT_TRUE(model().drive);
   EXPECT_NEAR(model().drive->track, drive.track, 1e-9);
   EXPECT_NEAR(model().drive->wheelRadius, drive.wheelRadius, 1e-9);
@@ -62,7 +62,7 @@ TEST(PioneerModel, itIsTheDescribedRobot) {
 }
 
 TEST(PioneerModel, itIsAsLongAndAsWide) {
-  const auto drive = *description().drive;
+  const auto drive = *pioneerDescription().drive;
   EXPECT_NEAR(2 * halfExtent(0), drive.length, 0.002);
   EXPECT_NEAR(2 * halfExtent(1), drive.width, 0.002);
   EXPECT_LT(std::hypot(halfExtent(0), halfExtent(1)), drive.radius);
@@ -75,7 +75,7 @@ TEST(PioneerModel, massesSumUpToRobotAndLaser) {
 }
 
 TEST(PioneerModel, sonarsAreDrawnWhereTheyAre) {
-  const auto sonars = description().sonars->sensors;
+  const auto sonars = pioneerDescription().sonars->sensors;
   ASSERT_EQ(sonars.size(), 16U);
   for (std::size_t i = 0; i < sonars.size(); ++i) {
     const Pose3& disc = visual("sonar" + std::to_string(i)).poseInLink;

@@ -21,7 +21,7 @@ robotlink::RobotDescription description() {
   return robotlink::readRobotDescription(kDescription).value();
 }
 
-std::unique_ptr<Simulation> simulation() {
+std::unique_ptr<Simulation> robotSimulation() {
   return std::move(Simulation::create(shippedScene(), {.seed = 1, .noise = false}).value());
 }
 
@@ -35,7 +35,7 @@ Pose3 bodyPose(const Simulation& simulation, const std::string& name) {
 
 TEST(RobotModel, servosAreTheDescribedJointsInTheirOrder) {
   const auto robot = description();
-  const auto simulated = simulation();
+  const auto simulated = robotSimulation();
   ASSERT_EQ(simulated->servos().size(), 20U);
   ASSERT_EQ(robot.joints.size(), 20U);
   for (std::size_t i = 0; i < 20; ++i) {
@@ -88,7 +88,7 @@ Vector3 pawInBody(bool fore, bool left, double q1, double q2, double q3) {
 
 TEST(RobotModel, pawsAreWhereTheDocumentedKinematicsHasThem) {
   const auto robot = description();
-  const auto simulated = simulation();
+  const auto simulated = robotSimulation();
   const Pose3 body = *simulated->modelPose("red1");
   for (const char* leg : {"FR", "FL", "HR", "HL"}) {
     const bool fore = leg[0] == 'F', left = leg[1] == 'L';
@@ -115,13 +115,13 @@ TEST(RobotModel, theStanceIsSymmetricAndJustTouchesTheGround) {
   };
   EXPECT_NEAR(height(true, "legFL"), height(false, "legHL"), 0.0005);
   const double lowest = std::min(height(true, "legFL"), height(false, "legHL"));
-  const double clearance = simulation()->modelPose("red1")->translation().z() + lowest - 0.0125;
+  const double clearance = robotSimulation()->modelPose("red1")->translation().z() + lowest - 0.0125;
   EXPECT_GE(clearance, 0);
   EXPECT_LT(clearance, 0.0005);
 }
 
 TEST(RobotModel, theCameraLooksFromWhereTheDataSheetHasIt) {
-  const auto simulated = simulation();
+  const auto simulated = robotSimulation();
   ASSERT_EQ(simulated->cameras().size(), 1U);
   const CameraSensor& camera = simulated->cameras()[0];
   EXPECT_EQ(camera.info.path, "red1/camera/image");
@@ -136,7 +136,7 @@ TEST(RobotModel, theCameraLooksFromWhereTheDataSheetHasIt) {
 }
 
 TEST(RobotModel, positiveAnglesTurnTheHeadUpAndToTheLeft) {
-  const auto simulated = simulation();
+  const auto simulated = robotSimulation();
   simulated->requestAngle(0, 0.4);
   simulated->requestAngle(1, 0.7);
   for (int i = 0; i < 250; ++i) simulated->step();

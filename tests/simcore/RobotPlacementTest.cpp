@@ -7,6 +7,7 @@
 #include <span>
 
 #include "simcore/maps/MapWorld.h"
+#include "tests/simcore/HouseMap.h"
 #include "tests/simcore/SceneFixture.h"
 
 namespace simcore {
@@ -17,14 +18,6 @@ using robotlink::Pose2;
 using robotlink::Vector2;
 
 constexpr double kRadius = 0.4;
-
-/// A house of 8 x 6 m with a wall that leaves a door of 2 m, a pillar of points, and a home.
-const char* const kHouse =
-    "2D-Map\nResolution: 20\n"
-    "Cairn: RobotHome 1500 1500 90 \"\" ICON \"Home\"\n"
-    "Cairn: ForbiddenArea 0 0 0 \"\" ICON \"\" 5000 0 8000 3000\n"
-    "LINES\n0 0 8000 0\n8000 0 8000 6000\n8000 6000 0 6000\n0 6000 0 0\n4000 0 4000 4000\n"
-    "DATA\n2000 4000\n2020 4000\n2000 4020\n2020 4020\n";
 
 /// A robot like a bucket, whose bottom is 0.1 m below its frame.
 std::shared_ptr<const ModelDescription> bucket() {
@@ -62,16 +55,6 @@ std::vector<Pose2> placesIn(const std::string& text, const RobotsToAdd& robots) 
   if (!models) return places;
   for (const ModelInstance& model : *models) places.push_back(robotlink::groundPose(model.poseInWorld));
   return places;
-}
-
-/// The least distance between two places.
-double leastDistance(const std::vector<Pose2>& places) {
-  double least = 1e9;
-  for (std::size_t i = 0; i < places.size(); ++i) {
-    for (std::size_t k = 0; k < i; ++k)
-      least = std::min(least, (places[i].translation() - places[k].translation()).norm());
-  }
-  return least;
 }
 
 }  // namespace

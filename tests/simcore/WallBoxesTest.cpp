@@ -13,7 +13,7 @@ using robotlink::Vector2;
 
 namespace {
 
-const std::filesystem::path kMaps = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
+const std::filesystem::path kMapFolder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/arcos";
 
 /// How far a point is from a rectangle; 0 inside.
 double distance(const Vector2& point, const WallBox& box) {
@@ -117,7 +117,7 @@ TEST(WallBoxes, nothingIsLostOrThickenedByMoreThanTwoCentimetres) {
 }
 
 TEST(WallBoxes, noPointOfABuildingIsLost) {
-  const auto map = GroundMap::load(kMaps / "columbia.map");
+  const auto map = GroundMap::load(kMapFolder / "columbia.map");
   if (!map) GTEST_SKIP() << "../shared/data/arcos is not here";
   const auto boxes = wallBoxes(*map);
   EXPECT_LT(boxes.size(), 9000U);

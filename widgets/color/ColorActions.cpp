@@ -11,7 +11,7 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* text) {
+QString actionText(const char* text) {
   return QCoreApplication::translate("widgets::ColorActions", text);
 }
 
@@ -24,7 +24,7 @@ QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
 }  // namespace
 
 QString strokesText(std::size_t count) {
-  return count == 1 ? translated("1 stroke") : translated("%1 strokes").arg(count);
+  return count == 1 ? actionText("1 stroke") : actionText("%1 strokes").arg(count);
 }
 
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench) {
@@ -32,11 +32,11 @@ ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& benc
   QUndoStack& stack = bench.undoStack();
   ColorActions actions{
       makeAction(&view, "undo",
-                 {undoName.constData(), translated("Undo"),
-                  translated("Takes the last change of the samples back"), QKeySequence::Undo}),
+                 {undoName.constData(), actionText("Undo"),
+                  actionText("Takes the last change of the samples back"), QKeySequence::Undo}),
       makeAction(&view, "redo",
-                 {redoName.constData(), translated("Redo"), translated("Does again what was taken back"),
-                  QKeySequence(translated("Ctrl+Shift+Z"))})};
+                 {redoName.constData(), actionText("Redo"), actionText("Does again what was taken back"),
+                  QKeySequence(actionText("Ctrl+Shift+Z"))})};
   QObject::connect(actions.undo, &QAction::triggered, &stack, &QUndoStack::undo);
   QObject::connect(actions.redo, &QAction::triggered, &stack, &QUndoStack::redo);
   QObject::connect(&stack, &QUndoStack::canUndoChanged, actions.undo, &QAction::setEnabled);

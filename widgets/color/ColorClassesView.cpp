@@ -25,7 +25,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorClassesViewRegistration{
     {"color-classes", QT_TRANSLATE_NOOP("View", "Colour classes"),
      QT_TRANSLATE_NOOP("View",
                        "Chooses the class of strokes, keeps samples in files, and says how the colour "

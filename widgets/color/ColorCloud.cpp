@@ -8,7 +8,7 @@ namespace {
 
 constexpr std::uint32_t kBits = 7;
 
-std::uint32_t placeOf(robotlink::YCbCr color) {
+std::uint32_t cellOf(robotlink::YCbCr color) {
   return (static_cast<std::uint32_t>(color.y >> 1) << (2 * kBits)) |
          (static_cast<std::uint32_t>(color.cb >> 1) << kBits) | static_cast<std::uint32_t>(color.cr >> 1);
 }
@@ -28,7 +28,7 @@ std::shared_ptr<const ColorCloud> CloudMaker::cloudOf(const robotlink::ImageView
   for (int y = 0; y < image.height; ++y) {
     for (int x = 0; x < image.width; ++x) {
       const robotlink::YCbCr color = robotlink::pixelYCbCr(image, x, y);
-      const std::uint32_t index = placeOf(color);
+      const std::uint32_t index = cellOf(color);
       Place& place = places_[index];
       if (place.pixels++ != 0) continue;
       place.color = color;

@@ -23,7 +23,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorCompareViewRegistration{
     {"color-compare", QT_TRANSLATE_NOOP("widgets::ColorCompareView", "Compare tables"),
      QT_TRANSLATE_NOOP("widgets::ColorCompareView",
                        "Shows what a colour table has other than another one, or than itself some steps ago"),

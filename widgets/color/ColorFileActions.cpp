@@ -17,17 +17,17 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* text) {
+QString fileText(const char* text) {
   return QCoreApplication::translate("widgets::ColorFileActions", text);
 }
 QString sampleFiles() {
-  return translated("Samples of colours (*.samples);;All files (*)");
+  return fileText("Samples of colours (*.samples);;All files (*)");
 }
 QString tableFiles() {
-  return translated("Colour tables (*.c64)");
+  return fileText("Colour tables (*.c64)");
 }
 QString anyTables() {
-  return translated("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
+  return fileText("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
 }
 
 /// Asks for a file to write, in the folder used last; an empty path: none.
@@ -53,8 +53,8 @@ bool saveTo(ColorFiles& files, const std::filesystem::path& file) {
 }
 
 bool askAndSave(ColorFiles& files, QWidget* parent) {
-  return saveTo(files, fileToWrite(files, parent, translated("Save samples"), sampleFiles(),
-                                   QStringLiteral("samples")));
+  return saveTo(
+      files, fileToWrite(files, parent, fileText("Save samples"), sampleFiles(), QStringLiteral("samples")));
 }
 
 }  // namespace
@@ -66,13 +66,13 @@ bool saveSamples(ColorFiles& files, QWidget* parent) {
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
   QMessageBox box(
-      QMessageBox::Warning, translated("Colour samples"),
+      QMessageBox::Warning, fileText("Colour samples"),
       files.file().empty()
-          ? translated("The samples of the new color table were not saved yet.")
-          : translated("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
+          ? fileText("The samples of the new color table were not saved yet.")
+          : fileText("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
       QMessageBox::Save | QMessageBox::Discard | QMessageBox::Cancel, parent);
   box.setObjectName(QStringLiteral("unsavedSamples"));
-  box.setInformativeText(translated("Save them?"));
+  box.setInformativeText(fileText("Save them?"));
   box.setDefaultButton(QMessageBox::Save);
   switch (box.exec()) {
     case QMessageBox::Save:

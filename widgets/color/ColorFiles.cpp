@@ -25,7 +25,7 @@ constexpr int kTicksUntilKept = 60;
 constexpr double kCloseShare = 0.7;
 constexpr std::size_t kMostProblemsShown = 12;
 
-QString text(const std::filesystem::path& path) {
+QString pathText(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
 }
 
@@ -67,7 +67,7 @@ bool ColorFiles::changed() const {
 }
 
 QString ColorFiles::title() const {
-  const QString name = file_.empty() ? tr("unnamed") : text(file_.filename());
+  const QString name = file_.empty() ? tr("unnamed") : pathText(file_.filename());
   return changed() ? name + QLatin1Char('*') : name;
 }
 
@@ -80,7 +80,7 @@ void ColorFiles::setFile(const std::filesystem::path& file) {
 
 void ColorFiles::remember(const std::filesystem::path& file) {
   std::error_code error;
-  folder_ = text(std::filesystem::absolute(file, error).parent_path());
+  folder_ = pathText(std::filesystem::absolute(file, error).parent_path());
 }
 
 void ColorFiles::discard() {
@@ -124,7 +124,7 @@ robotlink::Result<void> ColorFiles::open(const std::filesystem::path& file) {
   show(read->problems,
        tr("Only a part of %1 could be read. It is open without a name, so that the file stays "
           "as it is:")
-           .arg(text(file)));
+           .arg(pathText(file)));
   return {};
 }
 
@@ -137,7 +137,7 @@ robotlink::Result<void> ColorFiles::saveAs(const std::filesystem::path& file) {
   if (const auto saved = colortool::saveSamples(bench_.samples(), file); !saved) return saved;
   bench_.setSaved();
   setFile(file);
-  tell(tr("Saved: %1").arg(text(file)));
+  tell(tr("Saved: %1").arg(pathText(file)));
   return {};
 }
 
@@ -147,11 +147,11 @@ robotlink::Result<void> ColorFiles::merge(const std::filesystem::path& file) {
   colortool::Samples next = bench_.samples();
   colortool::merge(next, read->samples);
   const std::size_t more = next.strokes.size() - bench_.samples().strokes.size();
-  bench_.change(tr("Merge %1").arg(text(file.filename())), std::move(next));
+  bench_.change(tr("Merge %1").arg(pathText(file.filename())), std::move(next));
   remember(file);
-  tell(tr("%1 came from %2").arg(strokesText(more), text(file.filename())));
+  tell(tr("%1 came from %2").arg(strokesText(more), pathText(file.filename())));
   if (!read->problems.empty())
-    show(read->problems, tr("Only a part of %1 could be read and was added:").arg(text(file)));
+    show(read->problems, tr("Only a part of %1 could be read and was added:").arg(pathText(file)));
   return {};
 }
 
@@ -169,7 +169,7 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
   const colortool::NamedColorTable named{std::move(packed.file), samples.classes};
   if (const auto saved = named.save(file); !saved) return saved;
   remember(file);
-  QString said = tr("Exported: %1").arg(text(file));
+  QString said = tr("Exported: %1").arg(pathText(file));
   if (packed.reducedCells > 0) {
     said += tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
                "format "
@@ -194,7 +194,7 @@ robotlink::Result<void> ColorFiles::importReference(const std::filesystem::path&
   for (const std::string& name : names) {
     if (classes.index(name) == colortool::ColorClasses::kNone) unknown << QString::fromStdString(name);
   }
-  QString said = tr("Compared with %1").arg(text(file.filename()));
+  QString said = tr("Compared with %1").arg(pathText(file.filename()));
   if (!unknown.isEmpty())
     said +=
         tr("; its classes %1 are not among yours and count as none").arg(unknown.join(QStringLiteral(", ")));

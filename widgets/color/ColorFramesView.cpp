@@ -23,7 +23,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorFramesViewRegistration{
     {"color-frames", QT_TRANSLATE_NOOP("widgets::ColorFramesView", "Find frames"),
      QT_TRANSLATE_NOOP("widgets::ColorFramesView",
                        "Finds the images of a log in which the colour table does most that is suspicious"),

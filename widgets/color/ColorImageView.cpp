@@ -29,13 +29,13 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorImageViewRegistration{
     {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Colour image"),
      QT_TRANSLATE_NOOP("widgets::ColorImageView",
                        "Draw strokes in images and see what the colour table makes of them"),
      "brush", false, create<ColorImageView>}};
 
-constexpr char kDefaultChoice[] = "*/camera/image";
+constexpr char kDefaultColorChoice[] = "*/camera/image";
 /// Below this height the strip is low, so that the image has the room, pixels.
 constexpr int kLowView = 480;
 
@@ -154,7 +154,7 @@ void ColorImageView::createViews() {
 
 QWidget* ColorImageView::createStreamRow() {
   QHBoxLayout* row = makeToolRow(this);
-  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultChoice), row->parentWidget());
+  streams_ = new StreamChoice("foxglove.RawImage", QLatin1String(kDefaultColorChoice), row->parentWidget());
   describe(*streams_, {"colorStream", tr("Image stream"), tr("Which images are shown")});
   row->addWidget(streams_, 1);
   addButtons(row, {openPictures_, openFolder_});
@@ -433,7 +433,7 @@ void ColorImageView::restoreState(const QJsonObject& state) {
   showStrip_->setChecked(state[QStringLiteral("strip")].toBool(true));
   rightLayer_->setCurrentIndex(
       std::clamp(state[QStringLiteral("right")].toInt(), 0, rightLayer_->count() - 1));
-  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
+  streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultColorChoice)));
 }
 
 }  // namespace widgets

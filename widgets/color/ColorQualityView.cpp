@@ -20,7 +20,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorQualityViewRegistration{
     {"color-quality", QT_TRANSLATE_NOOP("View", "Quality"),
      QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
      "quality", false, create<ColorQualityView>}};

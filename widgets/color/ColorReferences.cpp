@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-QString translated(const char* text) {
+QString referenceText(const char* text) {
   return QCoreApplication::translate("widgets::ColorReferences", text);
 }
 
@@ -31,8 +31,8 @@ ReferenceTable trainedReference(const colortool::Samples& samples, const QString
 }
 
 QString stepName(const colortool::SampleDocument& document, std::size_t position) {
-  if (position == 0) return translated("the table before all steps");
-  return translated("the table after step %1, %2")
+  if (position == 0) return referenceText("the table before all steps");
+  return referenceText("the table after step %1, %2")
       .arg(position)
       .arg(QString::fromStdString(document.text(position - 1)));
 }

@@ -28,7 +28,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorSamplesViewRegistration{
     {"color-samples", QT_TRANSLATE_NOOP("View", "Samples"),
      QT_TRANSLATE_NOOP(
          "View", "Lists the strokes that the colour table is made of, and the history of their changes."),

@@ -12,7 +12,7 @@ namespace {
 
 constexpr double kPerPixel = 0.0085;  // rad
 constexpr double kFit = 0.57;         // of the shorter side: the cube's side
-constexpr double kHighest = std::numbers::pi / 2;
+constexpr double kSteepest = std::numbers::pi / 2;
 constexpr double kFarthestPan = 20;
 
 double shorterSide(const QSizeF& widget) {
@@ -36,7 +36,7 @@ Eigen::Matrix3f ColorSpaceCamera::rotation() const {
 
 void ColorSpaceCamera::turn(const QPointF& by) {
   azimuth = std::remainder(azimuth - by.x() * kPerPixel, 2 * std::numbers::pi);
-  elevation = std::clamp(elevation + by.y() * kPerPixel, -kHighest, kHighest);
+  elevation = std::clamp(elevation + by.y() * kPerPixel, -kSteepest, kSteepest);
 }
 
 void ColorSpaceCamera::move(const QSizeF& widget, const QPointF& by) {
@@ -62,7 +62,7 @@ ColorSpaceCamera colorSpaceCameraOf(const QJsonObject& state) {
   camera.azimuth =
       std::remainder(state[QStringLiteral("azimuth")].toDouble(camera.azimuth), 2 * std::numbers::pi);
   camera.elevation =
-      std::clamp(state[QStringLiteral("elevation")].toDouble(camera.elevation), -kHighest, kHighest);
+      std::clamp(state[QStringLiteral("elevation")].toDouble(camera.elevation), -kSteepest, kSteepest);
   camera.zoom = std::clamp(state[QStringLiteral("zoom")].toDouble(1), ColorSpaceCamera::kLeastZoom,
                            ColorSpaceCamera::kMostZoom);
   const QJsonArray pan = state[QStringLiteral("pan")].toArray();

@@ -14,10 +14,10 @@
 namespace widgets {
 namespace {
 
-constexpr double kKeyStep = 24;  // pixels of a drag that an arrow key is worth
+constexpr double kTurnKeyStep = 24;  // pixels of a drag that an arrow key is worth
 constexpr double kKeyZoom = 1.25;
 constexpr int kStillTicks = 6;  // after which a picture is worth some effort
-constexpr int kReach = 3;       // pixels around the cursor in which a cell is looked for
+constexpr int kPickReach = 3;   // pixels around the cursor in which a cell is looked for
 
 }  // namespace
 
@@ -172,7 +172,7 @@ std::optional<std::size_t> ColorSpaceCanvas::pointedCell() const {
   if (!cursor_ || shown_.image.isNull()) return std::nullopt;
   const double ratio = shown_.request->ratio;
   const int x = static_cast<int>(cursor_->x() * ratio), y = static_cast<int>(cursor_->y() * ratio);
-  const int reach = static_cast<int>(std::lround(kReach * ratio));
+  const int reach = static_cast<int>(std::lround(kPickReach * ratio));
   std::optional<std::size_t> nearest;
   int nearestSquare = reach * reach + 1;
   for (int atY = std::max(0, y - reach); atY <= std::min(shown_.image.height() - 1, y + reach); ++atY) {
@@ -248,7 +248,7 @@ void ColorSpaceCanvas::endLasso(Qt::KeyboardModifiers modifiers) {
   if (modifiers.testFlag(Qt::ControlModifier)) change = SelectionChange::kAdd;
   if (modifiers.testFlag(Qt::AltModifier)) change = SelectionChange::kTakeAway;
   const QSizeF extent = lasso_.boundingRect().size();
-  if (extent.width() + extent.height() > 2 * kReach) return Q_EMIT cellsChosen(cellsInLasso(), change);
+  if (extent.width() + extent.height() > 2 * kPickReach) return Q_EMIT cellsChosen(cellsInLasso(), change);
   // A mere click takes the cell that is under it.
   colortool::CellSet cells;
   if (const auto cell = pointedCell()) cells.set(*cell);
@@ -291,16 +291,16 @@ void ColorSpaceCanvas::keyPressEvent(QKeyEvent* event) {
   ColorSpaceCamera camera = camera_;
   switch (event->key()) {
     case Qt::Key_Left:
-      camera.turn({-kKeyStep, 0});
+      camera.turn({-kTurnKeyStep, 0});
       break;
     case Qt::Key_Right:
-      camera.turn({kKeyStep, 0});
+      camera.turn({kTurnKeyStep, 0});
       break;
     case Qt::Key_Up:
-      camera.turn({0, -kKeyStep});
+      camera.turn({0, -kTurnKeyStep});
       break;
     case Qt::Key_Down:
-      camera.turn({0, kKeyStep});
+      camera.turn({0, kTurnKeyStep});
       break;
     case Qt::Key_Plus:
     case Qt::Key_Minus:

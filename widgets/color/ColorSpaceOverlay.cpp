@@ -86,7 +86,7 @@ void paintSolid(QPainter& painter, const ColorSpaceBox& box, Part part) {
   painter.restore();
 }
 
-void paintName(QPainter& painter, const ColorSpaceBox& box, const Vector3f& at, const char* name) {
+void paintBoxName(QPainter& painter, const ColorSpaceBox& box, const Vector3f& at, const char* name) {
   QRectF plate(0, 0, 60, 20);
   plate.moveCenter(box.projection.point(at));
   painter.drawText(plate, Qt::AlignCenter, QString::fromLatin1(name));
@@ -101,15 +101,15 @@ void paintNames(QPainter& painter, const ColorSpaceBox& box) {
   font.setBold(true);
   painter.setFont(font);
   if (colortool::isCylinder(box.space)) {
-    paintName(painter, box, {0, 0, kSide + kBeyond}, names[2]);
-    paintName(painter, box, onCircle(0, 0.5 + 1.5 * double{kBeyond}, -kSide), names[1]);
-    paintName(painter, box, onCircle(1.0 / 12, 0.5 + 1.5 * double{kBeyond}, -kSide), names[0]);
+    paintBoxName(painter, box, {0, 0, kSide + kBeyond}, names[2]);
+    paintBoxName(painter, box, onCircle(0, 0.5 + 1.5 * double{kBeyond}, -kSide), names[1]);
+    paintBoxName(painter, box, onCircle(1.0 / 12, 0.5 + 1.5 * double{kBeyond}, -kSide), names[0]);
   } else {
     for (int channel = 0; channel < 3; ++channel) {
       const int axis = box.space == ColorSpace::kYCbCr ? (channel + 2) % 3 : channel;
       Vector3f at = Vector3f::Constant(-kSide);
       at[axis] = kSide + kBeyond;
-      paintName(painter, box, at, names[static_cast<std::size_t>(channel)]);
+      paintBoxName(painter, box, at, names[static_cast<std::size_t>(channel)]);
     }
   }
   painter.restore();

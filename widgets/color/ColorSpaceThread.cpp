@@ -13,7 +13,7 @@ namespace {
 
 using namespace std::chrono_literals;
 
-constexpr auto kShortestInterval = 30ms;
+constexpr auto kShortestPictureInterval = 30ms;
 
 }  // namespace
 
@@ -62,7 +62,7 @@ void ColorSpaceThread::run() {
   while (auto request = next(due)) {
     const auto start = Clock::now();
     ColorSpacePicture picture = renderer.render(std::move(request));
-    due = start + std::max<Clock::duration>(kShortestInterval, 2 * (Clock::now() - start));
+    due = start + std::max<Clock::duration>(kShortestPictureInterval, 2 * (Clock::now() - start));
     {
       const std::lock_guard lock(mutex_);
       picture_ = std::move(picture);

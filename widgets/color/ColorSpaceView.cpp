@@ -21,7 +21,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kColorSpaceViewRegistration{
     {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Colour space"),
      QT_TRANSLATE_NOOP("widgets::ColorSpaceView",
                        "Pixels, samples and the table's classes in the three dimensions of colour"),

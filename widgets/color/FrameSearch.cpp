@@ -14,10 +14,10 @@
 namespace widgets {
 namespace {
 
-constexpr int kThumbnailHeight = 54;
-constexpr std::size_t kCacheBytes = 16U << 20U;  // each image is read once
+constexpr int kFoundThumbnailHeight = 54;
+constexpr std::size_t kFrameCacheBytes = 16U << 20U;  // each image is read once
 
-std::shared_ptr<const foxglove::RawImage> decoded(const robotlink::StreamMessage& message) {
+std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMessage& message) {
   if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(message.value)) {
     auto image = logplayer::rawImage(*compressed);
     return image ? *image : nullptr;
@@ -87,7 +87,7 @@ void FrameSearch::end(std::string failure) {
 
 void FrameSearch::searchLog(const LoggedImages& images) {
   logplayer::LogFile::Options options;
-  options.cacheBytes = kCacheBytes;
+  options.cacheBytes = kFrameCacheBytes;
   options.progress = [this](double share) {
     {
       const std::lock_guard lock(mutex_);
@@ -134,13 +134,13 @@ bool FrameSearch::isKept(double score) {
 
 bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Duration offset) {
   if (cancelled_) return false;
-  const auto image = decoded(message);
+  const auto image = rawImageIn(message);
   const robotlink::ImageView view = image ? robotlink::imageView(*image) : robotlink::ImageView();
   const colortool::Suspicion found = view.empty() ? colortool::Suspicion() : eye_->measure(view);
   std::optional<SuspiciousFrame> frame;
   if (found.score > 0 && isKept(found.score)) {
     frame = {message.time + offset, found,
-             toQImage(view).scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)};
+             toQImage(view).scaledToHeight(kFoundThumbnailHeight, Qt::SmoothTransformation)};
   }
   {
     const std::lock_guard lock(mutex_);

@@ -66,7 +66,7 @@ constexpr NumberText kNumbers[] = {
     {"distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance"),
      QT_TRANSLATE_NOOP("TrainingPanel", "A colour that is farther from all samples is of no class"), 1}};
 
-QString translated(const char* text) {
+QString trainingText(const char* text) {
   return QCoreApplication::translate("TrainingPanel", text);
 }
 
@@ -119,8 +119,8 @@ void TrainingPanel::createViews() {
   grid->setVerticalSpacing(2);
   grid->setColumnStretch(1, 1);
   for (const NumberText& text : kNumbers) {
-    Control control{colortool::findTrainingOption(text.option), translated(text.title)};
-    addNumber(*grid, std::move(control), translated(text.toolTip));
+    Control control{colortool::findTrainingOption(text.option), trainingText(text.title)};
+    addNumber(*grid, std::move(control), trainingText(text.toolTip));
     controls_.back().field->setDecimals(text.decimals);
   }
   auto* switches = new QGridLayout;

@@ -28,7 +28,7 @@ namespace {
 using robotcontrol::DriveState;
 using robotcontrol::LinkStatus;
 
-const ViewRegistration kRegistration{
+const ViewRegistration kBaseStateViewRegistration{
     {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
      QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."),
      "base-state", true, create<BaseStateView>}};

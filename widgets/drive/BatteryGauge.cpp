@@ -28,7 +28,7 @@ QColor colorFor(BatteryLevel::State state, const QPalette& palette) {
   return colorOf(Meaning::kMuted, palette);
 }
 
-QString translated(const char* source) {
+QString batteryText(const char* source) {
   return QCoreApplication::translate("BatteryGauge", source);
 }
 
@@ -48,16 +48,16 @@ BatteryLevel BatteryLevel::of(double volts, std::optional<double> stateOfCharge,
 }
 
 QString BatteryLevel::text() const {
-  if (state == State::kUnknown) return translated("not told");
-  const QString text = translated("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
-  if (age) return translated("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
-  return charging ? translated("%1, charging").arg(text) : text;
+  if (state == State::kUnknown) return batteryText("not told");
+  const QString text = batteryText("%1 V, %2 %").arg(volts, 0, 'f', 1).arg(qRound(share * 100));
+  if (age) return batteryText("%1, %2 s ago").arg(text).arg(*age, 0, 'f', 0);
+  return charging ? batteryText("%1, charging").arg(text) : text;
 }
 
 QString BatteryLevel::warning() const {
   if (charging || age) return {};
-  if (state == State::kEmpty) return translated("The battery is empty: charge it now.");
-  if (state == State::kLow) return translated("The battery is low: charge it soon.");
+  if (state == State::kEmpty) return batteryText("The battery is empty: charge it now.");
+  if (state == State::kLow) return batteryText("The battery is low: charge it soon.");
   return {};
 }
 

@@ -13,30 +13,30 @@ using robotcontrol::LinkStatus;
 constexpr double kSilence = 3;     // s without a status: who should tell it does not
 constexpr double kLongGap = 0.25;  // s, from which on ARIA's clients warn
 
-QString translated(const char* source) {
+QString linkText(const char* source) {
   return QCoreApplication::translate("LinkWords", source);
 }
 
 void nameState(LinkWords& words, const LinkStatus& status) {
   switch (status.state()) {
     case LinkStatus::CONNECTING:
-      words.state = translated("connecting…");
+      words.state = linkText("connecting…");
       words.meaning = Meaning::kNote;
       return;
     case LinkStatus::CONNECTED:
-      words.state = translated("connected");
+      words.state = linkText("connected");
       words.meaning = Meaning::kGood;
       return;
     case LinkStatus::LOST:
-      words.state = translated("lost");
+      words.state = linkText("lost");
       words.meaning = Meaning::kBad;
       return;
     case LinkStatus::LISTENING:
-      words.state = translated("waits for a client");
+      words.state = linkText("waits for a client");
       words.meaning = Meaning::kNote;
       return;
     default:
-      words.state = translated("closed");
+      words.state = linkText("closed");
       words.meaning = Meaning::kMuted;
   }
 }
@@ -47,7 +47,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   LinkWords words;
   nameState(words, status);
   if (age > kSilence) {
-    words.state = translated("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
+    words.state = linkText("%1; nothing new since %2 s").arg(words.state).arg(age, 0, 'f', 0);
     if (words.meaning == Meaning::kGood) words.meaning = Meaning::kWarning;
   }
   QStringList names;
@@ -56,7 +56,7 @@ LinkWords linkWords(const LinkStatus& status, double age) {
   }
   words.robot = names.join(QStringLiteral(", "));
   if (!status.client().empty()) {
-    words.client = translated("%1, %2 commands/s")
+    words.client = linkText("%1, %2 commands/s")
                        .arg(QString::fromStdString(status.client()))
                        .arg(status.commands_per_second(), 0, 'f', 1);
   }

@@ -32,7 +32,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kPacketInspectorRegistration{
     {"packets", QT_TRANSLATE_NOOP("View", "Packets"),
      QT_TRANSLATE_NOOP(
          "View",

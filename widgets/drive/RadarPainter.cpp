@@ -25,7 +25,7 @@ QColor withAlpha(QColor color, double alpha) {
   return color;
 }
 
-QPointF map(const QTransform& transform, const Vector2& point) {
+QPointF pointOn(const QTransform& transform, const Vector2& point) {
   return transform.map(QPointF(point.x(), point.y()));
 }
 
@@ -45,7 +45,7 @@ double ringStep(double scale) {
 void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWidget,
                 const QPalette& palette) {
   const double scale = look.scale(), step = ringStep(scale);
-  const QPointF middle = map(toWidget, {0, 0});
+  const QPointF middle = pointOn(toWidget, {0, 0});
   const QColor line = mixed(palette.color(QPalette::Base), palette.color(QPalette::Text), 0.18);
   const double farthest = std::hypot(look.size.width(), look.size.height()) / 2 / scale;
   painter.setBrush(Qt::NoBrush);
@@ -53,7 +53,7 @@ void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWi
   for (const double angle : {0.0, 45.0, 90.0, 135.0}) {
     const Vector2 along(std::cos(robotlink::radians(angle)), std::sin(robotlink::radians(angle)));
     painter.setPen(QPen(line, 1, angle == 0 || angle == 90 ? Qt::SolidLine : Qt::DotLine));
-    painter.drawLine(map(toWidget, along * farthest), map(toWidget, -along * farthest));
+    painter.drawLine(pointOn(toWidget, along * farthest), pointOn(toWidget, -along * farthest));
   }
   painter.setPen(QPen(line, 1));
   painter.setFont(smallFont(painter));
@@ -74,11 +74,11 @@ QPainterPath sector(const Pose2& sensor, double angle, double inner, double oute
   QPolygonF outline;
   for (int i = 0; i <= kPieces; ++i) {
     const double at = -angle / 2 + angle * i / kPieces;
-    outline << map(toWidget, sensor * Vector2(outer * std::cos(at), outer * std::sin(at)));
+    outline << pointOn(toWidget, sensor * Vector2(outer * std::cos(at), outer * std::sin(at)));
   }
   for (int i = kPieces; i >= 0; --i) {
     const double at = -angle / 2 + angle * i / kPieces;
-    outline << map(toWidget, sensor * Vector2(inner * std::cos(at), inner * std::sin(at)));
+    outline << pointOn(toWidget, sensor * Vector2(inner * std::cos(at), inner * std::sin(at)));
   }
   QPainterPath path;
   path.addPolygon(outline);
@@ -109,13 +109,13 @@ void paintLaser(QPainter& painter, const RadarReadings& readings, const QTransfo
                 const QPalette& palette) {
   const QColor color = colorOf(Meaning::kWarning, palette);
   QPolygonF free;
-  for (const Vector2& corner : readings.laserFree) free << map(toWidget, corner);
+  for (const Vector2& corner : readings.laserFree) free << pointOn(toWidget, corner);
   painter.setPen(Qt::NoPen);
   painter.setBrush(withAlpha(color, 0.07));
   painter.drawPolygon(free);
   painter.setBrush(color);
   for (const Vector2& hit : readings.laser) {
-    const QPointF at = map(toWidget, hit);
+    const QPointF at = pointOn(toWidget, hit);
     painter.drawRect(QRectF(at.x() - 1.5, at.y() - 1.5, 3, 3));
   }
 }
@@ -129,7 +129,7 @@ void paintBumpers(QPainter& painter, const std::vector<bool>& pressed, const Vec
     const double left = body.y() / 2 - width * static_cast<double>(i), right = left - width;
     const QColor color = pressed[i] ? colorOf(Meaning::kBad, palette) : colorOf(Meaning::kMuted, palette);
     painter.setPen(QPen(color, pressed[i] ? 7 : 3, Qt::SolidLine, Qt::FlatCap));
-    painter.drawLine(map(toWidget, {x, left - 0.012}), map(toWidget, {x, right + 0.012}));
+    painter.drawLine(pointOn(toWidget, {x, left - 0.012}), pointOn(toWidget, {x, right + 0.012}));
   }
 }
 
@@ -160,14 +160,14 @@ void paintMotion(QPainter& painter, const RadarReadings& readings, const QTransf
   Pose2 pose;
   constexpr int kSteps = 16;
   for (int i = 0; i <= kSteps; ++i) {
-    way << map(toWidget, pose.translation());
+    way << pointOn(toWidget, pose.translation());
     pose = pose * Pose2{readings.speed / kSteps, 0, std::clamp(readings.rotation, -3.0, 3.0) / kSteps};
   }
   if (std::abs(readings.speed) >= 0.01) painter.drawPolyline(way);
-  const QPointF middle = map(toWidget, {0, 0});
+  const QPointF middle = pointOn(toWidget, {0, 0});
   const double turn = robotlink::degrees(std::clamp(readings.rotation, -2.5, 2.5));
   if (std::abs(turn) < 2) return;
-  const QPointF ahead = map(toWidget, {1, 0}) - middle;
+  const QPointF ahead = pointOn(toWidget, {1, 0}) - middle;
   const double up = robotlink::degrees(std::atan2(-ahead.y(), ahead.x()));
   painter.drawArc(
       QRectF(middle - QPointF(kMarkPixels, kMarkPixels), QSizeF(2 * kMarkPixels, 2 * kMarkPixels)),

@@ -24,13 +24,13 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kRadarViewRegistration{
     {"radar", QT_TRANSLATE_NOOP("View", "Radar"),
      QT_TRANSLATE_NOOP("View",
                        "What sonars, laser and bumpers of a robot on wheels tell of its surroundings."),
      "radar", true, create<RadarView>}};
 
-const double kZoomStep = std::sqrt(2.0);
+const double kRadarZoomStep = std::sqrt(2.0);
 
 }  // namespace
 
@@ -108,9 +108,9 @@ QWidget* RadarView::createFooter() {
 void RadarView::connectSignals() {
   connect(northUp_, &QAction::toggled, canvas_, &RadarCanvas::setNorthUp);
   connect(zoomIn_, &QAction::triggered, this,
-          [this] { canvas_->setRange(canvas_->look().range / kZoomStep); });
+          [this] { canvas_->setRange(canvas_->look().range / kRadarZoomStep); });
   connect(zoomOut_, &QAction::triggered, this,
-          [this] { canvas_->setRange(canvas_->look().range * kZoomStep); });
+          [this] { canvas_->setRange(canvas_->look().range * kRadarZoomStep); });
   connect(canvas_, &RadarCanvas::lookChanged, this, &RadarView::updateStatus);
   connect(canvas_, &RadarCanvas::cursorMoved, this, [this](double distance, double angle, bool inside) {
     const int degrees = qRound(robotlink::degrees(angle));

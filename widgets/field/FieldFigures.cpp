@@ -7,6 +7,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/field/FieldViewport.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -63,10 +64,6 @@ double lengthOf(const Vector2& body) {
 
 QPointF map(const QTransform& transform, const Vector2& point) {
   return transform.map(QPointF(point.x(), point.y()));
-}
-
-double scaleOf(const QTransform& transform) {
-  return std::hypot(transform.m11(), transform.m12());
 }
 
 QPainterPath outlineAt(const Pose2& pose, const Vector2& body, const QTransform& fieldToWidget) {

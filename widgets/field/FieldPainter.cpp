@@ -15,7 +15,7 @@ namespace {
 
 using robotlink::FieldDescription;
 
-constexpr double kMargin = 0.12;  // m around everything
+constexpr double kNumberMargin = 0.12;  // m around everything
 
 QColor named(const FieldDescription& field, const std::string& name) {
   const auto* color = field.color(name);
@@ -109,7 +109,7 @@ QSizeF fieldExtent(const FieldDescription& field) {
     length = std::max(length, std::abs(beacon.position.x()) + field.beaconRadius);
     width = std::max(width, std::abs(beacon.position.y()) + field.beaconRadius);
   }
-  return {2 * (length + kMargin), 2 * (width + kMargin)};
+  return {2 * (length + kNumberMargin), 2 * (width + kNumberMargin)};
 }
 
 void paintField(QPainter& painter, const FieldDescription& field, const QTransform& fieldToWidget) {

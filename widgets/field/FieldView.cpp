@@ -31,7 +31,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kFieldViewRegistration{
     {"field", QT_TRANSLATE_NOOP("widgets::FieldView", "Field and map"),
      QT_TRANSLATE_NOOP("widgets::FieldView",
                        "The field or the building from above: true and estimated poses, goals, and drawings"),

@@ -10,7 +10,7 @@ using robotlink::Vector2;
 
 constexpr double kFarthest = 20;  // m from what there is to see
 
-FieldViewport unfitted(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
+FieldViewport unfittedField(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   if (!viewport.fit) return viewport;
   return {false,
           shownScale(viewport, extent, widget),
@@ -33,13 +33,17 @@ double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSi
 }
 
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
-  const FieldViewport shown = unfitted(viewport, extent, widget);
+  const FieldViewport shown = unfittedField(viewport, extent, widget);
   QTransform transform;
   transform.translate(widget.width() / 2, widget.height() / 2);
   transform.scale(shown.scale, -shown.scale);
   transform.rotate(90 * shown.quarterTurns);
   transform.translate(-shown.center.x(), -shown.center.y());
   return transform;
+}
+
+double scaleOf(const QTransform& fieldToPixels) {
+  return std::hypot(fieldToPixels.m11(), fieldToPixels.m12());
 }
 
 Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at) {
@@ -49,7 +53,7 @@ Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at) {
 
 FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget, double factor,
                      const QPointF& at) {
-  FieldViewport result = unfitted(viewport, extent, widget);
+  FieldViewport result = unfittedField(viewport, extent, widget);
   const Vector2 before = groundAt(fieldToWidget(viewport, extent, widget), at);
   result.scale =
       std::clamp(result.scale * factor, FieldViewport::kMinimumScale, FieldViewport::kMaximumScale);
@@ -60,7 +64,7 @@ FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const 
 
 FieldViewport panned(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget,
                      const QPointF& by) {
-  FieldViewport result = unfitted(viewport, extent, widget);
+  FieldViewport result = unfittedField(viewport, extent, widget);
   const QTransform transform = fieldToWidget(viewport, extent, widget);
   const Vector2 moved = groundAt(transform, by) - groundAt(transform, {0, 0});
   result.center = nearTo(extent, result.center - moved);

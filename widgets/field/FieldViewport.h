@@ -30,6 +30,8 @@ struct FieldViewport {
 /// least.
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
 double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
+/// Pixels for a metre.
+double scaleOf(const QTransform& fieldToPixels);
 robotlink::Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at);
 /// Enlarged by `factor`; what is at `at` (widget) stays there.
 FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget, double factor,

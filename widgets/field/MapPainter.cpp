@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
+#include "widgets/field/FieldViewport.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -16,14 +17,10 @@ namespace {
 using robotcontrol::GroundMap;
 using Place = GroundMap::Place;
 
-constexpr double kMargin = 0.5;        // m around everything
+constexpr double kMapMargin = 0.5;     // m around everything
 constexpr double kPointsApart = 0.02;  // m between the points of a wall
 constexpr double kNamesFrom = 4;       // pixels for a metre: below that names would only cover each other
 constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls grey
-
-double scaleOf(const QTransform& transform) {
-  return std::hypot(transform.m11(), transform.m12());
-}
 
 /// NaN and endless numbers come from files of others.
 bool isFinite(double x, double y) {
@@ -48,7 +45,7 @@ bool isSpot(const Place& place) {
   return place.kind() != Place::FORBIDDEN_LINE && place.kind() != Place::FORBIDDEN_AREA;
 }
 
-void paintPoints(QImage& image, const GroundMap& map, const QTransform& toPixels, QRgb color) {
+void paintMapPoints(QImage& image, const GroundMap& map, const QTransform& toPixels, QRgb color) {
   const int side =
       std::clamp(static_cast<int>(std::lround(kPointsApart * scaleOf(toPixels))), kSmallestPoint, 64);
   const double half = side / 2.0;
@@ -88,7 +85,7 @@ void paintForbidden(QPainter& painter, const Place& place, const QTransform& toW
   painter.setBrush(Qt::NoBrush);
 }
 
-QString nameOf(const Place& place) {
+QString labelOf(const Place& place) {
   if (!place.name().empty()) return QString::fromStdString(place.name());
   if (place.kind() == Place::HOME) return QObject::tr("Home", "place of a map");
   if (place.kind() == Place::DOCK) return QObject::tr("Dock", "place of a map");
@@ -128,7 +125,7 @@ void paintSpot(QPainter& painter, const Place& place, const QTransform& toWidget
   font.setBold(highlighted);
   painter.setFont(font);
   painter.setPen(highlighted ? palette.color(QPalette::Text) : color);
-  painter.drawText(at + QPointF(9, 4), nameOf(place));
+  painter.drawText(at + QPointF(9, 4), labelOf(place));
 }
 
 }  // namespace
@@ -144,11 +141,11 @@ QRectF mapExtent(const GroundMap& map) {
     for (const auto& place : map.places()) bounds.add(place.pose().x(), place.pose().y());
   }
   const QRectF rect = bounds.empty() ? QRectF(-5, -5, 10, 10) : bounds.rect();
-  return rect.adjusted(-kMargin, -kMargin, kMargin, kMargin);
+  return rect.adjusted(-kMapMargin, -kMapMargin, kMapMargin, kMapMargin);
 }
 
 void paintWalls(QImage& image, const GroundMap& map, const QTransform& toPixels, const QColor& color) {
-  paintPoints(image, map, toPixels, qPremultiply(color.rgba()));
+  paintMapPoints(image, map, toPixels, qPremultiply(color.rgba()));
   QPainter painter(&image);
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(

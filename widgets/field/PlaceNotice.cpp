@@ -12,7 +12,7 @@ namespace {
 /// m; robots plan no ways while their place is less certain.
 constexpr double kLost = 1;
 
-QString translated(const char* source) {
+QString placeText(const char* source) {
   return QCoreApplication::translate("PlaceNotice", source);
 }
 
@@ -26,21 +26,21 @@ QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* ba
   if (!onMap) {
     return robot.truth
                ? QString()
-               : translated("%1 has no map to find itself in: connect it with one (Robot > Connect, Map).")
+               : placeText("%1 has no map to find itself in: connect it with one (Robot > Connect, Map).")
                      .arg(name);
   }
   if (base != nullptr && base->emergency_stop())
-    return translated(
+    return placeText(
                "%1 does not know yet where it is, and stands: release its stop button or STOP, so that it "
                "can drive about.")
         .arg(name);
   if (base != nullptr && !base->motors_on())
-    return translated(
+    return placeText(
                "%1 does not know yet where it is: switch its motors on (Robot state), then send it anywhere "
                "(G, and a "
                "click on the map). It drives about until it has found itself.")
         .arg(name);
-  return translated(
+  return placeText(
              "%1 does not know yet where it is: send it anywhere (G, and a click on the map), and it drives "
              "about until it "
              "has found itself; or steer it by the motion tester.")

@@ -7,7 +7,6 @@
 namespace widgets {
 namespace {
 
-using robotlink::ImageView;
 using robotlink::PixelFormat;
 using robotlink::Rgb;
 
@@ -41,7 +40,7 @@ struct ChromaTables {
 };
 constexpr ChromaTables kChroma;
 
-QRgb packed(int luma, int red, int green, int blue) {
+QRgb packedColor(int luma, int red, int green, int blue) {
   const int y = luma << kFraction;
   return qRgb(kChroma.clamp(y + red), kChroma.clamp(y + green), kChroma.clamp(y + blue));
 }
@@ -51,8 +50,8 @@ void convertYuyv(const std::uint8_t* from, QRgb* to, int width) {
     const std::size_t cb = from[1], cr = from[3];
     const int red = kChroma.redOfCr[cr], blue = kChroma.blueOfCb[cb];
     const int green = kChroma.greenOfCb[cb] + kChroma.greenOfCr[cr];
-    to[0] = packed(from[0], red, green, blue);
-    to[1] = packed(from[2], red, green, blue);
+    to[0] = packedColor(from[0], red, green, blue);
+    to[1] = packedColor(from[2], red, green, blue);
   }
 }
 
@@ -72,7 +71,7 @@ std::array<QRgb, 256> monoPalette(std::span<const Rgb> classColors) {
 
 }  // namespace
 
-QImage toQImage(const ImageView& image, std::span<const Rgb> classColors, QImage into) {
+QImage toQImage(const robotlink::ImageView& image, std::span<const Rgb> classColors, QImage into) {
   if (image.empty()) return {};
   if (into.size() != QSize(image.width, image.height) || into.format() != QImage::Format_RGB32) {
     into = QImage(image.width, image.height, QImage::Format_RGB32);
@@ -104,7 +103,7 @@ QImage toQImage(const ImageView& image, std::span<const Rgb> classColors, QImage
   return into;
 }
 
-std::optional<PixelValue> pixelAt(const ImageView& image, int x, int y) {
+std::optional<PixelValue> pixelAt(const robotlink::ImageView& image, int x, int y) {
   if (image.empty() || x < 0 || y < 0 || x >= image.width || y >= image.height) return std::nullopt;
   PixelValue pixel{x, y, {}, {}, {}};
   pixel.rgb = robotlink::pixelRgb(image, x, y);

@@ -26,7 +26,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kImageViewRegistration{
     {"image", QT_TRANSLATE_NOOP("widgets::ImageView", "Image"),
      QT_TRANSLATE_NOOP("widgets::ImageView", "Images with the drawings of what the program sees in them"),
      "image", true, create<ImageView>}};

@@ -16,7 +16,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kBookmarksViewRegistration{
     {"bookmarks", QT_TRANSLATE_NOOP("View", "Bookmarks"),
      QT_TRANSLATE_NOOP("View",
                        "Lists the bookmarks of the open logs; lets one jump to them, edit and remove them."),

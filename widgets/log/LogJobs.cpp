@@ -20,7 +20,7 @@ QString tr(const char* text) {
   return QCoreApplication::translate("LogJobs", text);
 }
 
-QString nameOf(const std::filesystem::path& file) {
+QString fileNameOf(const std::filesystem::path& file) {
   return QString::fromStdString(file.filename().string());
 }
 
@@ -76,7 +76,7 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
     const auto report = logplayer::rewriteLogs(options, to);
     if (!report) return failed(report.error());
     const QString text = tr("%1: %2 messages in %3 frames, %4")
-                             .arg(nameOf(to))
+                             .arg(fileNameOf(to))
                              .arg(report->messages)
                              .arg(report->frames)
                              .arg(bytesText(report->bytes));
@@ -124,7 +124,7 @@ LogJob::Work repairLog(std::string log, std::filesystem::path to) {
     if (!report) return failed(report.error());
     return {true, false,
             tr("%1: %2 messages saved; %3 chunks and %4 were lost")
-                .arg(nameOf(to))
+                .arg(fileNameOf(to))
                 .arg(report->messages)
                 .arg(report->chunksLost)
                 .arg(bytesText(report->bytesLost)),

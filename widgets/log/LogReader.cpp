@@ -20,9 +20,9 @@ namespace {
 
 constexpr std::size_t kMostSaid = 5000, kMaxTexts = 50'000;
 /// What is read here is read once, but for thumbnails, which jump about.
-constexpr std::size_t kCacheBytes = 16U << 20U;
+constexpr std::size_t kLogCacheBytes = 16U << 20U;
 
-LogEntry logEntry(const robotlink::StreamMessage& message, const foxglove::Log& log) {
+LogEntry loggedEntry(const robotlink::StreamMessage& message, const foxglove::Log& log) {
   LogEntry entry;
   entry.time = message.time;
   entry.level = static_cast<LogEntry::Level>(std::clamp(static_cast<int>(log.level()), 0, 5));
@@ -95,7 +95,7 @@ void LogReader::readAll() {
 
 bool LogReader::open(LogOverview& overview) {
   logplayer::LogFile::Options options;
-  options.cacheBytes = kCacheBytes;
+  options.cacheBytes = kLogCacheBytes;
   options.progress = [&](double share) { return tell(overview, share); };
   overview.converted = logplayer::canImport(file_);
   auto opened = logplayer::LogFile::open(file_, options);
@@ -162,10 +162,10 @@ void LogReader::readTexts(LogOverview& overview) {
         return;
       const auto* log = dynamic_cast<const foxglove::Log*>(message->value.get());
       if (log == nullptr) continue;
-      if (texts->size() < kMaxTexts) texts->push_back(logEntry(*message, *log));
+      if (texts->size() < kMaxTexts) texts->push_back(loggedEntry(*message, *log));
       if (log->level() < foxglove::Log::WARNING) continue;
       if (overview.said.size() < kMostSaid) {
-        overview.said.push_back(logEntry(*message, *log));
+        overview.said.push_back(loggedEntry(*message, *log));
       } else {
         ++overview.saidLeftOut;
       }

@@ -16,7 +16,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kReplayPackagesViewRegistration{
     {"replay-packages", QT_TRANSLATE_NOOP("View", "Packages"),
      QT_TRANSLATE_NOOP("View",
                        "Chooses which packages of a log are recomputed by the program, and shows how they "

@@ -15,7 +15,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kStreamsViewRegistration{
     {"log-streams", QT_TRANSLATE_NOOP("View", "Streams"),
      QT_TRANSLATE_NOOP("View", "Lists the streams of the open logs with count, size, rate and schema."),
      "streams", false, create<StreamsView>}};

@@ -17,7 +17,7 @@ using Lane = TimeLineLayout::Lane;
 
 namespace {
 
-constexpr double kMargin = 6;
+constexpr double kLaneMargin = 6;
 
 /// Everything that the functions below need.
 struct Canvas {
@@ -60,7 +60,7 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
   }
   painter.setClipping(false);
   painter.setPen(canvas.muted());
-  painter.drawText(QRectF(kMargin, 0, canvas.look.gutter - 2 * kMargin, layout.ruler.height()),
+  painter.drawText(QRectF(kLaneMargin, 0, canvas.look.gutter - 2 * kLaneMargin, layout.ruler.height()),
                    Qt::AlignRight | Qt::AlignVCenter, QStringLiteral("s"));
 }
 
@@ -83,7 +83,7 @@ void paintBookmark(const Canvas& canvas, const TimeLineBand& band, const logplay
   painter.setRenderHint(QPainter::Antialiasing, false);
   painter.fillRect(QRectF(rect.left(), rect.top(), 2, lane.rect.bottom() - rect.top()), color);
   painter.setPen(chosen ? canvas.palette.color(QPalette::HighlightedText) : canvas.text());
-  const QRectF text = rect.adjusted(kMargin, 0, -2, 0);
+  const QRectF text = rect.adjusted(kLaneMargin, 0, -2, 0);
   painter.drawText(text, Qt::AlignLeft | Qt::AlignVCenter,
                    canvas.elided(QString::fromStdString(bookmark.text), text.width()));
 }
@@ -103,7 +103,7 @@ void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   bold.setBold(true);
   painter.setFont(bold);
   painter.setPen(canvas.text());
-  QRectF title(22, lane.rect.top(), canvas.look.gutter - 22 - kMargin, lane.rect.height());
+  QRectF title(22, lane.rect.top(), canvas.look.gutter - 22 - kLaneMargin, lane.rect.height());
   if (band.showsOffset) title.setRight(offsetRect(lane.rect, canvas.look).left());
   painter.drawText(title, Qt::AlignLeft | Qt::AlignVCenter,
                    canvas.elided(band.title, title.width(), Qt::ElideMiddle));
@@ -119,8 +119,8 @@ void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   const QString note = band.log != nullptr ? band.log->stageText() : QString();
   if (!note.isEmpty()) {
     painter.setPen(canvas.muted());
-    painter.drawText(canvas.plot(lane.rect).adjusted(0, 0, -kMargin, 0), Qt::AlignRight | Qt::AlignVCenter,
-                     note);
+    painter.drawText(canvas.plot(lane.rect).adjusted(0, 0, -kLaneMargin, 0),
+                     Qt::AlignRight | Qt::AlignVCenter, note);
   }
 }
 
@@ -232,7 +232,7 @@ void paintLane(const Canvas& canvas, const TimeLineBand& band, const Lane& lane,
   painter.setClipRect(body);
   if (lane.kind == TimeLineLayout::Kind::kStream) paintStream(canvas, band, lane);
   const bool heading = lane.kind != TimeLineLayout::Kind::kStream;
-  const QRectF name(22, lane.rect.top(), canvas.look.gutter - 22 - kMargin, lane.rect.height());
+  const QRectF name(22, lane.rect.top(), canvas.look.gutter - 22 - kLaneMargin, lane.rect.height());
   painter.setPen(heading ? canvas.muted() : canvas.text());
   painter.drawText(name, Qt::AlignLeft | Qt::AlignVCenter,
                    canvas.elided(laneName(band, lane), name.width(), Qt::ElideMiddle));

@@ -26,11 +26,12 @@ using robotlink::Instant;
 
 namespace {
 
-const ViewRegistration kRegistration{{"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
-                                      QT_TRANSLATE_NOOP("View",
-                                                        "Shows logs over time: images, messages, warnings, "
-                                                        "bookmarks; lets one jump, select, cut and export."),
-                                      "time-line", false, create<TimeLineView>}};
+const ViewRegistration kTimeLineViewRegistration{
+    {"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
+     QT_TRANSLATE_NOOP("View",
+                       "Shows logs over time: images, messages, warnings, "
+                       "bookmarks; lets one jump, select, cut and export."),
+     "time-line", false, create<TimeLineView>}};
 
 QString withKey(const QString& text, ReplayKey key) {
   return QStringLiteral("%1 (%2)").arg(text, keySequence(key).toString(QKeySequence::NativeText));

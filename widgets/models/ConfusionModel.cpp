@@ -11,7 +11,7 @@
 namespace widgets {
 namespace {
 
-QString percent(double share) {
+QString percentOf(double share) {
   // What is there, but little, is not nothing.
   return share > 0 && share < 0.0005 ? QStringLiteral("< 0.1")
                                      : QStringLiteral("%1").arg(100 * share, 0, 'f', 1);
@@ -96,8 +96,8 @@ QVariant ConfusionModel::data(const QModelIndex& index, int role) const {
   switch (role) {
     case Qt::DisplayRole:
       if (unknown) return isRecall ? QVariant(QStringLiteral("–")) : QVariant();
-      if (isRecall) return percent(share(label, label)) + QStringLiteral(" %");
-      return evaluation_->count(label, found) > 0 ? QVariant(percent(share(label, found))) : QVariant();
+      if (isRecall) return percentOf(share(label, label)) + QStringLiteral(" %");
+      return evaluation_->count(label, found) > 0 ? QVariant(percentOf(share(label, found))) : QVariant();
     case Qt::ToolTipRole:
       return unknown ? QVariant(
                            tr("A second stroke of %1 is needed to try one with the other").arg(nameOf(label)))

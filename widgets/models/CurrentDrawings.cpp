@@ -12,11 +12,11 @@ namespace {
 
 using robotlink::DrawingKind;
 
-struct Kind {
+struct DrawnKind {
   const char* folder;
   DrawingKind kind;
 };
-constexpr Kind kKinds[] = {
+constexpr DrawnKind kKinds[] = {
     {"image/", DrawingKind::kImage}, {"field/", DrawingKind::kField}, {"robot/", DrawingKind::kRobot}};
 
 }  // namespace
@@ -24,7 +24,7 @@ constexpr Kind kKinds[] = {
 std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
                                             const QStringList& ids, robotlink::Instant shown) {
   std::map<std::string, const robotlink::StreamMessage*> byId;
-  for (const Kind& kind : kKinds) {
+  for (const DrawnKind& kind : kKinds) {
     const QLatin1String folder(kind.folder);
     const auto isOfKind = [&](const QString& id) { return id.startsWith(folder); };
     if (std::none_of(ids.begin(), ids.end(), isOfKind)) continue;

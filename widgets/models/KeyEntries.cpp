@@ -23,7 +23,7 @@ void merge(KeyEntry& entry, const robotcontrol::KeyTable::Key& key) {
   for (const std::string& solution : key.solutions()) addUnique(entry.solutions, solution);
 }
 
-QString text(const char* source) {
+QString valueText(const char* source) {
   return QCoreApplication::translate("KeyValue", source);
 }
 
@@ -36,15 +36,15 @@ bool hasNumber(KeyValue::Kind kind) {
 QString kindName(KeyValue::Kind kind) {
   switch (kind) {
     case KeyValue::Kind::kOff:
-      return text("off");
+      return valueText("off");
     case KeyValue::Kind::kAlways:
-      return text("always");
+      return valueText("always");
     case KeyValue::Kind::kTimes:
-      return text("n times");
+      return valueText("n times");
     case KeyValue::Kind::kEveryNth:
-      return text("every n-th");
+      return valueText("every n-th");
     case KeyValue::Kind::kEveryMs:
-      return text("every n ms");
+      return valueText("every n ms");
   }
   return {};
 }
@@ -52,11 +52,11 @@ QString kindName(KeyValue::Kind kind) {
 QString numberText(const KeyValue& value) {
   switch (value.kind) {
     case KeyValue::Kind::kTimes:
-      return text("%1 left").arg(value.n);
+      return valueText("%1 left").arg(value.n);
     case KeyValue::Kind::kEveryNth:
       return QString::number(value.n);
     case KeyValue::Kind::kEveryMs:
-      return text("%1 ms").arg(value.n);
+      return valueText("%1 ms").arg(value.n);
     default:
       return {};
   }

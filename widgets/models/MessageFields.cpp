@@ -151,7 +151,7 @@ bool storeText(Message& message, const FieldStep& step, const QVariant& value) {
   return true;
 }
 
-QString text(const char* source) {
+QString fieldText(const char* source) {
   return QCoreApplication::translate("MessageFields", source);
 }
 
@@ -218,20 +218,20 @@ QString typeName(const FieldPath& path) {
   switch (path.back().field->cpp_type()) {
     case FieldDescriptor::CPPTYPE_DOUBLE:
     case FieldDescriptor::CPPTYPE_FLOAT:
-      return text("number");
+      return fieldText("number");
     case FieldDescriptor::CPPTYPE_BOOL:
-      return text("yes or no");
+      return fieldText("yes or no");
     case FieldDescriptor::CPPTYPE_ENUM:
-      return text("choice");
+      return fieldText("choice");
     case FieldDescriptor::CPPTYPE_STRING:
-      return text("text");
+      return fieldText("text");
     case FieldDescriptor::CPPTYPE_MESSAGE:
-      return text("group");
+      return fieldText("group");
     case FieldDescriptor::CPPTYPE_UINT32:
     case FieldDescriptor::CPPTYPE_UINT64:
-      return text("whole number, not negative");
+      return fieldText("whole number, not negative");
     default:
-      return text("whole number");
+      return fieldText("whole number");
   }
 }
 

@@ -8,7 +8,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kRefusalTicks = 60;
+constexpr int kDragRefusalTicks = 60;
 
 }  // namespace
 
@@ -45,7 +45,7 @@ void ModelDrag::turn(double by) {
 
 void ModelDrag::tick(robotlink::Session& session) {
   if (unsent_) send(session);
-  if (!active_ && ++ticksSinceEnd_ > kRefusalTicks) answer_->refusal.clear();
+  if (!active_ && ++ticksSinceEnd_ > kDragRefusalTicks) answer_->refusal.clear();
 }
 
 void ModelDrag::end(robotlink::Session& session) {

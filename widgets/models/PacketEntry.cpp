@@ -12,7 +12,7 @@ namespace {
 namespace arcos = robotlink::arcos;
 
 /// The one packet that the bytes are, or what is wrong with them.
-arcos::PacketParser::Found parse(const std::string& bytes) {
+arcos::PacketParser::Found parsed(const std::string& bytes) {
   arcos::Damage whole;
   whole.bytes.assign(bytes.begin(), bytes.end());
   arcos::PacketParser parser;
@@ -50,7 +50,7 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
   entry.time = time;
   entry.fromRobot = fromRobot;
   entry.damaged = damaged;
-  const auto found = parse(bytes);
+  const auto found = parsed(bytes);
   if (const auto* packet = std::get_if<arcos::Packet>(&found)) {
     const arcos::PacketDescription description = arcos::describe(*packet, directionOf(fromRobot));
     entry.name = QString::fromStdString(description.name);
@@ -66,7 +66,7 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
 }
 
 arcos::PacketDescription describePacket(const PacketEntry& entry) {
-  const auto found = parse(entry.bytes);
+  const auto found = parsed(entry.bytes);
   if (const auto* packet = std::get_if<arcos::Packet>(&found))
     return arcos::describe(*packet, directionOf(entry.fromRobot));
   arcos::PacketDescription description;
@@ -76,7 +76,7 @@ arcos::PacketDescription describePacket(const PacketEntry& entry) {
 }
 
 int packetId(const PacketEntry& entry) {
-  const auto found = parse(entry.bytes);
+  const auto found = parsed(entry.bytes);
   const auto* packet = std::get_if<arcos::Packet>(&found);
   return packet == nullptr ? -1 : packet->id;
 }

@@ -17,10 +17,6 @@ constexpr int kAround = 32;  // corners of a circle
 constexpr int kSlices = 16;  // of a sphere, from pole to pole
 constexpr double kSmoothAngle = robotlink::radians(40);
 
-std::array<float, 3> packed(const Vector3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
-}
-
 Vector3 unitNormal(const Vector3& v) {
   const double length = v.norm();
   return length > 1e-15 ? Vector3(v / length) : Vector3(Vector3::UnitZ());

@@ -8,6 +8,11 @@
 
 namespace widgets {
 
+/// A point or a direction as the graphics card takes it.
+inline std::array<float, 3> packed(const robotlink::Vector3& v) {
+  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
+}
+
 /// Adds primitive shapes to a mesh, each at a pose in the mesh's frame. Metres.
 class MeshBuilder {
  public:

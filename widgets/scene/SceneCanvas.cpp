@@ -16,9 +16,9 @@
 namespace widgets {
 namespace {
 
-constexpr double kKeyStep = 24;  // pixels that an arrow key is worth
-constexpr int kClickSlack = 4;   // pixels that a hand moves while it clicks
-constexpr double kTurnStep = robotlink::radians(15);
+constexpr double kKeyStep = 24;      // pixels that an arrow key is worth
+constexpr int kSceneClickSlack = 4;  // pixels that a hand moves while it clicks
+constexpr double kSceneTurnStep = robotlink::radians(15);
 
 }  // namespace
 
@@ -225,7 +225,7 @@ void SceneCanvas::mousePressEvent(QMouseEvent* event) {
 void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
   const QPointF by = event->localPos() - last_;
   last_ = event->localPos();
-  moved_ = moved_ || (last_ - pressed_).manhattanLength() >= kClickSlack;
+  moved_ = moved_ || (last_ - pressed_).manhattanLength() >= kSceneClickSlack;
   SceneCamera camera = camera_;
   switch (mode_) {
     case Mode::kIdle:
@@ -265,7 +265,7 @@ void SceneCanvas::click(const QPointF& at) {
 void SceneCanvas::wheelEvent(QWheelEvent* event) {
   const double notches = event->angleDelta().y() / 120.0;
   event->accept();
-  if (mode_ == Mode::kDragging) return Q_EMIT dragTurned(notches * kTurnStep);
+  if (mode_ == Mode::kDragging) return Q_EMIT dragTurned(notches * kSceneTurnStep);
   SceneCamera camera = camera_;
   camera.zoom(size(), std::pow(1.2, notches), event->position());
   setCamera(camera);

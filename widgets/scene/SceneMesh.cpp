@@ -18,7 +18,7 @@ using robotlink::Pose3;
 using robotlink::Vector3;
 using Color = MeshBuilder::Color;
 
-Color packed(const foxglove::Color& color) {
+Color rgba(const foxglove::Color& color) {
   const auto channel = [](double value) {
     return static_cast<std::uint8_t>(std::lround(std::min(std::max(0.0, value), 1.0) * 255));
   };
@@ -27,10 +27,6 @@ Color packed(const foxglove::Color& color) {
 
 SceneMesh& meshFor(SceneShape& shape, Color color) {
   return color[3] == 255 ? shape.opaque : shape.translucent;
-}
-
-std::array<float, 3> packed(const Vector3& v) {
-  return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
 void addTriangles(SceneShape& shape, const foxglove::TriangleListPrimitive& list) {
@@ -45,7 +41,7 @@ void addTriangles(SceneShape& shape, const foxglove::TriangleListPrimitive& list
       at[static_cast<std::size_t>(k)] = indexed ? static_cast<int>(list.indices(i + k)) : i + k;
     if (std::ranges::any_of(at, [&](int point) { return point < 0 || point >= list.points_size(); }))
       continue;
-    const Color color = packed(at[0] < list.colors_size() ? list.colors(at[0]) : list.color());
+    const Color color = rgba(at[0] < list.colors_size() ? list.colors(at[0]) : list.color());
     const std::size_t kind = color[3] == 255 ? 0 : 1;
     for (const int point : at) {
       const auto& p = list.points(point);
@@ -61,7 +57,7 @@ void addArrow(SceneShape& shape, const foxglove::ArrowPrimitive& arrow) {
   // Cylinders stand along z, arrows lie along x.
   Pose3 alongX = robotlink::pose3(arrow.pose());
   alongX.rotate(Eigen::AngleAxisd(robotlink::kPi / 2, Vector3::UnitY()));
-  const Color color = packed(arrow.color());
+  const Color color = rgba(arrow.color());
   MeshBuilder builder(meshFor(shape, color));
   const auto add = [&](double from, double length, double diameter, double topScale) {
     Pose3 pose = alongX;
@@ -86,7 +82,7 @@ void addLines(SceneShape& shape, const LinePrimitive& lines) {
   };
   for (std::size_t i = 0; i + 1 < order.size(); i += step) {
     const auto& color = order[i] < lines.colors_size() ? lines.colors(order[i]) : lines.color();
-    shape.lines.segments.push_back({point(order[i]), point(order[i + 1]), packed(color),
+    shape.lines.segments.push_back({point(order[i]), point(order[i + 1]), rgba(color),
                                     lines.scale_invariant() ? std::max(1.F, thickness) : -thickness});
   }
 }
@@ -112,17 +108,17 @@ std::optional<double> distanceToTriangle(const Vector3& a, const Vector3& b, con
 SceneShape shapeOf(const foxglove::SceneEntity& entity) {
   SceneShape shape;
   for (const auto& cube : entity.cubes()) {
-    const Color color = packed(cube.color());
+    const Color color = rgba(cube.color());
     MeshBuilder(meshFor(shape, color))
         .box(robotlink::pose3(cube.pose()), robotlink::vector3(cube.size()), color);
   }
   for (const auto& sphere : entity.spheres()) {
-    const Color color = packed(sphere.color());
+    const Color color = rgba(sphere.color());
     MeshBuilder(meshFor(shape, color))
         .sphere(robotlink::pose3(sphere.pose()), robotlink::vector3(sphere.size()), color);
   }
   for (const auto& cylinder : entity.cylinders()) {
-    const Color color = packed(cylinder.color());
+    const Color color = rgba(cylinder.color());
     // Both zero means that neither was set.
     const bool unset = cylinder.bottom_scale() == 0 && cylinder.top_scale() == 0;
     MeshBuilder(meshFor(shape, color))
@@ -133,7 +129,7 @@ SceneShape shapeOf(const foxglove::SceneEntity& entity) {
   for (const auto& arrow : entity.arrows()) addArrow(shape, arrow);
   for (const auto& lines : entity.lines()) addLines(shape, lines);
   for (const auto& text : entity.texts()) {
-    shape.texts.push_back({robotlink::pose3(text.pose()).translation(), text.text(), packed(text.color()),
+    shape.texts.push_back({robotlink::pose3(text.pose()).translation(), text.text(), rgba(text.color()),
                            text.scale_invariant() ? text.font_size() : -text.font_size()});
   }
   return shape;

@@ -30,7 +30,7 @@
 namespace widgets {
 namespace {
 
-const ViewRegistration kRegistration{
+const ViewRegistration kSceneViewRegistration{
     {"scene", QT_TRANSLATE_NOOP("widgets::SceneView", "Scene"),
      QT_TRANSLATE_NOOP("widgets::SceneView",
                        "The world in three dimensions, with what the robots draw into it"),

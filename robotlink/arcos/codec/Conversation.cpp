@@ -13,7 +13,7 @@ namespace robotlink::arcos {
 namespace {
 
 using Event = Conversation::Event;
-using Kind = Conversation::Kind;
+using EventKind = Conversation::Kind;
 
 constexpr std::string_view kNewConnection = "=== new connection";
 constexpr std::string_view kClosed = "client closed";
@@ -77,7 +77,7 @@ std::string wordsOf(const Bytes& bytes) {
 
 /// The line's event, or a sentence on what is wrong.
 tl::expected<Event, std::string> readEvent(std::string_view line) {
-  if (line == kNewConnection) return Event{Kind::kNewConnection, {}, {}, {}};
+  if (line == kNewConnection) return Event{EventKind::kNewConnection, {}, {}, {}};
   const std::string_view time = takeWord(line);
   double ms = 0;
   const auto [end, problem] = std::from_chars(time.data(), time.data() + time.size(), ms);
@@ -85,10 +85,10 @@ tl::expected<Event, std::string> readEvent(std::string_view line) {
     return tl::unexpected("expected '" + std::string(kNewConnection) + "' or a time in ms, not '" +
                           std::string(time.substr(0, 40)) + "'");
   }
-  Event event{Kind::kClosed, std::chrono::microseconds(std::llround(ms * 1000)), {}, {}};
+  Event event{EventKind::kClosed, std::chrono::microseconds(std::llround(ms * 1000)), {}, {}};
   if (line == kClosed) return event;
 
-  event.kind = Kind::kPacket;
+  event.kind = EventKind::kPacket;
   const std::string_view direction = takeWord(line);
   if (direction != kFromClient && direction != kFromRobot) {
     return tl::unexpected(std::string("expected 'C>S', 'S>C' or 'client closed' after the time"));
@@ -131,11 +131,11 @@ Result<Conversation> readConversationFile(const std::filesystem::path& file) {
 }
 
 std::string writeEvent(const Event& event) {
-  if (event.kind == Kind::kNewConnection) return std::string(kNewConnection) + '\n';
+  if (event.kind == EventKind::kNewConnection) return std::string(kNewConnection) + '\n';
   char time[40];
   std::snprintf(time, sizeof time, "%9.1f ", std::chrono::duration<double, std::milli>(event.at).count());
   std::string line = time;
-  if (event.kind == Kind::kClosed) return line.append(kClosed) + '\n';
+  if (event.kind == EventKind::kClosed) return line.append(kClosed) + '\n';
   line += event.direction == Direction::kFromClient ? kFromClient : kFromRobot;
   return line + ' ' + wordsOf(event.bytes) + ' ' + toHex(event.bytes) + '\n';
 }

@@ -16,7 +16,7 @@ constexpr int kMostReadings = 1801;
 constexpr std::uint8_t kMovedFlag = 1;
 constexpr int kMostOfRequest = 2;  // requests for packets: 0 none, 1 one, 2 all the time
 
-std::int16_t wrapped(double value) {
+std::int16_t wrappedMm(double value) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(std::llround(value) & 0xFFFF));
 }
 
@@ -87,9 +87,9 @@ std::vector<Packet> LaserService::packets(std::span<const double> ranges, const 
   LaserPacket part;
   part.extended = mode_ == Mode::kExtended;
   part.total = static_cast<std::uint16_t>(total);
-  part.xMm = wrapped(odometry.x * 1000);
-  part.yMm = wrapped(odometry.y * 1000);
-  part.headingDeg = wrapped(degrees(odometry.heading));
+  part.xMm = wrappedMm(odometry.x * 1000);
+  part.yMm = wrappedMm(odometry.y * 1000);
+  part.headingDeg = wrappedMm(degrees(odometry.heading));
   part.flags = moved ? kMovedFlag : 0;
   for (int first = 0; first < total; first += static_cast<int>(LaserPacket::kMostReadings)) {
     const int end = std::min(total, first + static_cast<int>(LaserPacket::kMostReadings));

@@ -11,10 +11,10 @@ namespace {
 
 namespace fs = std::filesystem;
 
-enum class Kind { kAdapter, kBluetooth, kBuiltIn };
+enum class PortKind { kAdapter, kBluetooth, kBuiltIn };
 
 struct Found {
-  Kind kind;
+  PortKind kind;
   std::string name;
   std::string description;
 };
@@ -41,17 +41,17 @@ std::string describeUsb(fs::path folder) {
 
 std::optional<Found> inspect(const fs::path& tty) {
   const std::string name = tty.filename().string();
-  if (name.starts_with("rfcomm")) return Found{Kind::kBluetooth, name, "Bluetooth serial port"};
+  if (name.starts_with("rfcomm")) return Found{PortKind::kBluetooth, name, "Bluetooth serial port"};
   std::error_code error;
   const fs::path device = fs::canonical(tty / "device", error);
   if (error) return std::nullopt;  // a console or a pseudo-terminal
   if (name.starts_with("ttyUSB") || name.starts_with("ttyACM")) {
     const std::string usb = describeUsb(device);
-    return Found{Kind::kAdapter, name, usb.empty() ? "USB serial adapter" : usb};
+    return Found{PortKind::kAdapter, name, usb.empty() ? "USB serial adapter" : usb};
   }
   // The kernel keeps ttyS0 to ttyS3 whether or not there is hardware; then their type is 0.
   if (firstLine(tty / "type") == "0") return std::nullopt;
-  return Found{Kind::kBuiltIn, name, "built-in serial port"};
+  return Found{PortKind::kBuiltIn, name, "built-in serial port"};
 }
 
 }  // namespace

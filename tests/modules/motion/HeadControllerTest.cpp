@@ -8,7 +8,7 @@ namespace {
 
 using robotlink::radians;
 using robotlink::Vector3;
-constexpr robotlink::Duration kFrame = std::chrono::milliseconds(8);
+constexpr robotlink::Duration kHeadFrame = std::chrono::milliseconds(8);
 
 HeadWish wish(HeadWish::Kind kind) {
   return {kind, {}};
@@ -54,10 +54,11 @@ TEST(HeadControllerTest, whatLiesBehindTheNeckDoesNotTurnTheHeadOver) {
 TEST(HeadControllerTest, aKnownBallIsTrackedInSearchTooAndALostOneIsSearchedOnItsSide) {
   for (const auto kind : {HeadWish::Kind::kSearchBall, HeadWish::Kind::kTrackBall}) {
     HeadController controller(HeadParameters{});
-    HeadAngles head = controller.advance(wish(kind), BallSight{{1, -0.5}, 0.1}, {}, kFrame);
+    HeadAngles head = controller.advance(wish(kind), BallSight{{1, -0.5}, 0.1}, {}, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kTracking);
     EXPECT_LT(head.pan, -0.3);
-    for (int i = 0; i < 30; ++i) head = controller.advance(wish(kind), BallSight{{1, -0.5}, 2}, head, kFrame);
+    for (int i = 0; i < 30; ++i)
+      head = controller.advance(wish(kind), BallSight{{1, -0.5}, 2}, head, kHeadFrame);
     EXPECT_EQ(controller.state(), HeadController::State::kSearching);
     EXPECT_LT(head.pan, -0.7);
   }
@@ -71,7 +72,7 @@ Sweep swept(HeadController& controller, const HeadWish& kind, double seconds) {
   Sweep sweep;
   HeadAngles head;
   for (int i = 0; i < static_cast<int>(seconds / 0.008); ++i) {
-    const HeadAngles next = controller.advance(kind, std::nullopt, head, kFrame);
+    const HeadAngles next = controller.advance(kind, std::nullopt, head, kHeadFrame);
     sweep.fastest = std::max(sweep.fastest, std::abs(next.pan - head.pan) / 0.008);
     head = next;
     sweep.left = std::max(sweep.left, head.pan);
@@ -102,15 +103,15 @@ TEST(HeadControllerTest, lookingAroundStaysAtTheHeightOfLandmarks) {
 TEST(HeadControllerTest, aSweepWaitsForAHeadThatIsHeld) {
   HeadController controller(HeadParameters{});
   HeadAngles wanted;
-  for (int i = 0; i < 300; ++i) wanted = controller.lookAround({}, kFrame);
+  for (int i = 0; i < 300; ++i) wanted = controller.lookAround({}, kHeadFrame);
   EXPECT_LT(wanted.pan, 0.6);
 }
 
 TEST(HeadControllerTest, anglesAndAheadAreObeyedAtOnce) {
   HeadController controller(HeadParameters{});
   const HeadWish angles{HeadWish::Kind::kAngles, {0.1, 0.2, 0.3, -0.4}};
-  EXPECT_EQ(controller.advance(angles, std::nullopt, {}, kFrame), angles.angles);
-  EXPECT_EQ(controller.advance(wish(HeadWish::Kind::kLookAhead), std::nullopt, {}, kFrame).pan, 0);
+  EXPECT_EQ(controller.advance(angles, std::nullopt, {}, kHeadFrame), angles.angles);
+  EXPECT_EQ(controller.advance(wish(HeadWish::Kind::kLookAhead), std::nullopt, {}, kHeadFrame).pan, 0);
 }
 
 }  // namespace

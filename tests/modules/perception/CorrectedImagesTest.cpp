@@ -20,7 +20,7 @@ using colortool::ColorTable;
 using robotlink::YCbCr;
 
 constexpr int kWidth = 208, kHeight = 160, kSide = 24;
-constexpr YCbCr kOrange{150, 90, 190}, kWall{90, 90, 190};  // the wall is orange in the shade
+constexpr YCbCr kOrangeColor{150, 90, 190}, kWall{90, 90, 190};  // the wall is orange in the shade
 constexpr double kDarkening = -0.5, kTint = 20;
 
 /// Of the image's corners and its middle: places of orange squares of kSide pixels.
@@ -33,7 +33,7 @@ LoggedView view() {
     for (int x = 0; x < kWidth; ++x) {
       YCbCr color = kWall;
       for (const auto& [left, top] : kSquares) {
-        if (x >= left && x < left + kSide && y >= top && y < top + kSide) color = kOrange;
+        if (x >= left && x < left + kSide && y >= top && y < top + kSide) color = kOrangeColor;
       }
       const double r2 = colortool::squaredImageRadius(x, y, kWidth, kHeight);
       std::uint8_t* pixel = image.row(y) + 2 * x;

@@ -26,7 +26,7 @@ std::string withReplaced(const std::string& from, const std::string& to) {
   return text.replace(at, from.size(), to);
 }
 
-std::string errorsOf(const std::string& text) {
+std::string fieldErrors(const std::string& text) {
   const auto field = FieldDescription::parse(text, "field.yaml");
   return field ? "" : describe(field.error());
 }
@@ -49,7 +49,7 @@ TEST(FieldDescription, placesOfTheKickOffLieInTheOwnHalf) {
   ASSERT_TRUE(field);
   ASSERT_EQ(field->kickOff.size(), 4U);
   EXPECT_EQ(field->kickOff[0], (Pose2{-0.8, 0, 0}));
-  const std::string wrong = errorsOf(withReplaced("[[-0.8, 0.0]", "[[0.8, 0.0]"));
+  const std::string wrong = fieldErrors(withReplaced("[[-0.8, 0.0]", "[[0.8, 0.0]"));
   EXPECT_THAT(wrong, HasSubstr("field.yaml:23"));
   EXPECT_THAT(wrong, HasSubstr("in the half of the team that plays towards +x"));
 }
@@ -75,27 +75,29 @@ TEST(FieldDescription, aFieldNeedsNoWallsAndNoBeaconsButMayHaveLinesAroundIt) {
   EXPECT_TRUE(field->beacons.empty());
   EXPECT_FALSE(FieldDescription::load(kFile)->hasBoundary());
   EXPECT_EQ(FieldDescription::load(kFile)->goalLineX(), 2.1) << "the walls bound the field of play";
-  EXPECT_THAT(errorsOf(withReplaced("lines: {width: 0.025,",
-                                    "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
+  EXPECT_THAT(fieldErrors(withReplaced("lines: {width: 0.025,",
+                                       "lines: {boundary: {length: 9, width: 2}, width: 0.025,")),
               HasSubstr("'length' must lie between"));
 }
 
 TEST(FieldDescription, aColorThatThePaletteLacksIsRefusedWithItsPlace) {
-  EXPECT_THAT(errorsOf(withReplaced("mass: 0.026, color: orange", "mass: 0.026, color: mauve")),
+  EXPECT_THAT(fieldErrors(withReplaced("mass: 0.026, color: orange", "mass: 0.026, color: mauve")),
               AllOf(testing::StartsWith("field.yaml:"), HasSubstr(": the palette has no colour 'mauve'")));
 }
 
 TEST(FieldDescription, wrongValuesAreRefused) {
-  EXPECT_THAT(errorsOf(withReplaced("length: 4.2", "length: -4.2")), HasSubstr("'length' must lie between"));
-  EXPECT_THAT(errorsOf(withReplaced("length: 4.2", "length: 1e9")), HasSubstr("'length' must lie between"));
-  EXPECT_THAT(errorsOf(withReplaced("mass: 0.026", "mass: .nan")), HasSubstr("a finite number"));
-  EXPECT_THAT(errorsOf(withReplaced("[0, 130, 50]", "[0, 130, 256]")),
+  EXPECT_THAT(fieldErrors(withReplaced("length: 4.2", "length: -4.2")),
+              HasSubstr("'length' must lie between"));
+  EXPECT_THAT(fieldErrors(withReplaced("length: 4.2", "length: 1e9")),
+              HasSubstr("'length' must lie between"));
+  EXPECT_THAT(fieldErrors(withReplaced("mass: 0.026", "mass: .nan")), HasSubstr("a finite number"));
+  EXPECT_THAT(fieldErrors(withReplaced("[0, 130, 50]", "[0, 130, 256]")),
               HasSubstr("three whole numbers from 0 to 255"));
-  EXPECT_THAT(errorsOf(withReplaced("position: [-2.2, 1.45]", "position: [-2.2]")),
+  EXPECT_THAT(fieldErrors(withReplaced("position: [-2.2, 1.45]", "position: [-2.2]")),
               HasSubstr("must have 2 numbers"));
-  EXPECT_THAT(errorsOf(withReplaced("thickness:", "thikness:")),
+  EXPECT_THAT(fieldErrors(withReplaced("thickness:", "thikness:")),
               AllOf(HasSubstr("unknown key 'thikness'"), HasSubstr("'thickness' is missing")));
-  EXPECT_THAT(errorsOf(withReplaced("version: 1", "version: 2")), HasSubstr("only version 1"));
+  EXPECT_THAT(fieldErrors(withReplaced("version: 1", "version: 2")), HasSubstr("only version 1"));
 }
 
 }  // namespace

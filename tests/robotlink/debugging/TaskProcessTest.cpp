@@ -40,7 +40,7 @@ robotcontrol::Velocity2 velocity(double x) {
   return result;
 }
 
-Request setParameters(const std::string& solution, const google::protobuf::Message& value) {
+Request parametersRequest(const std::string& solution, const google::protobuf::Message& value) {
   Request request;
   auto& wish = *request.mutable_set_parameters();
   wish.set_task("ball-percept");
@@ -212,7 +212,7 @@ TEST(TaskProcessTest, parametersComeFromTheirFileAndCanBeSet) {
   robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
   robot.run(20);
   EXPECT_GT(lastBall(robot).radius_in_image(), 1000);
-  EXPECT_TRUE(robot.ask(setParameters("region", velocity(5000))).accepted());
+  EXPECT_TRUE(robot.ask(parametersRequest("region", velocity(5000))).accepted());
   robot.run(20);
   EXPECT_GT(lastBall(robot).radius_in_image(), 5000);
   EXPECT_TRUE(robot.select("ball-percept", "region").accepted());
@@ -232,7 +232,7 @@ TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
   google::protobuf::FileDescriptorSet files;
   ASSERT_TRUE(files.ParseFromString(told[0]->parameters().descriptors()));
   EXPECT_EQ("robotcontrol/Sensing.proto", files.file(files.file_size() - 1).name());
-  EXPECT_TRUE(robot.ask(setParameters("region", velocity(5000))).accepted());
+  EXPECT_TRUE(robot.ask(parametersRequest("region", velocity(5000))).accepted());
   const auto later = robot.on("parameters/ball-percept/region").back()->parameters();
   EXPECT_EQ(told[0]->parameters().value().data(), later.defaults().data());
   EXPECT_NE(later.value().data(), later.defaults().data());
@@ -243,10 +243,11 @@ TEST(TaskProcessTest, parametersAreToldWithTheirDescription) {
 TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
   ToyRobot robot;
   EXPECT_EQ("its parameters are a robotcontrol.Velocity2, not a 'robotcontrol.Pose2'",
-            robot.ask(setParameters("region", robotcontrol::Pose2())).reason());
-  EXPECT_EQ("'x' is not a finite number, or not a text in UTF-8",
-            robot.ask(setParameters("region", velocity(std::numeric_limits<double>::infinity()))).reason());
-  Request damaged = setParameters("region", velocity(1));
+            robot.ask(parametersRequest("region", robotcontrol::Pose2())).reason());
+  EXPECT_EQ(
+      "'x' is not a finite number, or not a text in UTF-8",
+      robot.ask(parametersRequest("region", velocity(std::numeric_limits<double>::infinity()))).reason());
+  Request damaged = parametersRequest("region", velocity(1));
   damaged.mutable_set_parameters()->mutable_value()->mutable_data()->resize(5);
   EXPECT_EQ("the bytes are no robotcontrol.Velocity2", robot.ask(damaged).reason());
   robot.setKey("package/percepts/ball", KeyMode::ALWAYS);

@@ -15,7 +15,7 @@ using testing::IsEmpty;
 
 namespace {
 
-Instant at(double time) {
+Instant instantAt(double time) {
   return Instant(fromSeconds(time));
 }
 
@@ -48,13 +48,14 @@ class FrameDrawingsTest : public testing::Test {
   static robotcontrol::DebugMessage& add(DebugQueue& queue, const std::string& path, double time) {
     auto& message = *queue.add_messages();
     message.set_path(path);
-    assign(*message.mutable_timestamp(), at(time));
+    assign(*message.mutable_timestamp(), instantAt(time));
     return message;
   }
   Names shown(double time) {
     Names names;
     const std::string prefix = drawingPrefix("red1", DrawingKind::kImage);
-    for (const auto* drawing : currentDrawings(session_.store(), "red1", DrawingKind::kImage, at(time))) {
+    for (const auto* drawing :
+         currentDrawings(session_.store(), "red1", DrawingKind::kImage, instantAt(time))) {
       names.push_back(drawing->path.substr(prefix.size()));
     }
     return names;
@@ -100,8 +101,8 @@ TEST_F(FrameDrawingsTest, whatStaysIsNotOfTheLatestFrame) {
   mode(0, "a", KeyMode::EVERY_N, 10);
   frame("cognition", 1, {"a", "b"});
   const auto isOld = [&](double time) {
-    const auto drawings = currentDrawings(session_.store(), "red1", DrawingKind::kImage, at(time));
-    return drawings.empty() || !isOfLatestFrame(session_.store(), "red1", *drawings.front(), at(time));
+    const auto drawings = currentDrawings(session_.store(), "red1", DrawingKind::kImage, instantAt(time));
+    return drawings.empty() || !isOfLatestFrame(session_.store(), "red1", *drawings.front(), instantAt(time));
   };
   EXPECT_FALSE(isOld(1));
   frame("motion", 1.5, {});
@@ -123,17 +124,17 @@ TEST_F(FrameDrawingsTest, theLastOfNTimesStaysButWhatIsSwitchedOffGoes) {
 
 TEST_F(FrameDrawingsTest, messagesThatDoNotKnowTheirFrameAreToldByTime) {
   const auto plain = [](const std::string& path, double time, const PackagePtr& value) {
-    return StreamMessage{path, at(time), value};
+    return StreamMessage{path, instantAt(time), value};
   };
   StreamStore store({});
   const auto drawing = std::make_shared<robotcontrol::FrameInfo>();  // of any type
   store.add(plain("red1/drawings/image/a", 1, drawing));
-  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, at(9)).size(), 1U)
+  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, instantAt(9)).size(), 1U)
       << "nobody says when frames end";
   store.add(plain("red1/frames/cognition", 1, std::make_shared<robotcontrol::FrameInfo>()));
-  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, at(1)).size(), 1U);
+  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, instantAt(1)).size(), 1U);
   store.add(plain("red1/frames/cognition", 2, std::make_shared<robotcontrol::FrameInfo>()));
-  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, at(2)).size(), 0U);
+  EXPECT_EQ(currentDrawings(store, "red1", DrawingKind::kImage, instantAt(2)).size(), 0U);
 }
 
 TEST_F(FrameDrawingsTest, kindsAndRobotsAreToldApart) {

@@ -40,11 +40,6 @@ int differingPixels(const Image& a, const Image& b) {
   return count;
 }
 
-Rgb pixel(const Image& image, int x, int y) {
-  const std::uint8_t* p = image.row(y) + 3 * x;
-  return {p[0], p[1], p[2]};
-}
-
 /// A single mesh at the origin without lamps, in full light.
 CameraScene single(Mesh mesh, Rgb color, Rgb background) {
   auto scene = std::make_shared<RenderScene>();

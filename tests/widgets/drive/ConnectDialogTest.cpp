@@ -15,10 +15,10 @@
 
 namespace {
 
-struct Shown : DriveWorld {
+struct ShownDialog : DriveWorld {
   using Values = std::vector<robotlink::CommandTable::Value>;
 
-  explicit Shown(QStringList recent = {}) {
+  explicit ShownDialog(QStringList recent = {}) {
     commands.add({"robot.connect",
                   "",
                   {{"address", robotlink::CommandTable::Type::kText, ""},
@@ -73,7 +73,7 @@ class ConnectDialogTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
   void anAddressIsReadWhileItIsTyped() {
-    Shown s;
+    ShownDialog s;
     QCOMPARE(s.address->text(), QStringLiteral("tcp://localhost:8101"));
     QCOMPARE(s.text("connectMeaning"), QStringLiteral("over the network: localhost, port 8101"));
     s.type(QStringLiteral("tcp://10.0.0.7:8103"));
@@ -89,7 +89,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void theFieldsMakeTheAddress() {
-    Shown s;
+    ShownDialog s;
     auto& port = child<QSpinBox>(*s.dialog, "connectPort");
     port.setFocus();
     QTest::keyClick(&port, Qt::Key_Up);
@@ -110,7 +110,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void portsThatWerePluggedInAreFoundAgain() {
-    Shown s;
+    ShownDialog s;
     s.ports = {{"/dev/ttyUSB7", "adapter"}};
     QTest::mouseClick(&child<QRadioButton>(*s.dialog, "connectSerial"), Qt::LeftButton, {}, {8, 8});
     click(child<QWidget>(*s.dialog, "connectLookAgain"));
@@ -118,7 +118,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void connectingRunsTheCommandAndTellsHowItGoes() {
-    Shown s({QStringLiteral("tcp://localhost:8105"), QStringLiteral("tcp://robot:8101")});
+    ShownDialog s({QStringLiteral("tcp://localhost:8105"), QStringLiteral("tcp://robot:8101")});
     QCOMPARE(s.address->text(), QStringLiteral("tcp://localhost:8105"));
     s.type(QStringLiteral("tcp://robot"));
     auto& map = child<QLineEdit>(*s.dialog, "connectMap");
@@ -146,7 +146,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void anAddressNeedsNoSchemeWhereItIsClear() {
-    Shown s;
+    ShownDialog s;
     s.type(QStringLiteral("localhost:8291"));
     QCOMPARE(s.text("connectMeaning"), QStringLiteral("over the network: localhost, port 8291"));
     QVERIFY(s.button().isEnabled());
@@ -155,7 +155,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void whileItWaitsItCanBeToldToTryAtOnce() {
-    Shown s;
+    ShownDialog s;
     int now = 0;
     s.commands.add({"robot.connect-now", "", {}, [&](const auto&) -> robotlink::Result<void> {
                       ++now;
@@ -174,7 +174,7 @@ class ConnectDialogTest : public QObject {
   }
 
   void whatIsRefusedIsSaid() {
-    Shown s;
+    ShownDialog s;
     s.refusal = "there is no layout of this name";
     click(s.button());
     QCOMPARE(s.text("connectState"), QStringLiteral("there is no layout of this name"));

@@ -15,8 +15,8 @@ using widgets::test::isNear;
 
 namespace {
 
-struct Shown : DriveWorld {
-  explicit Shown(const robotcontrol::GroundMap& map = room(), QSize size = {840, 660}) {
+struct ShownMapView : DriveWorld {
+  explicit ShownMapView(const robotcontrol::GroundMap& map = room(), QSize size = {840, 660}) {
     push("map", map, 0);
     view = open<widgets::FieldView>(size);
     canvas = &child<widgets::FieldCanvas>(*view, "fieldCanvas");
@@ -58,7 +58,7 @@ class MapTest : public QObject {
   }
 
   void wallsAreLinesAndPoints() {
-    Shown s;
+    ShownMapView s;
     QVERIFY(!s.isGround(2, 0) && !s.isGround(8, 3));                            // lines
     QVERIFY(!s.isGround(4, 1.5) && !s.isGround(4, 2.9) && s.isGround(4, 3.4));  // points
     QVERIFY(s.isGround(2, 3));
@@ -72,14 +72,14 @@ class MapTest : public QObject {
   }
 
   void allOfABuildingIsSeenAtFirst() {
-    Shown s;
+    ShownMapView s;
     for (const auto& [x, y] : {std::pair(0.0, 0.0), {8.0, 6.0}})
       QVERIFY(s.canvas->rect().contains(s.at(x, y)));
     QVERIFY(s.at(4, 3).x() - s.canvas->rect().center().x() <= 1);
   }
 
   void aRobotThatDoesNotKnowWhereItIsSaysWhatToDo() {
-    Shown s;
+    ShownMapView s;
     widgets::RobotBelief lost;
     lost.robot = "p3at1";
     auto base = DriveWorld::state();
@@ -108,7 +108,7 @@ class MapTest : public QObject {
   }
 
   void aClickSendsTheRobotThere() {
-    Shown s;
+    ShownMapView s;
     s.press(2, 3);
     s.release(2, 3);
     QVERIFY(s.requests.empty());  // without the tool a drag moves the picture
@@ -123,7 +123,7 @@ class MapTest : public QObject {
   }
 
   void draggingSaysWhereToLookThen() {
-    Shown s;
+    ShownMapView s;
     s.press(2, 3, Qt::ControlModifier);
     s.move(2, 4);
     s.release(2, 4);
@@ -133,7 +133,7 @@ class MapTest : public QObject {
   }
 
   void aPlaceIsTakenWithItsNameAndHeading() {
-    Shown s;
+    ShownMapView s;
     widgets::test::click(*s.view, "fieldSend");
     const QPoint near = s.at(6, 4.5) + QPoint(3, -3);
     QTest::mouseClick(s.canvas, Qt::LeftButton, {}, near);
@@ -144,7 +144,7 @@ class MapTest : public QObject {
   }
 
   void escapeAbandonsTheAimAndThenTheGoal() {
-    Shown s;
+    ShownMapView s;
     widgets::test::click(*s.view, "fieldSend");
     auto& cancel = child<QToolButton>(*s.view, "fieldCancelGoal");
     QVERIFY(!cancel.isEnabled());
@@ -167,7 +167,7 @@ class MapTest : public QObject {
   }
 
   void aRefusedGoalSaysWhy() {
-    Shown s;
+    ShownMapView s;
     s.press(2, 3, Qt::ControlModifier);
     s.release(2, 3);
     const QImage before = s.canvas->grab().toImage();
@@ -177,7 +177,7 @@ class MapTest : public QObject {
   }
 
   void thePathToTheGoalIsSeen() {
-    Shown s;
+    ShownMapView s;
     s.pushTruth({{"p3at1", {1, 3, 0}}}, 1);
     QVERIFY(s.isGround(2.5, 3.5));
     robotcontrol::DrivePath path;
@@ -198,7 +198,7 @@ class MapTest : public QObject {
   }
 
   void robotsOnWheelsHaveTheirSizeAndAColourEach() {
-    Shown s;
+    ShownMapView s;
     s.pushTruth({{"p3at1", {2, 3, 0}}, {"p3at2", {6, 3, 0}}}, 1);
     s.pushEstimate("p3at1", {2.1, 3.3, 0.2}, 1);
     s.tick(*s.view);
@@ -218,7 +218,7 @@ class MapTest : public QObject {
   void showsARealBuilding() {
     const auto map = DriveWorld::sharedMap("columbia.map");
     if (map.lines_size() == 0) QSKIP("../shared/data/arcos/columbia.map is not there");
-    Shown s(map, {760, 900});
+    ShownMapView s(map, {760, 900});
     QCOMPARE(s.canvas->map()->points_size(), 2 * 63311);
     s.pushTruth({{"p3at1", {-2, 6, 1.2}}, {"p3at2", {14, 18.4, 3.1}}}, 1);
     s.pushEstimate("p3at1", {-1.8, 5.8, 1.3}, 1, 0.4);

@@ -40,8 +40,8 @@ Bytes information() {
       {0x32, {0, 0, 0, 0, 0, 0, 0, 0, 0, 0, 130, 0, 0, 0, 0, 1, 0, 0, 0, 0, 0, 0, 0, 0}});
 }
 
-struct Shown : DriveWorld {
-  Shown() {
+struct ShownInspector : DriveWorld {
+  ShownInspector() {
     view = open<widgets::PacketInspector>({900, 420});
     table = &child<QTableView>(*view, "packetsTable");
   }
@@ -129,7 +129,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void bothDirectionsAreDecoded() {
-    Shown s;
+    ShownInspector s;
     QVERIFY(child<QLabel>(*s.view, "emptyHint").text().contains(QStringLiteral("No packets yet")));
     s.pushTalk();
     QCOMPARE(s.rows(), 4);
@@ -144,14 +144,14 @@ class PacketInspectorTest : public QObject {
   }
 
   void itAsksForThePacketsByTheirKey() {
-    Shown s;
+    ShownInspector s;
     s.pushKeys({"link/packets"});
     s.tick(*s.view);
     QCOMPARE(s.requests.back().set_key().name(), std::string("package/link/packets"));
   }
 
   void filtersAddUp() {
-    Shown s;
+    ShownInspector s;
     s.pushTalk();
     auto& from = child<QComboBox>(*s.view, "packetsFrom");
     from.setFocus();
@@ -174,7 +174,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void namesAreHiddenInTheirMenu() {
-    Shown s;
+    ShownInspector s;
     s.pushTalk();
     auto& menu = child<QMenu>(*s.view, "packetsNamesMenu");
     menu.popup({0, 0});
@@ -186,13 +186,13 @@ class PacketInspectorTest : public QObject {
     QCOMPARE(s.rows(), 3);
     QCOMPARE(child<QToolButton>(*s.view, "packetsNames").text(), QStringLiteral("1 names hidden"));
     const QJsonObject state = s.view->saveState();
-    Shown other;
+    ShownInspector other;
     other.view->restoreState(state);
     QCOMPARE(other.view->saveState(), state);
   }
 
   void thePacketUnderTheCursorIsTakenApart() {
-    Shown s;
+    ShownInspector s;
     s.pushTalk();
     QTest::mouseClick(s.table->viewport(), Qt::LeftButton, {},
                       s.table->visualRect(s.table->model()->index(0, 2)).center());
@@ -213,7 +213,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void pausedPacketsComeLaterAndClearedOnesDoNot() {
-    Shown s;
+    ShownInspector s;
     click(child<QToolButton>(*s.view, "packetsPause"));
     s.pushTalk();
     QCOMPARE(s.rows(), 0);
@@ -231,7 +231,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void whatIsSavedIsOpenedAgain() {
-    Shown s;
+    ShownInspector s;
     s.pushTalk();
     QTemporaryDir folder;
     const QString file = folder.filePath(QStringLiteral("saved.wire"));
@@ -254,7 +254,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void aFileThatIsNoConversationSaysWhy() {
-    Shown s;
+    ShownInspector s;
     QTemporaryDir folder;
     const QString file = fileOf(folder, "=== new connection\n   1.0 C>S id=0 what\n");
     QString said;
@@ -267,7 +267,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void aClientsHalfIsSaidAgainAtItsTimes() {
-    Shown s;
+    ShownInspector s;
     QTemporaryDir folder;
     QVERIFY(s.view->openConversation(fileOf(folder, conversation())));
     s.pushPackets({}, 10);
@@ -296,7 +296,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void aClientsHalfIsSaidPacketByPacket() {
-    Shown s;
+    ShownInspector s;
     QTemporaryDir folder;
     QVERIFY(s.view->openConversation(fileOf(folder, conversation())));
     s.tick(*s.view);
@@ -315,7 +315,7 @@ class PacketInspectorTest : public QObject {
   }
 
   void showsAWholePicture() {
-    Shown s;
+    ShownInspector s;
     const std::filesystem::path wire = std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
                                        "../shared/data/arcos/wire/simpleMotionCommands.wire.xz";
     QTemporaryDir folder;

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <google/protobuf/descriptor.h>
+
+#include <string>
+
+namespace logplayer {
+
+/// Takes the errors of a schema that is being built, and prints none of them. A file from anywhere may hold
+/// anything: that building fails is the answer.
+class Silence final : public google::protobuf::DescriptorPool::ErrorCollector {
+ public:
+  void AddError(const std::string&, const std::string&, const google::protobuf::Message*, ErrorLocation,
+                const std::string&) override {}
+};
+
+}  // namespace logplayer
