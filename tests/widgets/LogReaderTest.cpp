@@ -17,6 +17,7 @@
 #include "tests/app/ShortLog.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogBars.h"
+#include "widgets/log/LogJobs.h"
 #include "widgets/log/LogReader.h"
 #include "widgets/log/TimeLineView.h"
 
@@ -217,6 +218,16 @@ class LogReaderTest : public QObject {
     QVERIFY2(child<QToolButton>(*view, "logJobOpen").isVisible(),
              qPrintable(child<QLabel>(*view, "logJobText").text()));
     QVERIFY(countOf(repaired, "nao/log") > 0);
+  }
+
+  void anOldFileStaysUntilARepairIsComplete() {
+    const auto to = home() / "kept.mcap";
+    std::ofstream(to) << "an older log";
+    const auto repair = widgets::repairLog((home() / "no-such.mcap").string(), to);
+    QVERIFY(!repair([](double) { return true; }).done);
+    std::ifstream kept(to);
+    QCOMPARE(QString::fromStdString({std::istreambuf_iterator<char>(kept), {}}),
+             QStringLiteral("an older log"));
   }
 
   void aJobIsCancelled() {

@@ -113,6 +113,22 @@ class MessagesViewTest : public QObject {
     QCOMPARE(bench.asked().time(), at(35).time_since_epoch().count());
   }
 
+  void aFullTableDropsItsOldestTextForANewerOne() {
+    widgets::LogModel model(3);
+    QAbstractItemModelTester tester(&model);
+    const auto entry = [](int second) {
+      widgets::LogEntry one;
+      one.time = robotlink::Instant(std::chrono::seconds(second));
+      one.text = QString::number(second);
+      return one;
+    };
+    model.append({entry(2), entry(4), entry(6)});
+    model.insert({entry(1), entry(5), entry(7)});
+    QStringList texts;
+    for (int row = 0; row < model.rowCount(); ++row) texts << model.entry(row).text;
+    QCOMPARE(texts, QStringList({QStringLiteral("5"), QStringLiteral("6"), QStringLiteral("7")}));
+  }
+
   void whatCameLateStandsWhereItsTimeBelongs() {
     widgets::LogModel model(1000);
     QAbstractItemModelTester tester(&model, QAbstractItemModelTester::FailureReportingMode::Fatal);

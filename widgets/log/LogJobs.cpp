@@ -7,6 +7,7 @@
 #include "logplayer/LogCut.h"
 #include "logplayer/LogExport.h"
 #include "logplayer/LogFile.h"
+#include "logplayer/OutputFile.h"
 #include "logplayer/mcap/Reader.h"
 #include "widgets/models/StreamListModel.h"
 
@@ -114,14 +115,16 @@ LogJob::Work exportTextsOf(std::string log, LogRange range, std::filesystem::pat
 
 LogJob::Work repairLog(std::string log, std::filesystem::path to) {
   return [log = std::move(log), to = std::move(to)](const Progress& progress) -> Outcome {
-    // The new file must not exist; whoever chose its name was asked whether an old one may go.
     std::error_code error;
     if (std::filesystem::equivalent(log, to, error)) {
       return {false, false, tr("A log is not repaired in place; choose another name."), {}};
     }
-    std::filesystem::remove(to, error);
-    const auto report = logplayer::mcap::repair(log, to, progress);
-    if (!report) return failed(report.error());
+    // Whoever chose the name was asked whether an old file may go; it stays until the new one is complete.
+    auto output = logplayer::OutputFile::create(to, true);
+    if (!output) return failed(output.error());
+    const auto report = logplayer::mcap::repair(log, output->temporary(), progress);
+    if (!report) return failed(output->named(report.error()));
+    if (const auto done = output->commit(); !done) return failed(done.error());
     return {true, false,
             tr("%1: %2 messages saved; %3 chunks and %4 were lost")
                 .arg(fileNameOf(to))

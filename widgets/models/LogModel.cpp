@@ -36,7 +36,12 @@ void LogModel::insert(std::vector<LogEntry> entries) {
   if (entries_.empty() || entries.empty() || entries.front().time >= entries_.back().time)
     return append(std::move(entries));
   for (LogEntry& entry : entries) {
-    if (entries_.size() >= capacity_) return;
+    if (entries_.size() >= capacity_) {
+      if (earlier(entry, entries_.front())) continue;
+      beginRemoveRows({}, 0, 0);
+      entries_.erase(entries_.begin());
+      endRemoveRows();
+    }
     const auto at = std::upper_bound(entries_.begin(), entries_.end(), entry, earlier);
     const int row = static_cast<int>(at - entries_.begin());
     beginInsertRows({}, row, row);
