@@ -6,16 +6,16 @@
 #include <QMenu>
 #include <QMimeData>
 #include <QUrl>
+#include <utility>
 
 #include "app/robotcontrol/CommandActions.h"
+#include "app/robotcontrol/FileKind.h"
 #include "widgets/Icon.h"
 
 namespace app {
 namespace {
 
 constexpr int kMostRecent = 10;
-const QStringList kPictures = {QStringLiteral("png"), QStringLiteral("jpg"), QStringLiteral("jpeg"),
-                               QStringLiteral("yuyv")};
 
 QStringList localFiles(const QMimeData& data) {
   QStringList files;
@@ -80,18 +80,24 @@ bool LogOpening::takes(const QMimeData& data) {
 
 void LogOpening::drop(const QMimeData& data, bool add) {
   for (const QString& file : localFiles(data)) {
-    const QString suffix = QFileInfo(file).suffix().toLower();
-    if (suffix == QLatin1String("sdf") || suffix == QLatin1String("world")) {
-      actions_.run(QStringLiteral("simulation.open"), {file.toStdString()});
-    } else if (suffix == QLatin1String("yaml")) {
-      actions_.run(QStringLiteral("layout.open"), {file.toStdString()});
-    } else if (QFileInfo(file).isDir() || kPictures.contains(suffix)) {
-      actions_.run(QStringLiteral("color.open-pictures"), {file.toStdString()});
-    } else if (suffix == QLatin1String("c64")) {
-      actions_.run(QStringLiteral("robot.color-table"), {file.toStdString()});
-    } else {
-      open(file, add);
-      add = true;
+    const std::string path = file.toStdString();
+    const std::vector<robotlink::CommandTable::Value> arguments = {path};
+    switch (kindOfFile(path)) {
+      case FileKind::kScene:
+        actions_.run(QStringLiteral("simulation.open"), arguments);
+        break;
+      case FileKind::kLayout:
+        actions_.run(QStringLiteral("layout.open"), arguments);
+        break;
+      case FileKind::kPictures:
+        actions_.run(QStringLiteral("color.open-pictures"), arguments);
+        break;
+      case FileKind::kColorTable:
+        actions_.run(QStringLiteral("robot.color-table"), arguments);
+        break;
+      case FileKind::kLog:
+        open(file, std::exchange(add, true));
+        break;
     }
   }
 }

@@ -17,6 +17,7 @@
 #include <algorithm>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/FileKind.h"
 #include "widgets/Icon.h"
 
 namespace app {
@@ -42,10 +43,6 @@ QString kindIn(const QString& scene) {
     if (text.contains(QByteArray("model://") + kind)) return QLatin1String(kind);
   }
   return {};
-}
-
-bool isMap(const QString& file) {
-  return file.endsWith(QLatin1String(".map"), Qt::CaseInsensitive);
 }
 
 }  // namespace
@@ -171,15 +168,15 @@ void SimulationSetupDialog::chooseFile() {
                                    tr("Worlds and maps (*.sdf *.world *.map);;All files (*)"));
   if (file.isEmpty()) return;
   scene_->setEditText(file);
-  if (isMap(file) && robots_->value() == 0) robots_->setValue(1);
+  if (isMap(file.toStdString()) && robots_->value() == 0) robots_->setValue(1);
 }
 
 /// More of the kind that a scene has are wanted rather than others.
 void SimulationSetupDialog::followScene() {
-  const int kind = kind_ != nullptr
-                       ? kind_->findData(isMap(scene_->currentText()) ? QStringLiteral("p3at")
-                                                                      : kindIn(scene_->currentText()))
-                       : -1;
+  const int kind = kind_ != nullptr ? kind_->findData(isMap(scene_->currentText().toStdString())
+                                                          ? QStringLiteral("p3at")
+                                                          : kindIn(scene_->currentText()))
+                                    : -1;
   if (kind >= 0) kind_->setCurrentIndex(kind);
   update();
 }
@@ -193,7 +190,8 @@ void SimulationSetupDialog::update() {
   network_->setEnabled(ports_->isChecked());
   buttons_->button(QDialogButtonBox::Open)->setEnabled(!scene_->currentText().trimmed().isEmpty());
   QString text;
-  if (isMap(scene_->currentText()) && !adds) text = tr("A map has no robots of its own: none will be there.");
+  if (isMap(scene_->currentText().toStdString()) && !adds)
+    text = tr("A map has no robots of its own: none will be there.");
   if (ports_->isChecked() && network_->isChecked()) {
     text = tr("Everybody who reaches this computer over the network will be able to drive these robots.");
   }

@@ -7,6 +7,7 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/FileKind.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
@@ -78,8 +79,7 @@ bool hasDisplay() {
 }
 
 bool isScene(const std::string& file) {
-  const auto extension = std::filesystem::path(file).extension();
-  return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
+  return app::kindOfFile(file) == app::FileKind::kScene;
 }
 
 /// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
@@ -103,8 +103,7 @@ bool opensLogs(const Arguments& arguments) {
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
   if (opensLogs(arguments)) return "Log";
-  const bool map = std::filesystem::path(arguments.files.front()).extension() == ".map";
-  return map || connectsRobot(arguments) ? "Drive" : "";
+  return app::isMap(arguments.files.front()) || connectsRobot(arguments) ? "Drive" : "";
 }
 
 app::RunOptions simulationOf(const Arguments& arguments) {

@@ -8,6 +8,7 @@
 #include <QProgressBar>
 #include <fstream>
 
+#include "app/robotcontrol/FileKind.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"
@@ -28,6 +29,18 @@ class OpenedLogsGuiTest : public QObject {
   }
   void init() { std::filesystem::remove_all(home_); }
   void cleanupTestCase() { Bench::tidyUp(); }
+
+  void aFileIsWhatItsSuffixSaysInCapitalsOrNot() {
+    using app::FileKind;
+    QCOMPARE(app::kindOfFile("office.map"), FileKind::kScene);
+    QCOMPARE(app::kindOfFile("FIELD.SDF"), FileKind::kScene);
+    QCOMPARE(app::kindOfFile("compact.yaml"), FileKind::kLayout);
+    QCOMPARE(app::kindOfFile("frame.JPG"), FileKind::kPictures);
+    QCOMPARE(app::kindOfFile(home_.parent_path()), FileKind::kPictures);
+    QCOMPARE(app::kindOfFile("venue.tm"), FileKind::kColorTable);
+    QCOMPARE(app::kindOfFile("game.mcap"), FileKind::kLog);
+    QVERIFY(app::isMap("OFFICE.MAP"));
+  }
 
   void theSimulationsButtonsGoWhileALogIsOpen() {
     Desk desk(home_);
