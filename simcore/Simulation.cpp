@@ -281,7 +281,7 @@ robotlink::Result<void> Simulation::placeModel(const std::string& model, const r
   i.physics->moveModel(index, move);
   const int other = i.physics->overlappedModel(index, kMaxOverlap);
   if (other >= 0) i.physics->moveModel(index, move.inverse());
-  i.sensing->forgetVelocities();
+  i.sensing->forgetVelocitiesOf(index);
   i.invalidate();
   if (other < 0) return {};
   const std::string& otherName = i.world.models[static_cast<std::size_t>(other)].name;

@@ -25,9 +25,12 @@ void Sensing::afterStep() {
   }
 }
 
-void Sensing::forgetVelocities() {
-  std::ranges::fill(velocities_, Vector3::Zero());
-  std::ranges::fill(specificForces_, -gravity_);
+void Sensing::forgetVelocitiesOf(int model) {
+  for (std::size_t i = 0; i < sources_.size(); ++i) {
+    if (sources_[i].model != model) continue;
+    velocities_[i] = Vector3::Zero();
+    specificForces_[i] = -gravity_;
+  }
 }
 
 void Sensing::readExactly(std::size_t index, std::vector<double>& values) const {

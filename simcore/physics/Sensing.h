@@ -17,8 +17,8 @@ class Sensing {
   Sensing(const Physics& physics, const std::vector<SensorSource>& sources, const Vector3& gravity);
 
   void afterStep();
-  /// The world was changed by hand: velocities of before mean nothing.
-  void forgetVelocities();
+  /// A model was put elsewhere by hand and is at rest: its velocity before that means nothing.
+  void forgetVelocitiesOf(int model);
 
   struct Noise {
     bool on = true;

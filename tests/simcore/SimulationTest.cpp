@@ -123,6 +123,19 @@ TEST_F(SimulationTest, atRestTheAccelerometerFeelsGravity) {
   EXPECT_LT((mean - Vector3(0, 0, 9.81)).norm(), 0.3);
 }
 
+TEST_F(SimulationTest, aBallThatIsPutElsewhereIsNotFeltByTheRobot) {
+  const auto feltWhileItSinks = [this](bool ballIsMoved) {
+    start({.seed = 1, .noise = false});
+    for (std::size_t i = 0; i < simulation_->servos().size(); ++i) simulation_->setTorqueLimit(i, 0);
+    run(40);
+    if (ballIsMoved) EXPECT_TRUE(simulation_->placeModel("ball", {1.5, 1, 0}));
+    run(1);
+    return reading("red1/accelerometer");
+  };
+  const auto undisturbed = feltWhileItSinks(false), felt = feltWhileItSinks(true);
+  for (std::size_t axis = 0; axis < 3; ++axis) EXPECT_NEAR(felt[axis], undisturbed[axis], 0.5) << axis;
+}
+
 TEST_F(SimulationTest, theDistanceSensorSeesTheGroundAndTheBall) {
   // The sensor looks along the head 16 mm above its middle: tilted down, at the ground some way ahead.
   simulation_->requestAngle(servo("neckTilt"), robotlink::radians(-40));
