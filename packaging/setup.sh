@@ -1,9 +1,10 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
-# What ./run and ./test have in common: install what is missing, configure, build. Source it in the project's folder.
+# What ./run, ./test and .ci/run have in common: install what is missing, configure, build. Source it in the project's folder.
 
+# install_missing_packages [MARK...]: those of packages.txt that are not marked, and those with one of these marks.
 install_missing_packages() {
   local wanted missing=() package
-  wanted=$(grep -v '^#' packages.txt)
+  wanted=$(awk -v marks=" $* " '!/^#/ && NF && (NF == 1 || index(marks, " " $2 " ")) {print $1}' packages.txt)
   local installed
   # It fails where it does not know a package, which is what we want to find out.
   # shellcheck disable=SC2086
@@ -29,14 +30,29 @@ install_missing_packages() {
   "${privileged[@]}" env DEBIAN_FRONTEND=noninteractive apt-get install -y -qq --no-install-recommends "${missing[@]}" >/dev/null
 }
 
-# build TARGET...: brings the given targets up to date, quietly if they are.
+# configure PRESET [OPTION...]: configures build/PRESET if it is not yet, if an option, such as -DROBOTCONTROL_TESTS=ON, is not as in
+# its cache, or if the presets have changed since.
+configure() {
+  local preset=$1 cache=build/$1/CMakeCache.txt option name needed=no
+  shift
+  [ -z "${ROBOTCONTROL_WERROR:-}" ] || set -- "$@" "-DROBOTCONTROL_WERROR=$ROBOTCONTROL_WERROR"
+  [ -f "build/$preset/build.ninja" ] && [ "$cache" -nt CMakePresets.json ] || needed=yes
+  for option in "$@"; do
+    name=${option#-D}
+    grep -q "^${name%%=*}:[A-Z]*=${name#*=}\$" "$cache" 2>/dev/null || needed=yes
+  done
+  [ $needed = no ] && return 0
+  echo "Configuring build/$preset"
+  cmake --preset "$preset" "$@" >"build-$preset.log" 2>&1 || { cat "build-$preset.log" >&2; rm -f "build-$preset.log"; return 1; }
+  rm -f "build-$preset.log"
+  touch "$cache"
+}
+
+# build PRESET TARGET...: brings the given targets up to date, quietly if they are.
 build() {
-  if [ ! -f build/release/build.ninja ]; then
-    echo "Configuring build/release"
-    cmake --preset release >build-release.log 2>&1 || { cat build-release.log >&2; rm -f build-release.log; return 1; }
-    rm -f build-release.log
-  fi
-  if ninja -C build/release -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
+  local preset=$1
+  shift
+  if ninja -C "build/$preset" -n "$@" 2>/dev/null | grep -q 'no work to do'; then return 0; fi
   echo "Building $* (the first time takes some minutes)"
-  ninja -C build/release "$@"
+  ninja -C "build/$preset" "$@"
 }

@@ -12,12 +12,17 @@ target_compile_features(robotcontrol_arcos INTERFACE cxx_std_20)
 target_link_libraries(robotcontrol_arcos INTERFACE Eigen3::Eigen tl::expected Threads::Threads)
 target_include_directories(robotcontrol_arcos INTERFACE $<INSTALL_INTERFACE:${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol>)
 
+# Where there are programs, too, it is installed when it is asked for by its name.
+set(arcos_component COMPONENT arcos)
+if(NOT ROBOTCONTROL_ARCOS_ONLY)
+  list(APPEND arcos_component EXCLUDE_FROM_ALL)
+endif()
 set(arcos_package_folder ${CMAKE_INSTALL_LIBDIR}/cmake/RobotControlArcos)
-install(TARGETS robotcontrol_arcos EXPORT RobotControlArcosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} COMPONENT arcos)
-install(EXPORT RobotControlArcosTargets NAMESPACE RobotControl:: DESTINATION ${arcos_package_folder} COMPONENT arcos)
+install(TARGETS robotcontrol_arcos EXPORT RobotControlArcosTargets ARCHIVE DESTINATION ${CMAKE_INSTALL_LIBDIR} ${arcos_component})
+install(EXPORT RobotControlArcosTargets NAMESPACE RobotControl:: DESTINATION ${arcos_package_folder} ${arcos_component})
 write_basic_package_version_file(${CMAKE_BINARY_DIR}/RobotControlArcosConfigVersion.cmake COMPATIBILITY SameMinorVersion)
 install(FILES ${CMAKE_CURRENT_LIST_DIR}/RobotControlArcosConfig.cmake ${CMAKE_BINARY_DIR}/RobotControlArcosConfigVersion.cmake
-        DESTINATION ${arcos_package_folder} COMPONENT arcos)
+        DESTINATION ${arcos_package_folder} ${arcos_component})
 
 foreach(header
     arcos/ClientSession.h arcos/MotionGoal.h arcos/PioneerRobot.h arcos/RobotState.h arcos/RobotType.h
@@ -30,5 +35,5 @@ foreach(header
     base/Clock.h base/Error.h base/Geometry.h)
   cmake_path(GET header PARENT_PATH folder)
   install(FILES ${PROJECT_SOURCE_DIR}/robotlink/${header}
-          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/robotlink/${folder} COMPONENT arcos)
+          DESTINATION ${CMAKE_INSTALL_INCLUDEDIR}/robotcontrol/robotlink/${folder} ${arcos_component})
 endforeach()

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Docks as a person moves them, by real mouse and keys under a window manager: dragged out, closed, restored, and quit with.
+// Docks as a person moves them, by real mouse and keys under a window manager: dragged out, closed, restored,
+// and quit with.
+#include <qtadvanceddocking/DockAreaWidget.h>
+#include <qtadvanceddocking/DockWidget.h>
+#include <qtadvanceddocking/DockWidgetTab.h>
+#include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QCursor>
 #include <QMessageBox>
 #include <QProcess>
 #include <QRegularExpression>
 #include <QStatusBar>
-#include <qtadvanceddocking/DockAreaWidget.h>
-#include <qtadvanceddocking/DockWidget.h>
-#include <qtadvanceddocking/DockWidgetTab.h>
-#include <qtadvanceddocking/FloatingDockContainer.h>
 
 #include "app/robotcontrol/DockSpace.h"
 #include "tests/app/Desk.h"
@@ -19,11 +20,14 @@ namespace {
 QByteArray output(const QString& program, const QStringList& arguments) {
   QProcess process;
   process.start(program, arguments);
-  if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kWaitMs)) qFatal("%s hangs", qPrintable(program));
+  if (!QTest::qWaitFor([&] { return process.state() == QProcess::NotRunning; }, kWaitMs))
+    qFatal("%s hangs", qPrintable(program));
   return process.readAllStandardOutput();
 }
 
-void xdotool(const QStringList& arguments) { output(QStringLiteral("xdotool"), arguments); }
+void xdotool(const QStringList& arguments) {
+  output(QStringLiteral("xdotool"), arguments);
+}
 
 bool moveMouse(QPoint to) {
   xdotool({QStringLiteral("mousemove"), QString::number(to.x()), QString::number(to.y())});
@@ -46,12 +50,14 @@ bool drag(QPoint from, QPoint to) {
   return there;
 }
 
-void press(const char* key) { xdotool({QStringLiteral("key"), QLatin1String(key)}); }
+void press(const char* key) {
+  xdotool({QStringLiteral("key"), QLatin1String(key)});
+}
 
 /// The windows of all programs, the lowest first.
 QList<WId> stacking() {
-  const QString text = QString::fromLatin1(
-      output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_CLIENT_LIST_STACKING")}));
+  const QString text = QString::fromLatin1(output(
+      QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_CLIENT_LIST_STACKING")}));
   QList<WId> windows;
   QRegularExpressionMatchIterator found = QRegularExpression(QStringLiteral("0x[0-9a-f]+")).globalMatch(text);
   while (found.hasNext()) windows << found.next().captured().toULongLong(nullptr, 16);
@@ -60,7 +66,8 @@ QList<WId> stacking() {
 
 bool isAbove(const QWidget& upper, const QWidget& lower) {
   const QList<WId> windows = stacking();
-  return windows.indexOf(lower.winId()) >= 0 && windows.indexOf(upper.winId()) > windows.indexOf(lower.winId());
+  return windows.indexOf(lower.winId()) >= 0 &&
+         windows.indexOf(upper.winId()) > windows.indexOf(lower.winId());
 }
 
 ads::CDockWidget& dock(Desk& desk, const char* id) {
@@ -69,10 +76,14 @@ ads::CDockWidget& dock(Desk& desk, const char* id) {
   return *docks.front();
 }
 
-QPoint middle(const QWidget& widget) { return widget.mapToGlobal(widget.rect().center()); }
+QPoint middle(const QWidget& widget) {
+  return widget.mapToGlobal(widget.rect().center());
+}
 
 /// Where the mouse takes a dock by its tab.
-QPoint handle(const ads::CDockWidget& dock) { return dock.tabWidget()->mapToGlobal(QPoint(20, dock.tabWidget()->height() / 2)); }
+QPoint handle(const ads::CDockWidget& dock) {
+  return dock.tabWidget()->mapToGlobal(QPoint(20, dock.tabWidget()->height() / 2));
+}
 
 bool dragOut(Desk& desk, const char* id, QPoint to) {
   dock(desk, id).setAsCurrentTab();
@@ -80,7 +91,8 @@ bool dragOut(Desk& desk, const char* id, QPoint to) {
 }
 
 bool exposed(Desk& desk) {
-  return QTest::qWaitForWindowActive(&desk.window) && QTest::qWaitFor([&] { return dock(desk, "scene").isVisible(); });
+  return QTest::qWaitForWindowActive(&desk.window) &&
+         QTest::qWaitFor([&] { return dock(desk, "scene").isVisible(); });
 }
 
 }  // namespace
@@ -91,7 +103,9 @@ class DocksUnderXTest : public QObject {
   void initTestCase() {
     Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
     home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-    QTRY_VERIFY(output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_SUPPORTING_WM_CHECK")}).contains("window id"));
+    QTRY_VERIFY(
+        output(QStringLiteral("xprop"), {QStringLiteral("-root"), QStringLiteral("_NET_SUPPORTING_WM_CHECK")})
+            .contains("window id"));
   }
   void init() { std::filesystem::remove_all(home_); }
   void cleanupTestCase() { Bench::tidyUp(); }
@@ -120,7 +134,8 @@ class DocksUnderXTest : public QObject {
     QVERIFY(floating != nullptr);
     QPointer<QWidget> gone(floating);
     // By its frame, as the window manager moves windows.
-    QVERIFY(drag(QPoint(floating->geometry().left() + 60, floating->geometry().top() - 8), middle(dock(desk, "image"))));
+    QVERIFY(drag(QPoint(floating->geometry().left() + 60, floating->geometry().top() - 8),
+                 middle(dock(desk, "image"))));
     QVERIFY(click(middle(*desk.window.statusBar())));
     desk.window.tick();
     if (!dock(desk, "messages").isFloating()) QTRY_VERIFY(gone.isNull());
@@ -162,7 +177,8 @@ class DocksUnderXTest : public QObject {
       QVERIFY(dragOut(desk, "messages", QPoint(1700, 900)));
       QVERIFY(dragOut(desk, "image", QPoint(1500, 200)));
       desk.window.close();
-      for (const QWidget* window : QApplication::topLevelWidgets()) QVERIFY2(!window->isVisible(), qPrintable(window->objectName()));
+      for (const QWidget* window : QApplication::topLevelWidgets())
+        QVERIFY2(!window->isVisible(), qPrintable(window->objectName()));
     }
     QProcess program;
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
@@ -182,10 +198,14 @@ class DocksUnderXTest : public QObject {
     program.setProcessChannelMode(QProcess::ForwardedErrorChannel);
     program.start(QStringLiteral(ROBOTCONTROL), QStringList());
     QTRY_VERIFY_WITH_TIMEOUT(stacking().size() >= 1, kWaitMs);
-    const QString geometry = QString::fromLatin1(output(QStringLiteral("xdotool"), {QStringLiteral("getwindowgeometry"), QStringLiteral("--shell"),
-                                                                                   QString::number(stacking().first())}));
+    const QString geometry = QString::fromLatin1(
+        output(QStringLiteral("xdotool"), {QStringLiteral("getwindowgeometry"), QStringLiteral("--shell"),
+                                           QString::number(stacking().first())}));
     const auto number = [&](const char* name) {
-      return QRegularExpression(QLatin1String(name) + QStringLiteral("=(-?[0-9]+)")).match(geometry).captured(1).toInt();
+      return QRegularExpression(QLatin1String(name) + QStringLiteral("=(-?[0-9]+)"))
+          .match(geometry)
+          .captured(1)
+          .toInt();
     };
     QVERIFY2(number("WIDTH") > 1000 && number("X") + number("WIDTH") <= 1920, qPrintable(geometry));
     QVERIFY2(number("HEIGHT") > 700 && number("Y") + number("HEIGHT") <= 1080, qPrintable(geometry));
@@ -211,7 +231,8 @@ class DocksUnderXTest : public QObject {
 int main(int argc, char** argv) {
   const QStringList missing = XServer::missing();
   if (!missing.isEmpty()) {
-    std::printf("SKIPPED: dragging docks by real mouse events needs %s\n", qPrintable(missing.join(QStringLiteral(", "))));
+    std::printf("SKIPPED: dragging docks by real mouse events needs %s\n",
+                qPrintable(missing.join(QStringLiteral(", "))));
     return 0;
   }
   const auto server = XServer::start();

@@ -2,12 +2,13 @@
 # Fuzzing of what reads files of others. To add a target: write a source like logplayer/fuzz/McapReaderFuzz.cpp (see
 # FuzzTarget.h), and a line in its folder's CMakeLists.txt.
 #
-# In every build a driver runs it over mutated seeds: for a moment with the other tests, for a minute labelled slow. With
-# libFuzzer:
+# In every build a driver runs it over mutated seeds: for a moment with the other tests, for a minute labelled slow.
+# ./test --fuzz SECONDS runs all of them with libFuzzer, each for so long. One alone:
 #   cmake --preset fuzz && ninja -C build/fuzz mcap_reader_libfuzzer mcap_reader_fuzz
 #   build/fuzz/bin/mcap_reader_fuzz --write-seeds corpus
 #   build/fuzz/bin/mcap_reader_libfuzzer -max_total_time=3600 corpus
 include_guard()
+add_custom_target(fuzzers)
 
 # robotcontrol_fuzzer(NAME SOURCES file... LIBS lib... [INPUTS n]): NAME_fuzz, and NAME_libfuzzer in the preset fuzz.
 # INPUTS: how many the brief test runs.
@@ -22,8 +23,10 @@ function(robotcontrol_fuzzer name)
     add_executable(${name}_libfuzzer EXCLUDE_FROM_ALL ${ARG_SOURCES})
     target_link_options(${name}_libfuzzer PRIVATE -fsanitize=fuzzer)
     list(APPEND targets ${name}_libfuzzer)
+    add_dependencies(fuzzers ${name}_fuzz ${name}_libfuzzer)
   endif()
   foreach(target ${targets})
+    robotcontrol_unity(${target})
     target_link_libraries(${target} PRIVATE robotcontrol_options ${ARG_LIBS})
     target_compile_definitions(${target} PRIVATE ROBOTCONTROL_SOURCE_DIR="${PROJECT_SOURCE_DIR}")
   endforeach()
