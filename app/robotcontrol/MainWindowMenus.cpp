@@ -9,6 +9,7 @@
 #include <QPointer>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/ColorTableButton.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LayoutHistory.h"
 #include "app/robotcontrol/LogOpening.h"
@@ -120,7 +121,7 @@ void MainWindow::createRobotMenus() {
   connectTo->setToolTip(tr("Connects a robot over TCP or a serial line, and runs its program here"));
   robot->addAction(toolBar_->stopAction());
   robot->addSeparator();
-  QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
+  QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
   QAction* none = robot->addAction(tr("Use the &built-in color table"), this,
@@ -130,6 +131,7 @@ void MainWindow::createRobotMenus() {
       tr("The selected robot's program makes a color table of the field's colors, as it does until it is "
          "given one"));
   robot->setToolTipsVisible(true);
+  toolBar_->colorTableButton().menu()->addActions({table, none});
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
   simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
   simulationMenu_->addActions(toolBar_->simulationActions());
@@ -209,8 +211,8 @@ void MainWindow::openLayout() {
 
 void MainWindow::loadColorTable() {
   const QString file =
-      QFileDialog::getOpenFileName(this, tr("Load colour table"), {},
-                                   tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
+      QFileDialog::getOpenFileName(this, tr("Load color table"), {},
+                                   tr("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("robot.color-table"), {file.toStdString()});
 }
 
