@@ -12,6 +12,7 @@
 #include "app/robotcontrol/ColorTableButton.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LayoutHistory.h"
+#include "app/robotcontrol/LightMenu.h"
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
@@ -23,36 +24,6 @@
 #include "widgets/Icon.h"
 
 namespace app {
-namespace {
-
-/// Lights to try a program or its colour table in, for cameras only: the Scene view stays as it is.
-void addLights(QMenu& menu, CommandActions& actions) {
-  const struct {
-    QString text;
-    const char* name;
-    double brightness, warmth;
-  } lights[] = {{MainWindow::tr("As in the &scene"), "light.scene", 1, 0},
-                {MainWindow::tr("&Brighter"), "light.bright", 1.3, 0},
-                {MainWindow::tr("&Darker"), "light.dark", 0.6, 0},
-                {MainWindow::tr("&Warmer"), "light.warm", 1, 0.25},
-                {MainWindow::tr("&Cooler"), "light.cool", 1, -0.25},
-                {MainWindow::tr("Darker and w&armer"), "light.dark-warm", 0.75, 0.25}};
-  for (const auto& light : lights) {
-    QAction* action = menu.addAction(
-        light.text, &actions,
-        [&actions, values = std::vector<robotlink::CommandTable::Value>{light.brightness, light.warmth}] {
-          actions.run(QStringLiteral("simulation.light"), values);
-        });
-    action->setObjectName(QLatin1String(light.name));
-    action->setToolTip(MainWindow::tr("Brightness %1, warmth %2: what cameras see from their next image on")
-                           .arg(light.brightness)
-                           .arg(light.warmth));
-  }
-  menu.setToolTipsVisible(true);
-}
-
-}  // namespace
-
 void MainWindow::createMenus() {
   createFileMenu();
   createViewMenu();
@@ -143,7 +114,7 @@ void MainWindow::createRobotMenus() {
     });
     action->setObjectName(QStringLiteral("speed.%1").arg(value));
   }
-  addLights(*simulationMenu_->addMenu(tr("&Light")), *actions_);
+  simulationMenu_->addMenu(new LightMenu(workbench_, *actions_, simulationMenu_));
 }
 
 void MainWindow::createWindowMenu() {
