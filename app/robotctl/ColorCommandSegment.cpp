@@ -65,7 +65,7 @@ int segment(const SegmentArguments& arguments) {
   if (arguments.numbers) {
     if (const auto done = writeClasses(named->classes, folder); !done) return printErrors({done.error()});
   }
-  std::cout << arguments.out << ": " << images->names().size() << " images\n";
+  std::cout << arguments.out << ": " << counted(images->names().size(), "image") << "\n";
   return kDone;
 }
 
