@@ -13,6 +13,7 @@
 #include "colortool/SampleFile.h"
 #include "colortool/StrokeList.h"
 #include "colortool/TableTrainer.h"
+#include "logplayer/Plural.h"
 
 namespace app {
 namespace {
@@ -149,8 +150,8 @@ int train(const TrainArguments& arguments) {
     if (const auto saved = saveSamples(samples, arguments.samplesOut); !saved)
       return printErrors({saved.error()});
   }
-  std::cout << arguments.out << ": " << counted(samples.strokes.size(), "stroke") << " in "
-            << counted(samples.images.size(), "image") << "\n";
+  std::cout << arguments.out << ": " << logplayer::plural(samples.strokes.size(), "stroke") << " in "
+            << logplayer::plural(samples.images.size(), "image") << "\n";
   return tellLosses(arguments, *learned, made);
 }
 

@@ -31,10 +31,6 @@ robotlink::Result<colortool::ColorClasses> chosenClasses(const ClassNames& names
 /// A table with its own names, or those that were given. All its classes have names.
 tl::expected<colortool::NamedColorTable, robotlink::Errors> loadTable(const std::string& file,
                                                                       const ClassNames& names);
-/// "1 image", "12 images".
-inline std::string counted(std::size_t count, const std::string& noun) {
-  return std::to_string(count) + ' ' + noun + (count == 1 ? "" : "s");
-}
 /// Stands in a folder of labels and says what their numbers are, as the text beside a table does.
 constexpr const char* kLabelClassesFile = "labels.classes";
 

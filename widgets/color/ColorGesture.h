@@ -24,7 +24,7 @@ enum class ColorTool : std::uint8_t {
 
 /// Whether strokes change already while the mouse moves, or when it is released.
 bool isLive(ColorTool tool);
-/// Of strokes, in samples: "brush".
+/// Returns the name of the tool as strokes in samples have it: "brush".
 const char* toolName(ColorTool tool);
 
 /// What a tool touches between press and release of the mouse button. Points in the image as
