@@ -3,6 +3,7 @@
 
 #include <QDateTime>
 #include <QMenu>
+#include <QStyle>
 #include <optional>
 
 #include "app/core/ColorTables.h"
@@ -42,6 +43,12 @@ ColorTableButton::ColorTableButton(QWidget* parent) : QToolButton(parent) {
   setToolButtonStyle(Qt::ToolButtonTextOnly);
   setFocusPolicy(Qt::NoFocus);
   setMenu(new QMenu(this));
+}
+
+/// With room for the menu's arrow, which Qt paints over the end of a text.
+QSize ColorTableButton::sizeHint() const {
+  return QToolButton::sizeHint() +
+         QSize(style()->pixelMetric(QStyle::PM_MenuButtonIndicator, nullptr, this), 0);
 }
 
 QString ColorTableButton::shortName(const QString& source) {

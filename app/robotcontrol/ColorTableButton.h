@@ -23,6 +23,8 @@ class ColorTableButton final : public QToolButton {
   /// said so yet.
   bool refresh(robotlink::Session& session);
 
+  QSize sizeHint() const override;
+
   /// "game.c64" of "/home/me/game.c64", and other sources as they are.
   static QString shortName(const QString& source);
 

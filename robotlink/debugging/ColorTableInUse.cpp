@@ -16,8 +16,8 @@ robotcontrol::ColorTable colorTableInUse(const robotcontrol::ColorTable* table) 
 }
 
 std::string describeColorTable(const robotcontrol::ColorTable& inUse) {
-  if (inUse.source() == kBuiltInColorTable) return "The program uses its built-in color table from now on";
-  return "The program uses another color table from now on: " + inUse.source();
+  if (inUse.source() == kBuiltInColorTable) return "The color table is now the built-in one";
+  return "The color table is now " + inUse.source();
 }
 
 }  // namespace robotlink

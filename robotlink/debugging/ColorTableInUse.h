@@ -15,7 +15,7 @@ inline constexpr char kBuiltInColorTable[] = "built-in";
 /// it is from gets a source that says so.
 robotcontrol::ColorTable colorTableInUse(const robotcontrol::ColorTable* table);
 
-/// "The program uses the color table /home/me/game.c64 from now on".
+/// Returns "The color table is now /home/me/game.c64".
 std::string describeColorTable(const robotcontrol::ColorTable& inUse);
 
 }  // namespace robotlink

@@ -256,8 +256,7 @@ TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
   ASSERT_TRUE(run->request(tableRequest()).has_value());
   play(*run, 0.5);
   EXPECT_THAT(told.tables, ElementsAre("/home/me/orange.c64"));
-  EXPECT_THAT(told.texts,
-              ElementsAre("The program uses another color table from now on: /home/me/orange.c64"));
+  EXPECT_THAT(told.texts, ElementsAre("The color table is now /home/me/orange.c64"));
   const auto expectKept = [&](const char* after) {
     told = {};
     play(*run, 0.5);
@@ -276,7 +275,7 @@ TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
   ASSERT_TRUE(run->request(back).has_value());
   play(*run, 0.5);
   EXPECT_THAT(told.tables, ElementsAre("built-in"));
-  EXPECT_THAT(told.texts, ElementsAre("The program uses its built-in color table from now on"));
+  EXPECT_THAT(told.texts, ElementsAre("The color table is now the built-in one"));
 }
 
 TEST(SimulatedRun, inAPauseTheColorTableThatWasGivenIsSaidAtOnce) {

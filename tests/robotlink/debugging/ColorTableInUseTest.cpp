@@ -25,7 +25,7 @@ TEST(ColorTableInUse, saysWhereATableIsFromWithoutItsCells) {
   EXPECT_EQ(inUse.loaded().seconds(), 1234);
   EXPECT_TRUE(inUse.cells().empty());
   EXPECT_FALSE(inUse.has_correction());
-  EXPECT_EQ(describeColorTable(inUse), "The program uses another color table from now on: /home/me/game.c64");
+  EXPECT_EQ(describeColorTable(inUse), "The color table is now /home/me/game.c64");
 }
 
 TEST(ColorTableInUse, isTheBuiltInOneWithoutATableOrCells) {
@@ -33,8 +33,7 @@ TEST(ColorTableInUse, isTheBuiltInOneWithoutATableOrCells) {
   for (const robotcontrol::ColorTable* table :
        {static_cast<const robotcontrol::ColorTable*>(nullptr), &takenBack}) {
     EXPECT_EQ(colorTableInUse(table).source(), "built-in");
-    EXPECT_EQ(describeColorTable(colorTableInUse(table)),
-              "The program uses its built-in color table from now on");
+    EXPECT_EQ(describeColorTable(colorTableInUse(table)), "The color table is now the built-in one");
   }
 }
 
