@@ -38,6 +38,12 @@ ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(par
   row->setContentsMargins(6, 0, 6, 1);
   row->addWidget(text_, 1);
   row->addWidget(drop_);
+  // The picture would jump under the brush if the row took its room only while it has something to say.
+  for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(drop_)}) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+  }
   connect(drop_, &QToolButton::clicked, this, &ColorEffectRow::dropOutliers);
   connect(&bench_, &ColorBench::samplesChanged, this, &ColorEffectRow::followSamples);
   connect(&bench_, &ColorBench::colorsChanged, this, &ColorEffectRow::update);
