@@ -10,8 +10,8 @@ namespace colortool {
 namespace {
 
 constexpr int kSide = ColorTable::kCells;
-constexpr std::size_t kMostParts = 8;
-static_assert(CellGrid::kMostCells == 2 * kSide);
+constexpr std::size_t kMaxParts = 8;
+static_assert(CellGrid::kMaxCells == 2 * kSide);
 
 /// The cells of the grid that a cell of the table covers along one axis.
 struct Stretch {
@@ -22,7 +22,7 @@ Stretch stretchOf(int cell, int side) {
   return {begin, std::max(begin + 1, (cell + 1) * side / kSide)};
 }
 
-/// Of sorted classes the most frequent.
+/// Returns the most frequent one of sorted classes.
 std::uint8_t mostFrequent(std::span<const std::uint8_t> sorted) {
   std::uint8_t best = ColorClasses::kNone;
   std::ptrdiff_t most = 0;
@@ -56,7 +56,7 @@ class Regridder {
   std::uint8_t classOf(int y, int cb, int cr) {
     const Stretch a = stretchOf(y, grid_.sides[0]), b = stretchOf(grid_.crFirst ? cr : cb, grid_.sides[1]),
                   c = stretchOf(grid_.crFirst ? cb : cr, grid_.sides[2]);
-    std::array<std::uint8_t, kMostParts> parts{};
+    std::array<std::uint8_t, kMaxParts> parts{};
     std::size_t count = 0;
     for (int i = a.begin; i < a.end; ++i) {
       for (int j = b.begin; j < b.end; ++j) {

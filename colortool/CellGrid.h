@@ -11,9 +11,9 @@ namespace colortool {
 /// The cells of a colour table of another size: Y first, then the two chroma channels, the last one fastest.
 /// A plain value.
 struct CellGrid {
-  static constexpr int kMostCells = 128;  ///< a side
+  static constexpr int kMaxCells = 128;  ///< a side
 
-  /// Along Y and the chroma channels in their order here: powers of two from 1 to kMostCells.
+  /// Along Y and the chroma channels in their order here: powers of two from 1 to kMaxCells.
   std::array<int, 3> sides{};
   bool crFirst = false;  ///< Cr before Cb
   std::vector<std::uint8_t> classes;
@@ -23,7 +23,7 @@ struct CellGrid {
     for (const int side : sides) product *= static_cast<std::size_t>(side);
     return product;
   }
-  static bool fits(int side) { return side >= 1 && side <= kMostCells && (side & (side - 1)) == 0; }
+  static bool fits(int side) { return side >= 1 && side <= kMaxCells && (side & (side - 1)) == 0; }
 };
 
 /// The same in the cells of a ColorTable.

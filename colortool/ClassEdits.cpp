@@ -53,7 +53,7 @@ std::string freeClassName(const ColorClasses& classes) {
 
 Result<Samples> withNewClass(Samples samples, NamedColor added) {
   if (const auto good = checkName(samples.classes, added.name); !good) return tl::unexpected(good.error());
-  if (samples.classes.size() > ColorClasses::kMost)
+  if (samples.classes.size() > ColorClasses::kMax)
     return failure("color.classes", "there are 255 classes already, and no room for more");
   std::vector<NamedColor> classes = named(samples.classes);
   classes.push_back(std::move(added));

@@ -17,7 +17,7 @@ std::size_t strokesOf(const Samples& samples, int colorClass);
 /// "class 9": a name that no class has.
 std::string freeClassName(const ColorClasses& classes);
 
-/// After the others. Fails on a name that cannot be or is taken, and if there are ColorClasses::kMost.
+/// After the others. Fails on a name that cannot be or is taken, and if there are ColorClasses::kMax.
 robotlink::Result<Samples> withNewClass(Samples samples, NamedColor added);
 robotlink::Result<Samples> withRenamedClass(Samples samples, int colorClass, const std::string& name);
 Samples withRecoloredClass(Samples samples, int colorClass, robotlink::Rgb color);

@@ -67,7 +67,7 @@ robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names
     if (!problem.empty()) return robotlink::failure("color.classes", std::move(problem), {}, {name});
     classes.push_back({name, colorOf(name, static_cast<int>(classes.size()) + 1)});
   }
-  if (classes.size() > ColorClasses::kMost)
+  if (classes.size() > ColorClasses::kMax)
     return robotlink::failure("color.classes", "there are more than 255 classes");
   return ColorClasses(std::move(classes));
 }

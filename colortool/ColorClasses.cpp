@@ -7,7 +7,7 @@
 namespace colortool {
 
 ColorClasses::ColorClasses(std::vector<NamedColor> classes) : ColorClasses() {
-  if (classes.size() > kMost) classes.resize(kMost);
+  if (classes.size() > kMax) classes.resize(kMax);
   std::ranges::move(classes, std::back_inserter(classes_));
 }
 

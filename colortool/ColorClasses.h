@@ -19,14 +19,14 @@ struct NamedColor {
 };
 
 /// The classes that pixels are sorted into. Class 0 is "none"; the others are names of colours, each with the
-/// colour that views show it in. A plain value, small; at most kMost classes besides "none".
+/// colour that views show it in. A plain value, small; at most kMax classes besides "none".
 class ColorClasses {
  public:
   static constexpr std::uint8_t kNone = 0;
-  static constexpr int kMost = 255;
+  static constexpr int kMax = 255;
 
   ColorClasses() : classes_{{"none", {0, 0, 0}}} {}
-  /// Classes from 1 on; those after kMost are left out.
+  /// Classes from 1 on; those after kMax are left out.
   explicit ColorClasses(std::vector<NamedColor> classes);
   /// Those of `palette` whose name is one of `names`, in the order of `names`; names without a colour are
   /// left out.

@@ -16,8 +16,8 @@ double curve(const std::array<double, 2>& coefficients, double squaredRadius) {
 }
 
 ChannelLine limited(double gain, double offset) {
-  return {std::clamp(gain, -ColorCorrection::kMostGain, ColorCorrection::kMostGain),
-          std::clamp(offset, -ColorCorrection::kMostOffset, ColorCorrection::kMostOffset)};
+  return {std::clamp(gain, -ColorCorrection::kMaxGain, ColorCorrection::kMaxGain),
+          std::clamp(offset, -ColorCorrection::kMaxOffset, ColorCorrection::kMaxOffset)};
 }
 
 ChannelLine chromaLine(const ChannelLine& channel, const std::array<double, 2>& tint, double squaredRadius) {
@@ -41,7 +41,7 @@ bool ColorCorrection::isFinite() const {
 }
 
 ChannelLine ColorCorrection::lumaAt(double squaredRadius) const {
-  const double shade = std::clamp(1 + curve(vignetting.luma, squaredRadius), kLeastShade, kMostShade);
+  const double shade = std::clamp(1 + curve(vignetting.luma, squaredRadius), kMinShade, kMaxShade);
   return limited(channels[0].gain / shade, channels[0].offset);
 }
 

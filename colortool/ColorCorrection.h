@@ -28,10 +28,10 @@ struct ChannelLine {
 /// channel (Y, Cb, Cr) goes through its line. A plain value; by default nothing is changed.
 struct ColorCorrection {
   /// What vignetting divides Y by stays within these.
-  static constexpr double kLeastShade = 0.125, kMostShade = 8;
+  static constexpr double kMinShade = 0.125, kMaxShade = 8;
   /// What is done to a channel at any place has no larger gain or offset than these, so that ImageCorrector
   /// can do the same in integers.
-  static constexpr double kMostGain = 15, kMostOffset = 1000;
+  static constexpr double kMaxGain = 15, kMaxOffset = 1000;
 
   Vignetting vignetting;
   std::array<ChannelLine, 3> channels{};
@@ -39,7 +39,7 @@ struct ColorCorrection {
   bool none() const { return *this == ColorCorrection{}; }
   /// Whether all are numbers; what is not must not be applied.
   bool isFinite() const;
-  /// Of a pixel at (x, y) of an image of that size: rounded, and within 0 to 255.
+  /// Returns the corrected color of a pixel at (x, y) of an image of that size, rounded and within 0 to 255.
   robotlink::YCbCr apply(robotlink::YCbCr color, int x, int y, int width, int height) const;
   /// All that is done to a channel at a distance from the centre of the image.
   ChannelLine lumaAt(double squaredRadius) const;

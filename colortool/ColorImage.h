@@ -19,7 +19,7 @@ struct ColorImage {
       : width(imageWidth),
         height(imageHeight),
         pixels(static_cast<std::size_t>(imageWidth) * static_cast<std::size_t>(imageHeight)) {}
-  /// Of any format that robotlink knows; pixels that share their chroma have the same.
+  /// Reads an image of any format that robotlink knows; pixels that share their chroma get the same.
   static ColorImage of(const robotlink::ImageView& image);
 
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }

@@ -17,7 +17,7 @@ inline constexpr std::array kColorSpaces = {ColorSpace::kYCbCr, ColorSpace::kRgb
 
 /// "YCbCr", "HSI".
 const char* nameOf(ColorSpace space);
-/// Of the three channels, in the order of the space's name.
+/// Returns the names of the three channels, in the order of the space's name.
 std::array<const char*, 3> channelNames(ColorSpace space);
 /// HSI and TSL: the first channel is an angle, the second the distance from the grey axis, the third the
 /// height in a cylinder. The others fill a cube.

@@ -13,7 +13,7 @@ namespace {
 
 constexpr std::size_t kLengthBytes = 4;
 /// Every cell its own run.
-constexpr std::size_t kMaximumFileBytes = ColorTableFile::kCellCount * (kLengthBytes + 1) + kLengthBytes;
+constexpr std::size_t kMaxFileBytes = ColorTableFile::kCellCount * (kLengthBytes + 1) + kLengthBytes;
 
 std::uint32_t lengthAt(std::string_view bytes, std::size_t offset) {
   std::uint32_t length = 0;
@@ -60,7 +60,7 @@ Result<ColorTableFile> ColorTableFile::parse(std::string_view bytes, const std::
 }
 
 Result<ColorTableFile> ColorTableFile::load(const std::filesystem::path& file) {
-  const auto bytes = robotlink::readFile(file, kMaximumFileBytes);
+  const auto bytes = robotlink::readFile(file, kMaxFileBytes);
   if (!bytes) return tl::unexpected(bytes.error());
   return parse(*bytes, file.string());
 }
@@ -96,7 +96,7 @@ std::vector<std::uint16_t> ColorTableFile::masks() const {
 
 ColorTableFile::Packed ColorTableFile::pack(std::span<const std::uint8_t> winners,
                                             std::span<const std::uint16_t> masks) {
-  constexpr unsigned kRoom = (1U << unsigned{kMostOfSeveral}) - 1;
+  constexpr unsigned kRoom = (1U << unsigned{kMaxOfSeveral}) - 1;
   Packed packed;
   if (winners.size() != kCellCount || masks.size() != kCellCount) return packed;
   for (std::size_t i = 0; i < kCellCount; ++i) {
@@ -104,7 +104,7 @@ ColorTableFile::Packed ColorTableFile::pack(std::span<const std::uint8_t> winner
     std::uint8_t& cell = packed.file.cells[i];
     if (several && masks[i] <= kRoom) {
       cell = static_cast<std::uint8_t>(kSeveral | masks[i]);
-    } else if (winners[i] <= kMostClasses) {
+    } else if (winners[i] <= kMaxClasses) {
       cell = winners[i];
       if (several) ++packed.reducedCells;
     } else {

@@ -23,7 +23,7 @@ struct ColorTableFile {
   /// class i + 1.
   static constexpr std::uint8_t kSeveral = 0x80;
   /// Classes that a cell of several can have, and a cell at all.
-  static constexpr int kMostOfSeveral = 7, kMostClasses = 127;
+  static constexpr int kMaxOfSeveral = 7, kMaxClasses = 127;
   static constexpr std::size_t kCellCount = std::size_t{64} * 64 * 64;
   /// Class 0 is none; class n is kBHuman2009Classes[n - 1].
   static constexpr std::array<std::string_view, 8> kBHuman2009Classes = {
@@ -55,8 +55,8 @@ struct ColorTableFile {
 /// A table, and what there was no room for in it.
 struct ColorTableFile::Packed {
   ColorTableFile file;
-  std::size_t reducedCells = 0;  ///< of several classes, one above kMostOfSeveral: written as their winner
-  std::size_t emptiedCells = 0;  ///< of a class above kMostClasses: written as none
+  std::size_t reducedCells = 0;  ///< of several classes, one above kMaxOfSeveral: written as their winner
+  std::size_t emptiedCells = 0;  ///< of a class above kMaxClasses: written as none
 };
 
 }  // namespace colortool

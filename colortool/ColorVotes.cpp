@@ -16,16 +16,16 @@ constexpr double kReach = 3, kShadeReach = 2.3;
 constexpr double kShadeWidth = 1.5, kShadeLength = 2;
 /// Standard deviation of what the gray guard looks at, in cells of Cb and Cr.
 constexpr double kGuardWidth = 2;
-/// Of the number of samples in a cell.
+/// The number of samples in a cell is raised to this power.
 constexpr double kExponent = 0.7;
 /// More pixels than that of one class in one cell count as that many.
-constexpr std::int64_t kMostPixels = 1024;
-/// Of a single pixel's strength.
+constexpr std::int64_t kMaxPixels = 1024;
+/// A single pixel has this strength.
 constexpr double kStrengthScale = 8;
 /// The sum of all votes that a cell can get fits 31 bits.
-constexpr double kMostVotes = 2.0e9;
+constexpr double kMaxVotes = 2.0e9;
 /// What background is given beforehand, at most: it comes on top of the votes.
-constexpr double kMostPrior = 1.0e8;
+constexpr double kMaxPrior = 1.0e8;
 /// The largest vote of a kernel, for a cell's own samples, if the sum allows it.
 constexpr double kFinestPeak = 2048;
 
@@ -53,17 +53,17 @@ void ColorVotes::makeKernels() {
   const double brightness = chroma / options_.brightnessWeight;
   near_ = VoteKernel({chroma, brightness, kReach, false, 1});
   shade_ = VoteKernel({kShadeWidth * chroma, kShadeLength * brightness, kShadeReach, true, options_.shading});
-  const double strongest = kStrengthScale * std::pow(static_cast<double>(kMostPixels), kExponent);
+  const double strongest = kStrengthScale * std::pow(static_cast<double>(kMaxPixels), kExponent);
   const double sum = near_.largestSum() + shade_.largestSum();
-  const double peak = std::min(kFinestPeak, kMostVotes / (sum * strongest));
+  const double peak = std::min(kFinestPeak, kMaxVotes / (sum * strongest));
   near_.setPeak(peak);
   shade_.setPeak(peak);
-  priorVotes_ = static_cast<std::int32_t>(std::min(kMostPrior, options_.rejection * peak * kStrengthScale));
+  priorVotes_ = static_cast<std::int32_t>(std::min(kMaxPrior, options_.rejection * peak * kStrengthScale));
   makeGuard(peak);
 }
 
 void ColorVotes::makeGuard(double peak) {
-  const double highest = std::min(kMostPrior, options_.grayGuard * peak * kStrengthScale);
+  const double highest = std::min(kMaxPrior, options_.grayGuard * peak * kStrengthScale);
   guard_.clear();
   for (int cb = 0; cb < kCells; ++cb) {
     for (int cr = 0; cr < kCells; ++cr) {
@@ -84,11 +84,11 @@ void ColorVotes::setThings(std::vector<bool> things) {
 
 void ColorVotes::setOptions(const VoteOptions& options) {
   options_ = options;
-  options_.radius = std::clamp(options.radius, VoteOptions::kLeastRadius, VoteOptions::kMostRadius);
-  options_.brightnessWeight = std::clamp(options.brightnessWeight, VoteOptions::kLeastBrightnessWeight, 1.0);
+  options_.radius = std::clamp(options.radius, VoteOptions::kMinRadius, VoteOptions::kMaxRadius);
+  options_.brightnessWeight = std::clamp(options.brightnessWeight, VoteOptions::kMinBrightnessWeight, 1.0);
   options_.rejection = std::max(options.rejection, 0.0);
   options_.backgroundWeight = std::clamp(options.backgroundWeight, 0.0, 1.0);
-  options_.shading = std::clamp(options.shading, 0.0, VoteOptions::kMostShading);
+  options_.shading = std::clamp(options.shading, 0.0, VoteOptions::kMaxShading);
   options_.grayGuard = std::max(options.grayGuard, 0.0);
   makeKernels();
   for (auto& votes : votes_) std::ranges::fill(votes, 0);
@@ -102,7 +102,7 @@ void ColorVotes::setOptions(const VoteOptions& options) {
 
 std::int32_t ColorVotes::strengthOf(std::int64_t pixels, std::uint8_t colorClass) const {
   const double count =
-      static_cast<double>(std::min(std::abs(pixels), kMostPixels * kUnit)) / static_cast<double>(kUnit);
+      static_cast<double>(std::min(std::abs(pixels), kMaxPixels * kUnit)) / static_cast<double>(kUnit);
   const double weight = colorClass == ColorClasses::kNone ? options_.backgroundWeight : 1;
   const long strength = std::lround(weight * kStrengthScale * std::pow(count, kExponent));
   return static_cast<std::int32_t>(pixels < 0 ? -strength : strength);
@@ -121,7 +121,7 @@ void ColorVotes::add(std::size_t cell, std::uint8_t colorClass, std::int64_t pix
 }
 
 void ColorVotes::vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength) {
-  // The differences fit: strengths are those of kMostPixels at most.
+  // The differences fit: strengths are those of kMaxPixels at most.
   near_.add(votes_[colorClass], cell, static_cast<std::int16_t>(strength - before), changed_);
   // What must not be of a class says nothing of other lights.
   const std::int32_t shaded = std::max(strength, 0) - std::max(before, 0);

@@ -15,9 +15,9 @@ namespace colortool {
 
 /// How far samples are generalised, and when a colour is of no class.
 struct VoteOptions {
-  /// Standard deviation of a sample's vote in Cb and Cr, in values of a channel; kLeastRadius to kMostRadius.
+  /// Standard deviation of a sample's vote in Cb and Cr, in values of a channel; kMinRadius to kMaxRadius.
   double radius = 8;
-  /// A difference in Y counts this much against one in Cb or Cr; kLeastBrightnessWeight to 1. Below 1, since
+  /// A difference in Y counts this much against one in Cb or Cr; kMinBrightnessWeight to 1. Below 1, since
   /// light and shadow change a colour's brightness first.
   double brightnessWeight = 0.3;
   /// What a class needs at least, as a share of a single sample pixel's vote for its own cell; 0 or more.
@@ -30,11 +30,11 @@ struct VoteOptions {
   double shading = 0.1;
   /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel: walls,
   /// clothes and shadows that no stroke has touched are gray, or nearly so.
-  double grayGuard = 6;
+  double grayGuard = 8;
 
-  static constexpr double kLeastRadius = 2, kMostRadius = 24;
-  static constexpr double kLeastBrightnessWeight = 0.1;
-  static constexpr double kMostShading = 0.5;
+  static constexpr double kMinRadius = 2, kMaxRadius = 24;
+  static constexpr double kMinBrightnessWeight = 0.1;
+  static constexpr double kMaxShading = 0.5;
   bool operator==(const VoteOptions&) const = default;
 };
 

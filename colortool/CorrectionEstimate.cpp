@@ -22,12 +22,12 @@ constexpr double kFullShare = 0.25;
 /// Y from here to here is neither clipped nor coarse.
 constexpr int kDarkestY = 8, kBrightestY = 247;
 
-constexpr std::size_t kLeastClasses = 3;
-/// Of a channel's means over the classes, for a gain.
-constexpr double kLeastSpread = 10;
-/// Of a class's mean, in values; and of gains.
+constexpr std::size_t kMinClasses = 3;
+/// A gain is found only if a channel's means differ by at least this between the classes.
+constexpr double kMinSpread = 10;
+/// The standard deviations that a class's mean (in values of a channel) and a gain are expected to have.
 constexpr double kMeanError = 2, kTypicalGain = 0.2;
-constexpr double kLeastGain = 0.5, kMostGain = 2, kMostOffset = 100;
+constexpr double kMinGain = 0.5, kMaxGain = 2, kMaxOffset = 100;
 constexpr std::array kChannels = {"Y", "Cb", "Cr"};
 
 /// Colours that are compared: of a class, in one lighting.
@@ -184,11 +184,11 @@ ChannelLine lineThrough(const std::vector<Pair>& pairs, bool withGain) {
     product += pair.weight * off * (pair.reference - reference - off);
   }
   ChannelLine line;
-  if (withGain && square >= weight * kLeastSpread * kLeastSpread) {
+  if (withGain && square >= weight * kMinSpread * kMinSpread) {
     const double prior = kMeanError * kMeanError / (kTypicalGain * kTypicalGain);
-    line.gain = std::clamp(1 + product / (square + prior), kLeastGain, kMostGain);
+    line.gain = std::clamp(1 + product / (square + prior), kMinGain, kMaxGain);
   }
-  line.offset = std::clamp(reference - line.gain * own, -kMostOffset, kMostOffset);
+  line.offset = std::clamp(reference - line.gain * own, -kMaxOffset, kMaxOffset);
   return line;
 }
 
@@ -211,11 +211,11 @@ void estimateLines(Camera& camera, const Camera& reference, std::vector<std::str
   std::string note = nameOf(camera) + ": to be like " + reference.name;
   for (std::size_t i = 0; i < 3; ++i) {
     ChannelLine& line = camera.correction.channels[i];
-    line = lineThrough(pairs[i], classes.size() >= kLeastClasses);
+    line = lineThrough(pairs[i], classes.size() >= kMinClasses);
     note += std::string(i == 0 ? ", " : "; ") + kChannels[i] + formatted(" x %.2f", line.gain) +
             formatted(" %+.1f", line.offset);
   }
-  if (classes.size() < kLeastClasses) note += " (with strokes of three classes in both, gains could be told)";
+  if (classes.size() < kMinClasses) note += " (with strokes of three classes in both, gains could be told)";
   notes.push_back(note + ".");
 }
 

@@ -10,7 +10,7 @@ namespace colortool {
 
 /// What samples tell about their cameras.
 struct CorrectionEstimate {
-  /// Of the cameras of which something was found, in the order of the samples' images.
+  /// The corrections of cameras for which something was found, in the order of the samples' images.
   std::vector<CameraCorrection> corrections;
   /// Sentences for people, one or more a camera: what was found, or why nothing was, and which strokes would
   /// help.

@@ -12,8 +12,8 @@
 namespace colortool {
 namespace {
 
-/// Of the methods that learn from scratch each time.
-constexpr std::size_t kMostFolds = 5;
+/// The most folds for methods that learn from scratch each time.
+constexpr std::size_t kMaxFolds = 5;
 
 /// A stroke, its cells, and what was found of it.
 struct Candidate {
@@ -43,9 +43,9 @@ std::vector<Fold> foldsOf(const std::vector<std::vector<Candidate*>>& sorted, Tr
     return folds;
   }
   // In each class the strokes are dealt out in turn, so that a fold takes a like share from all of them.
-  folds.resize(kMostFolds);
+  folds.resize(kMaxFolds);
   for (const auto& strokes : sorted) {
-    for (std::size_t i = 0; i < strokes.size(); ++i) folds[i % kMostFolds].push_back(strokes[i]);
+    for (std::size_t i = 0; i < strokes.size(); ++i) folds[i % kMaxFolds].push_back(strokes[i]);
   }
   std::erase_if(folds, [](const Fold& fold) { return fold.empty(); });
   return folds;

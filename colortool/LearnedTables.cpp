@@ -16,9 +16,9 @@ namespace {
 constexpr std::size_t kCellsASide = ColorTable::kCells;
 constexpr double kMiddle = ColorTable::kCellSize / 2;
 constexpr int kDimensions = 3;
-/// Of several samples in one cell as many count as are learned from.
-constexpr double kMostRepeats = 32;
-/// Of a Gaussian's samples: about a cell.
+/// No more samples of one cell than these are learned from.
+constexpr double kMaxRepeats = 32;
+/// Samples of a Gaussian are blurred by this, about as large as a cell.
 constexpr float kBlur = 5;
 constexpr double kBrightnessWeight = 0.4;
 
@@ -154,7 +154,7 @@ class Neighborhood {
 }  // namespace
 
 ColorTable gaussianTable(std::span<const CellSamples> samples, const GaussianOptions& options) {
-  const Lesson lesson(samples, kBlur, kMostRepeats);
+  const Lesson lesson(samples, kBlur, kMaxRepeats);
   if (!lesson.teaches()) return {};
   const auto classifier = cv::ml::NormalBayesClassifier::create();
   classifier->train(lesson.features, cv::ml::ROW_SAMPLE, lesson.classes);

@@ -21,8 +21,8 @@ using robotlink::Result;
 namespace {
 
 constexpr std::string_view kFirstLine = "robotcontrol-color-classes 1";
-constexpr std::size_t kMostTableBytes = 64U << 10U;
-constexpr std::size_t kMostErrors = 20;
+constexpr std::size_t kMaxTableBytes = 64U << 10U;
+constexpr std::size_t kMaxErrors = 20;
 
 std::string_view trimmed(std::string_view text) {
   const auto first = text.find_first_not_of(" \t\r");
@@ -59,7 +59,7 @@ class NamedTableParser {
     if (!shown) return wrong("a class is wanted here: its name and its colour, as in 'orange #ff6900'");
     add(std::string(trimmed(text.substr(0, space))), *shown);
   }
-  bool goesOn() const { return errors_.size() < kMostErrors && (line_ != 1 || errors_.empty()); }
+  bool goesOn() const { return errors_.size() < kMaxErrors && (line_ != 1 || errors_.empty()); }
 
   tl::expected<ColorClasses, Errors> result() {
     if (line_ == 0) wrong("the file is empty; its first line must be '" + std::string(kFirstLine) + "'");
@@ -71,8 +71,8 @@ class NamedTableParser {
   void add(std::string name, robotlink::Rgb shown) {
     if (std::string problem = classNameProblem(name); !problem.empty()) return wrong(std::move(problem));
     if (!names_.insert(name).second) return wrong("the class '" + name + "' stands here a second time");
-    if (classes_.size() == ColorTableFile::kMostClasses)
-      return wrong(fmt::format("there are more than {} classes", ColorTableFile::kMostClasses));
+    if (classes_.size() == ColorTableFile::kMaxClasses)
+      return wrong(fmt::format("there are more than {} classes", ColorTableFile::kMaxClasses));
     classes_.push_back({std::move(name), shown});
   }
   void wrong(std::string text) {
@@ -143,7 +143,7 @@ tl::expected<NamedColorTable, Errors> NamedColorTable::load(const std::filesyste
     unnamed.nameAll();
     return unnamed;
   }
-  const auto text = robotlink::readFile(beside, kMostTableBytes);
+  const auto text = robotlink::readFile(beside, kMaxTableBytes);
   if (!text) return tl::unexpected(Errors{text.error()});
   auto classes = parseColorClasses(*text, beside.string());
   if (!classes) return tl::unexpected(classes.error());
@@ -160,10 +160,10 @@ tl::expected<NamedColorTable, Errors> NamedColorTable::load(const std::filesyste
 }
 
 Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
-  if (classes.size() - 1 > ColorTableFile::kMostClasses) {
+  if (classes.size() - 1 > ColorTableFile::kMaxClasses) {
     return robotlink::failure("color-table.classes",
                               fmt::format("a .c64 colour table has room for {} classes, not for {}",
-                                          ColorTableFile::kMostClasses, classes.size() - 1),
+                                          ColorTableFile::kMaxClasses, classes.size() - 1),
                               {table.string(), 0, 0});
   }
   const std::filesystem::path beside = classesFile(table);
@@ -176,7 +176,7 @@ Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
         "file.io", "cannot remove the names of other classes, which stood here: " + error.message(),
         {beside.string(), 0, 0});
   }
-  const auto before = robotlink::readFile(beside, kMostTableBytes);
+  const auto before = robotlink::readFile(beside, kMaxTableBytes);
   if (const auto named = robotlink::writeFileAtomically(beside, colorClassesText(classes)); !named)
     return named;
   const auto saved = file.save(table);

@@ -31,10 +31,10 @@ struct NumberedTable {
   ColorClasses classes() const;
 };
 
-// Of these the bytes are numbers.
+// The bytes of these two are numbers of classes.
 extern const NumberedTable kRunswiftTable;
 extern const NumberedTable kNUbotsTable;
-/// Of this they are masks: a bit for each class.
+/// The bytes of this one are masks with a bit for each class.
 extern const NumberedTable kUPennTable;
 
 /// Fails, with the offset, where there are not as many bytes as the format has, or a byte that stands for

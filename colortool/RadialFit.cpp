@@ -10,13 +10,13 @@ namespace colortool {
 namespace {
 
 constexpr int kIterations = 12;
-/// Of r^2 within the groups; over a whole image it is 0.2.
-constexpr double kLeastDeviation = 0.12;
-constexpr double kLeastFreedom = 4;
+/// The standard deviation of r^2 within the groups must be at least this; over a whole image it is 0.2.
+constexpr double kMinDeviation = 0.12;
+constexpr double kMinFreedom = 4;
 /// Residuals above so many standard deviations count less.
 constexpr double kHuber = 1.5;
 /// By how much the sum of squares must fall, in variances: chance does that once in a thousand times.
-constexpr double kLeastRadialGain = 14;
+constexpr double kMinRadialGain = 14;
 /// The shade of an image's corners stays above this while it is being fitted.
 constexpr double kDarkest = 0.15;
 
@@ -91,7 +91,7 @@ double freedomOf(std::span<const RadialSample> samples) {
   return sum - static_cast<double>(different);
 }
 
-/// Of most of the residuals.
+/// Returns the standard deviation of most of the residuals.
 double deviationOf(const std::vector<Equation>& equations) {
   std::vector<double> sizes;
   sizes.reserve(equations.size());
@@ -110,12 +110,12 @@ double squares(const std::vector<Equation>& equations) {
 /// Whether the samples of the groups are at different distances from the centre, and enough of them.
 bool isWideEnough(std::span<const RadialSample> samples) {
   const double freedom = freedomOf(samples);
-  if (freedom < kLeastFreedom) return false;
+  if (freedom < kMinFreedom) return false;
   const std::vector<double> trust(samples.size(), 1);
   double sum = 0;
   for (const Equation& e : equationsAt(Eigen::Vector2d::Zero(), samples, RadialModel::kTint, trust))
     sum += e.weight * e.slope[0] * e.slope[0];
-  return std::sqrt(sum / freedom) >= kLeastDeviation;
+  return std::sqrt(sum / freedom) >= kMinDeviation;
 }
 
 /// Shorter, so that no corner becomes darker than can be.
@@ -150,7 +150,7 @@ RadialFit fitRadial(std::span<const RadialSample> samples, RadialModel model) {
   const double before = squares(equationsAt(Eigen::Vector2d::Zero(), samples, model, trust));
   const double after = squares(equationsAt(c, samples, model, trust));
   const double variance = std::max(deviation * deviation, after / (freedomOf(samples) - 2));
-  if (before - after < kLeastRadialGain * variance) return {RadialFit::Outcome::kNothing, {}};
+  if (before - after < kMinRadialGain * variance) return {RadialFit::Outcome::kNothing, {}};
   return {RadialFit::Outcome::kFound, {c[0], c[1]}};
 }
 

@@ -17,9 +17,9 @@ using robotlink::Result;
 
 constexpr char kFormat[] = "robotcontrol samples";
 constexpr int kVersion = 1;
-constexpr std::size_t kMostBytes = std::size_t{512} << 20U;
-constexpr int kMostSide = 1 << 16;
-constexpr std::size_t kMostProblems = 100;
+constexpr std::size_t kMaxBytes = std::size_t{512} << 20U;
+constexpr int kMaxSide = 1 << 16;
+constexpr std::size_t kMaxProblems = 100;
 constexpr std::array<const char*, 3> kMethodNames = {"votes", "gaussians", "support_vectors"};
 
 void appendHex(std::string& text, std::uint8_t byte) {
@@ -126,7 +126,7 @@ void optional(const Json& object, const char* name, T& value) {
 
 int side(const Json& object, const char* name) {
   const int value = member<int>(object, name);
-  if (value < 1 || value > kMostSide) throw Wrong(std::string(name) + " is not that of an image");
+  if (value < 1 || value > kMaxSide) throw Wrong(std::string(name) + " is not that of an image");
   return value;
 }
 
@@ -259,7 +259,7 @@ Thumbnail readThumbnail(const Json& object) {
   Thumbnail thumbnail{side(object, "width"), side(object, "height"), {}};
   for (const auto& [r, g, b] : triplesOf(member<std::string>(object, "rgb"), "the thumbnail's pixels"))
     thumbnail.pixels.push_back({r, g, b});
-  if (thumbnail.width > Thumbnail::kMostSide || thumbnail.height > Thumbnail::kMostSide ||
+  if (thumbnail.width > Thumbnail::kMaxSide || thumbnail.height > Thumbnail::kMaxSide ||
       thumbnail.pixels.size() !=
           static_cast<std::size_t>(thumbnail.width) * static_cast<std::size_t>(thumbnail.height))
     throw Wrong("the thumbnail's pixels do not fit its size");
@@ -278,7 +278,7 @@ Stroke readStroke(const Json& line, const Samples& samples) {
     throw Wrong("there is no class \"" + name + "\" before it");
   optional(line, "must_not_be", stroke.mustNotBe);
   optional(line, "weight", stroke.weight);
-  if (!(stroke.weight >= Stroke::kLeastWeight && stroke.weight <= Stroke::kMostWeight))
+  if (!(stroke.weight >= Stroke::kMinWeight && stroke.weight <= Stroke::kMaxWeight))
     throw Wrong("its weight is not between 0.1 and 10");
   optional(line, "tool", stroke.tool);
   stroke.area = readArea(line, *image);
@@ -369,7 +369,7 @@ class Reader {
       NamedColor named = readClass(object);
       if (samples.classes.index(named.name) != ColorClasses::kNone || named.name == samples.classes.name(0))
         throw Wrong("there is a class \"" + named.name + "\" before it");
-      if (classes_.size() == static_cast<std::size_t>(ColorClasses::kMost)) throw Wrong("these are too many");
+      if (classes_.size() == static_cast<std::size_t>(ColorClasses::kMax)) throw Wrong("these are too many");
       classes_.push_back(std::move(named));
       samples.classes = ColorClasses(classes_);
     } else if (object.contains("settings")) {
@@ -380,7 +380,7 @@ class Reader {
   }
 
   void problem(int line, const std::string& what, int column) {
-    if (read_.problems.size() < kMostProblems)
+    if (read_.problems.size() < kMaxProblems)
       read_.problems.push_back(
           {"samples.line", "what this line says is left out: " + what, {}, {file_, line, column}});
   }
@@ -410,7 +410,7 @@ Result<ReadSamples> parseSamples(std::string_view text, const std::string& file)
 }
 
 Result<ReadSamples> loadSamples(const std::filesystem::path& file) {
-  const auto text = robotlink::readFile(file, kMostBytes);
+  const auto text = robotlink::readFile(file, kMaxBytes);
   if (!text) return tl::unexpected(text.error());
   return parseSamples(*text, file.string());
 }

@@ -21,10 +21,10 @@ Thumbnail thumbnailOf(const ColorImage& image, const PixelArea& area) {
   const int width = std::min(side, image.width), height = std::min(side, image.height);
   const int x0 = std::clamp((left + right - width) / 2, 0, image.width - width);
   const int y0 = std::clamp((top + bottom - height) / 2, 0, image.height - height);
-  const double step = std::max(1.0, std::max(width, height) / static_cast<double>(Thumbnail::kMostSide));
+  const double step = std::max(1.0, std::max(width, height) / static_cast<double>(Thumbnail::kMaxSide));
   Thumbnail result;
-  result.width = std::clamp(static_cast<int>(width / step), 1, Thumbnail::kMostSide);
-  result.height = std::clamp(static_cast<int>(height / step), 1, Thumbnail::kMostSide);
+  result.width = std::clamp(static_cast<int>(width / step), 1, Thumbnail::kMaxSide);
+  result.height = std::clamp(static_cast<int>(height / step), 1, Thumbnail::kMaxSide);
   for (int y = 0; y < result.height; ++y) {
     for (int x = 0; x < result.width; ++x) {
       const int fromX = std::min(x0 + static_cast<int>((x + 0.5) * step), image.width - 1),
@@ -121,7 +121,7 @@ std::uint64_t addStroke(Samples& samples, const SampleImage& where, const ColorI
   stroke->image = imageLike(samples, place);
   stroke->colorClass = meaning.colorClass;
   stroke->mustNotBe = meaning.mustNotBe;
-  stroke->weight = std::clamp(meaning.weight, Stroke::kLeastWeight, Stroke::kMostWeight);
+  stroke->weight = std::clamp(meaning.weight, Stroke::kMinWeight, Stroke::kMaxWeight);
   stroke->tool = meaning.tool;
   stroke->area = area;
   for (const PixelRun& run : area) {
@@ -164,7 +164,7 @@ void restate(Samples& samples, const std::vector<std::uint64_t>& ids, const Stro
   replace(samples, ids, [&](Stroke& stroke) {
     stroke.colorClass = meaning.colorClass;
     stroke.mustNotBe = meaning.mustNotBe;
-    stroke.weight = std::clamp(meaning.weight, Stroke::kLeastWeight, Stroke::kMostWeight);
+    stroke.weight = std::clamp(meaning.weight, Stroke::kMinWeight, Stroke::kMaxWeight);
   });
 }
 

@@ -26,7 +26,7 @@ struct SampleImage {
 
 /// A small picture of what a stroke touched, with some of its surroundings.
 struct Thumbnail {
-  static constexpr int kMostSide = 32;
+  static constexpr int kMaxSide = 32;
   int width = 0;
   int height = 0;
   std::vector<robotlink::Rgb> pixels;
@@ -37,7 +37,7 @@ struct Thumbnail {
 /// ColorClasses::kNone), or must not be of a class. Holds the pixels' colours, so that a table can be made of
 /// it without the image. Never changed once it is part of samples.
 struct Stroke {
-  static constexpr double kLeastWeight = 0.1, kMostWeight = 10;
+  static constexpr double kMinWeight = 0.1, kMaxWeight = 10;
 
   std::uint64_t id = 0;     ///< unique in its samples; later strokes have larger ones
   std::uint64_t image = 0;  ///< SampleImage::id

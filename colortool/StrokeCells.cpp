@@ -10,7 +10,7 @@ namespace {
 /// From so many pixels on it is quicker to count in all cells than to sort.
 constexpr std::size_t kManyPixels = 4096;
 
-/// Of each pixel of the stroke, in its order.
+/// Returns the cell of each pixel of the stroke, in its order.
 std::vector<std::uint32_t> cellsOfPixels(const Samples& samples, const Stroke& stroke) {
   const SampleImage* image = samples.image(stroke.image);
   const ColorCorrection correction =

@@ -6,9 +6,9 @@
 namespace colortool {
 namespace {
 
-constexpr double kLeastOfAll = 0.001;
+constexpr double kMinOfAll = 0.001;
 /// So much of a stroke must be uncontested for the rest to be outliers.
-constexpr double kLeastUncontested = 0.1;
+constexpr double kMinUncontested = 0.1;
 
 std::size_t indexOf(std::size_t from, std::size_t to) {
   return from * 256 + to;
@@ -42,7 +42,7 @@ std::vector<ClassLoss> StrokeEffect::losses(double leastShare) const {
       const std::uint64_t lost = counts_[indexOf(from, to)];
       const double share = static_cast<double>(lost) / static_cast<double>(had);
       if (from == to || share < leastShare ||
-          static_cast<double>(lost) < kLeastOfAll * static_cast<double>(all))
+          static_cast<double>(lost) < kMinOfAll * static_cast<double>(all))
         continue;
       losses.push_back({static_cast<std::uint8_t>(from), static_cast<std::uint8_t>(to), lost, share});
     }
@@ -72,8 +72,8 @@ PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const Co
     }
   }
   const double uncontested = static_cast<double>(at - count);
-  return uncontested < kLeastUncontested * static_cast<double>(at) || stroke.mustNotBe ? PixelArea{}
-                                                                                       : contested;
+  return uncontested < kMinUncontested * static_cast<double>(at) || stroke.mustNotBe ? PixelArea{}
+                                                                                     : contested;
 }
 
 }  // namespace colortool

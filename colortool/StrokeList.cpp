@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::array<std::string_view, 5> kColumns = {"image", "class", "x", "y", "radius"};
 enum Column : std::size_t { kImage, kClass, kX, kY, kRadius };
-constexpr std::size_t kMostListErrors = 20;
+constexpr std::size_t kMaxListErrors = 20;
 
 struct Field {
   std::string_view text;
@@ -56,7 +56,7 @@ class StrokeListParser {
     }
     stroke(fields);
   }
-  bool goesOn() const { return errors_.size() < kMostListErrors && (headed_ || errors_.empty()); }
+  bool goesOn() const { return errors_.size() < kMaxListErrors && (headed_ || errors_.empty()); }
 
   tl::expected<std::vector<DiscStroke>, Errors> result() {
     if (!headed_ && errors_.empty())

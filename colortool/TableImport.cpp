@@ -22,7 +22,7 @@ using robotlink::Result;
 namespace {
 
 /// More than any format's table has.
-constexpr std::size_t kMostImportedBytes = 4U << 20U;
+constexpr std::size_t kMaxImportedBytes = 4U << 20U;
 
 constexpr std::array<TableFormatName, 5> kFormats = {
     {{TableFormat::kC64, "c64", "GermanTeam and B-Human"},
@@ -80,12 +80,12 @@ tl::expected<ImportedTable, Errors> fromTekkotsu(std::string_view bytes, const s
   const auto grid = parseTekkotsuMap(bytes, file);
   if (!grid) return tl::unexpected(Errors{grid.error()});
   const auto highest = std::ranges::max_element(grid->classes);
-  if (*highest > ColorTableFile::kMostClasses) {
+  if (*highest > ColorTableFile::kMaxClasses) {
     return refusal("color-table.tekkotsu",
                    fmt::format("byte {} is of class {}, but a .c64 numbers classes up to {}",
                                bytes.size() - grid->classes.size() +
                                    static_cast<std::size_t>(highest - grid->classes.begin()),
-                               int{*highest}, ColorTableFile::kMostClasses),
+                               int{*highest}, ColorTableFile::kMaxClasses),
                    file);
   }
   return ofGrid(*grid, colors.value_or(ColorClasses()));
@@ -139,7 +139,7 @@ tl::expected<std::optional<ColorClasses>, Errors> colorsOf(const std::filesystem
                                                            const ImportOptions& options) {
   const std::filesystem::path file = options.colors.empty() ? colorsBeside(map) : options.colors;
   if (file.empty()) return std::optional<ColorClasses>();
-  const auto text = robotlink::readFile(file, kMostImportedBytes);
+  const auto text = robotlink::readFile(file, kMaxImportedBytes);
   if (!text) return tl::unexpected(Errors{text.error()});
   auto colors = parseTekkotsuColors(*text, file.string());
   if (!colors) return tl::unexpected(colors.error());
@@ -157,7 +157,7 @@ tl::expected<ImportedTable, Errors> parseTable(std::string_view bytes, const std
                                                const std::optional<ColorClasses>& colors) {
   std::string plain;
   if (isBzip2(bytes)) {
-    auto contents = decompressBzip2(bytes, kMostImportedBytes, file);
+    auto contents = decompressBzip2(bytes, kMaxImportedBytes, file);
     if (!contents) return tl::unexpected(Errors{contents.error()});
     plain = std::move(*contents);
     bytes = plain;
@@ -180,7 +180,7 @@ tl::expected<ImportedTable, Errors> parseTable(std::string_view bytes, const std
 
 tl::expected<ImportedTable, Errors> importTable(const std::filesystem::path& file,
                                                 const ImportOptions& options) {
-  const auto bytes = robotlink::readFile(file, kMostImportedBytes);
+  const auto bytes = robotlink::readFile(file, kMaxImportedBytes);
   if (!bytes) return tl::unexpected(Errors{bytes.error()});
   // Only the maps of Tekkotsu have their colours in another file.
   const auto colors = colorsOf(file, options);

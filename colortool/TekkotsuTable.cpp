@@ -18,8 +18,8 @@ using robotlink::Result;
 namespace {
 
 constexpr std::string_view kMagic = "TMAP\n", kType = "YUV";
-constexpr std::size_t kMostLine = 64;
-constexpr std::size_t kMostTekkotsuErrors = 20;
+constexpr std::size_t kMaxLine = 64;
+constexpr std::size_t kMaxTekkotsuErrors = 20;
 
 /// Takes numbers and signs from the front of a text.
 class Scanner {
@@ -68,7 +68,7 @@ tl::unexpected<robotlink::Error> wrongTekkotsu(const std::string& file, std::siz
 
 /// The line that begins there, without its end; none if it does not end soon.
 std::optional<std::string_view> lineAt(std::string_view bytes, std::size_t offset) {
-  const std::string_view line = bytes.substr(offset, kMostLine);
+  const std::string_view line = bytes.substr(offset, kMaxLine);
   const std::size_t end = line.find('\n');
   if (end == std::string_view::npos) return std::nullopt;
   return line.substr(0, end);
@@ -83,10 +83,10 @@ class ColorsParser {
     ++line_;
     Scanner scanner(text);
     if (scanner.done() || scanner.sign('#')) return;
-    const auto index = scanner.number(ColorClasses::kMost);
+    const auto index = scanner.number(ColorClasses::kMax);
     if (!index)
       return wrongTekkotsu(
-          fmt::format("a line begins with the number of its class, 0 to {}", ColorClasses::kMost));
+          fmt::format("a line begins with the number of its class, 0 to {}", ColorClasses::kMax));
     const bool open = scanner.sign('(');
     const auto red = scanner.number(255), green = scanner.number(255), blue = scanner.number(255);
     if (!open || !red || !green || !blue || !scanner.sign(')'))
@@ -96,7 +96,7 @@ class ColorsParser {
     const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
     add(*index, {std::move(*name), {byte(*red), byte(*green), byte(*blue)}});
   }
-  bool goesOn() const { return errors_.size() < kMostTekkotsuErrors; }
+  bool goesOn() const { return errors_.size() < kMaxTekkotsuErrors; }
 
   tl::expected<ColorClasses, Errors> result() {
     if (line_ == 0) wrongTekkotsu("the file is empty");
@@ -151,7 +151,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   CellGrid grid;
   Scanner scanner(sizes.value_or(""));
   for (int& side : grid.sides) {
-    const auto number = scanner.number(CellGrid::kMostCells);
+    const auto number = scanner.number(CellGrid::kMaxCells);
     if (!number || !CellGrid::fits(*number))
       return wrongTekkotsu(file, at, "three numbers of cells are wanted: powers of two up to 128");
     side = *number;

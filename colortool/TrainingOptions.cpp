@@ -16,10 +16,10 @@ using enum TrainingMethod;
 constexpr std::array<std::string_view, 3> kMethods = {"votes", "gaussians", "support-vectors"};
 
 constexpr std::array kOptions = {
-    TrainingOption{"radius", kVotes, false, VoteOptions::kLeastRadius, VoteOptions::kMostRadius, false,
+    TrainingOption{"radius", kVotes, false, VoteOptions::kMinRadius, VoteOptions::kMaxRadius, false,
                    [](const Settings& s) { return s.votes.radius; },
                    [](Settings& s, double value) { s.votes.radius = value; }},
-    TrainingOption{"brightness-weight", kVotes, false, VoteOptions::kLeastBrightnessWeight, 1, false,
+    TrainingOption{"brightness-weight", kVotes, false, VoteOptions::kMinBrightnessWeight, 1, false,
                    [](const Settings& s) { return s.votes.brightnessWeight; },
                    [](Settings& s, double value) { s.votes.brightnessWeight = value; }},
     TrainingOption{"rejection", kVotes, false, 0, 2, false,
@@ -28,7 +28,7 @@ constexpr std::array kOptions = {
     TrainingOption{"background-weight", kVotes, false, 0, 2, false,
                    [](const Settings& s) { return s.votes.backgroundWeight; },
                    [](Settings& s, double value) { s.votes.backgroundWeight = value; }},
-    TrainingOption{"shading", kVotes, false, 0, VoteOptions::kMostShading, false,
+    TrainingOption{"shading", kVotes, false, 0, VoteOptions::kMaxShading, false,
                    [](const Settings& s) { return s.votes.shading; },
                    [](Settings& s, double value) { s.votes.shading = value; }},
     TrainingOption{"gray-guard", kVotes, false, 0, 20, false,

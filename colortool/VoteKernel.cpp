@@ -49,7 +49,7 @@ VoteKernel::VoteKernel(const Shape& shape) : shape_(shape) {
 }
 
 double VoteKernel::largestSum() const {
-  // Of the votes of one brightness in one cell; where it is darker, the votes of more colors meet in it.
+  // The sum of the votes of one brightness in one cell; where it is darker, the votes of more colors meet.
   const double plane = 2 * std::numbers::pi * shape_.chroma * shape_.chroma;
   double sum = 0;
   for (int y = -brightnessReach_; y <= brightnessReach_; ++y) {

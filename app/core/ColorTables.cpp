@@ -19,6 +19,16 @@ robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
   for (const std::string& name : read->classes.names()) table->add_class_names(name);
   const std::vector<std::uint8_t> cells = read->file.singleClasses();
   table->set_cells(cells.data(), cells.size());
+  std::error_code unknown;
+  const std::filesystem::path whole = std::filesystem::absolute(file, unknown);
+  table->set_source((unknown ? file : whole).lexically_normal().string());
+  return table;
+}
+
+robotcontrol::ColorTable colorTableOfLog(const robotcontrol::ColorTable& logged) {
+  robotcontrol::ColorTable table = logged;
+  const bool known = !logged.source().empty() && !logged.source().starts_with(kOfTheLog);
+  table.set_source(known ? std::string(kOfTheLog) + ": " + logged.source() : kOfTheLog);
   return table;
 }
 

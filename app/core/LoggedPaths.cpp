@@ -7,6 +7,7 @@
 #include "foxglove/Scene.pb.h"
 #include "robotlink/debugging/Solution.h"
 #include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
 
 namespace app {
 
@@ -32,6 +33,10 @@ LoggedPaths::LoggedPaths(const ReplayPlan& plan) {
   }
   for (const auto& solution : robotlink::SolutionRegistry::all()) {
     if (!tasks_.contains(solution.task)) continue;
+    const auto reads = [&](const std::vector<std::string>& packages) {
+      return std::ranges::find(packages, robotlink::kColorTable.name) != packages.end();
+    };
+    looksAtColors_ = looksAtColors_ || reads(solution.required) || reads(solution.optional);
     for (const int key : solution.keys)
       keys_.insert(robotlink::DebugKey::all()[static_cast<std::size_t>(key)].name);
   }
@@ -52,6 +57,7 @@ bool LoggedPaths::decide(const std::string& path) const {
   // there.
   if (path == streams::kSolutions || path == streams::kProcesses || path == streams::kProgram) return true;
   if (path == streams::kKeys) return !tasks_.empty();
+  if (path == streams::kColorTableInUse) return looksAtColors_;
   if (recomputed_.contains(path)) return true;
   for (const char* prefix : {streams::kImages, streams::kImageDrawings, streams::kFieldDrawings,
                              streams::kRobotDrawings, streams::kPlots}) {

@@ -32,6 +32,7 @@ class LoggedPaths {
   std::set<std::string> processes_;
   std::set<std::string> recomputed_;  // packages
   std::set<std::string> keys_;        // of solutions of these tasks
+  bool looksAtColors_ = false;        // a task that runs uses a color table
   mutable std::map<std::string, bool> known_;
 };
 

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "app/core/ColorTables.h"
 #include "app/core/ProgramSetups.h"
 #include "app/core/ReplayRobotProgram.h"
 #include "app/core/SimulatedPlatform.h"
@@ -283,7 +284,11 @@ void ReplayRobot::giveWhatIsBefore(Instant time) {
   // What one asked for at `time` itself comes with the requests of that instant, if the log has them.
   for (const std::string& package : robotlink::debugPackages()) {
     const auto message = before(package, hasRequests() ? earlier : time);
-    if (message) program_->program->debugProcess().offer(message->value);
+    if (!message) continue;
+    const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(message->value.get());
+    const bool own = table != nullptr && !table->cells().empty();
+    program_->program->debugProcess().offer(
+        own ? std::make_shared<const robotcontrol::ColorTable>(colorTableOfLog(*table)) : message->value);
   }
   if (const auto& table = choices_.wishes.colorTable()) program_->program->debugProcess().offer(table);
 }

@@ -2,6 +2,7 @@
 // How a ReplayRobot goes over its log.
 #include <algorithm>
 
+#include "app/core/ColorTables.h"
 #include "app/core/ReplayRobotProgram.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
@@ -113,6 +114,9 @@ void ReplayRobot::takeRequest(const Request& request) {
   due_.push_back(request);
   due_.back().clear_id();
   due_.back().set_robot(name_);
+  if (request.has_set_color_table() && !request.set_color_table().table().cells().empty())
+    *due_.back().mutable_set_color_table()->mutable_table() =
+        colorTableOfLog(request.set_color_table().table());
 }
 
 /// A log may hold what the debug process sent, but not who asked for it.

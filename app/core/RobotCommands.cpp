@@ -2,12 +2,14 @@
 #include "app/core/RobotCommands.h"
 
 #include <algorithm>
+#include <chrono>
 
 #include "app/core/ColorTables.h"
 #include "app/core/CommandValues.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/packages/Conversions.h"
 
 namespace app {
 namespace {
@@ -82,6 +84,8 @@ Result<void> setColorTable(Workbench& workbench, const std::string& file) {
   if (!table) return tl::unexpected(table.error());
   Request request;
   *request.mutable_set_color_table()->mutable_table() = std::move(**table);
+  robotlink::assign(*request.mutable_set_color_table()->mutable_table()->mutable_loaded(),
+                    robotlink::Instant(std::chrono::system_clock::now().time_since_epoch()));
   return ask(workbench, std::move(request));
 }
 

@@ -171,8 +171,7 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
   robotlink::Errors shown(errors.begin(),
                           errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
   QString text = QString::fromStdString(robotlink::describe(shown));
-  if (shown.size() < errors.size())
-    text += tr("\n… and %n more", nullptr, static_cast<int>(errors.size() - shown.size()));
+  if (shown.size() < errors.size()) text += tr("\n… and %1 more").arg(errors.size() - shown.size());
   errorText_->setText(text);
   errorBar_->show();
 }

@@ -9,8 +9,10 @@
 #include <QPointer>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/ColorTableButton.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "app/robotcontrol/LayoutHistory.h"
+#include "app/robotcontrol/LightMenu.h"
 #include "app/robotcontrol/LogOpening.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/RecordingToolBar.h"
@@ -22,36 +24,6 @@
 #include "widgets/Icon.h"
 
 namespace app {
-namespace {
-
-/// Lights to try a program or its colour table in, for cameras only: the Scene view stays as it is.
-void addLights(QMenu& menu, CommandActions& actions) {
-  const struct {
-    QString text;
-    const char* name;
-    double brightness, warmth;
-  } lights[] = {{MainWindow::tr("As in the &scene"), "light.scene", 1, 0},
-                {MainWindow::tr("&Brighter"), "light.bright", 1.3, 0},
-                {MainWindow::tr("&Darker"), "light.dark", 0.6, 0},
-                {MainWindow::tr("&Warmer"), "light.warm", 1, 0.25},
-                {MainWindow::tr("&Cooler"), "light.cool", 1, -0.25},
-                {MainWindow::tr("Darker and w&armer"), "light.dark-warm", 0.75, 0.25}};
-  for (const auto& light : lights) {
-    QAction* action = menu.addAction(
-        light.text, &actions,
-        [&actions, values = std::vector<robotlink::CommandTable::Value>{light.brightness, light.warmth}] {
-          actions.run(QStringLiteral("simulation.light"), values);
-        });
-    action->setObjectName(QLatin1String(light.name));
-    action->setToolTip(MainWindow::tr("Brightness %1, warmth %2: what cameras see from their next image on")
-                           .arg(light.brightness)
-                           .arg(light.warmth));
-  }
-  menu.setToolTipsVisible(true);
-}
-
-}  // namespace
-
 void MainWindow::createMenus() {
   createFileMenu();
   createViewMenu();
@@ -120,7 +92,7 @@ void MainWindow::createRobotMenus() {
   connectTo->setToolTip(tr("Connects a robot over TCP or a serial line, and runs its program here"));
   robot->addAction(toolBar_->stopAction());
   robot->addSeparator();
-  QAction* table = robot->addAction(tr("Load &colour table…"), this, &MainWindow::loadColorTable);
+  QAction* table = robot->addAction(tr("Load &color table…"), this, &MainWindow::loadColorTable);
   table->setObjectName(QStringLiteral("robot.color-table"));
   table->setToolTip(tr("The selected robot's program uses it from its next image on"));
   QAction* none = robot->addAction(tr("Use the &built-in color table"), this,
@@ -130,6 +102,7 @@ void MainWindow::createRobotMenus() {
       tr("The selected robot's program makes a color table of the field's colors, as it does until it is "
          "given one"));
   robot->setToolTipsVisible(true);
+  toolBar_->colorTableButton().menu()->addActions({table, none});
   simulationMenu_ = menuBar()->addMenu(tr("&Simulation"));
   simulationMenu_->setObjectName(QStringLiteral("simulationMenu"));
   simulationMenu_->addActions(toolBar_->simulationActions());
@@ -141,7 +114,7 @@ void MainWindow::createRobotMenus() {
     });
     action->setObjectName(QStringLiteral("speed.%1").arg(value));
   }
-  addLights(*simulationMenu_->addMenu(tr("&Light")), *actions_);
+  simulationMenu_->addMenu(new LightMenu(workbench_, *actions_, simulationMenu_));
 }
 
 void MainWindow::createWindowMenu() {
@@ -209,8 +182,8 @@ void MainWindow::openLayout() {
 
 void MainWindow::loadColorTable() {
   const QString file =
-      QFileDialog::getOpenFileName(this, tr("Load colour table"), {},
-                                   tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
+      QFileDialog::getOpenFileName(this, tr("Load color table"), {},
+                                   tr("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
   if (!file.isEmpty()) actions_->run(QStringLiteral("robot.color-table"), {file.toStdString()});
 }
 

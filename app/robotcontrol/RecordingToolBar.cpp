@@ -160,8 +160,7 @@ QString RecordingToolBar::statusText(const RecordingStatus& status) {
   QStringList parts;
   if (status.recording()) parts << duration(status.seconds()) << megabytes(status.bytes());
   if (status.keep_last() > 0) parts << tr("keeps %1 s").arg(std::floor(status.kept_seconds()), 0, 'f', 0);
-  if (status.dropped_messages() > 0)
-    parts << tr("%n left out", nullptr, static_cast<int>(status.dropped_messages()));
+  if (status.dropped_messages() > 0) parts << tr("%1 left out").arg(status.dropped_messages());
   if (parts.isEmpty()) return status.failure().empty() ? tr("not recording") : tr("recording failed");
   return parts.join(QStringLiteral("  "));
 }

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "app/core/Workbench.h"
+#include "app/robotcontrol/ColorTableButton.h"
 #include "app/robotcontrol/CommandActions.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/RobotDescription.h"
@@ -93,6 +94,9 @@ void SimulationToolBar::createBoxes() {
   addLabelled(tr("Scene:"), scene_);
   addLabelled(tr("Layout:"), layout_);
   addLabelled(tr("Robot:"), robot_);
+  colorTable_ = new ColorTableButton(this);
+  ofColors_ = addWidget(colorTable_);
+  ofColors_->setVisible(false);
   addSeparator();
   addActions(simulationActions_);
   ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
@@ -168,6 +172,7 @@ void SimulationToolBar::refresh() {
   auto& session = workbench_.session();
   const int robot = robot_->findText(QString::fromStdString(session.selectedRobot()));
   if (robot >= 0 && robot != robot_->currentIndex()) robot_->setCurrentIndex(robot);
+  ofColors_->setVisible(colorTable_->refresh(session));
   const auto* status =
       session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
   const bool there = status != nullptr;

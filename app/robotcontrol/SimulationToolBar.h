@@ -8,12 +8,13 @@ class QComboBox;
 
 namespace app {
 
+class ColorTableButton;
 class CommandActions;
 class Workbench;
 struct LoadedPlatform;
 
-/// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not
-/// what was clicked. GUI thread.
+/// Scene, layout, robot and its color table; start, pause, step, reset, speed; STOP. Shows what the
+/// simulation reports, not what was clicked. GUI thread.
 class SimulationToolBar : public QToolBar {
   Q_OBJECT
  public:
@@ -27,6 +28,8 @@ class SimulationToolBar : public QToolBar {
 
   const QList<QAction*>& simulationActions() const { return simulationActions_; }
   QAction* stopAction() const { return stop_; }
+  /// Says which color table is in use; its menu is for what gives the robot another one.
+  ColorTableButton& colorTableButton() { return *colorTable_; }
   /// The speeds to choose from, times real time; 0 is as fast as possible.
   static std::vector<double> speeds() { return {0.1, 0.25, 0.5, 1, 2, 5, 10, 0}; }
   static QString speedText(double speed);
@@ -44,6 +47,8 @@ class SimulationToolBar : public QToolBar {
   QComboBox* layout_ = nullptr;
   QComboBox* robot_ = nullptr;
   QComboBox* speed_ = nullptr;
+  ColorTableButton* colorTable_ = nullptr;
+  QAction* ofColors_ = nullptr;
   QAction* start_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* step_ = nullptr;

@@ -35,7 +35,7 @@ int tellImportLosses(const std::string& file, const colortool::ImportedTable& im
         << file << ": of " << imported.reducedCells
         << " cells of several classes only the first is kept, since a .c64 has room for several classes "
            "with numbers up to "
-        << colortool::ColorTableFile::kMostOfSeveral << "\n";
+        << colortool::ColorTableFile::kMaxOfSeveral << "\n";
   return imported.mixedCells + imported.reducedCells != 0 ? kDoneWithLosses : kDone;
 }
 

@@ -8,6 +8,7 @@
 #include "app/robotctl/Commands.h"
 #include "colortool/ClassPresets.h"
 #include "logplayer/ImageCoding.h"
+#include "logplayer/Plural.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace app {
@@ -65,7 +66,7 @@ int segment(const SegmentArguments& arguments) {
   if (arguments.numbers) {
     if (const auto done = writeClasses(named->classes, folder); !done) return printErrors({done.error()});
   }
-  std::cout << arguments.out << ": " << images->names().size() << " images\n";
+  std::cout << arguments.out << ": " << logplayer::plural(images->names().size(), "image") << "\n";
   return kDone;
 }
 

@@ -32,7 +32,7 @@ std::map<std::string, std::uint64_t> cellCounts(const NamedColorTable& table) {
   for (const auto& [cell, count] : counts) {
     std::string name;
     if ((cell & ColorTableFile::kSeveral) == 0) name = table.classes.name(cell);
-    for (int bit = 0; bit < ColorTableFile::kMostOfSeveral && (cell & ColorTableFile::kSeveral) != 0; ++bit) {
+    for (int bit = 0; bit < ColorTableFile::kMaxOfSeveral && (cell & ColorTableFile::kSeveral) != 0; ++bit) {
       if ((cell >> bit & 1) != 0) name += (name.empty() ? "" : "+") + table.classes.name(bit + 1);
     }
     named[name.empty() ? table.classes.name(0) : name] += count;

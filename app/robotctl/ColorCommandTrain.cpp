@@ -13,6 +13,7 @@
 #include "colortool/SampleFile.h"
 #include "colortool/StrokeList.h"
 #include "colortool/TableTrainer.h"
+#include "logplayer/Plural.h"
 
 namespace app {
 namespace {
@@ -128,7 +129,7 @@ int tellLosses(const TrainArguments& arguments, const Learned& learned, const Co
     std::cerr << arguments.out << ": of " << made.reducedCells
               << " cells of several classes only the best is kept, since a .c64 has room for several classes "
                  "with numbers up to "
-              << ColorTableFile::kMostOfSeveral << "\n";
+              << ColorTableFile::kMaxOfSeveral << "\n";
   }
   const bool losses = !learned.problems.empty() || learned.outside != 0 || made.reducedCells != 0;
   return losses ? kDoneWithLosses : kDone;
@@ -149,8 +150,8 @@ int train(const TrainArguments& arguments) {
     if (const auto saved = saveSamples(samples, arguments.samplesOut); !saved)
       return printErrors({saved.error()});
   }
-  std::cout << arguments.out << ": " << samples.strokes.size() << " strokes in " << samples.images.size()
-            << " images\n";
+  std::cout << arguments.out << ": " << logplayer::plural(samples.strokes.size(), "stroke") << " in "
+            << logplayer::plural(samples.images.size(), "image") << "\n";
   return tellLosses(arguments, *learned, made);
 }
 
@@ -161,17 +162,17 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
     command.add_option(name, value, help)->check(range)->capture_default_str();
   };
   number("--radius", settings.votes.radius, "How far a sample reaches in Cb and Cr: one standard deviation",
-         CLI::Range(Votes::kLeastRadius, Votes::kMostRadius));
+         CLI::Range(Votes::kMinRadius, Votes::kMaxRadius));
   number("--y-weight", settings.votes.brightnessWeight,
          "What a difference in Y counts against one in Cb or Cr",
-         CLI::Range(Votes::kLeastBrightnessWeight, 1.0));
+         CLI::Range(Votes::kMinBrightnessWeight, 1.0));
   number("--rejection", settings.votes.rejection,
          "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
   number("--background-weight", settings.votes.backgroundWeight,
          "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
   number("--shading", settings.votes.shading,
          "What a sample says of its color in shadow and glare, as a share of its own vote",
-         CLI::Range(0.0, Votes::kMostShading));
+         CLI::Range(0.0, Votes::kMaxShading));
   number("--gray-guard", settings.votes.grayGuard,
          "What colors of things need more where they are nearly gray, in votes of a sample",
          CLI::NonNegativeNumber);

@@ -7,6 +7,7 @@
 
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/base/Spelling.h"
+#include "robotlink/debugging/ColorTableInUse.h"
 #include "robotlink/debugging/DebugContext.h"
 #include "robotlink/debugging/JoinedTables.h"
 #include "robotlink/debugging/ProcessChannel.h"
@@ -109,6 +110,8 @@ struct DebugProcess::Implementation {
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
   void noticeStopped();
   void sendTables();
+  void useColorTable(std::shared_ptr<const robotcontrol::ColorTable> table);
+  void publishColorTable();
   void fillProcesses(robotcontrol::ProcessTable& to) const;
   const Process* watchedProcess(const std::string& name) const;
   std::string stoppedText(const Process& stopped) const;
@@ -128,6 +131,9 @@ struct DebugProcess::Implementation {
   JoinedTables tables;
   std::optional<Instant> processTableDue;
   bool solutionsDue = false;  // told although no process has told its own
+  std::shared_ptr<const robotcontrol::ColorTable> colorTableInUse;  // null: the built-in one
+  bool colorTableDue = true;
+  bool colorTablePublished = false;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 };
@@ -158,7 +164,7 @@ void DebugProcess::offer(const PackagePtr& package) {
     implementation_->remoteMotion.send(std::static_pointer_cast<const robotcontrol::RemoteMotion>(package));
   } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(package.get())) {
     if (!wrongWith(*table).empty()) return;
-    implementation_->colorTable.send(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
+    implementation_->useColorTable(std::static_pointer_cast<const robotcontrol::ColorTable>(package));
   } else if (dynamic_cast<const robotcontrol::DriveGoal*>(package.get()) != nullptr) {
     implementation_->driveGoal.send(std::static_pointer_cast<const robotcontrol::DriveGoal>(package));
   }
@@ -193,6 +199,11 @@ void DebugProcess::describe(const Tables& ofProcesses, robotcontrol::KeyTable& k
   joined.fillSolutions(self.names, solutions);
   addAbsentTasks(self.routes.absent, solutions);
   self.fillProcesses(processes);
+}
+
+std::optional<robotcontrol::ColorTable> DebugProcess::colorTableInUse() const {
+  if (!implementation_->colorTable.connected()) return std::nullopt;
+  return robotlink::colorTableInUse(implementation_->colorTableInUse.get());
 }
 
 void DebugProcess::execute() {
@@ -251,6 +262,7 @@ void DebugProcess::Implementation::route(const Request& request) {
       sendToAll(request);
       processTableDue.reset();
       solutionsDue = !routes.absent.empty();
+      colorTableDue = true;
       return answer(request, "");
     case Request::kRecordPackages:
       sendToAll(request);
@@ -332,8 +344,16 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
 /// A table without cells takes back the one that was set.
 void DebugProcess::Implementation::sendColorTable(const Request& request) {
   const robotcontrol::ColorTable& table = request.set_color_table().table();
-  colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
+  useColorTable(std::make_shared<robotcontrol::ColorTable>(table));
+  if (colorTablePublished)
+    debug.text(Level::kInfo, "colors", describeColorTable(robotlink::colorTableInUse(&table)));
   answer(request, "", checksum(table));
+}
+
+void DebugProcess::Implementation::useColorTable(std::shared_ptr<const robotcontrol::ColorTable> table) {
+  colorTableInUse = table;
+  colorTableDue = true;
+  colorTable.send(std::move(table));
 }
 
 void DebugProcess::Implementation::sendGoal(const Request& request) {
@@ -411,12 +431,20 @@ void DebugProcess::Implementation::sendTables() {
     tables.fillSolutions(names, table);
     addAbsentTasks(routes.absent, table);
   }
+  if (std::exchange(colorTableDue, false)) publishColorTable();
   const Instant now = process.frameTime();
   const bool due =
       !processTableDue || now >= *processTableDue || now + kProcessTablePeriod < *processTableDue;
   if (!due) return;
   processTableDue = now + kProcessTablePeriod;
   fillProcesses(*debug.add(streams::kProcesses).mutable_processes());
+}
+
+/// A program that does not look at colors has none.
+void DebugProcess::Implementation::publishColorTable() {
+  if (!colorTable.connected()) return;
+  debug.package(streams::kColorTableInUse, robotlink::colorTableInUse(colorTableInUse.get()));
+  colorTablePublished = true;
 }
 
 void DebugProcess::Implementation::fillProcesses(robotcontrol::ProcessTable& to) const {

@@ -4,6 +4,7 @@
 #include <functional>
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
@@ -12,6 +13,7 @@
 #include "robotlink/process/Process.h"
 
 namespace robotcontrol {
+class ColorTable;
 class DebugQueue;
 class KeyTable;
 class ProcessTable;
@@ -31,7 +33,8 @@ class AnySender;
 ///
 /// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,
 /// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
-/// the processes' tables of keys and solutions into one each, and tells twice a second what all processes do.
+/// the processes' tables of keys and solutions into one each, and tells twice a second what all processes do,
+/// and which color table is in use whenever that changes.
 /// A process that failed is told as an error, once.
 class DebugProcess final : public Process {
  public:
@@ -65,6 +68,8 @@ class DebugProcess final : public Process {
   using Tables = std::map<std::string, std::pair<robotcontrol::KeyTable, robotcontrol::SolutionTable>>;
   void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
+  /// Without its cells (ColorTableInUse.h); none: no task of the program uses one.
+  std::optional<robotcontrol::ColorTable> colorTableInUse() const;
 
  protected:
   void execute() override;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "robotlink/debugging/RequestPreview.h"
 
+#include "robotlink/debugging/ColorTableInUse.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Checksum.h"
@@ -31,6 +32,8 @@ std::string RequestPreview::add(const Request& request) {
   if (!refusal.empty()) return refusal;
   if (const TaskProcess* process = processOf(request)) refusal = addTo(*process, request);
   if (refusal.empty() && request.has_set_key()) keys_[request.set_key().name()] = request.set_key().mode();
+  if (refusal.empty() && request.has_set_color_table())
+    colorTable_ = colorTableInUse(&request.set_color_table().table());
   return refusal;
 }
 
@@ -87,8 +90,10 @@ bool RequestPreview::answer(const Request& request) {
   result.set_id(request.id());
   result.set_accepted(refusal.empty());
   result.set_reason(refusal);
-  if (refusal.empty() && request.has_set_color_table())
+  if (refusal.empty() && request.has_set_color_table()) {
     result.set_checksum(checksum(request.set_color_table().table()));
+    describeColorTable();
+  }
   return refusal.empty();
 }
 
@@ -125,6 +130,15 @@ void RequestPreview::describeTables() {
   for (auto& key : *keys.mutable_keys()) {
     if (const auto mode = keys_.find(key.name()); mode != keys_.end()) *key.mutable_mode() = mode->second;
   }
+  describeColorTable();
+}
+
+void RequestPreview::describeColorTable() {
+  const auto inUse = colorTable_ ? colorTable_ : program_.debugProcess().colorTableInUse();
+  if (!inUse) return;
+  auto& copy = *message(streams::kColorTableInUse).mutable_package();
+  copy.set_type(inUse->GetDescriptor()->full_name());
+  inUse->SerializeToString(copy.mutable_data());
 }
 
 robotcontrol::DebugMessage& RequestPreview::message(const std::string& path) {

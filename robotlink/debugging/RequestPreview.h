@@ -3,11 +3,13 @@
 
 #include <map>
 #include <memory>
+#include <optional>
 #include <string>
 #include <utility>
 #include <vector>
 
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/debugging/SolutionParameters.h"
@@ -46,12 +48,14 @@ class RequestPreview {
                          const std::string& solution) const;
   void describeParameters(const robotcontrol::Request& request);
   void describeTables();
+  void describeColorTable();
   robotcontrol::DebugMessage& message(const std::string& path);
 
   RobotProgram& program_;
   std::map<std::string, std::string> solutions_;           // chosen, by task
   std::map<TaskSolution, SolutionParameters> parameters_;  // that were set
   std::map<std::string, robotcontrol::KeyMode> keys_;
+  std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
   bool tablesAsked_ = false;
   std::shared_ptr<robotcontrol::DebugQueue> queue_;
 };

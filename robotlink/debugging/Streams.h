@@ -11,6 +11,8 @@ inline constexpr char kLog[] = "log";                        ///< foxglove.Log, 
 inline constexpr char kKeys[] = "tables/keys";               ///< KeyTable, of all processes together
 inline constexpr char kSolutions[] = "tables/solutions";     ///< SolutionTable
 inline constexpr char kProcesses[] = "tables/processes";     ///< ProcessTable
+/// ColorTable without its cells and correction: which one is in use, and where it is from.
+inline constexpr char kColorTableInUse[] = "tables/colors";
 inline constexpr char kResults[] = "results";                ///< RequestResult; handed to who asked, not kept
 inline constexpr char kFrames[] = "frames/";                 ///< + process: FrameInfo
 inline constexpr char kStopwatches[] = "stopwatches/";       ///< + process: StopwatchTimes

@@ -17,6 +17,8 @@ TEST(ColorTables, aFileOfARealRobotBecomesATableWithNames) {
   EXPECT_EQ((*table)->class_names(0), "orange");
   ASSERT_EQ((*table)->cells().size(), 262144U);
   EXPECT_EQ(std::ranges::count((*table)->cells(), '\1'), 1051);
+  EXPECT_EQ((*table)->source(), file.lexically_normal().string())
+      << "whoever uses it can say where it is from";
 }
 
 TEST(ColorTables, tablesOfOtherTeamsAreTakenAsTheyAre) {
@@ -31,6 +33,18 @@ TEST(ColorTables, tablesOfOtherTeamsAreTakenAsTheyAre) {
     ASSERT_EQ((*table)->cells().size(), 262144U) << name;
     EXPECT_LT(std::ranges::count((*table)->cells(), '\0'), 262144) << name << " has colors";
   }
+}
+
+TEST(ColorTables, oneOfALogSaysSoAndWhereItWasFromThen) {
+  robotcontrol::ColorTable logged;
+  logged.set_cells("1");
+  EXPECT_EQ(app::colorTableOfLog(logged).source(), "of the log");
+  EXPECT_EQ(app::colorTableOfLog(app::colorTableOfLog(logged)).source(), "of the log");
+  logged.set_source("/home/me/game.c64");
+  const auto table = app::colorTableOfLog(logged);
+  EXPECT_EQ(table.source(), "of the log: /home/me/game.c64");
+  EXPECT_EQ(app::colorTableOfLog(table).source(), table.source());
+  EXPECT_EQ(table.cells(), logged.cells());
 }
 
 TEST(ColorTables, whatIsNoTableIsRefusedWithTheNameOfItsFile) {

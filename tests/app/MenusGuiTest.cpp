@@ -3,8 +3,10 @@
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockWidget.h>
 #include <QComboBox>
+#include <QDoubleSpinBox>
 #include <QLabel>
 #include <QMessageBox>
+#include <QSlider>
 #include <QStatusBar>
 #include <QTemporaryDir>
 #include <QTreeWidget>
@@ -132,6 +134,31 @@ class MenusGuiTest : public QObject {
     desk.choose("light.scene");
     QTRY_COMPARE_WITH_TIMEOUT(desk.status()->brightness(), 1.0, kWaitMs);
     QCOMPARE(desk.status()->warmth(), 0.0);
+  }
+
+  void theLightHasSlidersWithMarksAndValues() {
+    Desk desk(home_);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    auto& menu = desk.find<QMenu>("lightMenu");
+    menu.popup(desk.window.mapToGlobal(QPoint(20, 40)));
+    auto& slider = desk.find<QSlider>("lightBrightnessSlider");
+    auto& box = desk.find<QDoubleSpinBox>("lightBrightness");
+    QCOMPARE(box.value(), 1.0);
+    QVERIFY(slider.tickPosition() != QSlider::NoTicks);
+    slider.setFocus();
+    QTest::keyClick(&slider, Qt::Key_PageDown);
+    QCOMPARE(box.value(), 0.75);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->brightness(), 0.75, kWaitMs);
+    auto& warmth = desk.find<QSlider>("lightWarmthSlider");
+    warmth.setFocus();
+    QTest::keyClick(&warmth, Qt::Key_PageUp);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.status()->warmth(), 0.25, kWaitMs);
+    QVERIFY(menu.isVisible());
+    desk.find<QAction>("light.scene").trigger();
+    QTRY_COMPARE_WITH_TIMEOUT(box.value(), 1.0, kWaitMs);
+    QCOMPARE(slider.value(), 100);
+    QCOMPARE(warmth.value(), 0);
+    menu.close();
   }
 
   void aPerspectiveThatIsAskedForAtTheStartLooksAsItWasLeft() {

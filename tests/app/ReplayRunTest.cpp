@@ -206,6 +206,49 @@ TEST_F(ReplayRunTest, whatIsToldAnewTakesThePathAndWhatWasLoggedStandsBesideIt) 
   EXPECT_EQ(replay.countOn("red1/camera/image"), 50U);
 }
 
+TEST_F(ReplayRunTest, theColorTableInUseIsThatOfTheLogOrTheOneThatIsBuiltIn) {
+  const auto sourcesIn = [](const Replay& replay) {
+    std::vector<std::string> sources;
+    for (const auto& message : replay.told) {
+      if (message.path != "red1/tables/colors") continue;
+      const auto& source = dynamic_cast<const robotcontrol::ColorTable&>(*message.value).source();
+      if (sources.empty() || sources.back() != source) sources.push_back(source);
+    }
+    return sources;
+  };
+  Replay builtIn(recomputingRegions());
+  ASSERT_TRUE(builtIn.run);
+  builtIn.playToEnd();
+  EXPECT_THAT(sourcesIn(builtIn), ::testing::ElementsAre("built-in"));
+
+  const auto file = folder_->path() / "table.mcap";
+  recordSimulation(file, "compact", 200, [](SimulatedRun& run, int step) {
+    if (step != 100) return;
+    robotcontrol::Request request;
+    request.set_robot("red1");
+    auto& table = *request.mutable_set_color_table()->mutable_table();
+    table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
+    table.add_class_names("orange");
+    table.set_source("/home/me/orange.c64");
+    (void)run.request(request);
+  });
+  Replay played(file);
+  ASSERT_TRUE(played.run);
+  played.playToEnd();
+  EXPECT_THAT(sourcesIn(played), ::testing::ElementsAre("built-in", "/home/me/orange.c64"))
+      << "as it was then";
+  ReplayOptions options = recomputingRegions();
+  options.logs = {{file}};
+  Replay recomputed(options);
+  ASSERT_TRUE(recomputed.run);
+  recomputed.playToEnd();
+  EXPECT_THAT(sourcesIn(recomputed), ::testing::ElementsAre("built-in", "of the log: /home/me/orange.c64"));
+  EXPECT_EQ(recomputed.status().differences(0).different(), 0U);
+  recomputed.told.clear();
+  ASSERT_TRUE(recomputed.run->jump(at(1.5)).empty());
+  EXPECT_EQ(sourcesIn(recomputed).back(), "of the log: /home/me/orange.c64");
+}
+
 TEST_F(ReplayRunTest, anotherSolutionGivesOtherBytesAndTheFirstOneItsOwnAgain) {
   Replay first(recomputingRegions());
   ASSERT_TRUE(first.run);

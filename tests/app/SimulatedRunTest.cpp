@@ -1,10 +1,12 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/SimulatedRun.h"
 
+#include <gmock/gmock.h>
 #include <google/protobuf/message.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
+#include <set>
 
 #include "app/core/BallTrials.h"
 #include "app/core/Workbench.h"
@@ -14,6 +16,8 @@
 
 using namespace app;
 using robotlink::Pose2;
+using ::testing::ElementsAre;
+using ::testing::IsEmpty;
 
 namespace {
 
@@ -137,6 +141,7 @@ robotcontrol::Request tableRequest() {
   auto& table = *request.mutable_set_color_table()->mutable_table();
   table.set_cells(std::string(std::size_t{64} * 64 * 64, '\1'));
   table.add_class_names("orange");
+  table.set_source("/home/me/orange.c64");
   return request;
 }
 
@@ -148,6 +153,8 @@ struct Told {
   bool ownTable = false;
   std::string frames;                      ///< all that its processes told, as bytes
   std::map<std::uint64_t, bool> accepted;  ///< by id, first answers
+  std::vector<std::string> tables;         ///< where color tables in use are from
+  std::vector<std::string> texts;          ///< on color tables
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string&, const auto& queue) {
               if (!queue->process().empty()) frames += queue->SerializeAsString();
@@ -164,6 +171,12 @@ struct Told {
       memory = value->GetReflection()->GetDouble(*value, value->GetDescriptor()->FindFieldByName("memory"));
     }
     if (message.path() == "colors/table") ownTable = true;
+    if (message.text().name() == "debug/colors") texts.push_back(message.text().message());
+    if (message.path() != "tables/colors") return;
+    robotcontrol::ColorTable inUse;
+    inUse.ParseFromString(message.package().data());
+    EXPECT_TRUE(inUse.cells().empty());
+    tables.push_back(inUse.source());
   }
 };
 
@@ -231,6 +244,48 @@ TEST(SimulatedRun, whatAPersonChoseSurvivesResetsAndOtherLayouts) {
   expectAll("layout");
   ASSERT_TRUE(run->reset(1).empty());
   expectAll("reset");
+}
+
+TEST(SimulatedRun, theColorTableInUseIsSaidAndSurvivesResetsAndOtherLayouts) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  play(*run, 0.5);
+  EXPECT_THAT(std::set(told.tables.begin(), told.tables.end()), ElementsAre("built-in"));
+  EXPECT_THAT(told.texts, IsEmpty());
+  told = {};
+  ASSERT_TRUE(run->request(tableRequest()).has_value());
+  play(*run, 0.5);
+  EXPECT_THAT(told.tables, ElementsAre("/home/me/orange.c64"));
+  EXPECT_THAT(told.texts, ElementsAre("The color table is now /home/me/orange.c64"));
+  const auto expectKept = [&](const char* after) {
+    told = {};
+    play(*run, 0.5);
+    EXPECT_THAT(std::set(told.tables.begin(), told.tables.end()), ElementsAre("/home/me/orange.c64"))
+        << after;
+    EXPECT_THAT(told.texts, IsEmpty()) << after << ": nothing changed";
+  };
+  ASSERT_TRUE(run->reset(1).empty());
+  expectKept("reset");
+  ASSERT_TRUE(run->setLayout(Workbench::layoutNamed("parallel")).empty());
+  expectKept("layout");
+  robotcontrol::Request back;
+  back.set_robot("red1");
+  back.mutable_set_color_table();
+  told = {};
+  ASSERT_TRUE(run->request(back).has_value());
+  play(*run, 0.5);
+  EXPECT_THAT(told.tables, ElementsAre("built-in"));
+  EXPECT_THAT(told.texts, ElementsAre("The color table is now the built-in one"));
+}
+
+TEST(SimulatedRun, inAPauseTheColorTableThatWasGivenIsSaidAtOnce) {
+  Told told;
+  const auto run = makeRun(options(), told.listeners());
+  run->tellAnswersToCome();
+  EXPECT_THAT(told.tables, ElementsAre("built-in")) << "known before the first step";
+  ASSERT_TRUE(run->request(tableRequest()).has_value());
+  run->tellAnswersToCome();
+  EXPECT_EQ(told.tables.back(), "/home/me/orange.c64");
 }
 
 TEST(SimulatedRun, choicesInAPauseSurviveAResetInTheSamePause) {

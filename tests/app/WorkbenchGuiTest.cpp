@@ -5,6 +5,7 @@
 #include <QTreeView>
 #include <fstream>
 
+#include "colortool/ColorTableFile.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"
 
@@ -75,6 +76,31 @@ class WorkbenchGuiTest : public QObject {
     QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->layout.stem().string(), std::string("parallel"),
                               kWaitMs);
     QCOMPARE(layout.currentText(), QStringLiteral("parallel"));
+  }
+
+  void theColorTableInUseStandsBesideTheRobot() {
+    Desk desk(home_);
+    auto& button = desk.find<QToolButton>("colorTableButton");
+    QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("Colors: built-in"), kWaitMs);
+    QVERIFY(button.isVisible());
+    std::filesystem::create_directories(home_);
+    const std::string file = (home_ / "game.c64").string();
+    QVERIFY(colortool::ColorTableFile().save(file).has_value());
+    QVERIFY(desk.workbench.commands().runLine("robot.color-table \"" + file + "\"").has_value());
+    QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("Colors: game.c64"), kWaitMs);
+    QVERIFY2(button.toolTip().contains(QString::fromStdString(file)), qPrintable(button.toolTip()));
+    QVERIFY(button.toolTip().contains(QStringLiteral("loaded 20")));
+    QVERIFY(desk.workbench.commands().runLine("simulation.reset").has_value());
+    QVERIFY(desk.workbench.commands().runLine("layout.open parallel").has_value());
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->layout.stem().string(), std::string("parallel"),
+                              kWaitMs);
+    desk.window.tick();
+    QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("Colors: game.c64"), kWaitMs);
+    for (QAction* action : button.menu()->actions()) {
+      if (action->objectName() == QLatin1String("robot.no-color-table")) action->trigger();
+    }
+    QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("Colors: built-in"), kWaitMs);
   }
 
   void aSceneWithTwoRobotsLetsOneBeChosen() {

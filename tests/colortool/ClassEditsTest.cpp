@@ -60,7 +60,7 @@ TEST(ClassEditsTest, newClassesComeLastUnderAFreeName) {
 
 TEST(ClassEditsTest, thereAreAtMostAsManyClassesAsNumbers) {
   Samples samples;
-  for (int i = 0; i < ColorClasses::kMost; ++i)
+  for (int i = 0; i < ColorClasses::kMax; ++i)
     samples = *withNewClass(samples, {freeClassName(samples.classes), {}});
   const auto more = withNewClass(samples, {freeClassName(samples.classes), {}});
   ASSERT_FALSE(more);

@@ -94,7 +94,7 @@ TEST(ColorClasses, areNumberedFromOneAndHaveRoomForAByte) {
   std::vector<NamedColor> many(300, {"", {1, 2, 3}});
   for (std::size_t i = 0; i < many.size(); ++i) many[i].name = "class" + std::to_string(i + 1);
   const ColorClasses classes(many);
-  ASSERT_EQ(classes.size(), ColorClasses::kMost + 1);
+  ASSERT_EQ(classes.size(), ColorClasses::kMax + 1);
   EXPECT_EQ(classes.name(0), "none");
   EXPECT_EQ(classes.name(255), "class255");
   EXPECT_EQ(classes.index("class255"), 255);

@@ -99,7 +99,7 @@ TEST(ColorVotes, changedOptionsApplyToAllThatWasAdded) {
 
 TEST(ColorVotes, manySamplesWithAWideKernelDoNotOverflow) {
   ColorVotes votes(
-      2, {.radius = VoteOptions::kMostRadius, .brightnessWeight = VoteOptions::kLeastBrightnessWeight});
+      2, {.radius = VoteOptions::kMaxRadius, .brightnessWeight = VoteOptions::kMinBrightnessWeight});
   for (int y = 0; y < 256; y += 16) {
     for (int cb = 96; cb < 160; cb += 4) {
       for (int cr = 96; cr < 160; cr += 4) {

@@ -117,13 +117,13 @@ TEST(LeaveOneFrameOut, fewStrokesKnowTheColorsOfAnImageThatNoneIsFromAndMoreStro
   for (const auto& [name, each] : {std::pair("1", one), std::pair("3", three), std::pair("10", ten)})
     std::printf("%2s strokes a class: mean recall %.2f %%, false colors %.3f %%\n", name, 100 * each.recall,
                 100 * each.falseColor);
-  EXPECT_GT(one.recall, 0.97);
+  EXPECT_GT(one.recall, 0.98);
   EXPECT_GT(three.recall, 0.985);
   EXPECT_GT(ten.recall, 0.985);
   EXPECT_GE(three.recall, one.recall - 0.001);
   // The ball in image 000 has 311 pixels, so that one of them is a tenth of a percent.
   EXPECT_GE(ten.recall, three.recall - 0.005);
-  for (const Score& each : {one, three, ten}) EXPECT_LT(each.falseColor, 0.002);
+  for (const Score& each : {one, three, ten}) EXPECT_LT(each.falseColor, 0.001);
 }
 
 }  // namespace

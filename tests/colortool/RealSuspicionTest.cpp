@@ -124,7 +124,7 @@ TEST_F(RealSuspicion, aStrokeWithALargeRadiusMakesAWorseTableThanMany) {
   for (const unsigned seed : {1U, 2U, 3U}) {
     Samples bad = strokes(1, {1}, seed);
     bad.strokes.resize(1);
-    bad.settings.votes.radius = VoteOptions::kMostRadius;
+    bad.settings.votes.radius = VoteOptions::kMaxRadius;
     const double worst = scoreOfAll(meterOf(bad));
     for (const int perClass : {1, 3, 10})
       EXPECT_GT(worst, 2 * scoreOfAll(meterOf(strokes(perClass, kEverything, seed)))) << seed;

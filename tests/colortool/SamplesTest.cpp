@@ -16,7 +16,7 @@ TEST(Samples, aStrokeHoldsTheColoursItTouched) {
   const Stroke& orange = *samples.strokes[0];
   ASSERT_EQ(orange.colors.size(), 29U);
   for (const auto& color : orange.colors) EXPECT_EQ(color, (robotlink::YCbCr{140, 60, 200}));
-  EXPECT_LE(orange.thumbnail.width, Thumbnail::kMostSide);
+  EXPECT_LE(orange.thumbnail.width, Thumbnail::kMaxSide);
   EXPECT_EQ(orange.thumbnail.pixels.size(),
             static_cast<std::size_t>(orange.thumbnail.width * orange.thumbnail.height));
 }

@@ -285,7 +285,7 @@ class ColorFramesViewTest : public QObject {
       frames.push_back(std::move(frame));
       if (frames.size() == 70) model.add(std::exchange(frames, {}));
     }
-    QCOMPARE(model.rowCount(), static_cast<int>(FrameSearch::kMostKept));
+    QCOMPARE(model.rowCount(), static_cast<int>(FrameSearch::kMaxKept));
     for (int row = 0; row < model.rowCount(); ++row) QVERIFY(model.frame(row).found.score >= 200);
   }
 

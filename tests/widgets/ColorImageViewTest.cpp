@@ -263,6 +263,8 @@ class ColorImageViewTest : public QObject {
     QCOMPARE(s.world.requests[0].robot(), std::string("red1"));
     const auto& table = s.world.requests[0].set_color_table().table();
     QCOMPARE(table.class_names(0), std::string("orange"));
+    QCOMPARE(table.source(), std::string("painted, not saved"));
+    QVERIFY(table.has_loaded());
     QCOMPARE(static_cast<int>(table.cells()[colortool::ColorTable::cellOf({140, 60, 200})]), 1);
     QVERIFY(sent->text().contains(QStringLiteral("Sending")));
     s.world.advance();

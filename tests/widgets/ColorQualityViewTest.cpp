@@ -128,7 +128,7 @@ class ColorQualityViewTest : public QObject {
     const auto name = DialogAnswer::file(folder.path());
     click(*view_, "qualityOpen");
     QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("No labelled images"))));
-    QVERIFY2(hint("labelledMatrix").contains(QStringLiteral("none of the 1 images here has labels")),
+    QVERIFY2(hint("labelledMatrix").contains(QStringLiteral("the only image here has no labels")),
              "the whole reason, where there is room for it");
     QVERIFY(bench_->labelled().empty());
   }
@@ -158,6 +158,13 @@ class ColorQualityViewTest : public QObject {
     bench_->undoStack().undo();  // the second stroke of the background
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
     QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
+  }
+
+  void oneStrokeIsNotCalledStrokes() {
+    colortool::Samples one = colortool::quarterSamples();
+    one.strokes.resize(1);
+    bench_->change(QStringLiteral("One stroke"), std::move(one));
+    QTRY_VERIFY2(note().contains(QStringLiteral("Stands on 1 stroke,")), qPrintable(note()));
   }
 
   void theTableThatItIsComparedWithIsScoredBesideIt() {

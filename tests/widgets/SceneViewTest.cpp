@@ -10,6 +10,7 @@
 #include <set>
 
 #include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "tests/widgets/SyntheticWorld.h"
@@ -102,6 +103,22 @@ class SceneViewTest : public QObject {
     // What lies flat has its own colour.
     QVERIFY(isNear(s.colorAt({1.2, 0.8, 0}), s.named("green"), 8));
     QVERIFY(isNear(s.colorAt({-1, 0.5, 0.17}), s.named("red"), 60));
+  }
+
+  void theLightOfTheSimulationFallsOnTheScene() {
+    Shown s;
+    QVERIFY(s.placeThings());
+    const QColor before = s.colorAt({1.2, 0.8, 0}), sky = s.picture().pixelColor(5, 5);
+    auto status = std::make_shared<robotcontrol::SimulationStatus>();
+    status->set_brightness(0.6);
+    status->set_warmth(0.5);
+    s.world.push("simulation", status);
+    QVERIFY(s.step());
+    const QColor warm = s.colorAt({1.2, 0.8, 0});
+    QVERIFY2(isNear(warm,
+                    QColor(int(before.red() * 0.6), int(before.green() * 0.45), int(before.blue() * 0.3)), 4),
+             qPrintable(before.name() + QLatin1Char(' ') + warm.name()));
+    QCOMPARE(s.picture().pixelColor(5, 5), sky);
   }
 
   void theWorldMovesWithTheTransforms() {

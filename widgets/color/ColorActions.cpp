@@ -7,6 +7,7 @@
 
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -24,7 +25,7 @@ QShortcut* addShortcut(QWidget& view, const QKeySequence& key) {
 }  // namespace
 
 QString strokesText(std::size_t count) {
-  return count == 1 ? actionText("1 stroke") : actionText("%1 strokes").arg(count);
+  return counted(count, actionText("1 stroke"), actionText("%1 strokes"));
 }
 
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench) {

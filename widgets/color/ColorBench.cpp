@@ -13,9 +13,9 @@ namespace widgets {
 namespace {
 
 constexpr int kThumbnailHeight = 72;
-/// Of images that were seen so many are kept to try the table on, so far from each other.
-constexpr std::size_t kMostOthers = 12;
-constexpr std::chrono::seconds kLeastApart(1);
+/// This many images that were seen are kept to try the table on, at least so far from each other.
+constexpr std::size_t kMaxOthers = 12;
+constexpr std::chrono::seconds kMinApart(1);
 
 /// A step of the document. It keeps its own history; this is its place on Qt's stack.
 class DocumentStep final : public QUndoCommand {
@@ -104,7 +104,7 @@ void ColorBench::setMustNotBe(bool mustNotBe) {
 }
 
 void ColorBench::setWeight(double weight) {
-  weight = std::clamp(weight, colortool::Stroke::kLeastWeight, colortool::Stroke::kMostWeight);
+  weight = std::clamp(weight, colortool::Stroke::kMinWeight, colortool::Stroke::kMaxWeight);
   if (weight_ == weight) return;
   weight_ = weight;
   Q_EMIT meaningChanged();
@@ -142,10 +142,10 @@ void ColorBench::rememberFrame() {
   if (!frame_) return;
   const bool near = std::ranges::any_of(others_, [this](const ColorFramePtr& other) {
     return other->stream() == frame_->stream() && other->file() == frame_->file() &&
-           std::chrono::abs(other->time() - frame_->time()) < kLeastApart;
+           std::chrono::abs(other->time() - frame_->time()) < kMinApart;
   });
   if (near) return;
-  if (others_.size() >= kMostOthers) others_.erase(others_.begin());
+  if (others_.size() >= kMaxOthers) others_.erase(others_.begin());
   others_.push_back(frame_);
 }
 
@@ -161,10 +161,10 @@ std::size_t ColorBench::collect(const std::vector<ColorFramePtr>& frames) {
   std::size_t bytes = 0, added = 0;
   for (const CollectedFrame& collected : collected_) bytes += collected.frame->message()->data().size();
   for (const ColorFramePtr& frame : frames) {
-    if (others_.size() < kMostOthers && frame != frame_) others_.push_back(frame);
+    if (others_.size() < kMaxOthers && frame != frame_) others_.push_back(frame);
     const bool there = std::ranges::any_of(
         collected_, [&](const CollectedFrame& each) { return each.frame->place() == frame->place(); });
-    if (there || bytes > kMostCollectedBytes) continue;
+    if (there || bytes > kMaxCollectedBytes) continue;
     bytes += frame->message()->data().size();
     const QImage image = toQImage(frame->view());
     collected_.push_back({frame, image.scaledToHeight(kThumbnailHeight, Qt::SmoothTransformation)});

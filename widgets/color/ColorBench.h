@@ -74,7 +74,7 @@ class ColorBench final : public QObject {
   /// aside.
   std::size_t collect(const std::vector<ColorFramePtr>& frames);
   /// What all images that are put aside may take, bytes of pixels.
-  static constexpr std::size_t kMostCollectedBytes = std::size_t{128} << 20U;
+  static constexpr std::size_t kMaxCollectedBytes = std::size_t{128} << 20U;
   void removeCollected(std::size_t index);
 
   // What was learned.

@@ -32,7 +32,7 @@ const ViewRegistration kColorClassesViewRegistration{
                        "table is made of them."),
      "color-classes", false, create<ColorClassesView>}};
 
-constexpr int kMostMessageLines = 4;
+constexpr int kMaxMessageLines = 4;
 
 }  // namespace
 
@@ -157,7 +157,7 @@ QWidget* ColorClassesView::createMeaning() {
   auto* label = new QLabel(tr("Weight"), row->parentWidget());
   weight_ = new QDoubleSpinBox(row->parentWidget());
   describe(*weight_, {"strokeWeight", tr("Weight"), tr("How much the next stroke counts")});
-  weight_->setRange(colortool::Stroke::kLeastWeight, colortool::Stroke::kMostWeight);
+  weight_->setRange(colortool::Stroke::kMinWeight, colortool::Stroke::kMaxWeight);
   weight_->setDecimals(1);
   weight_->setKeyboardTracking(false);
   weight_->setSingleStep(0.5);
@@ -241,9 +241,9 @@ void ColorClassesView::say(const QString& text, bool bad) {
   if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
   message_->setPalette(bad ? colors : QPalette());
   QStringList lines = text.split(QLatin1Char('\n'));
-  message_->setToolTip(lines.size() > kMostMessageLines ? text : QString());
-  if (lines.size() > kMostMessageLines) {
-    lines = lines.mid(0, kMostMessageLines);
+  message_->setToolTip(lines.size() > kMaxMessageLines ? text : QString());
+  if (lines.size() > kMaxMessageLines) {
+    lines = lines.mid(0, kMaxMessageLines);
     lines.last() += QStringLiteral(" …");
   }
   message_->setText(lines.join(QLatin1Char('\n')));

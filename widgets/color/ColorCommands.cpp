@@ -66,7 +66,7 @@ Result<void> chooseClass(ColorBench& bench, const std::string& name) {
 
 Result<void> setWeight(ColorBench& bench, double weight) {
   using colortool::Stroke;
-  if (!(weight >= Stroke::kLeastWeight && weight <= Stroke::kMostWeight))
+  if (!(weight >= Stroke::kMinWeight && weight <= Stroke::kMaxWeight))
     return failure("color.weight", "a weight is between 0.1 and 10");
   bench.setWeight(weight);
   return {};

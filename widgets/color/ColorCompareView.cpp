@@ -18,6 +18,7 @@
 #include "widgets/Icon.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorReferences.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -252,9 +253,12 @@ std::optional<double> ColorCompareView::changedPixels() const {
 void ColorCompareView::showSums() {
   const double changed = static_cast<double>(model_.difference()->changed());
   const double share = 100 * changed / static_cast<double>(colortool::ColorTable::kCellCount);
-  QString text = changed == 0
-                     ? tr("No cell differs")
-                     : tr("%1 cells differ (%2 %)").arg(model_.difference()->changed()).arg(share, 0, 'f', 2);
+  QString text =
+      changed == 0
+          ? tr("No cell differs")
+          : tr("%1 (%2 %)")
+                .arg(counted(model_.difference()->changed(), tr("1 cell differs"), tr("%1 cells differ")))
+                .arg(share, 0, 'f', 2);
   if (const auto pixels = changedPixels())
     text += tr(", of this image's pixels %1 %").arg(100 * *pixels, 0, 'f', 2);
   sums_->setText(text);

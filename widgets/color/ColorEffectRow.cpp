@@ -10,13 +10,14 @@
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorToolRow.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
 namespace {
 
-constexpr std::size_t kMostOtherImages = 8;
-constexpr std::size_t kMostLossesShown = 3;
+constexpr std::size_t kMaxOtherImages = 8;
+constexpr std::size_t kMaxLossesShown = 3;
 /// What is shown as a warning.
 constexpr double kLargeLoss = 0.1;
 
@@ -37,6 +38,12 @@ ColorEffectRow::ColorEffectRow(ColorBench& bench, QWidget* parent) : QWidget(par
   row->setContentsMargins(6, 0, 6, 1);
   row->addWidget(text_, 1);
   row->addWidget(drop_);
+  // The picture would jump under the brush if the row took its room only while it has something to say.
+  for (QWidget* widget : {static_cast<QWidget*>(this), static_cast<QWidget*>(drop_)}) {
+    QSizePolicy policy = widget->sizePolicy();
+    policy.setRetainSizeWhenHidden(true);
+    widget->setSizePolicy(policy);
+  }
   connect(drop_, &QToolButton::clicked, this, &ColorEffectRow::dropOutliers);
   connect(&bench_, &ColorBench::samplesChanged, this, &ColorEffectRow::followSamples);
   connect(&bench_, &ColorBench::colorsChanged, this, &ColorEffectRow::update);
@@ -82,7 +89,7 @@ std::vector<colortool::ClassLoss> ColorEffectRow::losses() const {
     effect.add(colors.seen(), colors.frame == bench_.frame() ? stroke()->area : colortool::PixelArea{});
   std::size_t others = 0;
   for (const CollectedFrame& collected : bench_.collected()) {
-    if (drawing_ || others == kMostOtherImages) break;
+    if (drawing_ || others == kMaxOtherImages) break;
     const bool seenAsItIs = bench_.samples().correctionOf(collected.frame->place().camera).none();
     if (collected.frame == colors.frame || !seenAsItIs) continue;
     effect.add(collected.frame->view());
@@ -93,7 +100,7 @@ std::vector<colortool::ClassLoss> ColorEffectRow::losses() const {
 
 QString ColorEffectRow::textOf(const std::vector<colortool::ClassLoss>& losses) const {
   QStringList parts;
-  for (std::size_t i = 0; i < std::min(losses.size(), kMostLossesShown); ++i) {
+  for (std::size_t i = 0; i < std::min(losses.size(), kMaxLossesShown); ++i) {
     const auto& [from, to, pixels, share] = losses[i];
     const QString was = from == 0 ? tr("what was of no class") : className(bench_, from);
     parts << tr("%1 % of %2 (now %3)")
@@ -113,7 +120,8 @@ void ColorEffectRow::update() {
   QString text = found.empty() ? QString() : textOf(found);
   if (count > 0) {
     if (!text.isEmpty()) text += QStringLiteral(". ");
-    text += tr("%1 of its pixels were of other classes").arg(count);
+    text += counted(static_cast<qulonglong>(count), tr("1 of its pixels was of another class"),
+                    tr("%1 of its pixels were of other classes"));
   }
   QPalette colors = palette();
   if (large) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));

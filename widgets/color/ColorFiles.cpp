@@ -21,9 +21,9 @@ namespace widgets {
 namespace {
 
 constexpr int kTicksUntilKept = 60;
-/// Of several classes are cells where others have at least this share of the best one's votes.
+/// A cell is of several classes if others have at least this share of the best one's votes.
 constexpr double kCloseShare = 0.7;
-constexpr std::size_t kMostProblemsShown = 12;
+constexpr std::size_t kMaxProblemsShown = 12;
 
 QString pathText(const std::filesystem::path& path) {
   return QString::fromStdString(path.string());
@@ -105,10 +105,9 @@ void ColorFiles::startAnew() {
 
 void ColorFiles::show(const robotlink::Errors& problems, const QString& what) {
   robotlink::Errors shown = problems;
-  shown.resize(std::min(shown.size(), kMostProblemsShown));
+  shown.resize(std::min(shown.size(), kMaxProblemsShown));
   QString all = what + QLatin1Char('\n') + QString::fromStdString(robotlink::describe(shown));
-  if (shown.size() < problems.size())
-    all += tr("\n… and %n more", nullptr, static_cast<int>(problems.size() - shown.size()));
+  if (shown.size() < problems.size()) all += tr("\n… and %1 more").arg(problems.size() - shown.size());
   fail(all);
 }
 
@@ -174,7 +173,7 @@ robotlink::Result<void> ColorFiles::exportTable(const std::filesystem::path& fil
     said += tr("\nCells of several classes, one of them above %1, that are of the best one alone, since the "
                "format "
                "has no room for more: %2")
-                .arg(colortool::ColorTableFile::kMostOfSeveral)
+                .arg(colortool::ColorTableFile::kMaxOfSeveral)
                 .arg(packed.reducedCells);
   }
   if (correctsColors(samples))
@@ -240,7 +239,7 @@ void ColorFiles::openPictures(const std::vector<std::filesystem::path>& filesOrF
   std::size_t taken = 0;
   for (const CollectedFrame& collected : bench_.collected())
     taken += collected.frame->message()->data().size();
-  const std::size_t room = ColorBench::kMostCollectedBytes - std::min(taken, ColorBench::kMostCollectedBytes);
+  const std::size_t room = ColorBench::kMaxCollectedBytes - std::min(taken, ColorBench::kMaxCollectedBytes);
   pictures_ = std::make_unique<PictureReading>(filesOrFolders, bench_.session().selectedRobot(), room);
 }
 

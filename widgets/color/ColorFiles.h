@@ -33,7 +33,7 @@ class ColorFiles final : public QObject {
   ~ColorFiles() override;
 
   ColorBench& bench() const { return bench_; }
-  /// Of the samples; empty: they have none yet.
+  /// The file of the samples; empty: they have none yet.
   const std::filesystem::path& file() const { return file_; }
   /// Whether something would be lost.
   bool changed() const;

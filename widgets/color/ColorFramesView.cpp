@@ -18,6 +18,7 @@
 #include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
 #include "widgets/color/ColorActions.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/Theme.h"
 
 namespace widgets {
@@ -199,10 +200,11 @@ QString ColorFramesView::stateText() const {
   const FrameSearch::Progress& progress = finder_.progress();
   if (!finder_.searched()) return {};
   if (progress.seen == 0 && !progress.ended) return tr("%1: reading").arg(finder_.place());
-  QString text =
-      tr("%1: %2 images, suspicious: %3").arg(finder_.place()).arg(progress.seen).arg(progress.suspicious);
-  if (progress.suspicious > FrameSearch::kMostKept)
-    text += tr(" (the %1 worst are listed)").arg(FrameSearch::kMostKept);
+  QString text = tr("%1: %2, suspicious: %3")
+                     .arg(finder_.place(), counted(progress.seen, tr("1 image"), tr("%1 images")))
+                     .arg(progress.suspicious);
+  if (progress.suspicious > FrameSearch::kMaxKept)
+    text += tr(" (the %1 worst are listed)").arg(FrameSearch::kMaxKept);
   if (progress.damaged > 0) text += tr(", unreadable: %1").arg(progress.damaged);
   if (progress.cancelled) text += tr(", cancelled");
   return text;

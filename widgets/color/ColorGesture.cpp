@@ -60,16 +60,9 @@ void ColorGesture::touch(const ColorImage& image) {
       area_ = colortool::brushArea(width, height, way_, 0.5);
       break;
     case ColorTool::kBrush:
-    case ColorTool::kEraser: {
-      // Only the last piece of the way is new.
-      const std::size_t last = std::min<std::size_t>(way_.size(), 2);
-      const std::span piece(way_.end() - static_cast<std::ptrdiff_t>(last), way_.end());
-      const bool careful = options_.careful && options_.tool == ColorTool::kBrush;
-      area_ = colortool::united(
-          area_, careful ? colortool::carefulBrushArea(image, piece, options_.radius, options_.tolerance)
-                         : colortool::brushArea(width, height, piece, options_.radius));
+    case ColorTool::kEraser:
+      area_ = colortool::united(area_, touchedLast(image));
       break;
-    }
     case ColorTool::kRectangle:
       area_ = colortool::rectangleArea(width, height, way_.front(), way_.back());
       break;
@@ -84,6 +77,18 @@ void ColorGesture::touch(const ColorImage& image) {
     case ColorTool::kMove:
       break;
   }
+}
+
+/// By the last piece of the way: only that is new.
+colortool::PixelArea ColorGesture::touchedLast(const ColorImage& image) {
+  if (options_.careful && options_.tool == ColorTool::kBrush) {
+    if (snapped_) return snapped_->moveTo(image, way_.back());
+    snapped_.emplace(image, way_.back(), options_.radius, options_.tolerance);
+    return snapped_->begin(image);
+  }
+  const std::size_t last = std::min<std::size_t>(way_.size(), 2);
+  const std::span piece(way_.end() - static_cast<std::ptrdiff_t>(last), way_.end());
+  return colortool::brushArea(image.width, image.height, piece, options_.radius);
 }
 
 }  // namespace widgets

@@ -2,11 +2,11 @@
 #pragma once
 
 #include <cstdint>
-#include <functional>
-#include <string>
+#include <optional>
 #include <vector>
 
 #include "colortool/PixelArea.h"
+#include "colortool/SnappedWay.h"
 
 namespace widgets {
 
@@ -24,7 +24,7 @@ enum class ColorTool : std::uint8_t {
 
 /// Whether strokes change already while the mouse moves, or when it is released.
 bool isLive(ColorTool tool);
-/// Of strokes, in samples: "brush".
+/// Returns the name of the tool as strokes in samples have it: "brush".
 const char* toolName(ColorTool tool);
 
 /// What a tool touches between press and release of the mouse button. Points in the image as
@@ -34,7 +34,8 @@ class ColorGesture {
   struct Options {
     ColorTool tool = ColorTool::kBrush;
     double radius = 3;  ///< of brush and eraser, pixels
-    /// The brush leaves out what has another color than what it is led along: what is beside a thin line.
+    /// The brush stays on what it is led along where the mouse slips off a thin line, and leaves out what
+    /// has another color than that.
     bool careful = false;
     double tolerance = 24;  ///< of the careful brush, see carefulBrushArea()
     colortool::WandOptions wand;
@@ -50,9 +51,11 @@ class ColorGesture {
 
  private:
   void touch(const colortool::ColorImage& image);
+  colortool::PixelArea touchedLast(const colortool::ColorImage& image);
 
   Options options_;
   std::vector<colortool::ImagePoint> way_;
+  std::optional<colortool::SnappedWay> snapped_;  ///< of the careful brush
   colortool::PixelArea area_;
 };
 

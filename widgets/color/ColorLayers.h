@@ -23,7 +23,7 @@ struct StrokeMark {
   bool mustNotBe = false;
   QVector<QLineF> edges;  ///< image coordinates, pixels
 };
-/// Of all strokes that were made in this very image.
+/// Returns the marks of all strokes that were made in this very image.
 std::vector<StrokeMark> strokeMarks(const colortool::Samples& samples, const colortool::SampleImage& place);
 QVector<QLineF> outlineOf(const colortool::PixelArea& area);
 

@@ -25,7 +25,7 @@ const ViewRegistration kColorQualityViewRegistration{
      QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
      "quality", false, create<ColorQualityView>}};
 
-/// Of the place for labelled images while there are none, pixels.
+/// The width of the place for labelled images while there are none, in pixels.
 constexpr int kEmptyWidth = 200;
 /// Fewer strokes than that of a class say little.
 constexpr int kFewStrokes = 5;
@@ -141,7 +141,7 @@ void ColorQualityView::takeRead() {
   const auto problems = static_cast<int>((*read)->problems.size());
   bench_.setLabelled(std::move((*read)->frames));
   QString text = tr("Labelled images: %1").arg(count);
-  if (problems > 0) text += tr("; %n could not be read", nullptr, problems);
+  if (problems > 0) text += tr("; %1 could not be read").arg(problems);
   say(text, problems > 0);
   if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
   showQuality();
@@ -169,9 +169,9 @@ QString ColorQualityView::countNote() const {
   }
   const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
   QString text =
-      tr("Stands on %1 strokes, at least %2 of a class and %3 of the background; each counts the same, "
-         "however large it is.")
-          .arg(all)
+      tr("Stands on %1, at least %2 of a class and %3 of the background; each counts the same, however large "
+         "it is.")
+          .arg(strokesText(static_cast<std::size_t>(all)))
           .arg(fewest)
           .arg(background);
   if (fewest < kFewStrokes || background < kFewStrokes)

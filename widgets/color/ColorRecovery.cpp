@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kMostPrograms = 9;
+constexpr int kMaxPrograms = 9;
 
 std::filesystem::path fileAt(const std::filesystem::path& folder, int number) {
   return folder / (number == 1 ? "recovery.samples" : "recovery-" + std::to_string(number) + ".samples");
@@ -48,7 +48,7 @@ ColorRecovery::~ColorRecovery() {
 
 /// The first place that nobody holds and where something was left, else the first that nobody holds.
 void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
-  for (int number = 1; number <= kMostPrograms; ++number) {
+  for (int number = 1; number <= kMaxPrograms; ++number) {
     const std::filesystem::path place = fileAt(folder, number);
     std::error_code error;
     const bool left = std::filesystem::exists(place, error);
@@ -61,7 +61,7 @@ void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
     if (left) return;
   }
   // All are held, or the folder cannot be written: a place that is nobody's, so that nothing is lost.
-  if (!lock_) file_ = fileAt(folder, kMostPrograms + 1);
+  if (!lock_) file_ = fileAt(folder, kMaxPrograms + 1);
 }
 
 std::optional<robotlink::Result<colortool::ReadSamples>> ColorRecovery::left() {

@@ -2,13 +2,16 @@
 #include "widgets/color/ColorSender.h"
 
 #include <QPointer>
+#include <chrono>
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Checksum.h"
+#include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorFiles.h"
 
 namespace widgets {
 namespace {
@@ -90,6 +93,7 @@ void ColorSender::send() {
   // Samples know cameras by their robots.
   const colortool::ColorCorrection correction = colors->samples.correctionOf(robot_);
   if (!correction.none()) assign(*table.mutable_correction(), correction);
+  describeSource(table);
   expected_ = robotlink::checksum(table);
   tell(State::kSending, tr("Sending it to %1…").arg(QString::fromStdString(robot_)));
   patience_.start(kPatience);
@@ -97,6 +101,17 @@ void ColorSender::send() {
                                        number = ++asked_](const robotcontrol::RequestResult& result) {
     if (guard && guard->asked_ == number) guard->take(result);
   });
+}
+
+/// For people who look later at what the robot uses.
+void ColorSender::describeSource(robotcontrol::ColorTable& table) const {
+  const auto* files = bench_.findChild<ColorFiles*>(QString(), Qt::FindDirectChildrenOnly);
+  const bool saved = files != nullptr && !files->file().empty() && !files->changed();
+  std::error_code unknown;
+  table.set_source(saved ? std::filesystem::absolute(files->file(), unknown).lexically_normal().string()
+                         : tr("painted, not saved").toStdString());
+  robotlink::assign(*table.mutable_loaded(),
+                    robotlink::Instant(std::chrono::system_clock::now().time_since_epoch()));
 }
 
 void ColorSender::take(const robotcontrol::RequestResult& result) {

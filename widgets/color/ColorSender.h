@@ -12,8 +12,9 @@
 #include "colortool/Samples.h"
 
 namespace robotcontrol {
+class ColorTable;
 class RequestResult;
-}
+}  // namespace robotcontrol
 namespace robotlink {
 class Session;
 }
@@ -49,6 +50,7 @@ class ColorSender final : public QObject {
 
  private:
   void sendNew();
+  void describeSource(robotcontrol::ColorTable& table) const;
   void take(const robotcontrol::RequestResult& result);
   void tell(State state, const QString& text);
 

@@ -45,7 +45,7 @@ void ColorSpaceCamera::move(const QSizeF& widget, const QPointF& by) {
 
 void ColorSpaceCamera::zoomBy(const QSizeF& widget, double factor, const QPointF& at) {
   const double before = zoom;
-  zoom = std::clamp(zoom * factor, kLeastZoom, kMostZoom);
+  zoom = std::clamp(zoom * factor, kMinZoom, kMaxZoom);
   const QPointF cursor = (at - QPointF(widget.width(), widget.height()) / 2) / shorterSide(widget);
   pan = clampedPan(cursor + (pan - cursor) * (zoom / before));
 }
@@ -63,8 +63,8 @@ ColorSpaceCamera colorSpaceCameraOf(const QJsonObject& state) {
       std::remainder(state[QStringLiteral("azimuth")].toDouble(camera.azimuth), 2 * std::numbers::pi);
   camera.elevation =
       std::clamp(state[QStringLiteral("elevation")].toDouble(camera.elevation), -kSteepest, kSteepest);
-  camera.zoom = std::clamp(state[QStringLiteral("zoom")].toDouble(1), ColorSpaceCamera::kLeastZoom,
-                           ColorSpaceCamera::kMostZoom);
+  camera.zoom = std::clamp(state[QStringLiteral("zoom")].toDouble(1), ColorSpaceCamera::kMinZoom,
+                           ColorSpaceCamera::kMaxZoom);
   const QJsonArray pan = state[QStringLiteral("pan")].toArray();
   camera.pan = clampedPan({pan.at(0).toDouble(), pan.at(1).toDouble()});
   return camera;

@@ -11,7 +11,7 @@ namespace widgets {
 /// From where a colour space is looked at: a cube of side 1 around the origin, z up, turned around its
 /// middle. A plain value; angles in radians.
 struct ColorSpaceCamera {
-  static constexpr double kLeastZoom = 0.4, kMostZoom = 30;
+  static constexpr double kMinZoom = 0.4, kMaxZoom = 30;
 
   double azimuth = 0.75;    ///< of the viewer, from x to y
   double elevation = 0.35;  ///< of the viewer, from straight below to straight above
@@ -50,7 +50,7 @@ class ColorSpaceProjection {
     return {static_cast<double>(seen.x()), static_cast<double>(seen.y())};
   }
   const Eigen::Matrix3f& rotation() const { return rotation_; }
-  /// Of a length 1 in the middle.
+  /// Returns how many pixels a length of 1 in the middle has.
   float pixels() const { return scale_; }
   /// Whether a plane through `place` shows that side to the viewer to which `normal` points.
   bool facesViewer(const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const {

@@ -48,7 +48,7 @@ class ColorSpaceCanvas final : public QWidget {
   void pictureShown();
   void cameraMoved();
   void pointedCellChanged();
-  /// Of what is shown; may be empty.
+  /// The user chose these of the cells that are shown; there may be none.
   void cellsChosen(const colortool::CellSet& cells, widgets::SelectionChange change);
   void clearWanted();
 

@@ -6,7 +6,7 @@
 namespace widgets {
 namespace {
 
-/// Of the cube around the origin.
+/// The distance of the corners of the cube from the origin.
 constexpr float kFarthestCorner = std::numbers::sqrt3_v<float> / 2;
 
 template <typename Keeps>

@@ -107,7 +107,7 @@ struct ColorSpaceRenderer::Drawing {
   bool selected(std::size_t cell) const {
     return contents.selection != nullptr && contents.selection->contains(cell);
   }
-  /// Of what is a cell's, when something is selected.
+  /// Returns the color of something that belongs to a cell, dimmed if other cells are selected.
   QRgb dimmed(QRgb color, std::size_t cell) const {
     const bool plain = contents.selection == nullptr || selected(cell);
     return plain ? color : mix(color, background, kDimmed);

@@ -17,6 +17,7 @@
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorSpaceCanvas.h"
 #include "widgets/color/ColorSpacePanel.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -266,12 +267,11 @@ QString ColorSpaceView::describe(std::size_t cell) const {
 void ColorSpaceView::updateSelection() {
   if (contents_ == nullptr || contents_->selection == nullptr) return selection_->clear();
   const auto& cloud = canvas_->picture().cloud;
-  const QString cells = QLocale().toString(qulonglong(contents_->selection->size()));
-  selection_->setText(
-      cloud == nullptr
-          ? tr("%1 cells").arg(cells)
-          : tr("%1 cells, %2 pixels")
-                .arg(cells, QLocale().toString(qulonglong(pixelsIn(*cloud, *contents_->selection)))));
+  QString text = counted(contents_->selection->size(), tr("1 cell"), tr("%1 cells"));
+  if (cloud != nullptr)
+    text += QStringLiteral(", ") +
+            counted(pixelsIn(*cloud, *contents_->selection), tr("1 pixel"), tr("%1 pixels"));
+  selection_->setText(text);
 }
 
 void ColorSpaceView::select(const colortool::CellSet& cells, SelectionChange change) {

@@ -39,7 +39,7 @@ SurfaceFace makeFace(const ColorLattice& lattice, std::size_t cell, const std::a
     face.corners[i] = ColorLattice::cornerOf(at[0] + corner[0], at[1] + corner[1], at[2] + corner[2]);
   }
   const auto place = [&](std::size_t i) -> const Vector3f& { return lattice.corner(face.corners[i]); };
-  // Of the diagonals: a face that is folded to a triangle has a normal, too.
+  // The product of the diagonals: a face that is folded to a triangle has a normal, too.
   face.normal = (place(2) - place(0)).cross(place(3) - place(1));
   const Vector3f middle = (place(0) + place(1) + place(2) + place(3)) / 4;
   if (face.normal.dot(middle - lattice.center(cell)) < 0) {

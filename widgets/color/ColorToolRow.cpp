@@ -18,7 +18,7 @@
 namespace widgets {
 namespace {
 
-constexpr double kLeastRadius = 0.5, kMostRadius = 100;
+constexpr double kMinRadius = 0.5, kMaxRadius = 100;
 
 struct ToolText {
   ColorTool tool;
@@ -90,11 +90,11 @@ void ColorToolRow::createTools(QWidget* owner) {
     tools_->addAction(action);
     if (text.tool == ColorTool::kBrush) action->setChecked(true);
   }
-  careful_ = makeAction(
-      owner, "filter",
-      {"colorCareful", tr("Careful brush"),
-       tr("The brush leaves out what has another color than what it is led along, such as the field "
-          "beside a line")});
+  careful_ = makeAction(owner, "filter",
+                        {"colorCareful", tr("Careful brush"),
+                         tr("The brush snaps to thin lines and leaves out what has another color than what "
+                            "it is led along, such "
+                            "as the field beside a line")});
   careful_->setCheckable(true);
   careful_->setChecked(true);
   const ColorActions common = addColorActions(*owner, "color", bench_);
@@ -114,7 +114,7 @@ void ColorToolRow::createControls() {
   radius_ = new QDoubleSpinBox(this);
   describe(*radius_, {"colorRadius", tr("Radius"),
                       tr("Radius of brush and eraser in pixels; [ and ], Ctrl and wheel")});
-  radius_->setRange(kLeastRadius, kMostRadius);
+  radius_->setRange(kMinRadius, kMaxRadius);
   radius_->setDecimals(1);
   radius_->setValue(ColorGesture::Options{}.radius);
   radius_->setSuffix(tr(" px"));

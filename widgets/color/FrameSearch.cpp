@@ -126,9 +126,9 @@ void FrameSearch::searchHistory(const KeptImages& images) {
 
 bool FrameSearch::isKept(double score) {
   auto& worst = eye_->worst;
-  if (worst.size() >= kMostKept && score <= worst.top()) return false;
+  if (worst.size() >= kMaxKept && score <= worst.top()) return false;
   worst.push(score);
-  if (worst.size() > kMostKept) worst.pop();
+  if (worst.size() > kMaxKept) worst.pop();
   return true;
 }
 
@@ -149,7 +149,7 @@ bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Durat
     if (view.empty()) ++progress_.damaged;
     if (frame) found_.push_back(std::move(*frame));
     // Nobody may take them for a while.
-    if (found_.size() > 2 * kMostKept) {
+    if (found_.size() > 2 * kMaxKept) {
       std::erase_if(found_,
                     [this](const SuspiciousFrame& one) { return one.found.score < eye_->worst.top(); });
     }

@@ -45,11 +45,11 @@ struct FrameQuery {
 };
 
 /// Goes over all images of a stream in a thread of its own, as fast as they can be decoded, and hands out
-/// those with suspicious pixels as it finds them, but no more than kMostKept, the worst ones. The other
+/// those with suspicious pixels as it finds them, but no more than kMaxKept, the worst ones. The other
 /// functions: one thread. The destructor gives up, and waits for the image in hand.
 class FrameSearch {
  public:
-  static constexpr std::size_t kMostKept = 500;
+  static constexpr std::size_t kMaxKept = 500;
 
   /// `news` is called in the search's thread whenever there is something to take; it must not block.
   FrameSearch(FrameQuery query, std::function<void()> news);

@@ -179,11 +179,13 @@ Result<LabelledFolder::Read> LabelledFolder::readAll() {
   return failure(
       "image.labels",
       !read.problems.empty() ? robotlink::describe(read.problems)
-      : count == 0 ? "there are no images here. Choose the folder that holds the images, with a folder "
-                     "\"labels\" inside of it or beside it, or that folder of labels itself"
-                   : "none of the " + std::to_string(count) +
-                         " images here has labels: a gray PNG of the same name in a folder \"labels\" inside "
-                         "of this one or beside it",
+      : count == 0
+          ? "there are no images here. Choose the folder that holds the images, with a folder "
+            "\"labels\" inside of it or beside it, or that folder of labels itself"
+          : (count == 1 ? "the only image here has no labels"
+                        : "none of the " + std::to_string(count) + " images here has labels") +
+                std::string(": a gray PNG of the same name in a folder \"labels\" inside of this one "
+                            "or beside it"),
       {folder_.string()});
 }
 

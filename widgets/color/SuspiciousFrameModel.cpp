@@ -21,7 +21,7 @@ void SuspiciousFrameModel::add(std::vector<SuspiciousFrame> frames) {
   beginInsertRows({}, first, first + static_cast<int>(frames.size()) - 1);
   std::ranges::move(frames, std::back_inserter(frames_));
   endInsertRows();
-  if (frames_.size() > FrameSearch::kMostKept) removeMildest(frames_.size() - FrameSearch::kMostKept);
+  if (frames_.size() > FrameSearch::kMaxKept) removeMildest(frames_.size() - FrameSearch::kMaxKept);
 }
 
 void SuspiciousFrameModel::removeMildest(std::size_t count) {

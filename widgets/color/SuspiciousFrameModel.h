@@ -10,7 +10,7 @@
 namespace widgets {
 
 /// Frames in which a colour table does something suspicious, in the order in which they were found. Keeps the
-/// worst FrameSearch::kMostKept. GUI thread.
+/// worst FrameSearch::kMaxKept. GUI thread.
 class SuspiciousFrameModel final : public QAbstractTableModel {
   Q_OBJECT
  public:

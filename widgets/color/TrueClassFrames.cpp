@@ -75,7 +75,7 @@ void TrueClassFrames::tick() {
   frame.classNames = classNames(store, path, *labels, classes->time);
   last_ = classes->time;
   frames_.push_back(std::move(frame));
-  if (frames_.size() > kMost) frames_.pop_front();
+  if (frames_.size() > kMax) frames_.pop_front();
   bench_.setLabelled({frames_.begin(), frames_.end()});
 }
 

@@ -13,12 +13,12 @@ namespace widgets {
 class ColorBench;
 
 /// Images of a simulated robot with the true class of each pixel, to score tables with: while it is on, it
-/// asks the robot for them (package oracle/classes) and gives the bench one image a second, the last kMost.
+/// asks the robot for them (package oracle/classes) and gives the bench one image a second, the last kMax.
 /// Logs that hold them serve as well. tick() is called once a tick. GUI thread; the bench must outlive it.
 class TrueClassFrames final : public QObject {
   Q_OBJECT
  public:
-  static constexpr std::size_t kMost = 30;
+  static constexpr std::size_t kMax = 30;
 
   explicit TrueClassFrames(ColorBench& bench, QObject* parent = nullptr);
 

@@ -7,6 +7,7 @@
 
 #include "colortool/Suspicion.h"
 #include "widgets/models/ColorClassModel.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -81,9 +82,9 @@ QString ConfusionModel::nameOf(int colorClass) const {
 
 QVariant ConfusionModel::toolTip(int label, int found) const {
   const QLocale locale;
-  return tr("%1 of %2 pixels of %3 were found to be %4")
+  return tr("%1 of %2 of %3: found to be %4")
       .arg(locale.toString(static_cast<qulonglong>(evaluation_->count(label, found))),
-           locale.toString(static_cast<qulonglong>(evaluation_->labelled(label))), nameOf(label),
+           counted(evaluation_->labelled(label), tr("1 pixel"), tr("%1 pixels")), nameOf(label),
            found == 0 ? tr("of no class") : nameOf(found));
 }
 

@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "widgets/scene/SceneCamera.h"
+#include "widgets/scene/SceneLight.h"
 #include "widgets/scene/SceneMesh.h"
 
 namespace widgets {
@@ -42,6 +43,7 @@ struct SceneContents {
   std::vector<SceneBody> drawings;
   std::vector<SceneBody> ghosts;  ///< where something is wanted; shown translucent
   bool refused = false;           ///< it cannot be there
+  SceneLight light;               ///< that falls on the bodies; drawings shine by themselves
   std::vector<SceneLabel> labels;
 
   bool operator==(const SceneContents&) const = default;

@@ -76,6 +76,7 @@ struct SceneRenderer::State {
   void drawDrawings(const SceneFrame& frame);
   void drawGhosts(const SceneFrame& frame);
   void setMeshDefaults(const SceneFrame& frame);
+  void setLight(const SceneLight& light);
 
   // Members are destroyed from the last to the first: the context goes last.
   EglContext context;
@@ -203,11 +204,17 @@ void SceneRenderer::State::setMeshDefaults(const SceneFrame& frame) {
   mesh.set("lamp", lampDirection());
   mesh.set("tint", Vector4f(0, 0, 0, 0));
   mesh.set("lit", 1.F);
+  mesh.set("light", Vector3f(1, 1, 1));
   mesh.set("opacity", 1.F);
+}
+
+void SceneRenderer::State::setLight(const SceneLight& light) {
+  mesh.set("light", Vector3f(light.red, light.green, light.blue));
 }
 
 void SceneRenderer::State::drawOpaque(const SceneFrame& frame) {
   setMeshDefaults(frame);
+  setLight(frame.contents.light);
   glPolygonMode(GL_FRONT_AND_BACK, frame.wireFrame ? GL_LINE : GL_FILL);
   if (frame.wireFrame) mesh.set("lit", 0.F);
   Vector4f plain(0, 0, 0, 0), highlighted;
@@ -248,6 +255,7 @@ void SceneRenderer::State::drawDrawings(const SceneFrame& frame) {
   }
   glDepthMask(GL_FALSE);
   for (const auto* bodies : {&frame.contents.bodies, &frame.contents.drawings}) {
+    setLight(bodies == &frame.contents.bodies ? frame.contents.light : SceneLight());
     for (const SceneBody& body : *bodies) {
       if (body.shape->translucent.empty()) continue;
       mesh.set("model", Matrix4f(body.inField.matrix().cast<float>()));

@@ -33,6 +33,7 @@ uniform vec3 eye;
 uniform vec3 lamp;
 uniform vec4 tint;
 uniform float lit;
+uniform vec3 light;
 uniform float opacity;
 out vec4 surface;
 void main() {
@@ -44,7 +45,7 @@ void main() {
   float fill = 0.16 * max(dot(n, vec3(-0.53, 0.79, 0.30)), 0.0);  // from behind the lamp, so that no side is lost
   float diffuse = 0.56 * max(dot(n, lamp), 0.0) + fill;
   float shine = n.z > 0.999 ? 0.0 : 0.12 * pow(max(dot(n, normalize(lamp + toEye)), 0.0), 40.0);
-  vec3 shaded = mix(color.rgb, color.rgb * (ambient + diffuse) + shine, lit);
+  vec3 shaded = mix(color.rgb, min((color.rgb * (ambient + diffuse) + shine) * light, 1.0), lit);
   surface = vec4(mix(shaded, tint.rgb, tint.a), color.a * opacity);
   gl_Position = viewProjection * world;
 })";

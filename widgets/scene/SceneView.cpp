@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/GroundMap.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
@@ -213,6 +214,8 @@ SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.drawings = assembly_.drawings(worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
                                                        drawings_->shown(), session().timeline().shown()));
   contents.ghosts = ghosts(contents.bodies);
+  contents.light = sceneLight(session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, session().timeline().shown()));
   contents.refused = !drag_.refusal().isEmpty();
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);

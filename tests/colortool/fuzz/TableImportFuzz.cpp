@@ -26,7 +26,7 @@ void checkErrors(const robotlink::Errors& errors) {
 }
 
 void checkClasses(const ColorClasses& classes) {
-  if (classes.size() - 1 > ColorTableFile::kMostClasses) return;
+  if (classes.size() - 1 > ColorTableFile::kMaxClasses) return;
   const auto again = parseColorClasses(colorClassesText(classes), "again");
   require(again && *again == classes, "classes are read as they were written");
 }
