@@ -129,25 +129,31 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
 }
 
+ChannelSet Reader::Implementation::knownChannels() const {
+  ChannelSet known;
+  for (const auto& [id, channel] : index.channels) known.set(id);
+  return known;
+}
+
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   Buffer records;
   bool goOn = true;
   const auto& sections = implementation_->index.sections;
+  ChannelSet known = implementation_->knownChannels();
   std::uint64_t readTo = 0;
   for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
     if (!implementation_->cache.readInto(i, records)) {
       if (!implementation_->refit()) continue;
       // On with the first that was not read.
+      known = implementation_->knownChannels();
       const auto next =
           std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
       i = static_cast<std::size_t>(next - sections.begin()) - 1;
       continue;
     }
     readTo = sections[i].info.offset + 1;
-    visitRecords(records, [&](const RecordView& record, std::size_t) {
-      if (!goOn || !record.is(Opcode::kMessage)) return;
-      const std::optional<Message> message = decodeMessage(record.content);
-      if (message && channels().contains(message->channelId)) goOn = visit(*message);
+    visitMessages(records, known, [&](const MessageRecord& record) {
+      return goOn = visit(messageIn(records.data(), record));
     });
   }
 }

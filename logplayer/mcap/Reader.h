@@ -79,7 +79,8 @@ class Reader {
   std::uint64_t cutOffBytes() const;
 
   // Where messages are, in order of time, whatever their order in the file. From the message indexes, without
-  // decompressing, where there are any; the indexes of some chunks are kept, not those of all.
+  // decompressing, where there are any; the indexes of some chunks are kept, not those of all. For reading
+  // many messages one after the other a MessageCursor is faster.
   /// The newest message of a channel that is not later than `time`.
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
   /// The first behind, or the last before, a position among the messages of some channels; `than` need not
@@ -116,6 +117,7 @@ class Reader {
   std::optional<Readable> verify();
 
  private:
+  friend class MessageCursor;
   struct Implementation;
   explicit Reader(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "logplayer/mcap/MessageRecords.h"
 #include "logplayer/mcap/SectionCache.h"
 #include "logplayer/mcap/Walk.h"
 
@@ -20,6 +21,7 @@ struct Reader::Implementation {
   }
 
   void listChunks();
+  ChannelSet knownChannels() const;
   /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True:
   /// the index is another one now.
   bool refit();
