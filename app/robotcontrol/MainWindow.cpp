@@ -32,6 +32,7 @@
 #include "widgets/color/ColorFiles.h"
 #include "widgets/drive/ConnectDialog.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/models/Counted.h"
 
 namespace app {
 namespace {
@@ -172,7 +173,7 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
                           errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
   QString text = QString::fromStdString(robotlink::describe(shown));
   if (shown.size() < errors.size())
-    text += tr("\n… and %n more", nullptr, static_cast<int>(errors.size() - shown.size()));
+    text += widgets::counted(errors.size() - shown.size(), tr("\n… and 1 more"), tr("\n… and %1 more"));
   errorText_->setText(text);
   errorBar_->show();
 }

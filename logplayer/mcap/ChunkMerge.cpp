@@ -2,6 +2,7 @@
 #include "logplayer/mcap/ChunkMerge.h"
 
 #include <algorithm>
+#include <array>
 #include <queue>
 #include <tuple>
 
@@ -113,12 +114,21 @@ void ChunkMerge::listReadable(Open& open) {
   Instant last = Instant::min();
   bool inOrder = true;
   auto& messages = open.messages;
+  // Gathered in a few bytes of the stack first, where nothing else can point to.
+  std::array<MessageRecord, 256> some;
+  std::size_t count = 0;
+  const auto gather = [&] {
+    messages.insert(messages.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
+    count = 0;
+  };
   visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
     inOrder = inOrder && last <= message.time;
     last = message.time;
-    messages.push_back(message);
+    some[count++] = message;
+    if (count == some.size()) gather();
     return true;
   });
+  gather();
   if (!inOrder) std::ranges::stable_sort(messages, {}, &MessageRecord::time);
   if (!messages.empty()) cache_.correctTimes(open.section, messages.front().time, messages.back().time);
 }

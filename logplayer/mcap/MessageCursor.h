@@ -28,7 +28,7 @@ class MessageCursor {
     return true;
   }
 
-  // Of the message that next() came to, valid until it is called again.
+  // What is known of the message that next() came to; valid until it is called again.
   MessagePosition position() const {
     return current_ == nullptr
                ? behind_

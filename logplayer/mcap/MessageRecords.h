@@ -42,6 +42,7 @@ void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
     const auto length = loadNumber<std::uint64_t>(record + 1);
     if (record[0] == 0 || length > size - offset - kRecordHeadBytes) return;
     const std::uint8_t* content = record + kRecordHeadBytes;
+    __builtin_prefetch(record + 8 * (kRecordHeadBytes + length));
     if (record[0] == static_cast<std::uint8_t>(Opcode::kMessage) &&
         length >= kMessageHeadBytes - kRecordHeadBytes && channels[loadNumber<std::uint16_t>(content)]) {
       if (!visit(MessageRecord{messageTime(content), static_cast<std::uint32_t>(offset),

@@ -36,14 +36,25 @@ const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
   return &*section;
 }
 
+std::unique_ptr<Reader> Reader::of(Source source, Options options, FileIndex index,
+                                   std::shared_ptr<const FileIndex> known) {
+  return std::unique_ptr<Reader>(new Reader(std::make_unique<Implementation>(
+      std::move(source), std::move(options), std::move(index), std::move(known))));
+}
+
 Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
   Result<Source> source = Source::open(file);
   if (!source) return tl::unexpected(source.error());
   options.maxRecordBytes = std::min(options.maxRecordBytes, kLargestRecord);
-  Result<FileIndex> index = readIndex(*source, options);
-  if (!index) return tl::unexpected(index.error());
-  return std::unique_ptr<Reader>(new Reader(
-      std::make_unique<Implementation>(std::move(*source), std::move(options), std::move(*index))));
+  // A file of which others look through the same bytes is looked through once.
+  std::shared_ptr<const FileIndex> known = KnownIndexes::all().find(*source, options.maxRecordBytes);
+  if (known == nullptr) {
+    Result<FileIndex> index = readIndex(*source, options);
+    if (!index) return tl::unexpected(index.error());
+    if (index->bySummary) return of(std::move(*source), std::move(options), std::move(*index), nullptr);
+    known = KnownIndexes::all().add(*source, options.maxRecordBytes, std::move(*index));
+  }
+  return of(std::move(*source), std::move(options), *known, known);
 }
 
 Reader::Reader(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}

@@ -5,6 +5,7 @@
 #include <QHeaderView>
 
 #include "widgets/Controls.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/PacketEntry.h"
 #include "widgets/models/Theme.h"
 
@@ -63,7 +64,7 @@ void PacketDetails::addFields(const PacketEntry& entry) {
 }
 
 void PacketDetails::addBytes(const std::string& bytes) {
-  auto* title = new QTreeWidgetItem(this, {tr("%n bytes", nullptr, static_cast<int>(bytes.size()))});
+  auto* title = new QTreeWidgetItem(this, {counted(bytes.size(), tr("1 byte"), tr("%1 bytes"))});
   title->setFirstColumnSpanned(true);
   const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
   for (std::size_t at = 0; at < std::min(bytes.size(), kMostBytes); at += kBytesInLine) {

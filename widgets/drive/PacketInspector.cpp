@@ -28,6 +28,7 @@
 #include "widgets/Requests.h"
 #include "widgets/drive/PacketDetails.h"
 #include "widgets/drive/PacketReplayBar.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -380,12 +381,14 @@ void PacketInspector::open() {
 
 void PacketInspector::showState() {
   const int all = shownModel().rowCount(), shown = filter_->rowCount();
-  QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all) : tr("%n packets", nullptr, all);
+  QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all)
+                             : counted(all, tr("1 packet"), tr("%1 packets"));
   if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to be kept").arg(dropped_);
   if (pause_->isChecked()) text += tr("; paused");
   state_->setText(text);
   const int hidden = filter_->hiddenNames().size();
-  names_->setText(hidden == 0 ? tr("all names") : tr("%n names hidden", nullptr, hidden));
+  names_->setText(hidden == 0 ? tr("all names")
+                              : counted(hidden, tr("1 name hidden"), tr("%1 names hidden")));
   save_->setEnabled(all > 0);
   if (all == 0) {
     const QString name = QString::fromStdString(robot_);

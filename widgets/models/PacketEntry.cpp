@@ -5,6 +5,7 @@
 #include <QObject>
 
 #include "robotlink/arcos/PacketParser.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -59,7 +60,7 @@ PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string byt
   } else {
     entry.damaged = true;
     entry.name = QString::fromLatin1(arcos::describe(std::get<arcos::Damage>(found).kind));
-    entry.summary = QObject::tr("%n bytes", nullptr, static_cast<int>(bytes.size()));
+    entry.summary = counted(bytes.size(), QObject::tr("1 byte"), QObject::tr("%1 bytes"));
   }
   entry.bytes = std::move(bytes);
   return entry;
