@@ -4,7 +4,6 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QLabel>
-#include <QToolButton>
 #include <cmath>
 #include <set>
 
@@ -96,15 +95,6 @@ void SimulationToolBar::createBoxes() {
   addSeparator();
   addActions(simulationActions_);
   ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
-  auto* gap = new QWidget(this);
-  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  addWidget(gap);
-  auto* stop = new QToolButton(this);
-  stop->setObjectName(QStringLiteral("stopButton"));
-  stop->setDefaultAction(stop_);
-  stop->setToolButtonStyle(Qt::ToolButtonTextOnly);  // the icon's color would be the palette's
-  stop->setStyleSheet(widgets::stopStyle(QStringLiteral("QToolButton")));
-  addWidget(stop);
 }
 
 void SimulationToolBar::connectSignals() {

@@ -12,8 +12,8 @@ class CommandActions;
 class Workbench;
 struct LoadedPlatform;
 
-/// Scene, layout and robot; start, pause, step, reset, speed; STOP. Shows what the simulation reports, not
-/// what was clicked. GUI thread.
+/// Scene, layout and robot; start, pause, step, reset, speed; the action of STOP. Shows what the simulation
+/// reports, not what was clicked. GUI thread.
 class SimulationToolBar : public QToolBar {
   Q_OBJECT
  public:
