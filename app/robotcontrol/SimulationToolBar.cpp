@@ -82,6 +82,7 @@ void SimulationToolBar::createBoxes() {
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));
+  layout_->setMinimumContentsLength(10);  // "of the log"
   addFiles(scene_, Workbench::scenes());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
   const auto addLabelled = [this](const QString& text, QWidget* widget) {

@@ -2,11 +2,35 @@
 #include "logplayer/mcap/ChunkMerge.h"
 
 #include <algorithm>
-#include <array>
 #include <queue>
 #include <tuple>
 
 namespace logplayer::mcap {
+namespace {
+
+Instant timeAt(const std::uint8_t* records, std::size_t record) {
+  return messageTime(records + record + kRecordHeadBytes);
+}
+
+std::size_t endOfRecord(const std::uint8_t* records, std::size_t record) {
+  return record + kRecordHeadBytes +
+         static_cast<std::size_t>(loadNumber<std::uint64_t>(records + record + 1));
+}
+
+/// The first that is not so, looked for ever farther, as runs of sections that overlap are short.
+template <typename Is>
+std::span<const MessageRecord>::iterator firstNot(std::span<const MessageRecord> messages, Is is) {
+  std::size_t known = 0, step = 1;
+  while (known + step <= messages.size() && is(messages[known + step - 1])) {
+    known += step;
+    step *= 2;
+  }
+  const auto rest = messages.subspan(known, std::min(step, messages.size() - known));
+  return messages.begin() + static_cast<std::ptrdiff_t>(known) +
+         (std::ranges::partition_point(rest, is) - rest.begin());
+}
+
+}  // namespace
 
 ChunkMerge::ChunkMerge(const FileIndex& index, SectionCache& cache, std::vector<std::uint16_t> channels,
                        std::size_t maxBytes)
@@ -56,14 +80,19 @@ ChunkMerge::Run ChunkMerge::next(const MessagePosition& behind) {
   } while (surprises_ != cache_.surprises());
   if (open_.empty()) return {};
   const Open& top = *open_.front();
-  runEnd_ = endOfRun();
-  return {top.offset, std::span(top.messages).subspan(top.place, runEnd_ - top.place), &top.records,
-          top.records ? nullptr : top.channels.data() + top.place};
+  until_ = endOfRun();
+  Run run{top.offset, &top.records, top.place, top.end, until_, {}, nullptr};
+  if (!top.inOrder) {
+    const std::span<const MessageRecord> rest = std::span(top.messages).subspan(top.place);
+    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until_; };
+    run.messages = rest.first(static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin()));
+    run.channels = top.records ? nullptr : top.channels.data() + top.place;
+  }
+  return run;
 }
 
 void ChunkMerge::lookUp(const MessagePosition& behind) {
   open_.clear();
-  runEnd_ = 0;
   standing_ = true;
   const auto firstLater = std::ranges::partition_point(
       order_, [&](std::uint32_t i) { return index_.sections[i].info.start <= behind.time; });
@@ -76,7 +105,7 @@ void ChunkMerge::lookUp(const MessagePosition& behind) {
 /// Sections that begin no later than the next message may hold one before it.
 void ChunkMerge::enterDue(const MessagePosition& behind) {
   while (due_ < order_.size() && surprises_ == cache_.surprises() &&
-         (open_.empty() || section(due_).info.start <= open_.front()->time())) {
+         (open_.empty() || section(due_).info.start <= open_.front()->time)) {
     enter(order_[due_++], behind);
   }
 }
@@ -95,46 +124,47 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
   open->channels.clear();
   if (auto records = cache_.records(section)) {
     open->records = std::move(*records);
-    listReadable(*open);
+    lookOver(*open);
   } else {
     listDamaged(*open);
   }
-  const auto isBefore = [&](const MessageRecord& message) {
-    return std::tuple(message.time, open->offset, std::uint64_t{message.offset}) <=
-           std::tuple(behind.time, behind.chunkOffset, behind.offset);
-  };
-  const auto first = std::ranges::partition_point(open->messages, isBefore);
-  open->place = static_cast<std::size_t>(first - open->messages.begin());
-  if (open->place == open->messages.size()) return leave(std::move(open));
+  open->goOnBehind(behind, wanted_);
+  if (open->place == open->end) return leave(std::move(open));
   open_.push_back(std::move(open));
   std::ranges::push_heap(open_, isLater);
 }
 
-void ChunkMerge::listReadable(Open& open) {
-  Instant last = Instant::min();
-  bool inOrder = true;
-  auto& messages = open.messages;
-  // Gathered in a few bytes of the stack first, where nothing else can point to.
-  std::array<MessageRecord, 256> some;
-  std::size_t count = 0;
-  const auto gather = [&] {
-    messages.insert(messages.end(), some.begin(), some.begin() + static_cast<std::ptrdiff_t>(count));
-    count = 0;
-  };
+void ChunkMerge::lookOver(Open& open) {
+  Instant first = Instant::max(), last = Instant::min();
+  open.inOrder = true;
+  open.place = 0;
+  open.end = 0;
   visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
-    inOrder = inOrder && last <= message.time;
-    last = message.time;
-    some[count++] = message;
-    if (count == some.size()) gather();
+    open.inOrder = open.inOrder && last <= message.time;
+    first = std::min(first, message.time);
+    last = std::max(last, message.time);
+    open.end = message.offset + kRecordHeadBytes + message.bytes;
     return true;
   });
-  gather();
-  if (!inOrder) std::ranges::stable_sort(messages, {}, &MessageRecord::time);
-  if (!messages.empty()) cache_.correctTimes(open.section, messages.front().time, messages.back().time);
+  open.last = last;
+  if (open.end == 0) return;
+  if (!open.inOrder) sort(open);
+  cache_.correctTimes(open.section, first, last);
+}
+
+void ChunkMerge::sort(Open& open) const {
+  visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
+    open.messages.push_back(message);
+    return true;
+  });
+  std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
+  open.end = open.messages.size();
 }
 
 /// What its message indexes say, so that it is known what is missing.
 void ChunkMerge::listDamaged(Open& open) {
+  open.inOrder = false;
+  open.place = open.end = 0;
   if (!index_.sections[open.section].indexed) return;
   const auto list = cache_.messages(open.section);
   std::vector<MessagePosition> lost;
@@ -147,18 +177,56 @@ void ChunkMerge::listDamaged(Open& open) {
     open.messages.push_back({message.time, static_cast<std::uint32_t>(message.offset), 0});
     open.channels.push_back(message.channelId);
   }
+  open.end = lost.size();
+  if (!lost.empty()) open.last = lost.back().time;
 }
 
 /// Goes on behind the run that was handed out.
 void ChunkMerge::finishRun() {
   if (open_.empty()) return;
   std::ranges::pop_heap(open_, isLater);
-  open_.back()->place = runEnd_;
-  if (runEnd_ == open_.back()->messages.size()) {
+  open_.back()->goOnFrom(until_, wanted_);
+  if (open_.back()->place == open_.back()->end) {
     leave(std::move(open_.back()));
     open_.pop_back();
   } else {
     std::ranges::push_heap(open_, isLater);
+  }
+}
+
+void ChunkMerge::Open::goOnFrom(std::uint64_t until, const ChannelSet& wanted) {
+  if (nanosecondsOf(last) < until) {
+    place = end;
+  } else if (inOrder) {
+    const std::uint8_t* data = records->data();
+    place = nextMessage(data, place, end, wanted);
+    while (place < end && nanosecondsOf(timeAt(data, place)) < until)
+      place = nextMessage(data, endOfRecord(data, place), end, wanted);
+    if (place < end) time = timeAt(data, place);
+  } else {
+    const std::span<const MessageRecord> rest = std::span(messages).subspan(place);
+    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until; };
+    place += static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
+    if (place < end) time = messages[place].time;
+  }
+}
+
+void ChunkMerge::Open::goOnBehind(const MessagePosition& position, const ChannelSet& wanted) {
+  if (place == end) return;
+  goOnFrom(nanosecondsOf(position.time), wanted);
+  const auto isBefore = [&](std::uint64_t at) {
+    return std::tuple(time, offset, at) <= std::tuple(position.time, position.chunkOffset, position.offset);
+  };
+  if (inOrder) {
+    const std::uint8_t* data = records->data();
+    while (place < end && isBefore(place)) {
+      place = nextMessage(data, endOfRecord(data, place), end, wanted);
+      if (place < end) time = timeAt(data, place);
+    }
+  } else {
+    while (place < end && isBefore(messages[place].offset)) {
+      if (++place < end) time = messages[place].time;
+    }
   }
 }
 
@@ -169,27 +237,16 @@ void ChunkMerge::leave(std::unique_ptr<Open> open) {
   spare_.push_back(std::move(open));
 }
 
-/// Up to where the messages of the section on top come before those of all others.
-std::size_t ChunkMerge::endOfRun() const {
-  const Open& top = *open_.front();
+/// Messages of the section on top that lie before this come before those of all others.
+std::uint64_t ChunkMerge::endOfRun() const {
   const Open* second = open_.size() > 1 ? open_[1].get() : nullptr;
   if (open_.size() > 2 && isLater(open_[1], open_[2])) second = open_[2].get();
-  const bool anyDue = due_ < order_.size();
-  const Instant due = anyDue ? section(due_).info.start : Instant::max();
-  const auto comesFirst = [&](const MessageRecord& message) {
-    if (anyDue && message.time >= due) return false;
-    return second == nullptr || message.time < second->time() ||
-           (message.time == second->time() && top.offset < second->offset);
-  };
-  if (comesFirst(top.messages.back())) return top.messages.size();
-  // Ever farther, as runs of sections that overlap are short.
-  std::size_t known = top.place, step = 1;
-  while (known + step < top.messages.size() && comesFirst(top.messages[known + step])) {
-    known += step;
-    step *= 2;
-  }
-  const auto rest = std::span(top.messages).subspan(known, std::min(step, top.messages.size() - known));
-  return known + static_cast<std::size_t>(std::ranges::partition_point(rest, comesFirst) - rest.begin());
+  std::uint64_t until = UINT64_MAX;
+  // Of equal times those that lie before in the file come first.
+  if (second != nullptr)
+    until = nanosecondsOf(second->time) + (open_.front()->offset < second->offset ? 1 : 0);
+  if (due_ < order_.size()) until = std::min(until, nanosecondsOf(section(due_).info.start));
+  return until;
 }
 
 }  // namespace logplayer::mcap

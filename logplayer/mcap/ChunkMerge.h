@@ -7,15 +7,20 @@
 namespace logplayer::mcap {
 
 /// Puts the messages of a file's sections, which may overlap, in order of time. Each section is read when the
-/// first of its messages may be due, and its messages are sorted once.
+/// first of its messages may be due. If its messages lie in order, as they mostly do, whoever wants them goes
+/// over its records; otherwise they are sorted once.
 class ChunkMerge {
  public:
   /// Messages that follow one another in one section.
   struct Run {
-    std::uint64_t sectionOffset = 0;  ///< in the file
+    std::uint64_t sectionOffset = 0;                 ///< in the file
+    const SectionCache::Records* records = nullptr;  ///< null: there is no run; at null: it is damaged
+    /// The messages in these bytes of the records that come before `until`; the first is at `begin`.
+    std::size_t begin = 0, end = 0;
+    std::uint64_t until = 0;  ///< ns
+    /// Instead of them, if they were sorted; with their channels if they are damaged.
     std::span<const MessageRecord> messages;
-    const SectionCache::Records* records = nullptr;  ///< points at null: the section is damaged...
-    const std::uint16_t* channels = nullptr;         ///< ...then the channels of all these messages
+    const std::uint16_t* channels = nullptr;
   };
 
   /// `index` and `cache` must outlive this. Sections that overlap are held up to `maxBytes` together.
@@ -27,6 +32,8 @@ class ChunkMerge {
   /// The next messages behind `behind`, which is that of the last message of the run before if there was no
   /// seek(). Empty at the end, or if the sections do not fit(). Valid until the next call.
   Run next(const MessagePosition& behind);
+  /// The channels that were asked for.
+  const ChannelSet& wanted() const { return wanted_; }
   /// Whether the sections that overlap can be held together. Known after next().
   bool fits() const { return fits_; }
 
@@ -36,14 +43,19 @@ class ChunkMerge {
     std::size_t section = 0;
     std::uint64_t offset = 0;  // of the section
     SectionCache::Records records;
+    bool inOrder = false;                 // as they lie in the records; else `messages` has their order
     std::vector<MessageRecord> messages;  // in order of time
     std::vector<std::uint16_t> channels;  // theirs, if there are no records
-    std::size_t place = 0;                // of the next message
+    std::size_t place = 0;                // of the next message, in the records or in `messages`...
+    std::size_t end = 0;                  // ...where these end
+    Instant time;                         // of the next message
+    Instant last;                         // of the last message
 
-    Instant time() const { return messages[place].time; }
+    void goOnBehind(const MessagePosition& position, const ChannelSet& wanted);
+    void goOnFrom(std::uint64_t until, const ChannelSet& wanted);
   };
   static bool isLater(const std::unique_ptr<Open>& a, const std::unique_ptr<Open>& b) {
-    return a->time() != b->time() ? a->time() > b->time() : a->offset > b->offset;
+    return a->time != b->time ? a->time > b->time : a->offset > b->offset;
   }
 
   const Section& section(std::size_t place) const { return index_.sections[order_[place]]; }
@@ -52,11 +64,12 @@ class ChunkMerge {
   void lookUp(const MessagePosition& behind);
   void enterDue(const MessagePosition& behind);
   void enter(std::size_t section, const MessagePosition& behind);
-  void listReadable(Open& open);
+  void lookOver(Open& open);
+  void sort(Open& open) const;
   void listDamaged(Open& open);
   void finishRun();
   void leave(std::unique_ptr<Open> open);
-  std::size_t endOfRun() const;
+  std::uint64_t endOfRun() const;
 
   const FileIndex& index_;
   SectionCache& cache_;
@@ -74,7 +87,7 @@ class ChunkMerge {
   std::size_t due_ = 0;                       // the first in order_ that was not entered
   std::vector<std::unique_ptr<Open>> open_;   // a heap, the one with the next message on top
   std::vector<std::unique_ptr<Open>> spare_;  // whose memory can be used again
-  std::size_t runEnd_ = 0;                    // in the messages of the one on top
+  std::uint64_t until_ = 0;                   // ns; the run of the one on top ends before
 };
 
 }  // namespace logplayer::mcap

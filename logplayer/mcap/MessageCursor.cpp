@@ -32,26 +32,40 @@ MessageCursor& MessageCursor::operator=(MessageCursor&&) noexcept = default;
 void MessageCursor::seek(const MessagePosition& behind) {
   implementation_->merge.seek();
   behind_ = behind;
-  current_ = next_ = end_ = nullptr;
+  stop();
+}
+
+/// Holds nothing any more that the merge hands out.
+void MessageCursor::stop() {
+  come_ = false;
+  place_ = recordsEnd_ = 0;
+  next_ = end_ = nullptr;
 }
 
 bool MessageCursor::advance() {
   Implementation& self = *implementation_;
   behind_ = position();
-  current_ = next_ = end_ = nullptr;
+  stop();
   ChunkMerge::Run run;
   do {
     run = self.merge.next(behind_);
   } while (self.file.refit());
   if (!self.merge.fits()) return step();
-  if (run.messages.empty()) return false;
-  next_ = run.messages.data();
-  end_ = next_ + run.messages.size();
+  if (run.records == nullptr) return false;
   sectionOffset_ = run.sectionOffset;
   readable_ = *run.records != nullptr;
   records_ = readable_ ? (*run.records)->data() : nullptr;
-  channel_ = run.channels;
+  wanted_ = &self.merge.wanted();
   self.owner = run.records;
+  if (run.messages.empty()) {
+    place_ = run.begin;
+    recordsEnd_ = run.end;
+    until_ = run.until;
+    return goOver();
+  }
+  next_ = run.messages.data();
+  end_ = next_ + run.messages.size();
+  channel_ = run.channels;
   take();
   return true;
 }

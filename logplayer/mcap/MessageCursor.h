@@ -23,6 +23,7 @@ class MessageCursor {
   void seek(const MessagePosition& behind);
   /// False at the end.
   bool next() {
+    if (goOver()) return true;
     if (next_ == end_) return advance();
     take();
     return true;
@@ -30,9 +31,7 @@ class MessageCursor {
 
   // What is known of the message that next() came to; valid until it is called again.
   MessagePosition position() const {
-    return current_ == nullptr
-               ? behind_
-               : MessagePosition{current_->time, sectionOffset_, current_->offset, message_.channelId};
+    return come_ ? MessagePosition{message_.logTime, sectionOffset_, offset_, message_.channelId} : behind_;
   }
   /// False: its chunk is damaged, which is then in the reader's damage(); only its position is known.
   bool readable() const { return readable_; }
@@ -42,24 +41,50 @@ class MessageCursor {
 
  private:
   struct Implementation;
+  /// Comes to the next message in the records; false: there is none before other sections have some.
+  bool goOver() {
+    if (place_ == recordsEnd_) return false;
+    place_ = nextMessage(records_, place_, recordsEnd_, *wanted_);
+    if (place_ == recordsEnd_) return false;
+    const std::uint8_t* record = records_ + place_;
+    const Instant time = messageTime(record + kRecordHeadBytes);
+    if (nanosecondsOf(time) >= until_) {
+      place_ = recordsEnd_;
+      return false;
+    }
+    const auto bytes = static_cast<std::uint32_t>(loadNumber<std::uint64_t>(record + 1));
+    message_ = messageIn(records_, {time, static_cast<std::uint32_t>(place_), bytes});
+    offset_ = place_;
+    place_ += kRecordHeadBytes + bytes;
+    come_ = true;
+    return true;
+  }
+  /// Comes to the next of the sorted messages.
   void take() {
-    current_ = next_++;
+    const MessageRecord& next = *next_++;
+    offset_ = next.offset;
+    come_ = true;
     if (readable_) {
-      message_ = messageIn(records_, *current_);
+      message_ = messageIn(records_, next);
     } else {
-      message_ = {*channel_++, 0, current_->time, current_->time, {}};
+      message_ = {*channel_++, 0, next.time, next.time, {}};
     }
   }
+  void stop();
   bool advance();
   bool step();
 
   std::unique_ptr<Implementation> implementation_;
   MessagePosition behind_;
-  const MessageRecord* current_ = nullptr;  // null: `behind_` is the position
-  const MessageRecord* next_ = nullptr;
-  const MessageRecord* end_ = nullptr;  // of those that follow one another in a section
+  bool come_ = false;  // to a message; else `behind_` is the position
   std::uint64_t sectionOffset_ = 0;
+  std::uint64_t offset_ = 0;  // of the message
   const std::uint8_t* records_ = nullptr;
+  std::size_t place_ = 0, recordsEnd_ = 0;  // what is to be gone over, as far as it comes before...
+  std::uint64_t until_ = 0;                 // ...this time, ns
+  const ChannelSet* wanted_ = nullptr;
+  const MessageRecord* next_ = nullptr;  // of sorted ones
+  const MessageRecord* end_ = nullptr;
   const std::uint16_t* channel_ = nullptr;  // the next one's, if they are not readable
   bool readable_ = true;
   Message message_;

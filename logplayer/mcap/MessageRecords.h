@@ -54,4 +54,21 @@ void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
   }
 }
 
+/// Where a stretch of records that was gone over by visitMessages() has the next message of some channels,
+/// from `offset` on; `end` if it has none.
+inline std::size_t nextMessage(const std::uint8_t* data, std::size_t offset, std::size_t end,
+                               const ChannelSet& channels) {
+  while (offset < end) {
+    const std::uint8_t* record = data + offset;
+    const auto length = static_cast<std::size_t>(loadNumber<std::uint64_t>(record + 1));
+    if (record[0] == static_cast<std::uint8_t>(Opcode::kMessage) &&
+        length >= kMessageHeadBytes - kRecordHeadBytes &&
+        channels[loadNumber<std::uint16_t>(record + kRecordHeadBytes)]) {
+      return offset;
+    }
+    offset += kRecordHeadBytes + length;
+  }
+  return end;
+}
+
 }  // namespace logplayer::mcap

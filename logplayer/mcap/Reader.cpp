@@ -141,9 +141,9 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
 }
 
 ChannelSet Reader::Implementation::knownChannels() const {
-  ChannelSet known;
-  for (const auto& [id, channel] : index.channels) known.set(id);
-  return known;
+  ChannelSet channels;
+  for (const auto& [id, channel] : index.channels) channels.set(id);
+  return channels;
 }
 
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {

@@ -24,6 +24,7 @@ class MessageCursorTest : public testing::Test {
                                   Reader::Options options = {}) {
     std::vector<std::size_t> flushes;
     for (std::size_t i = inChunk; i < messages.size(); i += inChunk) flushes.push_back(i);
+    std::filesystem::remove(file_);
     writeLog(file_, messages, {}, flushes);
     return test::open(file_, std::move(options));
   }
