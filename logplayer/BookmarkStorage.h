@@ -35,7 +35,7 @@ struct StoredBookmarks {
   bool canAppend = false;                   ///< to the log
   std::optional<robotlink::Error> problem;  ///< with the file beside the log
 
-  /// By time.
+  /// Sorted by time.
   std::vector<Bookmark> bookmarks() const;
 };
 robotlink::Result<StoredBookmarks> readStoredBookmarks(const std::filesystem::path& log,
@@ -46,7 +46,7 @@ robotlink::Result<StoredBookmarks> storedBookmarksOf(const std::filesystem::path
 
 /// What must be said to those who know `from`, so that they know `to`.
 BookmarkChanges difference(const std::vector<Bookmark>& from, const std::vector<Bookmark>& to);
-/// By time.
+/// Returns the changed bookmarks, sorted by time.
 std::vector<Bookmark> changed(const std::vector<Bookmark>& bookmarks, const BookmarkChanges& changes);
 
 }  // namespace logplayer

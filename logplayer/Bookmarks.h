@@ -37,7 +37,7 @@ class Bookmarks {
   static robotlink::Result<Bookmarks> open(const std::filesystem::path& file,
                                            const std::function<bool(double)>& progress = {});
 
-  /// By time.
+  /// Sorted by time.
   const std::vector<Bookmark>& all() const { return history_[position_]; }
   /// Null if there is none.
   const Bookmark* find(std::uint64_t id) const;

@@ -107,13 +107,24 @@ void noteDamage(const LogFile& log, ExportReport& report) {
   report.losses.insert(report.losses.end(), losses.begin(), losses.end());
 }
 
+Result<void> put(std::ostream& out, const std::string& text) {
+  errno = 0;
+  if (out << text) return {};
+  const std::string reason = errno != 0 ? std::strerror(errno) : "the system does not say why";
+  return robotlink::failure("file.io", "cannot write: " + reason, {}, {reason});
+}
+
 Result<ExportReport> exportTo(const std::filesystem::path& file, bool overwrite,
                               const std::function<Result<ExportReport>(std::ostream&)>& write) {
   auto output = OutputFile::create(file, overwrite);
   if (!output) return tl::unexpected(output.error());
   std::ofstream stream(output->temporary(), std::ios::binary);
   auto report = write(stream);
-  if (!report) return tl::unexpected(output->named(report.error()));
+  if (!report) {
+    robotlink::Error error = output->named(report.error());
+    if (error.id == "file.io" && error.where.file.empty()) error.where.file = file.string();
+    return tl::unexpected(error);
+  }
   stream.close();
   if (!stream) {
     const std::string reason = std::strerror(errno);

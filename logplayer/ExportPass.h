@@ -44,6 +44,9 @@ robotlink::Result<ExportReport> exportTo(
     const std::filesystem::path& file, bool overwrite,
     const std::function<robotlink::Result<ExportReport>(std::ostream&)>& write);
 
+/// Writes at the end of a stream. Fails as soon as the system does not take it, since more would be in vain.
+robotlink::Result<void> put(std::ostream& out, const std::string& text);
+
 /// What of the log itself could not be read is a loss of the export, too.
 void noteDamage(const LogFile& log, ExportReport& report);
 void noteUnread(const Unread& unread, ExportReport& report);

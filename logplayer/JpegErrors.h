@@ -26,7 +26,7 @@ class JpegErrors {
 
   jpeg_error_mgr* handler() { return &errors_; }
   std::jmp_buf& jump() { return jump_; }
-  /// Of the error that ended it, else of the first warning; empty if there was none.
+  /// The text of the error that ended it, else of the first warning; empty if there was none.
   std::string text() const { return text_; }
   /// Ends what the codec does, from within one of its call-backs.
   static void stop(j_common_ptr codec, const char* text) {

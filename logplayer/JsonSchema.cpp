@@ -75,7 +75,8 @@ std::string typeOf(const json& schema) {
   return names.size() == 1 ? *names.begin() : std::string();
 }
 
-/// Of alternatives the only one that is not "null", or any if all are of one plain type; else null.
+/// Returns the only one of a schema's alternatives that is not "null", or any if all are of one plain type;
+/// else null.
 const json* onlyAlternative(const json& schema) {
   for (const char* key : {"oneOf", "anyOf", "allOf"}) {
     const json* all = memberAt(schema, key, json::value_t::array);

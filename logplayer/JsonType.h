@@ -23,7 +23,8 @@ class JsonType {
  public:
   /// Null if the schema names no properties of an object.
   static std::shared_ptr<const JsonType> ofSchema(const std::string& name, const std::string& schema);
-  /// Of messages without a schema: by what the first of them holds. Null if that is no JSON object.
+  /// Returns the type of messages without a schema, by what the first of them holds. Null if that is no JSON
+  /// object.
   static std::shared_ptr<const JsonType> ofMessage(const std::string& name, mcap::Bytes message);
   ~JsonType();
 

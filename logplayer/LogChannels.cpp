@@ -106,14 +106,16 @@ std::optional<LogChannels::Frames> LogChannels::framesOf(std::uint16_t channel) 
 
 std::optional<robotlink::StreamMessage> LogChannels::read(const mcap::MessagePosition& position) {
   const auto data = reader_.read(position);
-  if (!data) return std::nullopt;
-  const State& state = states_.at(position.channelId);
-  robotlink::StreamMessage message{state.path, position.time, state.type.read(data->message.data),
-                                   state.process};
-  if (!message.value) return std::nullopt;
-  if (!state.process.empty()) message.frame = widenFrame(data->message.sequence, state.firstFrame);
-  message.bytes = data->message.data.size() + 256;  // as robotlink::sizeOf() has it, without measuring again
-  return message;
+  return data ? read(data->message) : std::nullopt;
+}
+
+std::optional<robotlink::StreamMessage> LogChannels::read(const mcap::Message& message) const {
+  const State& state = states_.at(message.channelId);
+  robotlink::StreamMessage read{state.path, message.logTime, state.type.read(message.data), state.process};
+  if (!read.value) return std::nullopt;
+  if (!state.process.empty()) read.frame = widenFrame(message.sequence, state.firstFrame);
+  read.bytes = message.data.size() + 256;  // as robotlink::sizeOf() has it, without measuring again
+  return read;
 }
 
 }  // namespace logplayer

@@ -21,7 +21,7 @@ class LogChannels {
  public:
   explicit LogChannels(mcap::Reader& reader);
 
-  /// Of a stream; empty if there is none.
+  /// The channels of a stream; empty if there is no such stream.
   const std::vector<std::uint16_t>& of(const std::string& path) const;
   /// Streams with their channels, by path. Channels without messages are not in it.
   const std::map<std::string, std::vector<std::uint16_t>>& streams() const { return streams_; }
@@ -42,6 +42,7 @@ class LogChannels {
 
   /// Null if it cannot be read.
   std::optional<robotlink::StreamMessage> read(const mcap::MessagePosition& position);
+  std::optional<robotlink::StreamMessage> read(const mcap::Message& message) const;
 
  private:
   struct State {

@@ -74,11 +74,10 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
   if (!paths.empty()) {
     const auto done =
         forEachMessage(log, paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
-          if (const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get())) {
-            out << textLine(message, *text);
-            ++report.written;
-          }
-          return {};
+          const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
+          if (text == nullptr) return {};
+          ++report.written;
+          return put(out, textLine(message, *text));
         });
     if (!done) return tl::unexpected(done.error());
     noteUnread(*done, report);

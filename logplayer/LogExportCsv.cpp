@@ -46,7 +46,7 @@ class CsvTable {
                                           return {};
                                         });
     if (!learned) return tl::unexpected(learned.error());
-    out << csvLine(head());
+    if (const auto begun = put(out, csvLine(head())); !begun) return begun;
     const auto written =
         forEachMessage(log_, streams_, options, {0.5, 1}, [&](const StreamMessage& message) -> Result<void> {
           Part& part = parts_.at(message.path);
@@ -55,8 +55,8 @@ class CsvTable {
           } else if (!part.takes(message)) {
             ++part.ofOtherTypes;
           } else {
-            out << csvLine(row(message));
             ++report.written;
+            return put(out, csvLine(row(message)));
           }
           return {};
         });
@@ -184,12 +184,12 @@ Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const s
   std::map<std::string, std::uint64_t> failed;
   const auto done =
       forEachMessage(log, *paths, options, {}, [&](const StreamMessage& message) -> Result<void> {
-        if (const auto line = jsonLine(*log, message)) {
-          out << *line;
+        const auto line = jsonLine(*log, message);
+        if (line) {
           ++report.written;
-        } else {
-          ++failed[message.path];
+          return put(out, *line);
         }
+        ++failed[message.path];
         return {};
       });
   if (!done) return tl::unexpected(done.error());

@@ -10,6 +10,7 @@
 #include "logplayer/ContainerFile.h"
 #include "logplayer/LogChannels.h"
 #include "logplayer/Plural.h"
+#include "logplayer/mcap/MessageCursor.h"
 #include "robotlink/session/HeldMessages.h"
 
 namespace logplayer {
@@ -287,51 +288,62 @@ std::vector<Instant> LogFile::times(const std::string& stream) {
 // ---- Going over it
 
 struct LogFile::Cursor::Implementation {
-  /// Only with the file's mutex locked.
-  const std::optional<MessagePosition>& upcoming() {
-    if (!known) {
-      ahead = file->implementation_->next(behind, ids);
-      known = true;
+  Implementation(std::shared_ptr<LogFile> opened, const std::vector<std::string>& streams)
+      : file(std::move(opened)), log(*file->implementation_), messages(*log.reader, log.idsOf(streams)) {}
+
+  /// Comes to the next message that is shown, unless it is there already. Only with the file's mutex locked.
+  bool advance() {
+    while (!ahead && !atEnd) {
+      atEnd = !messages.next();
+      ahead = !atEnd && !log.channels->hidden(messages.position());
     }
     return ahead;
   }
 
   std::shared_ptr<LogFile> file;
-  std::vector<std::uint16_t> ids;
-  MessagePosition behind = kStart;
-  bool known = false;  // `ahead` is what follows `behind`
-  std::optional<MessagePosition> ahead;
+  LogFile::Implementation& log;
+  mcap::MessageCursor messages;
+  bool ahead = false;  // the message where `messages` is was not handed out yet
+  bool atEnd = false;
   std::map<std::string, std::uint64_t> unread;
 };
 
 LogFile::Cursor::Cursor(std::shared_ptr<LogFile> file, const std::vector<std::string>& streams)
-    : implementation_(std::make_unique<Implementation>()) {
-  implementation_->ids = file->implementation_->idsOf(streams);
-  implementation_->file = std::move(file);
+    : implementation_(std::make_unique<Implementation>(std::move(file), streams)) {}
+
+LogFile::Cursor::~Cursor() {
+  // It lets go of chunks that the file's cache holds, too, and knows who else does.
+  if (!implementation_) return;
+  const std::shared_ptr<LogFile> file = implementation_->file;
+  const std::lock_guard lock(file->implementation_->mutex);
+  implementation_.reset();
 }
-LogFile::Cursor::~Cursor() = default;
 LogFile::Cursor::Cursor(Cursor&&) noexcept = default;
-LogFile::Cursor& LogFile::Cursor::operator=(Cursor&&) noexcept = default;
+LogFile::Cursor& LogFile::Cursor::operator=(Cursor&& other) noexcept {
+  std::swap(implementation_, other.implementation_);
+  return *this;
+}
 
 void LogFile::Cursor::seek(Instant time) {
-  implementation_->behind = {time, 0, 0, 0};
-  implementation_->known = false;
+  implementation_->messages.seek({time, 0, 0, 0});
+  implementation_->ahead = implementation_->atEnd = false;
 }
 
 std::optional<Instant> LogFile::Cursor::nextTime() {
-  const std::lock_guard lock(implementation_->file->implementation_->mutex);
-  const auto& ahead = implementation_->upcoming();
-  return ahead ? std::optional(ahead->time) : std::nullopt;
+  const std::lock_guard lock(implementation_->log.mutex);
+  return implementation_->advance() ? std::optional(implementation_->messages.message().logTime)
+                                    : std::nullopt;
 }
 
 std::optional<StreamMessage> LogFile::Cursor::next() {
   Implementation& self = *implementation_;
-  const std::lock_guard lock(self.file->implementation_->mutex);
-  while (const auto position = self.upcoming()) {
-    self.behind = *position;
-    self.known = false;
-    if (auto message = self.file->implementation_->read(*position)) return message;
-    ++self.unread[self.file->implementation_->channels->path(position->channelId)];
+  const std::lock_guard lock(self.log.mutex);
+  while (self.advance()) {
+    self.ahead = false;
+    const mcap::MessageCursor& at = self.messages;
+    if (auto message = at.readable() ? self.log.channels->read(at.message()) : std::nullopt) return message;
+    self.log.unreadable.insert(at.position());
+    ++self.unread[self.log.channels->path(at.message().channelId)];
   }
   return std::nullopt;
 }

@@ -58,14 +58,14 @@ class LogFile {
 
   const std::filesystem::path& path() const;
   bool readOnly() const;
-  /// By path.
+  /// Sorted by path.
   const std::vector<Stream>& streams() const;
   /// Counts Stream::bytes by reading what is needed. Empty: given up by progress.
   std::vector<Stream> countBytes(const Progress& progress);
   /// Those that the log says to be robots, not any first part of a path.
   std::vector<std::string> robots() const;
-  /// Of the first and the last message of what robots told, apart from what holds until it is told anew,
-  /// which may be older than the recording; equal if there is none.
+  /// The times of the first and the last message that robots published, apart from latched ones, which may be
+  /// older than the recording; equal if there is none.
   robotlink::Instant begin() const;
   robotlink::Instant end() const;
   bool complete() const;
@@ -96,7 +96,7 @@ class LogFile {
     std::optional<robotlink::Instant> nextTime();
     /// Nothing at the end. Messages that cannot be read are left out and counted.
     std::optional<robotlink::StreamMessage> next();
-    /// By stream; what was left out since this was made.
+    /// How many messages of each stream were left out since this was made.
     const std::map<std::string, std::uint64_t>& unread() const;
 
    private:

@@ -38,7 +38,7 @@ struct LogInfo {
   std::vector<Bookmark> bookmarks;
   std::vector<Stream> streams;  ///< by path
 
-  // Of the container; nothing for older formats.
+  // What the container holds; nothing for older formats.
   std::uint64_t chunks = 0;
   std::uint64_t compressedBytes = 0, uncompressedBytes = 0;  ///< of all chunks
   std::map<std::string, std::uint64_t> compressions;         ///< chunks by "none", "lz4", "zstd"

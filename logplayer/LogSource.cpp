@@ -115,7 +115,8 @@ void LogSource::choose(std::optional<Instant> from, std::optional<Instant> to, c
     if (frameInfo && std::find(channels_.begin(), channels_.end(), id) == channels_.end())
       channels_.push_back(id);
   }
-  before_ = {from ? *from - kFrameSpan : Instant::min(), 0, 0, 0};
+  cursor_.emplace(*reader_, channels_);
+  if (from) cursor_->seek({*from - kFrameSpan, 0, 0, 0});
   position_ = reader_->statistics().messageStart;
   ready_.clear();
   atEnd_ = channels_.empty();
@@ -146,19 +147,18 @@ bool LogSource::inRange(Instant time) const {
 
 std::optional<LogUnit> LogSource::next() {
   while (ready_.empty() && !atEnd_) {
-    const auto position = reader_->next(before_, channels_);
-    if (!position || (to_ && *to_ + kFrameSpan < position->time)) {
+    const bool more = cursor_->next();
+    if (!more || (to_ && *to_ + kFrameSpan < cursor_->message().logTime)) {
       atEnd_ = true;
       // What goes on behind the range is no loss.
-      if (!position && !to_) {
+      if (!more && !to_) {
         for (Process& process : processes_) forgetOpenFrames(process, 0);
       }
       break;
     }
-    before_ = *position;
-    position_ = position->time;
-    if (auto data = reader_->read(*position)) {
-      place(std::move(*data));
+    position_ = cursor_->message().logTime;
+    if (cursor_->readable()) {
+      place(cursor_->data());
     } else {
       ++unread_;
     }
@@ -206,8 +206,8 @@ void LogSource::endFrame(Process& process, Reader::MessageData frameInfo) {
   if (!unit.messages.empty()) ready_.push_back(std::move(unit));
 }
 
-void LogSource::forgetOpenFrames(Process& process, std::size_t most) {
-  while (process.open.size() > most) {
+void LogSource::forgetOpenFrames(Process& process, std::size_t maxOpen) {
+  while (process.open.size() > maxOpen) {
     const auto oldest =
         std::min_element(process.open.begin(), process.open.end(), [](const auto& a, const auto& b) {
           return a.second.front().message.logTime < b.second.front().message.logTime;

@@ -14,6 +14,7 @@
 #include "logplayer/ContainerFile.h"
 #include "logplayer/LogFile.h"
 #include "logplayer/StreamChoice.h"
+#include "logplayer/mcap/MessageCursor.h"
 #include "logplayer/mcap/Reader.h"
 #include "robotlink/base/Error.h"
 
@@ -27,8 +28,8 @@ struct LogUnit {
 };
 
 /// A log that is read to be copied, unit by unit in order of time, the messages as the bytes that they are.
-/// Of older formats a converted copy is read, which is removed in the end. Memory is bounded by the reader's
-/// cache and the largest frames. One thread.
+/// A log of an older format is converted, and the copy is removed in the end. Memory is bounded by the
+/// reader's cache and the largest frames. One thread.
 class LogSource {
  public:
   /// Fails if nothing can be read, or is given up by `progress`.
@@ -73,7 +74,7 @@ class LogSource {
   void listProcesses();
   void place(mcap::Reader::MessageData data);
   void endFrame(Process& process, mcap::Reader::MessageData frameInfo);
-  void forgetOpenFrames(Process& process, std::size_t most);
+  void forgetOpenFrames(Process& process, std::size_t maxOpen);
   bool inRange(robotlink::Instant time) const;
 
   std::filesystem::path file_;
@@ -88,7 +89,7 @@ class LogSource {
   std::map<std::uint16_t, Process*> processOf_;  // by channel; those whose messages belong to no frame lack
   std::vector<std::uint16_t> channels_;          // that are read
   std::deque<LogUnit> ready_;
-  mcap::MessagePosition before_{};
+  std::optional<mcap::MessageCursor> cursor_;  // over them
   robotlink::Instant position_;
   bool atEnd_ = false;
   std::uint64_t incompleteFrames_ = 0;

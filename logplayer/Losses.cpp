@@ -5,13 +5,13 @@ namespace logplayer {
 
 std::vector<std::string> lossesOf(const std::filesystem::path& file, bool complete,
                                   const std::vector<mcap::Damage>& damage) {
-  constexpr std::size_t kMost = 20;
+  constexpr std::size_t kMaxListed = 20;
   const std::string name = file.string() + ": ";
   std::vector<std::string> losses;
   if (!complete && damage.empty()) losses.push_back(name + "it was not closed: its end may be missing");
   for (const mcap::Damage& place : damage) {
-    if (losses.size() == kMost) {
-      losses.push_back(name + "and " + std::to_string(damage.size() - kMost) + " more damaged places");
+    if (losses.size() == kMaxListed) {
+      losses.push_back(name + "and " + std::to_string(damage.size() - kMaxListed) + " more damaged places");
       break;
     }
     // Offset 0 is that of the file as a whole.

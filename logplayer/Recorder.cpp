@@ -50,6 +50,7 @@ struct Recorder::Implementation {
   void restart();
   void saveOnTrigger(robotlink::Instant time);
   void demandChanged();
+  bool keeps() const { return live && ring.duration() > robotlink::Duration::zero(); }
   RecordingFile::Options how() const {
     return {status.image_coding(), status.compression(), options.software};
   }
@@ -75,6 +76,7 @@ struct Recorder::Implementation {
 
   mutable std::mutex mutex;  // protects the following
   FrameRing ring;
+  bool live = true;
   robotlink::HeldMessages held;
   RecordedStreams streams;
   std::filesystem::path folder;
@@ -122,7 +124,7 @@ void Recorder::Implementation::add(std::vector<StreamMessage> messages) {
   for (const StreamMessage& message : messages) held.take(message);
   if (!active.load(std::memory_order_relaxed)) return;
   if (const RecordedFramePtr frame = selected(std::move(messages))) {
-    ring.add(frame);
+    if (keeps()) ring.add(frame);
     if (status.recording()) writer.push(frame);
   }
   if (triggered) saveOnTrigger(time);
@@ -181,7 +183,7 @@ bool Recorder::Implementation::triggers(const StreamMessage& message) const {
 /// Nothing is saved twice: the next time when all that was saved before is forgotten, or, while something
 /// else is being saved, when that is done.
 void Recorder::Implementation::saveOnTrigger(robotlink::Instant time) {
-  if (ring.duration() == robotlink::Duration::zero()) return;
+  if (!keeps()) return;
   if (triggeredAt && time - *triggeredAt < ring.duration()) return;
   if (saver.start({nullptr, folder, how(), ring.contents()})) triggeredAt = time;
 }
@@ -190,6 +192,14 @@ void Recorder::restart() {
   const std::lock_guard lock(implementation_->mutex);
   implementation_->held.clear();
   implementation_->restart();
+}
+
+void Recorder::setLive(bool live) {
+  const std::lock_guard lock(implementation_->mutex);
+  if (implementation_->live == live) return;
+  implementation_->live = live;
+  implementation_->ring.restart(implementation_->held);
+  implementation_->demandChanged();
 }
 
 void Recorder::forget(const std::string& robot) {
@@ -213,8 +223,7 @@ std::uint64_t Recorder::demand() const {
 }
 
 void Recorder::Implementation::demandChanged() {
-  active.store(status.recording() || ring.duration() > robotlink::Duration::zero(),
-               std::memory_order_relaxed);
+  active.store(status.recording() || keeps(), std::memory_order_relaxed);
   demand.fetch_add(1, std::memory_order_relaxed);
 }
 
@@ -315,6 +324,12 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
     if (ring.duration() == robotlink::Duration::zero()) {
       return robotlink::failure("recording.nothing-kept",
                                 "no seconds are kept in memory that could be saved; choose how many first");
+    }
+    if (!live) {
+      return robotlink::failure(
+          "recording.nothing-kept",
+          "what comes from a log is in its file already, and is not kept in memory; cut "
+          "a range out of the log instead");
     }
     if (ring.empty()) {
       return robotlink::failure("recording.nothing-kept",

@@ -45,6 +45,9 @@ class Recorder {
   /// What a robot told holds no more: its program starts anew.
   void forget(const std::string& robot);
 
+  /// Whether what comes is new, as it is from robots and simulations; it is at first. What comes from a log
+  /// is in a file already: it is recorded if a person wants that, but not kept in memory.
+  void setLive(bool live);
   /// Something is recorded or kept in memory. While it is not, only what holds until told anew need be added.
   bool active() const;
   /// Messages of this stream are recorded, kept, or waited for as the trigger.

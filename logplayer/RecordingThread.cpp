@@ -10,7 +10,7 @@ constexpr std::chrono::milliseconds kTick{50};
 /// Less than this need not wake the thread: the next tick takes it. Then it takes many frames at once, so
 /// that those who push seldom meet it.
 constexpr std::size_t kWorthWaking = 1U << 20U;
-constexpr std::size_t kMostAtOnce = 256;
+constexpr std::size_t kMaxAtOnce = 256;
 constexpr std::chrono::seconds kWarnEvery{5};
 
 }  // namespace
@@ -113,7 +113,7 @@ void RecordingThread::run() {
 std::vector<FrameQueue::Entry> RecordingThread::takeSome() {
   std::vector<FrameQueue::Entry> entries;
   std::size_t bytes = 0;
-  while (entries.size() < kMostAtOnce && bytes < kWorthWaking) {
+  while (entries.size() < kMaxAtOnce && bytes < kWorthWaking) {
     auto entry = queue_.pop();
     if (!entry) break;
     bytes += entry->frame ? entry->frame->bytes : 0;

@@ -29,7 +29,7 @@ class RecordingThread {
     std::function<void(const robotlink::Error&, bool newest)> failed;
     std::function<void(const std::string&)> warn;
   };
-  /// Of the newest file.
+  /// How far the newest file is.
   struct Progress {
     std::filesystem::path path;
     std::uint64_t messages = 0;  ///< written

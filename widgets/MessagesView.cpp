@@ -21,6 +21,7 @@
 #include "widgets/HeaderState.h"
 #include "widgets/LevelDelegate.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/LogFilter.h"
 #include "widgets/models/Theme.h"
 
@@ -333,8 +334,7 @@ void MessagesView::showState() {
   const int all = model_.rowCount();
   const int shown = filter_->rowCount();
   state_->setText(shown < all ? tr("%1 of %2 messages").arg(shown).arg(all)
-                  : all == 1  ? tr("1 message")
-                              : tr("%1 messages").arg(all));
+                              : counted(all, tr("1 message"), tr("%1 messages")));
   if (all == 0) {
     hint_->setHint(logs_.replay().open()
                        ? tr("The log holds no messages.")

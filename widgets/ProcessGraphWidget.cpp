@@ -11,6 +11,7 @@
 #include <cmath>
 
 #include "widgets/Controls.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 
@@ -139,16 +140,21 @@ QString ProcessGraphWidget::toolTipAt(const QPointF& point) const {
     for (const auto& port : *ports) {
       if (!port.rect.contains(scene)) continue;
       QStringList lines{QStringLiteral("<b>%1</b> %2").arg(port.package, port.type)};
-      lines << tr("%1 packages, %2 a second").arg(port.count).arg(port.rate, 0, 'f', 1);
+      lines << tr("%1, %2 a second")
+                   .arg(counted(port.count, tr("1 package"), tr("%1 packages")))
+                   .arg(port.rate, 0, 'f', 1);
       if (!port.peer.isEmpty())
         lines << tr("from %1, %2").arg(port.peer, port.blocking ? tr("blocking") : tr("not blocking"));
       if (port.missed > 0)
-        lines << tr("%1 were replaced by newer ones before they were used").arg(port.missed);
+        lines << counted(port.missed, tr("1 was replaced by a newer one before it was used"),
+                         tr("%1 were replaced by newer ones before they were used"));
       return lines.join(QStringLiteral("<br>"));
     }
   }
   QStringList lines{QStringLiteral("<b>%1</b>").arg(node->name), node->state.toHtmlEscaped()};
-  lines << tr("%1 frames, %2 a second").arg(node->frames).arg(node->rate, 0, 'f', 1);
+  lines << tr("%1, %2 a second")
+               .arg(counted(node->frames, tr("1 frame"), tr("%1 frames")))
+               .arg(node->rate, 0, 'f', 1);
   if (!node->tasks.isEmpty()) lines << tr("Tasks: %1").arg(node->tasks.join(QStringLiteral(", ")));
   return lines.join(QStringLiteral("<br>"));
 }

@@ -37,6 +37,7 @@ LoadedPlatform PlatformThread::describe() const {
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   feed_.reset();  // What it still tells must not get into the next one's history.
+  recorder_.setLive(dynamic_cast<const ReplayFeed*>(feed.get()) == nullptr);
   feed_ = std::move(feed);
   {
     const std::lock_guard lock(mutex_);

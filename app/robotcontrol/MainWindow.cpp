@@ -24,6 +24,7 @@
 #include "app/robotcontrol/SimulationSetupDialog.h"
 #include "app/robotcontrol/SimulationToolBar.h"
 #include "app/robotcontrol/StatusLine.h"
+#include "app/robotcontrol/StopToolBar.h"
 #include "app/robotcontrol/ViewDocks.h"
 #include "app/robotcontrol/WindowKeys.h"
 #include "robotlink/base/Resources.h"
@@ -32,6 +33,7 @@
 #include "widgets/color/ColorFiles.h"
 #include "widgets/drive/ConnectDialog.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/models/Counted.h"
 
 namespace app {
 namespace {
@@ -40,6 +42,7 @@ constexpr int kTickMs = 33;
 constexpr qint64 kKeepEveryMs = 5000;
 constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
+constexpr int kToolBars = 1;  // another number than that of states with other toolbars
 constexpr QSize kFirstSize(1600, 1000);
 constexpr QSize kFrame(16, 48);  // what a window manager may put around a window
 
@@ -96,6 +99,7 @@ void MainWindow::createActions() {
   addToolBar(toolBar_);
   recordingBar_ = new RecordingToolBar(workbench_, *actions_, this);
   addToolBar(recordingBar_);
+  addToolBar(new StopToolBar(*toolBar_->stopAction(), this));
   addAction(toolBar_->stopAction());
   for (QAction* action : toolBar_->simulationActions()) addAction(action);
   status_ = new StatusLine(workbench_, *statusBar());
@@ -171,7 +175,8 @@ void MainWindow::showErrors(const robotlink::Errors& errors) {
   robotlink::Errors shown(errors.begin(),
                           errors.begin() + std::min<std::ptrdiff_t>(kMaxErrorsShown, std::ssize(errors)));
   QString text = QString::fromStdString(robotlink::describe(shown));
-  if (shown.size() < errors.size()) text += tr("\n… and %1 more").arg(errors.size() - shown.size());
+  if (shown.size() < errors.size())
+    text += widgets::counted(errors.size() - shown.size(), tr("\n… and 1 more"), tr("\n… and %1 more"));
   errorText_->setText(text);
   errorBar_->show();
 }
@@ -203,7 +208,7 @@ void MainWindow::restoreWindow() {
   perspectives_.show(perspectives_.current(), *docks_);
   layouts_->forget();
   restoreGeometry(fromText(window.value(QStringLiteral("geometry"))));
-  restoreState(fromText(window.value(QStringLiteral("toolbars"))));
+  restoreState(fromText(window.value(QStringLiteral("toolbars"))), kToolBars);
   logToolBar_->hide();  // until a log is open again
   fillPerspectiveMenu();
 }
@@ -211,7 +216,7 @@ void MainWindow::restoreWindow() {
 void MainWindow::keepWindow() {
   perspectives_.keep(perspectives_.current(), *docks_);
   perspectives_.setWindow({{QStringLiteral("geometry"), toText(saveGeometry())},
-                           {QStringLiteral("toolbars"), toText(saveState())},
+                           {QStringLiteral("toolbars"), toText(saveState(kToolBars))},
                            {QStringLiteral("recent_logs"), QJsonArray::fromStringList(opening_->recent())},
                            {QStringLiteral("recent_robots"), QJsonArray::fromStringList(recentRobots_)},
                            {QStringLiteral("robot_map"), robotMap_},

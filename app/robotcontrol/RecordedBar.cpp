@@ -84,9 +84,8 @@ void RecordedBar::noticeRecording(const RecordingStatus& status) {
                           : tr("The recording ended early (%1), and is readable up to there:")
                                 .arg(QString::fromStdString(status.failure()));
   const int others = static_cast<int>(files_.size()) - 1;
-  const QString more = others > 0
-                           ? tr(" (the last of %n files: each reset begins a new one)", nullptr, others + 1)
-                           : QString();
+  const QString more =
+      others > 0 ? tr(" (the last of %1 files: each reset begins a new one)").arg(others + 1) : QString();
   const QString length = RecordingToolBar::lengthText(status);
   showFile(QString::fromStdString(files_.back()),
            tr("%1 %2 into %3").arg(how, length, QStringLiteral("%1")) + more);

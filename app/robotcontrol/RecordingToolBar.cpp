@@ -17,6 +17,7 @@
 #include "app/robotcontrol/StreamChooser.h"
 #include "logplayer/RecordedStreams.h"
 #include "widgets/Icon.h"
+#include "widgets/models/Counted.h"
 
 namespace app {
 
@@ -159,8 +160,11 @@ void RecordingToolBar::createWidgets() {
 QString RecordingToolBar::statusText(const RecordingStatus& status) {
   QStringList parts;
   if (status.recording()) parts << duration(status.seconds()) << megabytes(status.bytes());
-  if (status.keep_last() > 0) parts << tr("keeps %1 s").arg(std::floor(status.kept_seconds()), 0, 'f', 0);
-  if (status.dropped_messages() > 0) parts << tr("%1 left out").arg(status.dropped_messages());
+  if (status.keep_last() > 0 && status.kept_seconds() > 0)
+    parts << tr("keeps %1 s").arg(std::floor(status.kept_seconds()), 0, 'f', 0);
+  if (status.dropped_messages() > 0)
+    parts << widgets::counted(status.dropped_messages(), tr("1 message left out"),
+                              tr("%1 messages left out"));
   if (parts.isEmpty()) return status.failure().empty() ? tr("not recording") : tr("recording failed");
   return parts.join(QStringLiteral("  "));
 }

@@ -4,7 +4,6 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QLabel>
-#include <QToolButton>
 #include <cmath>
 #include <set>
 
@@ -84,6 +83,7 @@ void SimulationToolBar::createBoxes() {
   speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
   scene_->setPlaceholderText(tr("none"));
   layout_->setPlaceholderText(tr("none"));
+  layout_->setMinimumContentsLength(10);  // "of the log"
   addFiles(scene_, Workbench::scenes());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
   const auto addLabelled = [this](const QString& text, QWidget* widget) {
@@ -100,15 +100,6 @@ void SimulationToolBar::createBoxes() {
   addSeparator();
   addActions(simulationActions_);
   ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
-  auto* gap = new QWidget(this);
-  gap->setSizePolicy(QSizePolicy::Expanding, QSizePolicy::Preferred);
-  addWidget(gap);
-  auto* stop = new QToolButton(this);
-  stop->setObjectName(QStringLiteral("stopButton"));
-  stop->setDefaultAction(stop_);
-  stop->setToolButtonStyle(Qt::ToolButtonTextOnly);  // the icon's color would be the palette's
-  stop->setStyleSheet(widgets::stopStyle(QStringLiteral("QToolButton")));
-  addWidget(stop);
 }
 
 void SimulationToolBar::connectSignals() {

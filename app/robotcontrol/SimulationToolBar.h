@@ -13,8 +13,8 @@ class CommandActions;
 class Workbench;
 struct LoadedPlatform;
 
-/// Scene, layout, robot and its color table; start, pause, step, reset, speed; STOP. Shows what the
-/// simulation reports, not what was clicked. GUI thread.
+/// Scene, layout, robot and its color table; start, pause, step, reset, speed; the action of STOP. Shows what
+/// the simulation reports, not what was clicked. GUI thread.
 class SimulationToolBar : public QToolBar {
   Q_OBJECT
  public:

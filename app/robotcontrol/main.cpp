@@ -229,13 +229,13 @@ int takePicture(app::MainWindow& window, const std::string& file) {
 }
 
 int run(const Arguments& arguments) {
+  app::QuitSignals quitSignals;  // until the workbench has written the rest of its recording
   app::Workbench workbench(robotlink::userDirectory());
   app::MainWindow window(workbench, robotlink::userDirectory());
   if (const std::string perspective = perspectiveOf(arguments); !perspective.empty()) {
     window.showPerspective(QString::fromStdString(perspective));
   }
   QObject::connect(&window, &app::MainWindow::closed, &window, [] { QApplication::quit(); });
-  app::QuitSignals quitSignals;
   QObject::connect(&quitSignals, &app::QuitSignals::received, &window, [&window] {
     window.keep();
     QApplication::quit();

@@ -28,7 +28,7 @@ class ColorImages {
 
   /// Names of files, or numbers, in their order.
   const std::vector<std::string>& names() const { return names_; }
-  /// By its name, with or without its ending.
+  /// Loads an image by its name, with or without its ending.
   robotlink::Result<colortool::ColorImage> load(const std::string& name) const;
 
   /// What an image of a log truly shows, in the numbers of TrueClasses; nothing if that was not recorded, or

@@ -75,6 +75,7 @@ Result<TimeRange::Instants> TimeRange::of(const std::filesystem::path& log) cons
   options.progress = progress.function();
   const auto file = logplayer::LogFile::open(log, options);
   if (!file) return tl::unexpected(file.error());
+  result.log = *file;
   const auto bookmarks = logplayer::Bookmarks::open(log);
   if (!bookmarks) return tl::unexpected(bookmarks.error());
   const auto read = [&](const std::string& text, Instant logplayer::Bookmark::*end,

@@ -34,7 +34,9 @@ class ExportStatus {
   void add(const Result<ExportReport>& report, const std::string& what, const std::string& to) {
     progress_.erase();
     if (!report) {
-      status_ = printErrors({report.error()});
+      // What is wrong with standard output is said where the program ends.
+      const bool said = report.error().id == "file.io" && report.error().where.file.empty();
+      status_ = said ? kFailed : printErrors({report.error()});
       return;
     }
     if (to != kStandardOutput) std::cout << to << ": " << report->written << " " << what << std::endl;

@@ -54,11 +54,9 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
 }
 
 /// Adds the one that is asked for; "usage" if the times make no sense.
-Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
-  const auto range = arguments.range.of(arguments.file);
-  if (!range) return tl::unexpected(range.error());
-  if (!range->from) return robotlink::failure("usage", "--add needs --from, and for a range --to");
-  bookmarks.add(*range->from, range->to.value_or(*range->from), arguments.add);
+Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments, const TimeRange::Instants& range) {
+  if (!range.from) return robotlink::failure("usage", "--add needs --from, and for a range --to");
+  bookmarks.add(*range.from, range.to.value_or(*range.from), arguments.add);
   return {};
 }
 
@@ -75,6 +73,11 @@ Result<void> remove(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
   return {};
 }
 
+int failed(const robotlink::Error& error) {
+  printErrors({error});
+  return error.id == "usage" ? kUsage : kFailed;
+}
+
 int bookmark(const BookmarkArguments& arguments) {
   const bool changes = !arguments.add.empty() || !arguments.remove.empty();
   if (changes && arguments.file == "-") {
@@ -83,16 +86,16 @@ int bookmark(const BookmarkArguments& arguments) {
   }
   const auto input = LogInput::of(arguments.file);
   if (!input) return printErrors({input.error()});
+  Result<TimeRange::Instants> range;
+  if (!arguments.add.empty()) range = arguments.range.of(arguments.file);
+  if (!range) return failed(range.error());
   auto bookmarks = Bookmarks::open(input->path());
   if (!bookmarks) return printErrors({bookmarks.error()});
   Result<void> done;
-  if (!arguments.add.empty()) done = addBookmark(*bookmarks, arguments);
+  if (!arguments.add.empty()) done = addBookmark(*bookmarks, arguments, *range);
   if (done && !arguments.remove.empty()) done = remove(*bookmarks, arguments);
   if (done && changes) done = bookmarks->save();
-  if (!done) {
-    printErrors({done.error()});
-    return done.error().id == "usage" ? kUsage : kFailed;
-  }
+  if (!done) return failed(done.error());
   printBookmarks(*bookmarks, arguments.asJson);
   if (changes && bookmarks->savedIn() != arguments.file) {
     std::cerr << "the log cannot be changed; its bookmarks are in " << bookmarks->savedIn().string() << "\n";

@@ -100,6 +100,7 @@ int forAll(const ReadArguments& arguments, Result<Findings> (*find)(const std::f
     first = false;
     const int here = printLosses(findings->losses);
     if (status == kDone) status = here;
+    if (!std::cout) break;  // what else is found could not be printed, either
     if (Interrupt::noted() && &file != &arguments.files.back()) {
       status = kFailed;
       break;

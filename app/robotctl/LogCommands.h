@@ -32,6 +32,9 @@ struct TimeRange {
   void addTo(CLI::App& command);
   struct Instants {
     std::optional<robotlink::Instant> from, to;
+    /// The log, if it was needed. Kept while it is read again, it need not be looked through, or converted,
+    /// a second time.
+    std::shared_ptr<logplayer::LogFile> log;
   };
   /// Fails with "usage" for what is none of these.
   robotlink::Result<Instants> of(const std::filesystem::path& log) const;

@@ -6,7 +6,8 @@
 namespace logplayer::bhuman {
 namespace {
 
-/// By id. The first 23 are data and belong into logs, then come those of team communication and of debugging.
+/// The names of all kinds, indexed by their ids. The first 23 are data and belong into logs, then come those
+/// of team communication and of debugging.
 constexpr std::array kNames = {"undefined",
                                "ProcessBegin",
                                "ProcessFinished",

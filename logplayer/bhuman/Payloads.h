@@ -32,7 +32,8 @@ struct CameraImage {
   robotlink::Image image;  ///< kYuyv
   std::string damage;      ///< of its JPEG; empty if it is whole
 };
-/// Of Image and of JPEGImage. Fails where no image can be read; takes memory only for up to 4 megapixels.
+/// Read the messages Image and JPEGImage. They fail where no image can be read; take memory only for up to 4
+/// megapixels.
 robotlink::Result<CameraImage> readImage(std::span<const std::uint8_t> payload);
 robotlink::Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload);
 

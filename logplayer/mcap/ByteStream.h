@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <bit>
 #include <concepts>
 #include <cstring>
 #include <string_view>
@@ -12,14 +13,22 @@ namespace logplayer::mcap {
 /// Writes a little-endian number of fixed width to `to`, which must have room.
 template <std::unsigned_integral Number>
 void storeNumber(std::uint8_t* to, Number number) {
-  for (std::size_t i = 0; i < sizeof number; ++i) to[i] = static_cast<std::uint8_t>(number >> (8 * i));
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(to, &number, sizeof number);
+  } else {
+    for (std::size_t i = 0; i < sizeof number; ++i) to[i] = static_cast<std::uint8_t>(number >> (8 * i));
+  }
 }
 
 template <std::unsigned_integral Number>
 Number loadNumber(const std::uint8_t* from) {
   Number number = 0;
-  for (std::size_t i = 0; i < sizeof number; ++i) {
-    number = static_cast<Number>(number | static_cast<Number>(static_cast<Number>(from[i]) << (8 * i)));
+  if constexpr (std::endian::native == std::endian::little) {
+    std::memcpy(&number, from, sizeof number);
+  } else {
+    for (std::size_t i = 0; i < sizeof number; ++i) {
+      number = static_cast<Number>(number | static_cast<Number>(static_cast<Number>(from[i]) << (8 * i)));
+    }
   }
   return number;
 }

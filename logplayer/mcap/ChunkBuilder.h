@@ -20,7 +20,7 @@ class ChunkBuilder {
   Instant start() const { return start_; }
   Instant end() const { return end_; }
   Bytes records() const { return records_; }
-  /// Of the records; 0 if none is to be computed.
+  /// The CRC of the records; 0 if none is to be computed.
   std::uint32_t crc();
   /// One for each channel that has messages, in the order of their first ones.
   std::span<const MessageIndex> indexes() const { return std::span(indexes_).first(used_); }

@@ -93,16 +93,16 @@ Decompressor::Decompressor() : context_(std::make_unique<Context>()) {}
 Decompressor::~Decompressor() = default;
 
 bool Decompressor::canYield(Compression compression, Bytes records, std::uint64_t bytes) {
-  constexpr std::uint64_t kLz4Most = 255;          // a byte that lengthens a match
-  constexpr std::uint64_t kZstdMost = 128U << 8U;  // a repeated byte, with its block's head of three
+  constexpr std::uint64_t kMaxLz4Ratio = 255;          // a byte that lengthens a match
+  constexpr std::uint64_t kMaxZstdRatio = 128U << 8U;  // a repeated byte, with its block's head of three
   switch (compression) {
     case Compression::kLz4:
-      return bytes / kLz4Most <= records.size();
+      return bytes / kMaxLz4Ratio <= records.size();
     case Compression::kZstd: {
       const unsigned long long told = ZSTD_getFrameContentSize(records.data(), records.size());
       if (told == ZSTD_CONTENTSIZE_ERROR) return false;
       // The frame may be followed by others.
-      return (told == ZSTD_CONTENTSIZE_UNKNOWN || told <= bytes) && bytes / kZstdMost <= records.size();
+      return (told == ZSTD_CONTENTSIZE_UNKNOWN || told <= bytes) && bytes / kMaxZstdRatio <= records.size();
     }
     case Compression::kNone:
       break;

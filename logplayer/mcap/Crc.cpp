@@ -67,7 +67,7 @@ ROBOTCONTROL_WIDE inline __m512i load(const std::uint8_t* from) {
   return _mm512_loadu_si512(from);
 }
 
-/// Of a multiple of kStride bytes: kWideBytes with the same remainder.
+/// Replaces a multiple of kStride bytes by kWideBytes with the same remainder.
 ROBOTCONTROL_WIDE void carryTogether(const std::uint8_t* data, std::size_t bytes, std::uint32_t before,
                                      std::uint8_t* out) {
   __m512i values[4] = {load(data), load(data + 64), load(data + 128), load(data + 192)};

@@ -36,14 +36,25 @@ const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
   return &*section;
 }
 
+std::unique_ptr<Reader> Reader::of(Source source, Options options, FileIndex index,
+                                   std::shared_ptr<const FileIndex> known) {
+  return std::unique_ptr<Reader>(new Reader(std::make_unique<Implementation>(
+      std::move(source), std::move(options), std::move(index), std::move(known))));
+}
+
 Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
   Result<Source> source = Source::open(file);
   if (!source) return tl::unexpected(source.error());
   options.maxRecordBytes = std::min(options.maxRecordBytes, kLargestRecord);
-  Result<FileIndex> index = readIndex(*source, options);
-  if (!index) return tl::unexpected(index.error());
-  return std::unique_ptr<Reader>(new Reader(
-      std::make_unique<Implementation>(std::move(*source), std::move(options), std::move(*index))));
+  // A file of which others look through the same bytes is looked through once.
+  std::shared_ptr<const FileIndex> known = KnownIndexes::all().find(*source, options.maxRecordBytes);
+  if (known == nullptr) {
+    Result<FileIndex> index = readIndex(*source, options);
+    if (!index) return tl::unexpected(index.error());
+    if (index->bySummary) return of(std::move(*source), std::move(options), std::move(*index), nullptr);
+    known = KnownIndexes::all().add(*source, options.maxRecordBytes, std::move(*index));
+  }
+  return of(std::move(*source), std::move(options), *known, known);
 }
 
 Reader::Reader(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
@@ -129,25 +140,31 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
 }
 
+ChannelSet Reader::Implementation::knownChannels() const {
+  ChannelSet channels;
+  for (const auto& [id, channel] : index.channels) channels.set(id);
+  return channels;
+}
+
 void Reader::readAll(const std::function<bool(const Message&)>& visit) {
   Buffer records;
   bool goOn = true;
   const auto& sections = implementation_->index.sections;
+  ChannelSet known = implementation_->knownChannels();
   std::uint64_t readTo = 0;
   for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
     if (!implementation_->cache.readInto(i, records)) {
       if (!implementation_->refit()) continue;
       // On with the first that was not read.
+      known = implementation_->knownChannels();
       const auto next =
           std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
       i = static_cast<std::size_t>(next - sections.begin()) - 1;
       continue;
     }
     readTo = sections[i].info.offset + 1;
-    visitRecords(records, [&](const RecordView& record, std::size_t) {
-      if (!goOn || !record.is(Opcode::kMessage)) return;
-      const std::optional<Message> message = decodeMessage(record.content);
-      if (message && channels().contains(message->channelId)) goOn = visit(*message);
+    visitMessages(records, known, [&](const MessageRecord& record) {
+      return goOn = visit(messageIn(records.data(), record));
     });
   }
 }

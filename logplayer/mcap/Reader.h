@@ -11,6 +11,9 @@
 
 namespace logplayer::mcap {
 
+class Source;
+struct FileIndex;
+
 /// Where in a file something could not be read.
 struct Damage {
   std::uint64_t offset = 0;
@@ -25,7 +28,7 @@ struct MessagePosition {
   std::uint64_t chunkOffset = 0;  ///< in the file
   std::uint64_t offset = 0;       ///< in the chunk's uncompressed records
   std::uint16_t channelId = 0;
-  /// By time; equal times in the order of the file.
+  /// Positions are ordered by time, equal times as in the file.
   auto operator<=>(const MessagePosition&) const = default;
 };
 
@@ -34,9 +37,9 @@ struct MessagePosition {
 ///
 /// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns
 /// out to lie, also later, is scanned, hopping from record to record without decompressing; after damage the
-/// next plausible chunk is looked for. CRCs are checked where there are any. What could not be read is
-/// counted in damage(), also what is only found later; reading goes on behind it. Messages outside of chunks
-/// are read, too.
+/// next plausible chunk is looked for; as long as a reader of such a file exists, others know what it found.
+/// CRCs are checked where there are any. What could not be read is counted in damage(), also what is only
+/// found later; reading goes on behind it. Messages outside of chunks are read, too.
 ///
 /// One thread at a time. Data of messages is valid as long as what holds it, see MessageData.
 class Reader {
@@ -79,7 +82,8 @@ class Reader {
   std::uint64_t cutOffBytes() const;
 
   // Where messages are, in order of time, whatever their order in the file. From the message indexes, without
-  // decompressing, where there are any; the indexes of some chunks are kept, not those of all.
+  // decompressing, where there are any; the indexes of some chunks are kept, not those of all. For reading
+  // many messages one after the other a MessageCursor is faster.
   /// The newest message of a channel that is not later than `time`.
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
   /// The first behind, or the last before, a position among the messages of some channels; `than` need not
@@ -116,7 +120,10 @@ class Reader {
   std::optional<Readable> verify();
 
  private:
+  friend class MessageCursor;
   struct Implementation;
+  static std::unique_ptr<Reader> of(Source source, Options options, FileIndex index,
+                                    std::shared_ptr<const FileIndex> known);
   explicit Reader(std::unique_ptr<Implementation> implementation);
   std::unique_ptr<Implementation> implementation_;
 };

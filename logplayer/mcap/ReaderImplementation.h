@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include "logplayer/mcap/KnownIndexes.h"
+#include "logplayer/mcap/MessageRecords.h"
 #include "logplayer/mcap/SectionCache.h"
 #include "logplayer/mcap/Walk.h"
 
@@ -8,9 +10,11 @@ namespace logplayer::mcap {
 
 /// What a reader consists of. Members refer to each other: it stays where it was made.
 struct Reader::Implementation {
-  Implementation(Source from, Options choices, FileIndex found)
+  /// `shared`: what is known of the file to others, too; may be null.
+  Implementation(Source from, Options choices, FileIndex found, std::shared_ptr<const FileIndex> shared)
       : options(std::move(choices)),
         source(std::move(from)),
+        known(std::move(shared)),
         index(std::move(found)),
         cache(source, index, options),
         forward(Walk::Direction::kForward, index, cache),
@@ -20,6 +24,7 @@ struct Reader::Implementation {
   }
 
   void listChunks();
+  ChannelSet knownChannels() const;
   /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True:
   /// the index is another one now.
   bool refit();
@@ -36,6 +41,7 @@ struct Reader::Implementation {
 
   Options options;
   Source source;
+  const std::shared_ptr<const FileIndex> known;
   FileIndex index;
   SectionCache cache;
   Walk forward, backward;

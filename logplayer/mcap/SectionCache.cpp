@@ -90,7 +90,8 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   if (!list) {
     const auto read = records(section);
     list = read ? MessageList::fromRecords(**read) : MessageList();
-    correctTimes(index_.sections[section], *list);
+    const auto ends = std::ranges::minmax_element(list->entries(), {}, &MessageList::Entry::time);
+    if (ends.min != list->entries().end()) correctTimes(section, ends.min->time, ends.max->time);
   }
   auto shared = std::make_shared<const MessageList>(std::move(*list));
   lists_.insert(section, shared, shared->bytes());
@@ -98,13 +99,12 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
 }
 
 /// Nothing guards the times in a chunk's head.
-void SectionCache::correctTimes(Section& section, const MessageList& list) {
-  const Reader::ChunkInfo before = section.info;
-  for (const MessageList::Entry& entry : list.entries()) {
-    section.info.start = std::min(section.info.start, entry.time);
-    section.info.end = std::max(section.info.end, entry.time);
-  }
-  if (section.info.start != before.start || section.info.end != before.end) ++surprises_;
+void SectionCache::correctTimes(std::size_t section, Instant first, Instant last) {
+  Reader::ChunkInfo& info = index_.sections[section].info;
+  if (info.start <= first && last <= info.end) return;
+  info.start = std::min(info.start, first);
+  info.end = std::max(info.end, last);
+  ++surprises_;
 }
 
 std::optional<MessageList> SectionCache::listByIndexes(const Section& section) const {

@@ -33,6 +33,8 @@ class SectionCache {
   void distrustIndexes(std::size_t section);
   /// Forgets everything: the index has other sections now.
   void reset();
+  /// Notes the times of a section's first and last message, should its head lie about them.
+  void correctTimes(std::size_t section, Instant first, Instant last);
   /// Looks whether all sections are where the file's summary says.
   void doubtAll();
   /// It turned out that a section is not where the file's summary says.
@@ -42,7 +44,6 @@ class SectionCache {
   std::uint64_t surprises() const { return surprises_; }
 
  private:
-  void correctTimes(Section& section, const MessageList& list);
   void noteDamage(std::size_t section, const std::string& what);
   void doubt(const Section& section);
 

@@ -26,16 +26,18 @@ Result<Source> Source::open(const std::filesystem::path& file) {
     ::close(descriptor);
     return failure("mcap.open", "this is not a file that can be read at any place", {file.string(), 0, 0});
   }
-  return Source(file, descriptor, static_cast<std::uint64_t>(status.st_size));
+  const auto changed = std::int64_t{status.st_mtim.tv_sec} * 1'000'000'000 + status.st_mtim.tv_nsec;
+  return Source(file, descriptor,
+                {status.st_dev, status.st_ino, static_cast<std::uint64_t>(status.st_size), changed});
 }
 
-Source::Source(std::filesystem::path file, int descriptor, std::uint64_t bytes)
-    : file_(std::move(file)), descriptor_(descriptor), bytes_(bytes) {}
+Source::Source(std::filesystem::path file, int descriptor, const Identity& identity)
+    : file_(std::move(file)), descriptor_(descriptor), identity_(identity) {}
 
 Source::Source(Source&& other) noexcept
     : file_(std::move(other.file_)),
       descriptor_(std::exchange(other.descriptor_, -1)),
-      bytes_(other.bytes_) {}
+      identity_(other.identity_) {}
 
 Source::~Source() {
   if (descriptor_ >= 0) ::close(descriptor_);
@@ -45,7 +47,7 @@ std::uint64_t Source::cutOff() const {
   struct stat status {};
   if (::fstat(descriptor_, &status) != 0) return 0;
   const auto now = static_cast<std::uint64_t>(status.st_size);
-  return now < bytes_ ? bytes_ - now : 0;
+  return now < bytes() ? bytes() - now : 0;
 }
 
 bool Source::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
@@ -60,7 +62,7 @@ bool Source::read(std::uint64_t offset, std::span<std::uint8_t> to) const {
 }
 
 Buffer Source::read(std::uint64_t offset, std::uint64_t count) const {
-  Buffer buffer(offset >= bytes_ ? 0 : static_cast<std::size_t>(std::min(count, bytes_ - offset)));
+  Buffer buffer(offset >= bytes() ? 0 : static_cast<std::size_t>(std::min(count, bytes() - offset)));
   if (!read(offset, buffer)) buffer.clear();
   return buffer;
 }

@@ -12,6 +12,13 @@ namespace logplayer::mcap {
 /// end the program.
 class Source {
  public:
+  /// Which file it is, and as of when.
+  struct Identity {
+    std::uint64_t device = 0, file = 0, bytes = 0;
+    std::int64_t changed = 0;  ///< ns
+    auto operator<=>(const Identity&) const = default;
+  };
+
   static robotlink::Result<Source> open(const std::filesystem::path& file);
   Source(Source&& other) noexcept;
   Source& operator=(Source&&) = delete;
@@ -19,7 +26,8 @@ class Source {
 
   const std::filesystem::path& file() const { return file_; }
   /// As it was when it was opened.
-  std::uint64_t bytes() const { return bytes_; }
+  std::uint64_t bytes() const { return identity_.bytes; }
+  const Identity& identity() const { return identity_; }
   /// How many bytes somebody cut off its end since then.
   std::uint64_t cutOff() const;
   /// False: it ends before, or the system cannot read it.
@@ -28,11 +36,11 @@ class Source {
   Buffer read(std::uint64_t offset, std::uint64_t count) const;
 
  private:
-  Source(std::filesystem::path file, int descriptor, std::uint64_t bytes);
+  Source(std::filesystem::path file, int descriptor, const Identity& identity);
 
   std::filesystem::path file_;
   int descriptor_;
-  std::uint64_t bytes_;
+  Identity identity_;
 };
 
 /// Looks at a file through a buffer that moves along, for going over many small records.

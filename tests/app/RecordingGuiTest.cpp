@@ -155,6 +155,27 @@ class RecordingGuiTest : public QObject {
     QVERIFY(!child<QLabel>(desk.window, "errorText").isVisible());
   }
 
+  void whatStopsRobotsStandsApartFromWhatEndsARecording() {
+    const TestFolder folder;
+    Desk desk(home_ / "apart", true);
+    desk.window.resize(1280, 720);
+    QTRY_VERIFY_WITH_TIMEOUT(desk.plays(), kWaitMs);
+    desk.run("recording.start-file " + (folder.path() / "a-name-that-is-rather-long.mcap").string());
+    desk.run("robot.stop true");
+    auto& stop = child<QToolButton>(desk.window, "stopButton");
+    QTRY_COMPARE_WITH_TIMEOUT(stop.text(), QStringLiteral("STOPPED: click to release"), kWaitMs);
+    desk.window.tick();
+    QCoreApplication::sendPostedEvents(nullptr, QEvent::LayoutRequest);
+    QCoreApplication::processEvents();
+    const auto& record = child<QToolButton>(desk.window, "recordButton");
+    QCOMPARE(record.text(), QStringLiteral("End recording"));
+    const QRect there(stop.mapTo(&desk.window, QPoint(0, 0)), stop.size());
+    QVERIFY(there.width() >= stop.sizeHint().width());
+    QVERIFY2(there.right() > 1280 - 40 && there.right() < 1280, qPrintable(QString::number(there.right())));
+    QVERIFY(there.left() - record.mapTo(&desk.window, QPoint(record.width(), 0)).x() > 60);
+    desk.run("recording.stop");
+  }
+
   void theLastSecondsAreKeptUnlessOneDoesNotWantIt() {
     const auto home = home_ / "kept";
     {
@@ -329,7 +350,9 @@ class RecordingGuiTest : public QObject {
     status.set_kept_seconds(7.7);
     status.set_dropped_messages(3);
     QCOMPARE(app::RecordingToolBar::statusText(status),
-             QStringLiteral("1:15  12.3 MB  keeps 7 s  3 left out"));
+             QStringLiteral("1:15  12.3 MB  keeps 7 s  3 messages left out"));
+    status.set_dropped_messages(1);
+    QVERIFY(app::RecordingToolBar::statusText(status).endsWith(QStringLiteral("1 message left out")));
     status = {};
     status.set_failure("the disk is full");
     QCOMPARE(app::RecordingToolBar::statusText(status), QStringLiteral("recording failed"));

@@ -1,36 +1,22 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The file that window layouts, recent files and the rest of the window's state are kept in: whatever is in
 // it, the window opens, shows each of its perspectives, and is saved again.
-#include <QApplication>
-#include <cstdio>
-#include <cstdlib>
 #include <fstream>
-#include <memory>
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/fuzz/OffscreenApplication.h"
 
 namespace {
 
 /// A home with a window's file in it, for one start of the workbench after the other.
 class Home {
  public:
-  Home() {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qputenv("XDG_RUNTIME_DIR", folder_.path().c_str());
-    qputenv("XDG_CONFIG_HOME", folder_.path().c_str());
-    qputenv("ROBOTCONTROL_RESOURCES", ROBOTCONTROL_SOURCE_DIR "/resources");
-    static int count = 1;
-    static char name[] = "fuzz", *names[] = {name, nullptr};
-    application_ = std::make_unique<QApplication>(count, names);
-  }
-
-  std::filesystem::path file() const { return folder_ / "window.json"; }
+  std::filesystem::path file() const { return application_.folder() / "window.json"; }
   void start(const char* perspective) {
-    app::Workbench workbench(folder_.path());
-    app::MainWindow window(workbench, folder_.path());
+    app::Workbench workbench(application_.folder());
+    app::MainWindow window(workbench, application_.folder());
     window.show();
     if (perspective != nullptr) window.showPerspective(QLatin1String(perspective));
     window.tick();
@@ -39,8 +25,7 @@ class Home {
   }
 
  private:
-  TestFolder folder_;
-  std::unique_ptr<QApplication> application_;
+  OffscreenApplication application_;
 };
 
 Home& home() {

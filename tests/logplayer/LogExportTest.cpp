@@ -119,5 +119,52 @@ TEST_F(LogExportTest, whatOfTheLogIsMissingIsALoss) {
   EXPECT_THAT(writeTexts(log(), {}, text, {})->losses, ElementsAre(HasSubstr("not closed")));
 }
 
+// A disk that fills up: it takes some bytes, and no more.
+class SmallDisk : public std::streambuf {
+ public:
+  std::size_t written = 0;
+
+ private:
+  std::streamsize xsputn(const char*, std::streamsize count) override {
+    if (written + static_cast<std::size_t>(count) > 2000) return 0;
+    written += static_cast<std::size_t>(count);
+    return count;
+  }
+  int overflow(int) override { return traits_type::eof(); }
+};
+
+TEST_F(LogExportTest, whatIsWrittenInVainEndsAtOnce) {
+  SampleLog{.frames = 400}.write(folder_ / "long.mcap");
+  const auto file = *LogFile::open(folder_ / "long.mcap", {});
+  const std::string stream = file->streams().front().path;
+  int looks = 0;
+  ExportOptions options;
+  options.progress = [&](double) {
+    ++looks;
+    return true;
+  };
+  const auto fails = [&](const auto& write, int looksBefore) {
+    SmallDisk disk;
+    std::ostream out(&disk);
+    looks = 0;
+    const auto report = write(out);
+    ASSERT_FALSE(report);
+    EXPECT_EQ(report.error().id, "file.io");
+    EXPECT_THAT(report.error().text, StartsWith("cannot write: "));
+    EXPECT_LE(looks, looksBefore);
+  };
+  int all = 0;
+  {
+    std::ostringstream out;
+    looks = 0;
+    ASSERT_TRUE(writeJsonLines(file, "*", out, options));
+    all = looks;
+    ASSERT_GT(all, 4);
+  }
+  fails([&](std::ostream& out) { return writeJsonLines(file, "*", out, options); }, 2);
+  // A table is made in two passes, of which the first one writes nothing.
+  fails([&](std::ostream& out) { return writeCsv(file, "*", out, options); }, all + 2);
+}
+
 }  // namespace
 }  // namespace logplayer

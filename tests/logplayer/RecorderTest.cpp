@@ -285,6 +285,31 @@ TEST_F(RecorderTest, savingNothingIsRefused) {
 
 // ---- Files
 
+TEST_F(RecorderTest, whatComesFromALogIsRecordedButNotKept) {
+  keep(10);
+  addFrame(1);
+  set([](ControlRecording& control) { control.set_trigger("red1/plots/*"); });
+  const std::uint64_t demand = recorder->demand();
+  recorder->setLive(false);
+  EXPECT_NE(recorder->demand(), demand);
+  EXPECT_FALSE(recorder->active());
+  EXPECT_FALSE(recorder->wants("red1/plots/x"));
+  EXPECT_EQ(recorder->status().kept_bytes(), 0U);
+  start();
+  for (int i = 2; i <= 20; ++i) addFrame(i);
+  EXPECT_EQ(recorder->status().kept_bytes(), 0U);
+  stop();
+  EXPECT_EQ(log().count("red1/plots/x"), 19U);
+  const auto saved = act(ControlRecording::SAVE_LAST, folder / "b.mcap");
+  ASSERT_FALSE(saved.has_value());
+  EXPECT_THAT(saved.error().text, HasSubstr("cut a range out of the log"));
+  recorder->setLive(true);
+  EXPECT_TRUE(recorder->active());
+  addFrame(21);
+  EXPECT_GT(recorder->status().kept_bytes(), 0U);
+  EXPECT_EQ(recorder->status().keep_last(), 10);
+}
+
 TEST_F(RecorderTest, aFileWithoutANameIsNamedAfterTheTime) {
   for (int i = 0; i < 2; ++i) {
     ASSERT_TRUE(act(ControlRecording::START).has_value());

@@ -1,17 +1,14 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // What views keep of themselves in window layouts: each gets any JSON object, and what it makes of it is kept
 // and given back.
-#include <QApplication>
 #include <QJsonDocument>
-#include <cstdio>
-#include <cstdlib>
 #include <memory>
 #include <vector>
 
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
-#include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
+#include "tests/fuzz/OffscreenApplication.h"
 #include "widgets/View.h"
 
 namespace {
@@ -20,13 +17,6 @@ namespace {
 class Views {
  public:
   Views() {
-    qputenv("QT_QPA_PLATFORM", "offscreen");
-    qputenv("XDG_RUNTIME_DIR", folder_.path().c_str());
-    qputenv("XDG_CONFIG_HOME", folder_.path().c_str());
-    qputenv("ROBOTCONTROL_RESOURCES", ROBOTCONTROL_SOURCE_DIR "/resources");
-    static int count = 1;
-    static char name[] = "fuzz", *names[] = {name, nullptr};
-    application_ = std::make_unique<QApplication>(count, names);
     session_.setRobots({"red1"});
     session_.selectRobot("red1");
     for (const widgets::ViewType& type : widgets::ViewRegistry::all()) {
@@ -44,8 +34,7 @@ class Views {
   }
 
  private:
-  TestFolder folder_;
-  std::unique_ptr<QApplication> application_;
+  OffscreenApplication application_;
   robotlink::Session session_;
   robotlink::CommandTable commands_;
   widgets::ViewContext context_{session_, commands_, nullptr, {}};

@@ -21,6 +21,7 @@
 #include "widgets/drive/BatteryGauge.h"
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 namespace {
@@ -351,7 +352,9 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     link_->set("linkErrors", tr("none"));
   } else {
     link_->set("linkErrors",
-               tr("%1 checksums, %2 bytes lost").arg(status->checksum_errors()).arg(status->skipped_bytes()),
+               tr("%1, %2 lost")
+                   .arg(counted(status->checksum_errors(), tr("1 checksum"), tr("%1 checksums")),
+                        counted(status->skipped_bytes(), tr("1 byte"), tr("%1 bytes"))),
                Meaning::kWarning);
   }
   link_->set("linkRoundTrip",
@@ -363,10 +366,9 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0)
                                                     : QString());
   }
-  link_->set("linkReconnects",
-             status->reconnects() > 0
-                 ? status->reconnects() == 1 ? tr("once") : tr("%1 times").arg(status->reconnects())
-                 : tr("never"));
+  link_->set("linkReconnects", status->reconnects() > 0
+                                   ? counted(status->reconnects(), tr("once"), tr("%1 times"))
+                                   : tr("never"));
   link_->set("linkText", QString::fromStdString(status->text()),
              words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
 }

@@ -382,14 +382,13 @@ void PacketInspector::open() {
 void PacketInspector::showState() {
   const int all = shownModel().rowCount(), shown = filter_->rowCount();
   QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all)
-                             : counted(static_cast<qulonglong>(all), tr("1 packet"), tr("%1 packets"));
+                             : counted(all, tr("1 packet"), tr("%1 packets"));
   if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to be kept").arg(dropped_);
   if (pause_->isChecked()) text += tr("; paused");
   state_->setText(text);
   const int hidden = filter_->hiddenNames().size();
-  names_->setText(hidden == 0
-                      ? tr("all names")
-                      : counted(static_cast<qulonglong>(hidden), tr("1 name hidden"), tr("%1 names hidden")));
+  names_->setText(hidden == 0 ? tr("all names")
+                              : counted(hidden, tr("1 name hidden"), tr("%1 names hidden")));
   save_->setEnabled(all > 0);
   if (all == 0) {
     const QString name = QString::fromStdString(robot_);

@@ -8,6 +8,7 @@
 #include <QToolButton>
 
 #include "widgets/Controls.h"
+#include "widgets/models/Counted.h"
 
 namespace widgets {
 
@@ -116,8 +117,10 @@ void PacketReplayBar::showState() {
   progress_->setRange(0, static_cast<int>(replay_.count()));
   progress_->setValue(static_cast<int>(replay_.done()));
   const QString leftOut =
-      replay_.leftOut() > 0 ? tr(" (%1 left out that would make or end a connection)").arg(replay_.leftOut())
-                            : QString();
+      replay_.leftOut() > 0
+          ? counted(replay_.leftOut(), tr(" (1 left out that would make or end a connection)"),
+                    tr(" (%1 left out that would make or end a connection)"))
+          : QString();
   QString text = problem_;
   if (text.isEmpty() && state == State::kRunning)
     text = tr("%1 is being said to %2").arg(name_, robot_) + leftOut;

@@ -9,6 +9,7 @@
 #include "logplayer/LogFile.h"
 #include "logplayer/OutputFile.h"
 #include "logplayer/mcap/Reader.h"
+#include "widgets/models/Counted.h"
 #include "widgets/models/StreamListModel.h"
 
 namespace widgets {
@@ -76,11 +77,10 @@ LogJob::Work cutLogs(std::vector<std::pair<std::string, robotlink::Duration>> lo
     options.progress = progress;
     const auto report = logplayer::rewriteLogs(options, to);
     if (!report) return failed(report.error());
-    const QString text = tr("%1: %2 messages in %3 frames, %4")
-                             .arg(fileNameOf(to))
-                             .arg(report->messages)
-                             .arg(report->frames)
-                             .arg(bytesText(report->bytes));
+    const QString text =
+        tr("%1: %2 in %3, %4")
+            .arg(fileNameOf(to), counted(report->messages, tr("1 message"), tr("%1 messages")),
+                 counted(report->frames, tr("1 frame"), tr("%1 frames")), bytesText(report->bytes));
     return {true, false, withLosses(text, report->losses), to};
   };
 }
@@ -125,13 +125,12 @@ LogJob::Work repairLog(std::string log, std::filesystem::path to) {
     const auto report = logplayer::mcap::repair(log, output->temporary(), progress);
     if (!report) return failed(output->named(report.error()));
     if (const auto done = output->commit(); !done) return failed(done.error());
-    return {true, false,
-            tr("%1: %2 messages saved; %3 chunks and %4 were lost")
-                .arg(fileNameOf(to))
-                .arg(report->messages)
-                .arg(report->chunksLost)
-                .arg(bytesText(report->bytesLost)),
-            to};
+    return {
+        true, false,
+        tr("%1: %2 saved; %3 and %4 were lost")
+            .arg(fileNameOf(to), counted(report->messages, tr("1 message"), tr("%1 messages")),
+                 counted(report->chunksLost, tr("1 chunk"), tr("%1 chunks")), bytesText(report->bytesLost)),
+        to};
   };
 }
 

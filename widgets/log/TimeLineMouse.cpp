@@ -14,6 +14,8 @@
 
 #include "widgets/log/TimeLineCanvas.h"
 
+#include "widgets/models/Counted.h"
+
 namespace widgets {
 
 using robotlink::Duration;
@@ -348,7 +350,9 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
   return QStringLiteral("<b>%1</b><br>%2<br>%3<br>%4")
       .arg(QString::fromStdString(stream->path).toHtmlEscaped(),
            QString::fromStdString(stream->type).toHtmlEscaped(),
-           tr("%1 messages, %2 a second").arg(stream->count).arg(stream->rate(), 0, 'f', 1),
+           tr("%1, %2 a second")
+               .arg(counted(stream->count, tr("1 message"), tr("%1 messages")))
+               .arg(stream->rate(), 0, 'f', 1),
            tr("Double click: step the messages of this stream. Drag: select a range."));
 }
 

@@ -1,14 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include <QLocale>
 #include <QString>
 
 namespace widgets {
 
-/// "1 stroke" or, with the number in the place of %1, "12 strokes". Both are to be translated already.
-inline QString counted(qulonglong count, const QString& one, const QString& several) {
-  return count == 1 ? one : several.arg(QLocale().toString(count));
+/// "1 packet" or "7 packets": `one` as it is, or `several` with the number in place of its %1. Both are
+/// translated by the caller. (Qt's %n would need a translation file, for English, too.)
+template <typename Number>
+QString counted(Number number, const QString& one, const QString& several) {
+  return number == 1 ? one : several.arg(number);
 }
 
 }  // namespace widgets

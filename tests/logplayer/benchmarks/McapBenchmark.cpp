@@ -13,6 +13,7 @@
 
 #include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Compression.h"
+#include "logplayer/mcap/MessageCursor.h"
 #include "logplayer/mcap/Reader.h"
 #include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/Writer.h"
@@ -22,12 +23,13 @@
 // counts is the processor time of the thread, the system's part included, so others on the machine count
 // little. Each row's reference is the bare write() of as many bytes, measured in the same row: uncompressed
 // messages of 10 kB, with CRC, are to be written at no less than 0.6 of its speed. Columns: MB/s of messages'
-// data written, read in the order of the file, and in the order of time with next() and read(); ms to open;
+// data written, read in the order of the file, and in the order of time by a MessageCursor; ms to open;
 // us to find and read the newest message of a channel at a random time, and that of all channels.
 //
 // Reading has references of its own: file_of_bare is the speed in the order of the file as a share of reading
 // and decompressing the same chunks and copying them once; time_of_file is that in the order of time as a
-// share of that in the order of the file, time_3MiB the same where both have a cache of 3 MiB. They are to be
+// share of that in the order of the file, time_3MiB the same where both have a cache of 3 MiB, steps_of_file
+// that of single steps with next() and read(), for comparison. The first three are to be
 // at least 0.9, 0.95 and 0.95. What is compared is measured in turns, and the best of five counts.
 namespace {
 
@@ -159,6 +161,13 @@ const std::vector<std::uint16_t>& allChannels() {
 std::size_t readInOrderOfTime(std::size_t cacheBytes) {
   const auto reader = Reader::open(kFile, withCache(cacheBytes));
   std::size_t bytes = 0;
+  for (MessageCursor cursor(**reader, allChannels()); cursor.next();) bytes += cursor.message().data.size();
+  return bytes;
+}
+
+std::size_t readStepByStep(std::size_t cacheBytes) {
+  const auto reader = Reader::open(kFile, withCache(cacheBytes));
+  std::size_t bytes = 0;
   MessagePosition position{Instant::min(), 0, 0, 0};
   while (const auto next = (*reader)->next(position, allChannels())) {
     const auto message = (*reader)->read(*next);
@@ -197,7 +206,8 @@ constexpr std::size_t kSmallCache = 3U << 20U;
 
 /// The best of some turns, s; all 0 if something was not read.
 struct Reading {
-  double bare = 1e9, fileOrder = 1e9, timeOrder = 1e9, smallFileOrder = 1e9, smallTimeOrder = 1e9;
+  double bare = 1e9, fileOrder = 1e9, timeOrder = 1e9, steps = 1e9, smallFileOrder = 1e9,
+         smallTimeOrder = 1e9;
 };
 
 Reading readInTurns(std::size_t bytes) {
@@ -212,10 +222,11 @@ Reading readInTurns(std::size_t bytes) {
     measured(best.bare, readBare);
     measured(best.fileOrder, [] { return readInFileOrder(kUsualCache); });
     measured(best.timeOrder, [] { return readInOrderOfTime(kUsualCache); });
+    if (turn < 2) measured(best.steps, [] { return readStepByStep(kUsualCache); });
     measured(best.smallFileOrder, [] { return readInFileOrder(kSmallCache); });
     measured(best.smallTimeOrder, [] { return readInOrderOfTime(kSmallCache); });
   }
-  return good ? best : Reading{0, 0, 0, 0, 0};
+  return good ? best : Reading{0, 0, 0, 0, 0, 0};
 }
 
 struct Seeks {
@@ -281,6 +292,7 @@ void measure(benchmark::State& state, const Cell& cell) {
     state.counters["file_of_bare"] = reading.bare / reading.fileOrder;
     state.counters["time_order"] = bytes / reading.timeOrder / 1e6;
     state.counters["time_of_file"] = reading.fileOrder / reading.timeOrder;
+    state.counters["steps_of_file"] = reading.fileOrder / reading.steps;
     state.counters["time_3MiB"] = reading.smallFileOrder / reading.smallTimeOrder;
     state.counters["open_ms"] = opening * 1e3;
     state.counters["seek_p50"] = quantile(seeks.oneChannel, 0.5) * 1e6;

@@ -6,6 +6,7 @@
 #include <cstdlib>
 #include <filesystem>
 
+#include "logplayer/mcap/MessageCursor.h"
 #include "logplayer/mcap/Reader.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
@@ -64,6 +65,20 @@ void readMessages(Reader& reader, const std::vector<std::uint16_t>& channels) {
   }
 }
 
+/// As readMessages(), in one go. Returns how many could be read.
+std::size_t readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels) {
+  std::size_t count = 0;
+  MessagePosition position{Instant::min(), 0, 0, 0};
+  for (MessageCursor cursor(reader, channels); cursor.next();) {
+    require(position < cursor.position(), "the cursor goes in order");
+    position = cursor.position();
+    if (!cursor.readable()) continue;
+    touch(cursor.data().message.data);
+    ++count;
+  }
+  return count;
+}
+
 void lookAtEverything(Reader& reader) {
   std::vector<std::uint16_t> channels;
   for (const auto& [id, channel] : reader.channels()) channels.push_back(id);
@@ -77,6 +92,9 @@ void lookAtEverything(Reader& reader) {
   }
   require(goOver(reader, channels, true) == goOver(reader, channels, false), "as many forwards as backwards");
   readMessages(reader, channels);
+  const std::size_t messages = readByCursor(reader, channels);
+  if (reader.damage().empty())
+    require(messages == goOver(reader, channels, true), "the cursor finds what steps find");
   reader.readAll([](const Message& message) {
     touch(message.data);
     return true;
@@ -84,6 +102,15 @@ void lookAtEverything(Reader& reader) {
   for (const std::string& name : reader.attachmentNames()) static_cast<void>(reader.attachment(name));
   static_cast<void>(reader.metadata());
   require(reader.verify().has_value(), "it is not given up");
+}
+
+/// With a reader that knows nothing of the file's lies yet.
+void lookFirstByCursor(const std::filesystem::path& file, const Reader::Options& options) {
+  const auto reader = Reader::open(file, options);
+  if (!reader) return;
+  std::vector<std::uint16_t> channels;
+  for (const auto& [id, channel] : (*reader)->channels()) channels.push_back(id);
+  readByCursor(**reader, channels);
 }
 
 void repairIt(const std::filesystem::path& from) {
@@ -107,6 +134,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   auto reader = Reader::open(file.path(), options);
   if (!reader) return 0;
   lookAtEverything(**reader);
+  if (size % 3 == 0) lookFirstByCursor(file.path(), options);
   if (size % 4 == 0) repairIt(file.path());
   return 0;
 }

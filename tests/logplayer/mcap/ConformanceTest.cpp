@@ -4,6 +4,7 @@
 #include <cstdlib>
 
 #include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/MessageCursor.h"
 #include "tests/logplayer/mcap/ConformanceCase.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 
@@ -122,6 +123,10 @@ TEST_F(ConformanceTest, everyFileIsReadInOrderOfTime) {
       messages.push_back(OwnedMessage::of(reader->read(*next).value().message));
       position = *next;
     }
+    EXPECT_TRUE(messages == expected) << conformance.name;
+    messages.clear();
+    for (MessageCursor cursor(*reader, channels); cursor.next();)
+      messages.push_back(OwnedMessage::of(cursor.message()));
     EXPECT_TRUE(messages == expected) << conformance.name;
   }
 }

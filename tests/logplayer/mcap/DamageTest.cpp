@@ -53,7 +53,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
 
   struct Outcome {
     bool opened = false;
-    std::vector<Told> forwards, all;
+    std::vector<Told> forwards, byCursor, all;
     std::vector<Damage> damage;
   };
   /// Reads a file in every way.
@@ -65,6 +65,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
     if (reader) {
       outcome.opened = true;
       outcome.forwards = readForwards(**reader);
+      outcome.byCursor = readByCursor(**reader);
       outcome.all = readAll(**reader);
       for (const auto& [id, channel] : (*reader)->channels()) (*reader)->times(id);
       EXPECT_TRUE((*reader)->verify());
@@ -105,6 +106,7 @@ class DamageTest : public testing::TestWithParam<Compression> {
       ASSERT_FALSE(outcome.damage.empty()) << "byte " << i;
       const std::vector<Told> left = without(chunkOf(i));
       ASSERT_TRUE(containsAll(outcome.forwards, left)) << "byte " << i;
+      ASSERT_TRUE(containsAll(outcome.byCursor, left)) << "byte " << i;
       ASSERT_TRUE(containsAll(outcome.all, left)) << "byte " << i;
     }
   }

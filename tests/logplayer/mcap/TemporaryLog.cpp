@@ -9,6 +9,7 @@
 #include <sstream>
 
 #include "logplayer/mcap/ByteStream.h"
+#include "logplayer/mcap/MessageCursor.h"
 
 namespace logplayer::mcap::test {
 
@@ -102,6 +103,14 @@ std::vector<Told> readForwards(Reader& reader, std::vector<std::uint16_t> channe
   while (const auto next = reader.next(position, channels)) {
     if (const auto message = reader.read(*next)) told.push_back(toldBy(message->message));
     position = *next;
+  }
+  return told;
+}
+
+std::vector<Told> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels) {
+  std::vector<Told> told;
+  for (MessageCursor cursor(reader, channels); cursor.next();) {
+    if (cursor.readable()) told.push_back(toldBy(cursor.message()));
   }
   return told;
 }

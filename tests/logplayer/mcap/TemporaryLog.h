@@ -56,6 +56,8 @@ Told toldBy(const Message& message);
 std::vector<Told> readAll(Reader& reader);
 /// By next(), from before the first; messages that cannot be read are left out.
 std::vector<Told> readForwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
+/// By a MessageCursor; messages that cannot be read are left out.
+std::vector<Told> readByCursor(Reader& reader, const std::vector<std::uint16_t>& channels = {1, 2, 3});
 /// By previous(), from behind the last.
 std::vector<Told> readBackwards(Reader& reader, std::vector<std::uint16_t> channels = {1, 2, 3});
 

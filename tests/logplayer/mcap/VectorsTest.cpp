@@ -129,6 +129,7 @@ class VectorsTest : public testing::TestWithParam<bool> {
   }
   /// Nothing is wrong with it but that it may lack its summary.
   static void expectNoLoss(Reader& reader) {
+    EXPECT_EQ(readByCursor(reader), readForwards(reader));
     EXPECT_TRUE(reader.verify());
     EXPECT_EQ(reader.damage().size(), reader.complete() ? 0U : 1U);
     for (const Damage& damage : reader.damage()) EXPECT_EQ(damage.bytes, 0U) << damage.what;
