@@ -13,6 +13,7 @@
 #include "widgets/scene/SceneCamera.h"
 
 class QAction;
+class QLabel;
 class QSplitter;
 
 namespace robotcontrol {
@@ -73,6 +74,7 @@ class SceneView final : public View {
   DrawingsModel* drawings_ = nullptr;
   SceneCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
+  QLabel* state_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
   QAction *zoomIn_ = nullptr, *zoomOut_ = nullptr;
