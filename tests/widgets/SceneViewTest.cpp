@@ -174,6 +174,7 @@ class SceneViewTest : public QObject {
 
   void aDrawingOfAnEarlierFrameIsFaded() {
     ShownScene s;
+    s.view.resize(760, 400);
     s.world.push("red1/tables/keys", drawnEveryTenth("ball-model/post"));
     QVERIFY(s.placeThings());
     s.world.pushFrame({post()});

@@ -21,6 +21,7 @@
 #include "widgets/drive/BatteryGauge.h"
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
+#include "widgets/models/Silence.h"
 
 namespace widgets {
 namespace {
@@ -32,9 +33,6 @@ const ViewRegistration kBaseStateViewRegistration{
     {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
      QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."),
      "base-state", true, create<BaseStateView>}};
-
-/// s; the base speaks ten times a second.
-constexpr double kStaleAfter = 1.5;
 
 template <typename T>
 const T* newestOf(robotlink::Session& session, const std::string& robot, const char* package) {
@@ -209,10 +207,7 @@ void BaseStateView::tick() {
   const auto* status =
       session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
   const double age = status == nullptr ? 0 : robotlink::seconds(session().timeline().shown() - status->time);
-  const auto shown = session().timeline().shown();
-  const auto* told = session().store().latest(robot_ + '/' + robotlink::kDriveState.name, shown);
-  const double stateAge = told == nullptr ? 0 : robotlink::seconds(shown - told->time);
-  const auto staleAge = stateAge > kStaleAfter ? std::optional(stateAge) : std::nullopt;
+  const auto staleAge = baseSilence(session().store(), robot_, session().timeline().shown());
   showAge(staleAge);
   showBase(state, staleAge);
   showMotion(state);

@@ -217,13 +217,18 @@ SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   const auto drawings = worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
                                       drawings_->shown(), session().timeline().shown());
   contents.drawings = assembly_.drawings(drawings);
-  state_->setText(std::ranges::any_of(drawings, &WorldDrawing::old) ? tr("faded: drawn in earlier frames")
-                                                                    : QString());
+  showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
   contents.refused = !drag_.refusal().isEmpty();
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);
   return contents;
+}
+
+/// Says nothing where there is no room for all of it.
+void SceneView::showState(bool faded) {
+  const QString text = faded ? tr("faded: drawn in earlier frames") : QString();
+  state_->setText(state_->fontMetrics().horizontalAdvance(text) < state_->width() ? text : QString());
 }
 
 /// The dragged model's bodies, where it is wanted.

@@ -54,6 +54,7 @@ class SceneView final : public View {
 
   SceneContents contents(const std::vector<RobotBelief>& beliefs);
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
+  void showState(bool faded);
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
   /// Takes the camera along with the robot.
   void follow();
