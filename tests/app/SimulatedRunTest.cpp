@@ -72,6 +72,21 @@ robotcontrol::Request keyRequest(const std::string& key) {
 
 }  // namespace
 
+TEST(SimulatedRun, itsLoadingTellsHowFarItIsAndCanBeGivenUp) {
+  RunOptions wanted = options();
+  double reached = -1;
+  wanted.progress = [&](double share) {
+    reached = share;
+    return true;
+  };
+  const auto run = makeRun(wanted);
+  EXPECT_GT(reached, 0.5);
+  wanted.progress = [](double) { return false; };
+  const auto none = SimulatedRun::create(wanted, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().front().id, "scene.given-up");
+}
+
 TEST(SimulatedRun, theSameSeedGivesTheSameBytesAndAnotherSeedOthers) {
   EXPECT_EQ(digestAfter(options(3), 2), digestAfter(options(3), 2));
   EXPECT_NE(digestAfter(options(3), 2), digestAfter(options(4), 2));
