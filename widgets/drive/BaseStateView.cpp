@@ -358,12 +358,15 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0)
                                                     : QString());
   }
-  link_->set("linkReconnects",
-             status->reconnects() > 0
-                 ? status->reconnects() == 1 ? tr("once") : tr("%1 times").arg(status->reconnects())
-                 : tr("never"));
+  link_->set("linkReconnects", timesText(status->reconnects()));
   link_->set("linkText", QString::fromStdString(status->text()),
              words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
+}
+
+QString BaseStateView::timesText(std::uint64_t count) {
+  if (count == 0) return tr("never");
+  if (count == 1) return tr("once");
+  return count == 2 ? tr("twice") : tr("%1 times").arg(count);
 }
 
 QJsonObject BaseStateView::saveState() const {
