@@ -14,40 +14,41 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastTitle = 32;                // pixels: a sort indicator and two letters
-constexpr int kText = 160, kLeastText = 80;    // pixels
-constexpr int kFitInterval = 250;              // ms between two fits to changed contents
-constexpr int kLeastWidth = 8, kMost = 4'000;  // pixels
+constexpr int kLeastTitle = 32;                        // pixels: a sort indicator and two letters
+constexpr int kTextWidth = 160, kLeastTextWidth = 80;  // pixels
+constexpr int kFitInterval = 250;                      // ms between two fits to changed contents
+constexpr int kLeastWidth = 8, kMostWidth = 4'000;     // pixels
 
-int total(const std::vector<int>& widths) {
+int totalWidth(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
 }
 
-int comfortable(const ColumnNeed& column, int room) {
+int comfortableWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
-  if (column.kind == ColumnKind::kText) return std::max(column.title, kText);
+  if (column.kind == ColumnKind::kText) return std::max(column.title, kTextWidth);
   const int width = std::max(column.title, column.contents);
-  return column.kind == ColumnKind::kName ? std::min(width, std::max(room * 3 / 4, kText)) : width;
+  return column.kind == ColumnKind::kName ? std::min(width, std::max(room * 3 / 4, kTextWidth)) : width;
 }
 
-int least(const ColumnNeed& column, int room) {
+int leastWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
-  if (column.kind == ColumnKind::kText) return kLeastText;
-  return std::min(std::max(column.contents, std::min(column.title, kLeastTitle)), comfortable(column, room));
+  if (column.kind == ColumnKind::kText) return kLeastTextWidth;
+  return std::min(std::max(column.contents, std::min(column.title, kLeastTitle)),
+                  comfortableWidth(column, room));
 }
 
 /// Takes `excess` pixels, or as many as there are, from the columns of a kind, from each by what it can
 /// spare.
-int shrink(const std::vector<ColumnNeed>& columns, ColumnKind kind, int room, int excess,
-           std::vector<int>& widths) {
+int shrinkKind(const std::vector<ColumnNeed>& columns, ColumnKind kind, int room, int excess,
+               std::vector<int>& widths) {
   int spare = 0;
   for (std::size_t i = 0; i < columns.size(); ++i) {
-    if (columns[i].kind == kind) spare += widths[i] - least(columns[i], room);
+    if (columns[i].kind == kind) spare += widths[i] - leastWidth(columns[i], room);
   }
   const int wanted = std::min(excess, spare);
   for (std::size_t i = 0, left = static_cast<std::size_t>(wanted); i < columns.size() && left > 0; ++i) {
     if (columns[i].kind != kind) continue;
-    const int own = widths[i] - least(columns[i], room);
+    const int own = widths[i] - leastWidth(columns[i], room);
     // Rounded up, so that all is taken in the end.
     const int taken = std::min({own, static_cast<int>(left), (own * wanted + spare - 1) / spare});
     widths[i] -= taken;
@@ -57,7 +58,7 @@ int shrink(const std::vector<ColumnNeed>& columns, ColumnKind kind, int room, in
 }
 
 /// Gives what is left to the texts, or else to the last name.
-void spread(const std::vector<ColumnNeed>& columns, int rest, std::vector<int>& widths) {
+void spreadRest(const std::vector<ColumnNeed>& columns, int rest, std::vector<int>& widths) {
   std::vector<std::size_t> takers;
   for (std::size_t i = 0; i < columns.size(); ++i) {
     if (columns[i].kind == ColumnKind::kText && columns[i].pinned == 0) takers.push_back(i);
@@ -76,12 +77,12 @@ void spread(const std::vector<ColumnNeed>& columns, int rest, std::vector<int>& 
 
 std::vector<int> fittedWidths(const std::vector<ColumnNeed>& columns, int room) {
   std::vector<int> widths;
-  for (const ColumnNeed& column : columns) widths.push_back(comfortable(column, room));
-  int excess = total(widths) - room;
+  for (const ColumnNeed& column : columns) widths.push_back(comfortableWidth(column, room));
+  int excess = totalWidth(widths) - room;
   for (const ColumnKind kind : {ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kName}) {
-    if (excess > 0) excess = shrink(columns, kind, room, excess, widths);
+    if (excess > 0) excess = shrinkKind(columns, kind, room, excess, widths);
   }
-  if (excess < 0) spread(columns, -excess, widths);
+  if (excess < 0) spreadRest(columns, -excess, widths);
   return widths;
 }
 
@@ -148,7 +149,8 @@ void ColumnFit::schedule() {
 
 void ColumnFit::pin(int column, int width) {
   if (column < 0 || column >= static_cast<int>(needs_.size())) return;
-  needs_[static_cast<std::size_t>(column)].pinned = width <= 0 ? 0 : std::clamp(width, kLeastWidth, kMost);
+  needs_[static_cast<std::size_t>(column)].pinned =
+      width <= 0 ? 0 : std::clamp(width, kLeastWidth, kMostWidth);
   schedule();
 }
 
