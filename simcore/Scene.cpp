@@ -78,13 +78,31 @@ Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
   return draft;
 }
 
-Draft readMapScene(const fs::path& file, Errors& errors) {
+/// Where the loading of a scene asks whether to go on.
+class Progress {
+ public:
+  Progress(const LoadProgress& told, Errors& errors) : told_(told), errors_(errors) {}
+
+  /// Whether to go on: nothing is wrong yet, and nobody has given up.
+  bool reached(double share) const {
+    if (errors_.empty() && told_ && !told_(share))
+      errors_.push_back({"scene.given-up", "the opening was given up", {}, {}});
+    return errors_.empty();
+  }
+
+ private:
+  const LoadProgress& told_;
+  Errors& errors_;
+};
+
+Draft readMapScene(const fs::path& file, const Progress& progress, Errors& errors) {
   Draft draft;
   auto map = GroundMap::load(file);
   if (!map) {
     errors = std::move(map.error());
     return draft;
   }
+  if (!progress.reached(0.2)) return draft;
   auto world = mapWorld(*map, file.string());
   if (!world) {
     errors.push_back(std::move(world.error()));
@@ -144,14 +162,17 @@ Scene::Scene() : contents_(std::make_unique<SceneContents>()) {}
 Scene::~Scene() = default;
 
 tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& file,
-                                                               const RobotsToAdd& robots) {
+                                                               const RobotsToAdd& robots,
+                                                               const LoadProgress& told) {
   Errors errors;
+  const Progress progress(told, errors);
+  if (!progress.reached(0)) return tl::unexpected(std::move(errors));
   // It takes longer to make than a small map takes to read.
   std::optional<SdfSpec> spec;
   if (!isMap(file) || robots.count > 0) spec.emplace();
-  Draft draft = isMap(file) ? readMapScene(file, errors) : readSdfScene(file, *spec, errors);
-  if (errors.empty() && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
-  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  Draft draft = isMap(file) ? readMapScene(file, progress, errors) : readSdfScene(file, *spec, errors);
+  if (progress.reached(0.4) && robots.count > 0) putRobots(draft, robots, file, *spec, errors);
+  if (!progress.reached(0.8)) return tl::unexpected(std::move(errors));
   const std::shared_ptr<Scene> scene(new Scene);
   SceneContents& implementation = *scene->contents_;
   implementation.file = file;
@@ -166,6 +187,7 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
     implementation.field = field->type->field;
   }
   implementation.renderScene = buildRenderScene(implementation.world);
+  if (!progress.reached(0.95)) return tl::unexpected(std::move(errors));
   return scene;
 }
 

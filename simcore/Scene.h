@@ -3,6 +3,7 @@
 
 #include <cstdint>
 #include <filesystem>
+#include <functional>
 #include <memory>
 #include <string>
 #include <vector>
@@ -18,6 +19,9 @@ namespace simcore {
 
 struct SceneContents;
 
+/// Is told how much of a scene is loaded, in [0, 1]; returns whether to go on.
+using LoadProgress = std::function<bool(double share)>;
+
 /// A world as its file describes it, checked and ready for any number of simulations: an SDFormat 1.9 file,
 /// or a map of a building's floor (robotlink::GroundMap), whose lines and points become walls. Immutable.
 class Scene {
@@ -31,8 +35,11 @@ class Scene {
   /// can be reached from there, apart from each other and with room to turn; never in walls, in forbidden
   /// areas or outside. It is an error if there is no room for all of them, or where the free places of a
   /// scene cannot be known.
-  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(const std::filesystem::path& file,
-                                                                            const RobotsToAdd& robots = {});
+  ///
+  /// Large maps take seconds: `progress` is told several times a second, and ends it with the one error
+  /// "scene.given-up".
+  static tl::expected<std::shared_ptr<const Scene>, robotlink::Errors> load(
+      const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {});
 
   ~Scene();
   const std::filesystem::path& file() const;

@@ -5,7 +5,6 @@
 #include <QApplication>
 #include <QBoxLayout>
 #include <QComboBox>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QLineEdit>
@@ -14,6 +13,7 @@
 #include <algorithm>
 
 #include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/KeyDelegate.h"
@@ -28,8 +28,6 @@ const ViewRegistration kDebugKeysViewRegistration{
     {"debug-keys", QT_TRANSLATE_NOOP("View", "Debug keys"),
      QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
      false, create<DebugKeysView>}};
-
-constexpr int kMarginToSpare = 8;  // names come before numbers where the view is narrow
 
 }  // namespace
 
@@ -75,10 +73,8 @@ void DebugKeysView::createViews() {
   tree_->setModel(filter_);
   tree_->setItemDelegate(new KeyDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(KeyTreeModel::kName, QHeaderView::Stretch);
-  tree_->header()->resizeSection(KeyTreeModel::kMode, textWidth(*tree_, tr("every n-th")) - kMarginToSpare);
-  tree_->header()->resizeSection(KeyTreeModel::kNumber, textWidth(*tree_, tr("100 ms")) - kMarginToSpare);
+  auto* fit = new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber});
+  fit->expect(KeyTreeModel::kMode, tr("every n-th"));
   hint_ = new EmptyHint(tree_);
   state_ = new QLabel(this);
   describe(*state_, {"keysState", tr("State of the debug keys"), {}});

@@ -7,6 +7,8 @@
 #include <QSet>
 #include <algorithm>
 
+#include "widgets/ColumnFit.h"
+
 namespace widgets {
 namespace {
 
@@ -16,9 +18,10 @@ constexpr int kMinWidth = 8, kMaxWidth = 4000;  // pixels
 
 QJsonValue headerState(const QHeaderView& header) {
   QJsonArray columns;
+  const ColumnFit* fit = ColumnFit::of(header);
   for (int visual = 0; visual < header.count(); ++visual) {
     const int column = header.logicalIndex(visual);
-    columns.append(QJsonArray{column, header.sectionSize(column)});
+    columns.append(QJsonArray{column, fit != nullptr ? fit->pinned(column) : header.sectionSize(column)});
   }
   return QJsonObject{{QStringLiteral("columns"), columns},
                      {QStringLiteral("sorted_by"), header.sortIndicatorSection()},
@@ -33,10 +36,15 @@ void restoreHeader(QHeaderView& header, const QJsonValue& state) {
     if (column >= 0 && column < header.count()) known.insert(column);
   }
   if (columns.size() != header.count() || known.size() != header.count()) return;
+  ColumnFit* fit = ColumnFit::of(header);
   for (int visual = 0; visual < header.count(); ++visual) {
     const QJsonArray entry = columns.at(visual).toArray();
     const int column = entry.at(0).toInt(), width = entry.at(1).toInt();
     header.moveSection(header.visualIndex(column), visual);
+    if (fit != nullptr) {
+      fit->pin(column, width);
+      continue;
+    }
     if (width > 0) header.resizeSection(column, std::clamp(width, kMinWidth, kMaxWidth));
   }
   const int sorted = state[QLatin1String("sorted_by")].toInt(-1);

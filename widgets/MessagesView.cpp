@@ -16,6 +16,7 @@
 
 #include "foxglove/Robot.pb.h"
 #include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -142,14 +143,9 @@ void MessagesView::createViews() {
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("Time [s].."), tr("    warning"), tr("Robot...."),
-                             tr("cognition/ball-percept")};
-  for (int column = 0; column < LogModel::kText; ++column) {
-    table_->setColumnWidth(column, textWidth(*table_, samples[column]));
-  }
+  new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kName, ColumnKind::kName,
+                          ColumnKind::kText});
   hint_ = new EmptyHint(table_);
   state_ = new QLabel(this);
   describe(*state_, {"messagesState", tr("Number of messages"), {}});

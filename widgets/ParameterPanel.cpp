@@ -3,13 +3,13 @@
 
 #include <QAction>
 #include <QBoxLayout>
-#include <QHeaderView>
 #include <QLabel>
 #include <QToolButton>
 #include <QTreeView>
 #include <QUndoCommand>
 #include <functional>
 
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/ParameterDelegate.h"
@@ -71,6 +71,7 @@ void ParameterPanel::createViews() {
   tree_->setItemDelegate(new ParameterDelegate(tree_));
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
                          QAbstractItemView::AnyKeyPressed);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(tree_);
   state_ = new QLabel(this);
   describe(*state_, {"parametersState", tr("State of the parameters"), {}});

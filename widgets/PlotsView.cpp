@@ -5,7 +5,6 @@
 #include <QBoxLayout>
 #include <QComboBox>
 #include <QFileDialog>
-#include <QHeaderView>
 #include <QJsonArray>
 #include <QLabel>
 #include <QLineEdit>
@@ -17,6 +16,7 @@
 
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/config/RobotDescription.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/PlotCanvas.h"
@@ -98,6 +98,7 @@ void PlotsView::createTree() {
   filter_->setFilterRole(PlotTreeModel::kSourceRole);
   tree_->setModel(filter_);
   tree_->setHeaderHidden(true);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber});
   tree_->setTextElideMode(Qt::ElideMiddle);
   tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
   tree_->setDragEnabled(true);
@@ -116,11 +117,7 @@ void PlotsView::createLegend() {
   legend_->setModel(&curves_);
   legend_->setRootIsDecorated(false);
   legend_->setSelectionMode(QAbstractItemView::ExtendedSelection);
-  legend_->header()->setStretchLastSection(false);
-  legend_->header()->setSectionResizeMode(CurveModel::kName, QHeaderView::Stretch);
-  legend_->header()->resizeSection(CurveModel::kValue, textWidth(*legend_, tr("-0.000000")));
-  legend_->header()->resizeSection(CurveModel::kUnit, textWidth(*legend_, tr("rad/s")));
-  legend_->header()->resizeSection(CurveModel::kAtCursor, textWidth(*legend_, tr("At 0000.000 s")));
+  new ColumnFit(*legend_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
   legend_->setTextElideMode(Qt::ElideMiddle);
 }
 
@@ -239,9 +236,6 @@ void PlotsView::listSources() {
   listVersion_ = session().store().listVersion();
   sources_.setSources(plotSources(session().store()),
                       [this](const PlotSource& source) { return jointOf(source); });
-  tree_->header()->setStretchLastSection(false);
-  tree_->header()->setSectionResizeMode(PlotTreeModel::kName, QHeaderView::Stretch);
-  tree_->header()->setSectionResizeMode(PlotTreeModel::kUnit, QHeaderView::ResizeToContents);
   tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
 }
 

@@ -9,6 +9,7 @@
 #include <QToolButton>
 
 #include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/ProcessGraphWidget.h"
@@ -68,16 +69,9 @@ void ProcessesView::createViews() {
   table_->setAlternatingRowColors(true);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("localization."), tr("failed: some reason"),
-                             tr("1000.0"),        tr("Frames.."),
-                             tr("events.."),      tr("Nice."),
-                             tr("Missed."),       tr("Dropped.")};
-  for (int column = 0; column < ProcessTableModel::kTasks; ++column) {
-    table_->setColumnWidth(column, textWidth(*table_, samples[column]));
-  }
+  using enum ColumnKind;
+  new ColumnFit(*table_, {kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kText});
   splitter_ = new QSplitter(Qt::Vertical, this);
   splitter_->setObjectName(QStringLiteral("processesSplitter"));
   splitter_->addWidget(graph_);

@@ -3,7 +3,6 @@
 
 #include <QAction>
 #include <QBoxLayout>
-#include <QHeaderView>
 #include <QKeyEvent>
 #include <QLabel>
 #include <QSplitter>
@@ -11,6 +10,7 @@
 #include <QTreeView>
 
 #include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/ParameterPanel.h"
@@ -55,6 +55,7 @@ void SolutionsView::createViews() {
   tree_->setItemDelegate(new SolutionDelegate(tree_));
   tree_->setAlternatingRowColors(false);
   tree_->setIndentation(14);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kText});
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
   parameters_ = new ParameterPanel(session(), this);

@@ -13,6 +13,7 @@
 
 #include "robotlink/debugging/Streams.h"
 #include "widgets/BarDelegate.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -67,20 +68,9 @@ void TimingView::createViews() {
   table_->setAlternatingRowColors(true);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
-  table_->horizontalHeader()->setStretchLastSection(true);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("cognition.."),
-                             tr("landmark-percepts."),
-                             tr("go-to-ball-and-kick"),
-                             tr("Last ms."),
-                             tr("Mean ms."),
-                             tr("Min ms."),
-                             tr("Max ms."),
-                             tr("100.0")};
-  for (int column = 0; column < TimingModel::kShare; ++column) {
-    table_->setColumnWidth(column, textWidth(*table_, samples[column]));
-  }
+  using enum ColumnKind;
+  new ColumnFit(*table_, {kName, kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber});
   hint_ = new EmptyHint(table_);
   state_ = new QLabel(this);
   describe(*state_, {"timingState", tr("State of the measuring"), {}});

@@ -2,6 +2,7 @@
 #include "app/core/ArcosSimulation.h"
 
 #include <algorithm>
+#include <utility>
 
 namespace app {
 
@@ -9,7 +10,7 @@ using Clock = std::chrono::steady_clock;
 
 tl::expected<std::unique_ptr<ArcosSimulation>, robotlink::Errors> ArcosSimulation::create(
     Options options, ArcosPorts::Teller teller) {
-  auto scene = simcore::Scene::load(options.scene, options.robots);
+  auto scene = simcore::Scene::load(options.scene, options.robots, std::exchange(options.progress, {}));
   if (!scene) return tl::unexpected(scene.error());
   return create(std::move(*scene), std::move(options), std::move(teller));
 }

@@ -21,7 +21,8 @@ class ArcosSimulation {
     simcore::RobotsToAdd robots;
     SimulatedWorld::Options world;
     ArcosPorts::Options ports;
-    double speed = 1;  ///< times real time; 0: as fast as possible
+    double speed = 1;                     ///< times real time; 0: as fast as possible
+    simcore::LoadProgress progress = {};  ///< of the scene; may give up its loading
   };
   /// How well it kept to real time.
   struct Punctuality {

@@ -97,7 +97,7 @@ void addOpening(CommandTable& commands, const Logs& logs) {
          return {};
        }});
   commands.add({"log.cancel",
-                "Gives up opening a log; what ran before goes on",
+                "Gives up opening a log, map or scene; what ran before goes on",
                 {},
                 [logs](const Values&) -> Result<void> {
                   logs.workbench().cancelOpening();

@@ -3,6 +3,7 @@
 
 #include <algorithm>
 #include <set>
+#include <utility>
 
 #include "app/core/Outlet.h"
 #include "app/core/ProgramSetups.h"
@@ -60,7 +61,7 @@ tl::expected<std::unique_ptr<SimulatedRun>, Errors> SimulatedRun::create(RunOpti
 Errors SimulatedRun::load() {
   simcore::RobotsToAdd added = options_.robots.value_or(simcore::RobotsToAdd{});
   if (!options_.robots && options_.scene.extension() == ".map") added.count = 1;
-  auto scene = simcore::Scene::load(options_.scene, added);
+  auto scene = simcore::Scene::load(options_.scene, added, std::exchange(options_.progress, {}));
   if (!scene) return scene.error();
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};

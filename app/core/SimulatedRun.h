@@ -52,6 +52,7 @@ struct RunOptions {
   std::map<std::string, std::string> solutions;  ///< task -> solution at the start, instead of the layout's
   /// After a goal the ball comes back to the middle and the robots to their places; see KickOff.
   bool kickOffs = true;
+  simcore::LoadProgress progress = {};  ///< of the scene; may give up its loading
   bool classImages =
       false;  ///< the true classes are sent with all images, whether or not somebody asks for them
 };

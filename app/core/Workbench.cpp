@@ -104,11 +104,13 @@ PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
 }
 
 void Workbench::load(RunOptions options) {
+  options.progress = newOpening(options.scene);
   platform_.load(std::move(options), outcomeOf(Change::kPlatform));
 }
 
-logplayer::LogFile::Progress Workbench::newOpening() {
+logplayer::LogFile::Progress Workbench::newOpening(const std::filesystem::path& file) {
   opening_ = std::make_shared<Opening>();
+  opening_->name = file.filename().string();
   return [opening = opening_](double share) {
     opening->share = share;
     return !opening->cancelled;
@@ -119,6 +121,10 @@ std::optional<double> Workbench::progress() const {
   return loading() && opening_ ? std::optional(opening_->share.load()) : std::nullopt;
 }
 
+std::string Workbench::openingName() const {
+  return opening_ ? opening_->name : std::string();
+}
+
 void Workbench::cancelOpening() {
   if (opening_) opening_->cancelled = true;
 }
@@ -126,13 +132,14 @@ void Workbench::cancelOpening() {
 void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout) {
   ReplayOptions options;
   options.layout = layout;
+  options.progress = newOpening(logs.empty() ? std::filesystem::path() : logs.front().file);
   options.logs = std::move(logs);
-  options.progress = newOpening();
   platform_.open(std::move(options), outcomeOf(Change::kPlatform));
 }
 
 void Workbench::addLog(ReplayLog log) {
-  platform_.addLog(std::move(log), newOpening(), outcomeOf(Change::kPlatform));
+  auto progress = newOpening(log.file);
+  platform_.addLog(std::move(log), std::move(progress), outcomeOf(Change::kPlatform));
 }
 void Workbench::connectRobot(PioneerOptions options) {
   platform_.connect(std::move(options), outcomeOf(Change::kPlatform));
@@ -181,7 +188,8 @@ void Workbench::takeIn(Outcome outcome) {
   if (--loading_ == 0) opening_.reset();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();
-    const bool wanted = errors.size() == 1 && errors.front().id == "log.given-up";
+    const bool wanted =
+        errors.size() == 1 && (errors.front().id == "log.given-up" || errors.front().id == "scene.given-up");
     if (!wanted) tell(errors);
     return;
   }

@@ -57,8 +57,10 @@ class Workbench {
   const LoadedPlatform* loaded() const { return loaded_ ? &*loaded_ : nullptr; }
   /// Is something being loaded now?
   bool loading() const { return loading_ > 0; }
-  /// How much of the log that is being opened has been read, in [0, 1]; nothing if none is.
+  /// How much of what is being opened has been read, in [0, 1]; nothing if nothing is.
   std::optional<double> progress() const;
+  /// What that is: the name of its file.
+  std::string openingName() const;
   /// Gives up opening it.
   void cancelOpening();
 
@@ -77,8 +79,9 @@ class Workbench {
   static RunOptions defaultOptions();
 
  private:
-  /// Of a log that is opened in the platform's thread.
+  /// Of a log or scene that is opened in the platform's thread.
   struct Opening {
+    std::string name;
     std::atomic<double> share = 0;
     std::atomic<bool> cancelled = false;
   };
@@ -90,7 +93,7 @@ class Workbench {
   void addSimulationCommands();
   void addLayoutCommand();
   robotlink::Result<void> setUp(const std::vector<robotlink::CommandTable::Value>& values);
-  logplayer::LogFile::Progress newOpening();
+  logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
   PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);
   void take(const robotcontrol::Request& request);

@@ -12,26 +12,29 @@
 namespace app {
 namespace {
 
-constexpr int kTicksUntilShown = 8;  // a quarter of a second
+constexpr int kTicksUntilShown = 12;  // 0.4 s
 
 }  // namespace
 
 OpeningBar::OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* parent)
     : QWidget(parent),
       workbench_(workbench),
+      text_(new QLabel(this)),
       progress_(new QProgressBar(this)),
       cancel_(new QToolButton(this)) {
   setObjectName(QStringLiteral("openingBar"));
   progress_->setObjectName(QStringLiteral("openingProgress"));
-  progress_->setAccessibleName(tr("Opening the log"));
+  progress_->setAccessibleName(tr("Opening"));
   progress_->setRange(0, 1000);
+  text_->setObjectName(QStringLiteral("openingText"));
+  text_->setTextFormat(Qt::PlainText);
   cancel_->setObjectName(QStringLiteral("openingCancel"));
   cancel_->setText(tr("Cancel"));
-  cancel_->setToolTip(tr("Gives up opening the log; what was open before goes on"));
+  cancel_->setToolTip(tr("Gives up opening it; what was open before goes on"));
   connect(cancel_, &QToolButton::clicked, this, [&actions] { actions.run(QStringLiteral("log.cancel")); });
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
-  layout->addWidget(new QLabel(tr("Opening the log…"), this));
+  layout->addWidget(text_);
   layout->addWidget(progress_, 1);
   layout->addWidget(cancel_);
   hide();
@@ -41,7 +44,9 @@ void OpeningBar::refresh() {
   const auto share = workbench_.progress();
   ticks_ = share ? ticks_ + 1 : 0;
   setVisible(ticks_ > kTicksUntilShown);
-  if (share) progress_->setValue(static_cast<int>(*share * 1000));
+  if (!share) return;
+  progress_->setValue(static_cast<int>(*share * 1000));
+  text_->setText(tr("Opening %1…").arg(QString::fromStdString(workbench_.openingName())));
 }
 
 }  // namespace app

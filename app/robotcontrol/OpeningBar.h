@@ -12,8 +12,8 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// How far the opening of a log is, with a button that gives it up. Hidden while none is opened, and for what
-/// takes no longer than a moment. GUI thread.
+/// How far the opening of a log, map or scene is, with a button that gives it up. Hidden while none is
+/// opened, and for what takes no longer than a moment. GUI thread.
 class OpeningBar : public QWidget {
   Q_OBJECT
  public:
@@ -23,6 +23,7 @@ class OpeningBar : public QWidget {
 
  private:
   Workbench& workbench_;
+  QLabel* text_;
   QProgressBar* progress_;
   QToolButton* cancel_;
   int ticks_ = 0;  // for which something has been opened

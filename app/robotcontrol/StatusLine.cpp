@@ -12,12 +12,10 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
+#include "widgets/models/Silence.h"
 
 namespace app {
 namespace {
-
-/// s without a word of its base, which speaks ten times a second, until a robot counts as silent.
-constexpr double kSilence = 1.5;
 
 QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int characters) {
   auto* label = new QLabel(&bar);
@@ -68,7 +66,7 @@ QString StatusLine::robotState() {
   const auto* link =
       session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
   const bool connected = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTED;
-  if (connected && silence < kSilence) return tr("running");
+  if (connected && silence < widgets::kSilentAfter) return tr("running");
   if (heard == nullptr) return connected ? tr("connected") : tr("not connected");
   const QString what = connected ? tr("silent")
                        : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING

@@ -1,6 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <unistd.h>
+
 #include <CLI/CLI.hpp>
 #include <QApplication>
+#include <QMessageBox>
 #include <QTimer>
 #include <cstdlib>
 #include <iostream>
@@ -252,6 +255,19 @@ int run(const Arguments& arguments) {
   return status;
 }
 
+/// Says why the program cannot begin: who started it from a desktop does not see what it prints.
+int refuse(const std::string& why, char** argv) {
+  std::cerr << "robotcontrol: " << why << "\n";
+  if (::isatty(STDERR_FILENO) == 1 || std::getenv("QT_QPA_PLATFORM") != nullptr || !hasDisplay())
+    return kFailed;
+  int qtArguments = 1;
+  QApplication application(qtArguments, argv);
+  QMessageBox box(QMessageBox::Critical, QStringLiteral("RobotControl"), QString::fromStdString(why));
+  box.setTextFormat(Qt::PlainText);
+  box.exec();
+  return kFailed;
+}
+
 /// The program; its arguments are those of main().
 int start(int argc, char** argv) {
   Arguments arguments;
@@ -266,8 +282,7 @@ int start(int argc, char** argv) {
     return kUsage;
   }
   if (const auto found = robotlink::checkResources(); !found) {
-    std::cerr << "robotcontrol: " << found.error().describe() << "\n";
-    return kFailed;
+    return refuse(found.error().describe(), argv);
   }
   if (!hasDisplay()) {
     if (arguments.screenshot.empty()) {

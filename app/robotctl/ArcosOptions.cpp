@@ -7,6 +7,7 @@
 
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/LogCommands.h"
 #include "app/robotctl/SimFigures.h"
 #include "app/robotctl/TextMessages.h"
 #include "simcore/Scene.h"
@@ -72,8 +73,11 @@ int runArcos(const ArcosOptions& options, const ArcosRun& run) {
   wanted.world.pioneers.settings.allSonarsEachCycle = options.allSonars;
   wanted.ports = {options.address, options.port};
   wanted.speed = run.speed;
+  TerminalProgress progress;
+  wanted.progress = progress.function();
   auto simulation =
       ArcosSimulation::create(wanted, [](const std::string& text) { std::cerr << text << std::endl; });
+  progress.erase();
   if (!simulation) return printErrors(simulation.error());
   printMapNotes((*simulation)->world().simulation().scene().groundMap().get());
   const ArcosPorts& ports = (*simulation)->ports();

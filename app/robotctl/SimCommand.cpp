@@ -19,6 +19,7 @@
 #include "app/robotctl/CameraOptions.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
+#include "app/robotctl/LogCommands.h"
 #include "app/robotctl/RecordOptions.h"
 #include "app/robotctl/SimFigures.h"
 #include "app/robotctl/TextMessages.h"
@@ -126,7 +127,12 @@ int runOnce(const SimArguments& arguments) {
   // Until something is in it.
   std::optional<robotlink::UnfinishedFile> unfinished;
   if (*recorder) unfinished.emplace(arguments.record.file);
-  auto run = SimulatedRun::create(arguments.run, listenersFor(arguments, images->get()), recorder->get());
+  TerminalProgress progress;
+  RunOptions options = arguments.run;
+  options.progress = progress.function();
+  auto run =
+      SimulatedRun::create(std::move(options), listenersFor(arguments, images->get()), recorder->get());
+  progress.erase();
   if (!run) {
     std::error_code ignored;
     if (*recorder) std::filesystem::remove(arguments.record.file, ignored);

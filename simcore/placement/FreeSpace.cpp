@@ -94,22 +94,28 @@ FreeSpace::Part FreeSpace::largestPart() const {
   return closed.cells.empty() ? open : closed;
 }
 
+/// From the border inwards, one direction after the other: a cell has something on a side if the next one is
+/// marked or has. So the time depends on the cells alone, not on how far it is to what is around them.
 void FreeSpace::keepSurrounded() {
   constexpr Cell kSides[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
-  const auto isSurrounded = [&](const Cell& cell) {
-    return std::ranges::count_if(kSides, [&](const Cell& side) {
-             // By its clearance, a cell tells how many next to it are free as well.
-             for (Cell at = cell; grid_.contains(at);) {
-               if (grid_.isMarked(at)) return true;
-               const int steps = std::max(
-                   1, static_cast<int>(grid_.clearance(at) / grid_.cellSize() / std::numbers::sqrt2) - 1);
-               at = {at.x + steps * side.x, at.y + steps * side.y};
-             }
-             return false;
-           }) >= kSidesAround;
-  };
+  const std::size_t size = static_cast<std::size_t>(grid_.width()) * static_cast<std::size_t>(grid_.height());
+  std::vector<std::uint8_t> sides(size), something(size);
+  for (const Cell& side : kSides) {
+    for (int row = 0; row < grid_.height(); ++row) {
+      const int y = side.y > 0 ? grid_.height() - 1 - row : row;
+      for (int column = 0; column < grid_.width(); ++column) {
+        const int x = side.x > 0 ? grid_.width() - 1 - column : column;
+        const Cell next{x + side.x, y + side.y};
+        const std::size_t at = grid_.indexOf({x, y});
+        const bool beyond = grid_.contains(next) && something[grid_.indexOf(next)] != 0;
+        something[at] = beyond || grid_.isMarked({x, y}) ? 1 : 0;
+        sides[at] = static_cast<std::uint8_t>(sides[at] + something[at]);
+      }
+    }
+  }
   std::vector<Cell> inside;
-  std::ranges::copy_if(cells_, std::back_inserter(inside), isSurrounded);
+  std::ranges::copy_if(cells_, std::back_inserter(inside),
+                       [&](const Cell& cell) { return sides[grid_.indexOf(cell)] >= kSidesAround; });
   if (!inside.empty()) cells_ = std::move(inside);
 }
 

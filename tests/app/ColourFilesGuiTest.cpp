@@ -7,6 +7,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "tests/app/WindowTest.h"
 #include "tests/colortool/SampleFixture.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -30,16 +31,9 @@ struct Sitting {
 
 }  // namespace
 
-class ColourFilesGuiTest : public QObject {
+class ColourFilesGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString());
-  }
-  void cleanupTestCase() { Bench::tidyUp(); }
-  void init() { std::filesystem::remove_all(home_ / "colors"); }
-
   void closingAsksAboutSamplesThatAreNotSaved() {
     Sitting at(home_);
     at.bench().change(QStringLiteral("Strokes"), colortool::quarterSamples());
@@ -78,9 +72,6 @@ class ColourFilesGuiTest : public QObject {
     QCOMPARE(child<QLabel>(at.window, "errorText").text(), QStringLiteral("the disk is full"));
     QVERIFY(at.window.close());  // nothing to ask about
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(ColourFilesGuiTest)

@@ -9,6 +9,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/Desk.h"
+#include "tests/app/WindowTest.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorCanvas.h"
 #include "widgets/image/ImagePixels.h"
@@ -103,16 +104,9 @@ QPoint middle(const std::vector<QPoint>& pixels) {
 
 }  // namespace
 
-class ColourGuiTest : public QObject {
+class ColourGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void aFewStrokesInTheRealLogSegmentItsOtherImages() {
     const std::filesystem::path shared = ROBOTCONTROL_SOURCE_DIR "/../shared/data";
     if (!std::filesystem::exists(shared)) QSKIP("there is no ../shared/data with the real log");
@@ -280,8 +274,6 @@ class ColourGuiTest : public QObject {
     if (!folder.isEmpty())
       desk.window.grab().save(folder + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png"));
   }
-
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(ColourGuiTest)

@@ -9,6 +9,7 @@
 
 #include "app/robotcontrol/DockSpace.h"
 #include "tests/app/Desk.h"
+#include "tests/app/WindowTest.h"
 
 namespace {
 
@@ -66,16 +67,9 @@ bool canUndo(Desk& desk) {
 
 }  // namespace
 
-class DocksGuiTest : public QObject {
+class DocksGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void everyPerspectiveIsShownWhileDocksFloatAndComesBackWithThem() {
     Desk desk(home_);
     const QStringList names = {QStringLiteral("Log"),    QStringLiteral("Colour"),
@@ -299,9 +293,6 @@ class DocksGuiTest : public QObject {
     desk.choose("view.scene");
     QTRY_VERIFY(!hint.isVisible());
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(DocksGuiTest)

@@ -24,6 +24,7 @@
 #include "app/robotcontrol/ViewDocks.h"
 #include "app/robotcontrol/WindowKeys.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/WindowTest.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/ColorBench.h"
@@ -165,16 +166,9 @@ QString meaning(const QKeySequence& key, const QString& text) {
 
 }  // namespace
 
-class KeysGuiTest : public QObject {
+class KeysGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void everyKeyMeansTheSameInEveryView() {
     Desk desk(home_);
     desk.openLog();
@@ -331,9 +325,6 @@ class KeysGuiTest : public QObject {
     QTRY_VERIFY_WITH_TIMEOUT(!desk.workbench.loading() || (desk.window.tick(), false), 20000);
     desk.bench().undoStack().clear();
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(KeysGuiTest)

@@ -22,6 +22,7 @@
 #include "app/robotcontrol/ViewDocks.h"
 #include "colortool/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/WindowTest.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
 
@@ -99,15 +100,9 @@ class Desk {
 
 }  // namespace
 
-class LogWindowTest : public QObject {
+class LogWindowTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void theToolBarIsThereWhileALogIsOpen() {
     Desk desk(home_ / "bar");
     auto& bar = desk.find<QToolBar>("logToolBar");
@@ -346,9 +341,6 @@ class LogWindowTest : public QObject {
     QVERIFY(!refused);
     QVERIFY(refused.error().text.find("open one first") != std::string::npos);
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(LogWindowTest)

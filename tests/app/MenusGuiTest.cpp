@@ -12,6 +12,7 @@
 #include <QTreeWidget>
 
 #include "tests/app/Desk.h"
+#include "tests/app/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
 namespace {
@@ -39,16 +40,9 @@ std::size_t docks(Desk& desk, const char* id) {
 
 }  // namespace
 
-class MenusGuiTest : public QObject {
+class MenusGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void aSceneIsOpenedByItsFileAndTheShippedOneInItsBox() {
     Desk desk(home_);
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
@@ -299,9 +293,6 @@ class MenusGuiTest : public QObject {
         desk.window.statusBar()->currentMessage().startsWith(QStringLiteral("Refused (stop of nobody): ")),
         qPrintable(desk.window.statusBar()->currentMessage()));
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(MenusGuiTest)

@@ -12,24 +12,21 @@
 #include "robotlink/session/Numbers.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/WindowTest.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "widgets/log/OpenLogs.h"
 
 using app::test::ShortLog;
 
-class OpenedLogsGuiTest : public QObject {
+class OpenedLogsGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
+    WindowTest::initTestCase();
     QVERIFY(folder_.isValid());
     for (const char* name : {"first.mcap", "second.mcap"})
       QCOMPARE(ShortLog::write(file(name)), std::string());
   }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void aFileIsWhatItsSuffixSaysInCapitalsOrNot() {
     using app::FileKind;
     QCOMPARE(app::kindOfFile("office.map"), FileKind::kScene);
@@ -149,7 +146,6 @@ class OpenedLogsGuiTest : public QObject {
         !desk.workbench.loaded()->logs.empty() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
   }
 
-  std::filesystem::path home_;
   QTemporaryDir folder_;
 };
 

@@ -14,6 +14,7 @@
 #include "robotlink/arcos/PioneerRobot.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ServedWorld.h"
+#include "tests/app/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
 namespace {
@@ -41,16 +42,9 @@ const T* newest(Desk& desk, const std::string& stream) {
 
 }  // namespace
 
-class PioneersGuiTest : public QObject {
+class PioneersGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()) / "robotcontrol";
-  }
-  void init() { std::filesystem::remove_all(home_); }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void aWorldIsSetUpWithRobotsThatProgramsOutsideCanDrive() {
     const int port = freePort();
     Desk desk(home_);
@@ -155,9 +149,6 @@ class PioneersGuiTest : public QObject {
     const auto* packets = desk.find<QTableView>("packetsTable").model();
     QTRY_VERIFY_WITH_TIMEOUT(packets->rowCount() > 20, kWaitMs);
   }
-
- private:
-  std::filesystem::path home_;
 };
 
 QTEST_MAIN(PioneersGuiTest)

@@ -21,6 +21,7 @@
 #include "foxglove/Event.pb.h"
 #include "logplayer/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"
+#include "tests/app/WindowTest.h"
 #include "tests/logplayer/RecordedMessages.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
@@ -85,15 +86,9 @@ std::string only(const TestFolder& folder) {
 
 }  // namespace
 
-class RecordingGuiTest : public QObject {
+class RecordingGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
-  void initTestCase() {
-    Bench::prepare(ROBOTCONTROL_SOURCE_DIR);
-    home_ = std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString());
-  }
-  void cleanupTestCase() { Bench::tidyUp(); }
-
   void theButtonStartsAndStopsAndShowsWhatIsDone() {
     const TestFolder folder;
     Desk desk(home_ / "button", true);
@@ -368,7 +363,6 @@ class RecordingGuiTest : public QObject {
     if (!looks.isEmpty())
       QVERIFY(widget.grab().save(looks + QLatin1Char('/') + QLatin1String(name) + QStringLiteral(".png")));
   }
-  std::filesystem::path home_;
   QUrl shown_;
 };
 

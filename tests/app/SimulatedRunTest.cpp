@@ -76,9 +76,25 @@ robotcontrol::Request keyRequest(const std::string& key) {
 
 }  // namespace
 
+TEST(SimulatedRun, itsLoadingTellsHowFarItIsAndCanBeGivenUp) {
+  RunOptions wanted = options();
+  double reached = -1;
+  wanted.progress = [&](double share) {
+    reached = share;
+    return true;
+  };
+  const auto run = makeRun(wanted);
+  EXPECT_GT(reached, 0.5);
+  wanted.progress = [](double) { return false; };
+  const auto none = SimulatedRun::create(wanted, {});
+  ASSERT_FALSE(none);
+  EXPECT_EQ(none.error().front().id, "scene.given-up");
+}
+
 TEST(SimulatedRun, theSameSeedGivesTheSameBytesAndAnotherSeedOthers) {
-  EXPECT_EQ(digestAfter(options(3), 2), digestAfter(options(3), 2));
-  EXPECT_NE(digestAfter(options(3), 2), digestAfter(options(4), 2));
+  const std::uint64_t digest = digestAfter(options(3), 2);
+  EXPECT_EQ(digestAfter(options(3), 2), digest);
+  EXPECT_NE(digestAfter(options(4), 2), digest);
 }
 
 TEST(SimulatedRun, aRunThatIsResetPlaysLikeAFreshOne) {
@@ -443,7 +459,7 @@ TEST(SimulatedRun, threadsPlayToo) {
   EXPECT_GT(frames.load(), 0);
 }
 
-TEST(SimulatedRun, theRobotTouchesBallsAroundItButNoneWithoutEyes) {
+TEST(SlowSimulatedRun, theRobotTouchesBallsAroundItButNoneWithoutEyes) {
   BallTrials trials;
   trials.run = options();
   trials.count = 3;

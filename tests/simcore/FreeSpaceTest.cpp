@@ -94,6 +94,36 @@ TEST(FreeSpace, onlyWhatCanBeReachedCounts) {
   EXPECT_NEAR(largest.area(), 0.2, 1e-9);
 }
 
+TEST(FreeSpace, inTheOpenOnlyWhatIsSurroundedCounts) {
+  robotlink::Random random(11);
+  ClearanceGrid grid({0, 0}, {6, 5}, 0.1);
+  for (int i = 0; i < 60; ++i)
+    grid.mark({static_cast<int>(random.bits() % 60), static_cast<int>(random.bits() % 50)});
+  grid.findClearances();
+  const FreeSpace space(grid, 0.1, Vector2(3, 2.5));
+  ASSERT_FALSE(space.empty());
+  std::size_t expected = 0;
+  const auto hasSomething = [&](Cell cell, int dx, int dy) {
+    for (; grid.contains(cell); cell = {cell.x + dx, cell.y + dy})
+      if (grid.isMarked(cell)) return true;
+    return false;
+  };
+  const auto surrounded = [&](const Cell& cell) {
+    int sides = 0;
+    for (int dx = -1; dx <= 1; ++dx) {
+      for (int dy = -1; dy <= 1; ++dy) sides += (dx != 0 || dy != 0) && hasSomething(cell, dx, dy) ? 1 : 0;
+    }
+    return sides >= 7;
+  };
+  for (const Cell& cell : space.cells()) EXPECT_TRUE(surrounded(cell)) << cell.x << " " << cell.y;
+  for (int y = 0; y < grid.height(); ++y) {
+    for (int x = 0; x < grid.width(); ++x)
+      expected += grid.clearance({x, y}) >= 0.1 && surrounded({x, y}) ? 1 : 0;
+  }
+  EXPECT_LE(space.cells().size(), expected);
+  EXPECT_GT(space.cells().size(), expected / 2) << "some cannot be reached";
+}
+
 TEST(FreeSpace, aLargerRobotHasLessRoom) {
   const ClearanceGrid grid = gridOf(kTwoRooms);
   EXPECT_EQ(FreeSpace(grid, 0.2, std::nullopt).cells().size(), 6U);

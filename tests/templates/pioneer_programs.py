@@ -8,6 +8,7 @@ import argparse
 import math
 import os
 import shutil
+import struct
 import subprocess
 import sys
 import tempfile
@@ -114,6 +115,139 @@ class Programs(ProgramsTestCase):
             self.assertLess(abs(distance(ends["meeting_point"][a], ends["meeting_point"][b]) - 1.6), 0.5)
         self.assertIn("a p3at-sh", said["python"])
         self.assert_turned_before_the_wall("python", self.PLACES["python"][0], ends["python"][0])
+
+
+class Obstacle(unittest.TestCase):
+    """A program whose way is blocked says so and ends."""
+
+    def test_a_path_that_leads_into_a_wall_ends_with_a_message(self):
+        with simulate(arena(), 1) as simulation:
+            simulator.put(DRIVE, simulation.url(), 18.9, 5, 0)  # the wall is 20 m from the origin
+            done = subprocess.run([program("follow_path"), simulation.url(), "1.5"], text=True, capture_output=True, timeout=60)
+            self.assertEqual(done.returncode, 1, done.stdout + done.stderr)
+            self.assertRegex(done.stderr, r"^stuck at \S+ m, \S+ m")
+            end = simulator.true_pose(DRIVE, simulation.url())
+            self.assertGreater(end[0], 19.2, "it did not drive up to the wall")
+            robot = DRIVE.Pioneer(simulation.url())
+            robot.read()
+            self.assertEqual(robot.speed, 0, "it still pushes")
+            robot.close()
+
+
+class RawClient(unittest.TestCase):
+    """What a client reads that speaks the protocol byte by byte, as programs do that do not use our library."""
+
+    GRIPREQUEST, GRIPPER_PACKET = 37, 0xE0
+    ORIGIN = (39.960, -75.190, 12.0)  # latitude and longitude in degrees, altitude in m
+
+    def georeferenced(self, folder):
+        """The arena, but on Earth."""
+        path = os.path.join(folder, "arena.map")
+        with open(arena(), encoding="ascii") as plain, open(path, "w", encoding="ascii") as placed:
+            placed.write(plain.read().replace("LINES\n", "OriginLatLongAlt: %g %g %g\nLINES\n" % self.ORIGIN, 1))
+        return path
+
+    def wait_for(self, robot, identifier):
+        for _ in range(200):
+            body = robot.receive()
+            if body[0] == identifier:
+                return body
+            robot.send(DRIVE.PULSE)
+        self.fail(f"no packet {identifier:#x} came")
+
+    def status(self, robot):
+        robot.send(simulator.SIM_STAT, 1)
+        body = self.wait_for(robot, simulator.STATUS)
+        self.assertEqual(len(body), 57)
+        names = ("flags", "simulated", "real", "last", "x", "y", "z", "heading", "latitude", "longitude", "altitude", "quality")
+        return dict(zip(names, struct.unpack_from("<I3H8i", body, 3)))
+
+    def test_on_a_georeferenced_map_it_has_a_place_on_earth(self):
+        with tempfile.TemporaryDirectory() as folder, simulate(self.georeferenced(folder), 1) as simulation:
+            simulator.put(DRIVE, simulation.url(), 10, -7, 0)
+            robot = DRIVE.Pioneer(simulation.url())
+            status = self.status(robot)
+            robot.close()
+        self.assertEqual(status["flags"] & 2, 2, "georeferenced")
+        self.assertEqual((status["x"] // 100, status["y"] // 100), (100, -70))
+        north = -7 / 111_035  # degrees
+        east = 10 / (111_320 * math.cos(math.radians(self.ORIGIN[0])))
+        self.assertAlmostEqual(status["latitude"] / 1e7, self.ORIGIN[0] + north, delta=3e-6)
+        self.assertAlmostEqual(status["longitude"] / 1e7, self.ORIGIN[1] + east, delta=3e-6)
+        self.assertAlmostEqual(status["altitude"] / 100, self.ORIGIN[2], delta=1)
+        self.assertGreater(status["quality"], 0)
+
+    def test_flags_say_what_is_so(self):
+        with simulate(arena(), 1, "--no-noise") as simulation:
+            robot = DRIVE.Pioneer(simulation.url())
+            self.assertEqual(self.status(robot)["flags"] & 6, 0, "neither on Earth nor with errors of odometry")
+            robot.close()
+        with simulate(arena(), 1) as simulation:
+            robot = DRIVE.Pioneer(simulation.url())
+            self.assertEqual(self.status(robot)["flags"] & 6, 4, "its odometry errs")
+            robot.close()
+
+    def scan(self, robot):
+        """How many readings a scan has."""
+        body = self.wait_for(robot, 0x60)
+        return struct.unpack_from("<H", body, 7)[0]
+
+    def test_asking_for_the_gripper_does_not_move_the_laser(self):
+        with simulate(arena(), 1) as simulation:
+            robot = DRIVE.Pioneer(simulation.url())
+            for command, argument in ((36, -90), (37, 90), (38, 100), (35, 1)):  # as ARIA's simulated laser does
+                robot.send(command, argument)
+            self.assertEqual(self.scan(robot), 181)
+            robot.send(self.GRIPREQUEST, 1)
+            answer = self.wait_for(robot, self.GRIPPER_PACKET)
+            self.assertEqual(answer[1], 0, "it has no gripper")
+            for _ in range(8):
+                self.assertEqual(self.scan(robot), 181)
+            robot.close()
+
+    def outputs(self, robot):
+        """Digital inputs and outputs, of the standard information packet."""
+        body = robot.receive()
+        while body[0] not in (0x32, 0x33):
+            body = robot.receive()
+        robot.send(DRIVE.PULSE)
+        after = 20 + 3 * body[19]
+        return body[after + 3], body[after + 4]
+
+    def test_digital_outputs_are_set_by_their_mask(self):
+        with simulate(arena(), 1) as simulation:
+            robot = DRIVE.Pioneer(simulation.url())
+            before = self.outputs(robot)[1]
+            robot.send(30, 0x0F05)  # DIGOUT: the lower four
+            wanted = before & 0xF0 | 0x05
+            for _ in range(10):
+                now = self.outputs(robot)
+                if now[1] == wanted:
+                    break
+            self.assertEqual(now[1], wanted)
+            robot.close()
+
+    def test_moves_and_turns_end(self):
+        with simulate(arena(), 1, "--no-noise") as simulation:
+            robot = DRIVE.Pioneer(simulation.url())
+            robot.read()
+            robot.send(DRIVE.ENABLE, 1)
+            x, heading = robot.x, robot.heading
+            for command, argument in ((8, 400), (13, 60)):  # MOVE, DHEAD
+                robot.send(command, argument)
+                for _ in range(15):  # it has begun
+                    robot.read()
+                still = 0
+                for _ in range(150):
+                    before = robot.x, robot.heading
+                    robot.read()
+                    still = still + 1 if (robot.x, robot.heading) == before else 0
+                    if still == 5:
+                        break
+                self.assertEqual(still, 5, "it does not end")
+            self.assertAlmostEqual(math.dist((x, 0), (robot.x, 0)), 0.4, delta=0.05)
+            self.assertAlmostEqual((robot.heading - heading) % 360, 60, delta=6)
+            robot.close()
 
 
 class Ada(ProgramsTestCase):

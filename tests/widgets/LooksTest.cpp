@@ -1,5 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+#include <QHeaderView>
 #include <QStyleFactory>
+#include <QTableView>
 #include <QToolButton>
 #include <QTreeView>
 #include <cmath>
@@ -232,6 +234,43 @@ void compareLooks(const char* name, QSize size, const std::function<void(V&)>& a
   QVERIFY(brightness(night) < 0.4);
 }
 
+bool isEmpty(const QAbstractItemModel& model, int column, const QModelIndex& parent = {}) {
+  for (int row = 0; row < model.rowCount(parent); ++row) {
+    if (!model.index(row, column, parent).data().toString().isEmpty()) return false;
+    if (!isEmpty(model, column, model.index(row, 0, parent))) return false;
+  }
+  return true;
+}
+
+/// What is wrong with the widths of the columns, `names` of which hold what rows are found by.
+QString wrongColumns(const QAbstractItemView& items, const QHeaderView& header, std::vector<int> names) {
+  const int room = items.viewport()->width();
+  for (const int column : names) {
+    if (header.sectionSize(column) < std::min(items.sizeHintForColumn(column), room * 3 / 4))
+      return QStringLiteral("the name in column %1 is cut").arg(column);
+  }
+  int sum = 0;
+  for (int column = 0; column < header.count(); ++column) {
+    sum += header.sectionSize(column);
+    if (header.sectionSize(column) > room / 3 && isEmpty(*items.model(), column))
+      return QStringLiteral("the empty column %1 is wide").arg(column);
+  }
+  return sum < room ? QStringLiteral("they leave %1 pixels").arg(room - sum) : QString();
+}
+
+template <typename V>
+void checkColumns(const char* items, QSize size, const std::vector<int>& names) {
+  Bench bench;
+  fill(bench);
+  auto view = bench.open<V>(size);
+  look(bench, *view);
+  auto& shown = child<QAbstractItemView>(*view, items);
+  const auto* table = qobject_cast<const QTableView*>(&shown);
+  const auto* tree = qobject_cast<const QTreeView*>(&shown);
+  const QHeaderView& header = table != nullptr ? *table->horizontalHeader() : *tree->header();
+  QTRY_COMPARE(wrongColumns(shown, header, names), QString());
+}
+
 }  // namespace
 
 /// Every view with realistic contents, in light and dark. With ROBOTCONTROL_LOOKS=FOLDER the pictures are
@@ -245,6 +284,18 @@ class LooksTest : public QObject {
     QApplication::setPalette(QApplication::style()->standardPalette());
   }
   void cleanupTestCase() { Bench::tidyUp(); }
+
+  void namesAreWholeAndEmptyColumnsNarrowInNarrowViews() {
+    for (const int width : {300, 380, 640}) {
+      checkColumns<widgets::DebugKeysView>("keysTree", {width, 460}, {0});
+      checkColumns<widgets::SolutionsView>("solutionsTree", {width, 460}, {0, 1});
+      checkColumns<widgets::MessagesView>("messagesTable", {width, 320}, {1, 2, 3});
+      checkColumns<widgets::ProcessesView>("processesTable", {width, 460}, {0, 1});
+      checkColumns<widgets::TimingView>("timingTable", {width, 260}, {0, 1, 2});
+      checkColumns<widgets::PlotsView>("plotsTree", {2 * width, 260}, {0});
+      checkColumns<widgets::PlotsView>("plotsLegend", {2 * width, 260}, {});
+    }
+  }
 
   void debugKeysFollowThePalette() { compareLooks<widgets::DebugKeysView>("keys", {380, 460}); }
   void solutionsFollowThePalette() {

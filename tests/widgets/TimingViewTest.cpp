@@ -37,6 +37,13 @@ QString cell(const QTableView& table, const QString& task, int column) {
   return {};
 }
 
+/// A bench with the view, whose model is watched.
+struct Watched : Bench {
+  std::unique_ptr<widgets::TimingView> view = open<widgets::TimingView>();
+  QTableView& table = child<QTableView>(*view, "timingTable");
+  QAbstractItemModelTester tester{table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal};
+};
+
 }  // namespace
 
 class TimingViewTest : public QObject {
@@ -46,13 +53,11 @@ class TimingViewTest : public QObject {
   void cleanupTestCase() { Bench::tidyUp(); }
 
   void showsMinimumMeanMaximumRateAndShare() {
-    Bench bench;
-    auto view = bench.open<widgets::TimingView>();
-    auto& table = child<QTableView>(*view, "timingTable");
-    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    Watched bench;
+    const auto& table = bench.table;
     bench.push("red1/stopwatches/cognition", times(0.001, 0.003), 1.0);
     bench.push("red1/stopwatches/cognition", times(0.003, 0.005), 1.04);
-    bench.tick(*view);
+    bench.tick(*bench.view);
     QCOMPARE(table.model()->rowCount(), 3);
     using Model = widgets::TimingModel;
     const QString ball = QStringLiteral("ball-percept");
@@ -105,20 +110,18 @@ class TimingViewTest : public QObject {
   }
 
   void whatAnotherLayoutDoesNotHaveIsNotListedAnyMore() {
-    Bench bench;
-    auto view = bench.open<widgets::TimingView>();
-    auto& table = child<QTableView>(*view, "timingTable");
-    QAbstractItemModelTester tester(table.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    Watched bench;
+    const auto& table = bench.table;
     bench.push("red1/stopwatches/cognition", times(0.001, 0.002), 1);
     bench.push("red1/stopwatches/sensing", times(0.001, 0.002), 1);
-    bench.tick(*view);
+    bench.tick(*bench.view);
     QCOMPARE(table.model()->rowCount(), 6);
     robotcontrol::ProcessTable program;
     auto& process = *program.add_processes();
     process.set_name("cognition");
     process.add_tasks("pose");
     bench.push("red1/tables/processes", program, 2);
-    bench.tick(*view);
+    bench.tick(*bench.view);
     QCOMPARE(table.model()->rowCount(), 2);
     QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kProcess),
              QStringLiteral("cognition"));

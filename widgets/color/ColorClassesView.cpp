@@ -5,7 +5,6 @@
 #include <QBoxLayout>
 #include <QColorDialog>
 #include <QDoubleSpinBox>
-#include <QHeaderView>
 #include <QLabel>
 #include <QMenu>
 #include <QMouseEvent>
@@ -15,6 +14,7 @@
 #include "colortool/ClassEdits.h"
 #include "colortool/ClassPresets.h"
 #include "widgets/BarDelegate.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFileActions.h"
@@ -121,12 +121,8 @@ void ColorClassesView::createTree() {
   tree_->setEditTriggers(QAbstractItemView::DoubleClicked);
   tree_->setItemDelegateForColumn(ColorClassModel::kRecall,
                                   new BarDelegate(ColorClassModel::kShareRole, tree_));
-  auto& header = *tree_->header();
-  header.setStretchLastSection(false);
-  header.setSectionResizeMode(ColorClassModel::kName, QHeaderView::Stretch);
-  for (const int column : {ColorClassModel::kKey, ColorClassModel::kStrokes, ColorClassModel::kPixels})
-    header.setSectionResizeMode(column, QHeaderView::ResizeToContents);
-  header.resizeSection(ColorClassModel::kRecall, textWidth(*tree_, QStringLiteral("100.0 %")));
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber,
+                         ColumnKind::kNumber});
 }
 
 QWidget* ColorClassesView::createTools() {

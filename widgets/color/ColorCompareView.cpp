@@ -12,6 +12,7 @@
 #include <algorithm>
 
 #include "colortool/ColorTable.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -99,16 +100,9 @@ void ColorCompareView::createViews() {
   table_->setFrameShape(QFrame::NoFrame);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto& header = *table_->horizontalHeader();
-  header.setHighlightSections(false);
-  header.setStretchLastSection(false);
-  const char* texts[] = {"____robotBlue", "262144_", "none 12345, …", "262144_", "none 12345, …", "262144_"};
-  for (int column = 0; column < TableDifferenceModel::kAfter; ++column)
-    header.resizeSection(column, textWidth(*table_, QString::fromUtf8(texts[column])));
   // What came from where, and went where, takes the room there is.
-  for (const int column : {TableDifferenceModel::kFrom, TableDifferenceModel::kTo})
-    header.setSectionResizeMode(column, QHeaderView::Stretch);
-  header.resizeSection(TableDifferenceModel::kAfter, textWidth(*table_, QStringLiteral("262144_")));
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
+                          ColumnKind::kText, ColumnKind::kNumber, ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
 
   auto* layout = new QVBoxLayout(this);

@@ -13,6 +13,7 @@
 #include <QToolButton>
 
 #include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -129,17 +130,8 @@ void ColorFramesView::createViews() {
   table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(kThumbnail.height() + 4);
-  auto& header = *table_->horizontalHeader();
-  header.setHighlightSections(false);
-  header.setStretchLastSection(false);
-  header.resizeSection(SuspiciousFrameModel::kTime,
-                       kThumbnail.width() + textWidth(*table_, QStringLiteral("1234.567 s___")));
-  for (int column = SuspiciousFrameModel::kScore; column <= SuspiciousFrameModel::kVast; ++column) {
-    const QString title = finder_.model().headerData(column, Qt::Horizontal, Qt::DisplayRole).toString();
-    header.resizeSection(column, textWidth(*table_, title + QStringLiteral("__")));
-  }
-  header.setMinimumSectionSize(40);
-  header.setSectionResizeMode(SuspiciousFrameModel::kClasses, QHeaderView::Stretch);
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
+                          ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
   problem_ = new QLabel(this);
   problem_->setObjectName(QStringLiteral("colorFramesProblem"));

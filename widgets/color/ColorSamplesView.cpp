@@ -16,6 +16,7 @@
 #include <algorithm>
 
 #include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -84,16 +85,8 @@ void ColorSamplesView::createTree() {
   tree_->setEditTriggers(QAbstractItemView::EditKeyPressed);
   tree_->setContextMenuPolicy(Qt::CustomContextMenu);
   tree_->setItemDelegateForColumn(StrokeModel::kRight, new ShareDelegate(StrokeModel::kShareRole, tree_));
-  const std::pair<int, const char*> widths[] = {{StrokeModel::kClass, "thumbnail sky blue"},
-                                                {StrokeModel::kMustNotBe, "Not__"},
-                                                {StrokeModel::kWeight, "Weight_"},
-                                                {StrokeModel::kRight, "Right___"},
-                                                {StrokeModel::kTool, "rectangle"},
-                                                {StrokeModel::kPixels, "Pixels__"},
-                                                {StrokeModel::kImage, "red1/camera/image 12345.678 s"},
-                                                {StrokeModel::kCamera, "Camera__"}};
-  for (const auto& [column, text] : widths)
-    tree_->header()->resizeSection(column, textWidth(*tree_, QLatin1String(text)));
+  using enum ColumnKind;
+  new ColumnFit(*tree_, {kName, kNumber, kNumber, kNumber, kNumber, kNumber, kName, kName, kText});
   hint_ = new EmptyHint(tree_);
   hint_->setHint(tr("There are no strokes yet. Choose a class and draw in the view Colour image."));
 }

@@ -22,6 +22,7 @@
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
 #include "widgets/models/Counted.h"
+#include "widgets/models/Silence.h"
 
 namespace widgets {
 namespace {
@@ -33,9 +34,6 @@ const ViewRegistration kBaseStateViewRegistration{
     {"base-state", QT_TRANSLATE_NOOP("View", "Robot state"),
      QT_TRANSLATE_NOOP("View", "Battery, motors, bumpers, odometry and line of a robot on wheels."),
      "base-state", true, create<BaseStateView>}};
-
-/// s; the base speaks ten times a second.
-constexpr double kStaleAfter = 1.5;
 
 template <typename T>
 const T* newestOf(robotlink::Session& session, const std::string& robot, const char* package) {
@@ -210,10 +208,7 @@ void BaseStateView::tick() {
   const auto* status =
       session().store().latest(robot_ + '/' + robotlink::kLinkStatus.name, session().timeline().shown());
   const double age = status == nullptr ? 0 : robotlink::seconds(session().timeline().shown() - status->time);
-  const auto shown = session().timeline().shown();
-  const auto* told = session().store().latest(robot_ + '/' + robotlink::kDriveState.name, shown);
-  const double stateAge = told == nullptr ? 0 : robotlink::seconds(shown - told->time);
-  const auto staleAge = stateAge > kStaleAfter ? std::optional(stateAge) : std::nullopt;
+  const auto staleAge = baseSilence(session().store(), robot_, session().timeline().shown());
   showAge(staleAge);
   showBase(state, staleAge);
   showMotion(state);
@@ -366,11 +361,15 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
     link_->set("linkGap", status->longest_gap() > 0 ? tr("%1 ms").arg(status->longest_gap() * 1000, 0, 'f', 0)
                                                     : QString());
   }
-  link_->set("linkReconnects", status->reconnects() > 0
-                                   ? counted(status->reconnects(), tr("once"), tr("%1 times"))
-                                   : tr("never"));
+  link_->set("linkReconnects", timesText(status->reconnects()));
   link_->set("linkText", QString::fromStdString(status->text()),
              words.meaning == Meaning::kGood ? Meaning::kMuted : words.meaning);
+}
+
+QString BaseStateView::timesText(std::uint64_t count) {
+  if (count == 0) return tr("never");
+  if (count == 1) return tr("once");
+  return count == 2 ? tr("twice") : tr("%1 times").arg(count);
 }
 
 QJsonObject BaseStateView::saveState() const {

@@ -46,6 +46,7 @@ class BaseStateView final : public View {
   void connectNow();
   /// Greys out what the base said too long ago, and says how long.
   void showAge(std::optional<double> age);
+  static QString timesText(std::uint64_t count);
   void showBase(const robotcontrol::DriveState* state, std::optional<double> staleAge);
   void showMotion(const robotcontrol::DriveState* state);
   void showLink(const robotcontrol::LinkStatus* status, double age);

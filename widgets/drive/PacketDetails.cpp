@@ -2,8 +2,8 @@
 #include "widgets/drive/PacketDetails.h"
 
 #include <QFontDatabase>
-#include <QHeaderView>
 
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/models/Counted.h"
 #include "widgets/models/PacketEntry.h"
@@ -24,10 +24,7 @@ PacketDetails::PacketDetails(QWidget* parent) : QTreeWidget(parent) {
   setHeaderLabels({tr("Field"), tr("Value"), tr("Unit")});
   styleTree(*this);
   setRootIsDecorated(true);
-  header()->setSectionResizeMode(0, QHeaderView::ResizeToContents);
-  header()->setSectionResizeMode(1, QHeaderView::Stretch);
-  header()->setStretchLastSection(false);
-  header()->setSectionResizeMode(2, QHeaderView::ResizeToContents);
+  new ColumnFit(*this, {ColumnKind::kName, ColumnKind::kText, ColumnKind::kNumber});
 }
 
 void PacketDetails::show(const PacketEntry* entry) {

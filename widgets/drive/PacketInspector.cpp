@@ -23,6 +23,7 @@
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
@@ -149,13 +150,9 @@ void PacketInspector::createTable() {
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
   table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
-  table_->horizontalHeader()->setHighlightSections(false);
   table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
-  const QString samples[] = {tr("12345.678"), tr("← robot."), tr("standard information")};
-  for (int column = 0; column < PacketModel::kSummary; ++column)
-    table_->setColumnWidth(column, textWidth(*table_, samples[column]));
-  table_->setColumnWidth(PacketModel::kBytes, textWidth(*table_, tr("Bytes..")));
-  table_->horizontalHeader()->setSectionResizeMode(PacketModel::kSummary, QHeaderView::Stretch);
+  new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kText,
+                          ColumnKind::kNumber});
   hint_ = new EmptyHint(table_);
 }
 

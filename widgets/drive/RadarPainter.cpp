@@ -19,6 +19,7 @@ using robotlink::Vector2;
 
 constexpr double kRingPixels = 44;  // at least, between two rings
 constexpr double kMarkPixels = 26;  // the robot is never smaller
+constexpr double kSilentOpacity = 0.35;
 
 QColor withAlpha(QColor color, double alpha) {
   color.setAlphaF(std::clamp(alpha, 0.0, 1.0));
@@ -216,7 +217,7 @@ void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPale
   QFont font = painter.font();
   font.setBold(true);
   painter.setFont(font);
-  painter.setPen(colorOf(Meaning::kBad, palette));
+  painter.setPen(colorOf(readings.silence ? Meaning::kMuted : Meaning::kBad, palette));
   painter.drawText(QPointF(8, 8 + QFontMetricsF(font).ascent()), troubles.join(QStringLiteral(" · ")));
 }
 
@@ -242,10 +243,13 @@ void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLoo
   painter.setRenderHint(QPainter::Antialiasing);
   const QTransform toWidget = robotToWidget(look, readings.heading);
   paintRings(painter, look, robotToWidget(look, 0), palette);
+  if (readings.silence) painter.setOpacity(kSilentOpacity);
   paintLaser(painter, readings, toWidget, palette);
   paintSonar(painter, readings, look, toWidget, palette);
-  paintMotion(painter, readings, toWidget, palette);
+  // Nobody knows where a robot goes that is not heard.
+  if (!readings.silence) paintMotion(painter, readings, toWidget, palette);
   paintRobot(painter, readings, look, toWidget, palette);
+  painter.setOpacity(1);
   paintTroubles(painter, readings, palette);
   painter.restore();
 }

@@ -20,6 +20,7 @@
 #include "widgets/drive/RadarCanvas.h"
 #include "widgets/models/CurrentDrawings.h"
 #include "widgets/models/DrawingsModel.h"
+#include "widgets/models/Silence.h"
 
 namespace widgets {
 namespace {
@@ -98,6 +99,7 @@ QWidget* RadarView::createToolRow() {
 QWidget* RadarView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "radarTime", tr("Time that is shown"));
+  state_ = addLabel(footer, "radarState", tr("Whether what is shown is old"));
   nearest_ = addLabel(footer, "radarNearest", tr("The nearest things, from sonar and laser"));
   footer->addStretch(1);
   cursor_ = addLabel(footer, "radarCursor", tr("Place under the cursor, seen from the robot"));
@@ -181,6 +183,9 @@ void RadarView::updateStatus() {
       readings.time
           ? tr("%1 s").arg(robotlink::seconds(session().timeline().sinceOrigin(*readings.time)), 0, 'f', 3)
           : QString());
+  const QString silence = silenceText(robots_->robot(session()), readings.silence);
+  state_->setText(silence);
+  state_->setVisible(!silence.isEmpty());
   QStringList nearest;
   if (const auto sonar = readings.nearestSonar()) nearest << tr("sonar %1 m").arg(*sonar, 0, 'f', 2);
   if (const auto laser = readings.nearestLaser()) nearest << tr("laser %1 m").arg(*laser, 0, 'f', 2);

@@ -41,7 +41,7 @@ class RadarView final : public View {
   DrawingsModel* drawings_ = nullptr;
   RadarCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
-  QLabel *time_ = nullptr, *nearest_ = nullptr, *cursor_ = nullptr, *range_ = nullptr;
+  QLabel *time_ = nullptr, *state_ = nullptr, *nearest_ = nullptr, *cursor_ = nullptr, *range_ = nullptr;
   QAction *northUp_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr, *showDrawings_ = nullptr;
   QAction *copy_ = nullptr, *save_ = nullptr;
 };

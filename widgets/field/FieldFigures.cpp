@@ -106,7 +106,8 @@ void paintTrue(QPainter& painter, const FieldFigures& figures, const RobotBelief
 
 void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBelief& belief,
                    const QTransform& toWidget, const QPalette& palette) {
-  const QColor color = estimateColor(figures, belief.team, palette);
+  const QColor color =
+      belief.silent ? colorOf(Meaning::kMuted, palette) : estimateColor(figures, belief.team, palette);
   const double radius = belief.positionDeviation * scaleOf(toWidget);
   const QPointF at = map(toWidget, belief.estimate->translation());
   if (radius > 1) {

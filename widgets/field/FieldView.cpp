@@ -26,6 +26,7 @@
 #include "widgets/models/DrawingsModel.h"
 #include "widgets/models/DriveAims.h"
 #include "widgets/models/ShownMap.h"
+#include "widgets/models/Silence.h"
 #include "widgets/models/WorldDrawings.h"
 
 namespace widgets {
@@ -122,6 +123,7 @@ QWidget* FieldView::createToolRow() {
 QWidget* FieldView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
   time_ = addLabel(footer, "fieldTime", tr("Time that is shown"));
+  state_ = addLabel(footer, "fieldState", tr("What of the picture is old"));
   footer->addStretch(1);
   cursor_ = addLabel(footer, "fieldCursor", tr("Place under the cursor, in the field's frame"));
   zoom_ = addLabel(footer, "fieldZoom", tr("Scale"));
@@ -184,9 +186,10 @@ void FieldView::tick() {
   updateGoals(shownRobots);
   placeNotice_ = noticeOf(shownRobots);
   canvas_->setMovable(scene_.models(), move_->isChecked());
-  canvas_->setContents(
-      figures(shownRobots),
-      worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown));
+  auto drawings =
+      worldDrawings(session(), scene_, shownRobots, robots_->robots(session()), drawings_->shown(), shown);
+  showAge(shownRobots, std::ranges::any_of(drawings, &WorldDrawing::old));
+  canvas_->setContents(figures(shownRobots), std::move(drawings));
   drag_.tick(session());
   updateWanted();
   updateStatus();
@@ -215,6 +218,7 @@ std::vector<RobotBelief> FieldView::beliefs() const {
     if (!drives(belief.robot)) continue;
     const auto& drive = *context().robots.at(belief.robot)->drive;
     belief.body = {drive.length, drive.width};
+    belief.silent = baseSilence(session().store(), belief.robot, session().timeline().shown()).has_value();
   }
   return beliefs;
 }
@@ -290,6 +294,17 @@ QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {
   const auto* base = session().store().latestAs<robotcontrol::DriveState>(
       robot + '/' + robotlink::kDriveState.name, session().timeline().shown());
   return placeNotice(*belief, base, canvas_->map() != nullptr);
+}
+
+void FieldView::showAge(const std::vector<RobotBelief>& beliefs, bool faded) {
+  QStringList old;
+  const auto shown = session().timeline().shown();
+  for (const RobotBelief& belief : beliefs) {
+    if (belief.silent) old << silenceText(belief.robot, baseSilence(session().store(), belief.robot, shown));
+  }
+  if (faded) old << tr("faded: drawn in earlier frames");
+  state_->setText(old.join(QStringLiteral(", ")));
+  state_->setVisible(!old.isEmpty());
 }
 
 void FieldView::updateStatus() {

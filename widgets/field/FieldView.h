@@ -53,6 +53,7 @@ class FieldView final : public View {
   void updateWanted();
   /// What the robot that is chosen needs to find out where it is; empty: nothing.
   QString noticeOf(const std::vector<RobotBelief>& beliefs) const;
+  void showAge(const std::vector<RobotBelief>& beliefs, bool faded);
   void updateStatus();
   void turn();
 
@@ -67,7 +68,7 @@ class FieldView final : public View {
   PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;
-  QLabel *time_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;
+  QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;
   QAction *fit_ = nullptr, *zoomIn_ = nullptr, *zoomOut_ = nullptr, *turn_ = nullptr;
   QAction *move_ = nullptr, *showTrails_ = nullptr, *showDrawings_ = nullptr;
   QAction *copy_ = nullptr, *save_ = nullptr;

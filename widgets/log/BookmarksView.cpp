@@ -10,6 +10,7 @@
 #include <QToolButton>
 
 #include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 
@@ -66,11 +67,7 @@ void BookmarksView::createViews() {
   table_->setFrameShape(QFrame::NoFrame);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto& header = *table_->horizontalHeader();
-  header.setHighlightSections(false);
-  header.setSectionResizeMode(BookmarkModel::kText, QHeaderView::Stretch);
-  header.resizeSection(BookmarkModel::kTime, textWidth(*table_, QStringLiteral("Time [s]____")));
-  header.resizeSection(BookmarkModel::kLength, textWidth(*table_, QStringLiteral("Length [s]__")));
+  new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kName});
   hint_ = new EmptyHint(table_);
 
   auto* row = new QHBoxLayout;

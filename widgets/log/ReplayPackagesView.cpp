@@ -9,6 +9,7 @@
 #include <QTableView>
 
 #include "robotlink/session/Session.h"
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/log/PackageSourceDelegate.h"
@@ -58,14 +59,8 @@ void ReplayPackagesView::createViews() {
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto& header = *table_->horizontalHeader();
-  header.setHighlightSections(false);
-  header.setStretchLastSection(true);
-  const char* texts[] = {"nao/percepts/regions", "recomputed (automatic)", "Compared", "12 + 2 alone",
-                         "First [s]"};
-  for (int column = 0; column < ReplayPackageModel::kLargest; ++column) {
-    header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
-  }
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber,
+                          ColumnKind::kNumber, ColumnKind::kText});
   hint_ = new EmptyHint(table_);
   tasks_ = new QLabel(this);
   tasks_->setObjectName(QStringLiteral("unavailableTasks"));

@@ -8,6 +8,7 @@
 #include <QSortFilterProxyModel>
 #include <QTableView>
 
+#include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
@@ -56,14 +57,8 @@ void StreamsView::createViews() {
   table_->setTextElideMode(Qt::ElideMiddle);
   table_->verticalHeader()->hide();
   table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
-  auto& header = *table_->horizontalHeader();
-  header.setHighlightSections(false);
-  header.setStretchLastSection(true);
-  const char* texts[] = {"____nao/drawings/image/segmentation", "Messages__", "999.9 kB__", "100.0__",
-                         "foxglove.CompressedImage"};
-  for (int column = 0; column < StreamListModel::kLog; ++column) {
-    header.resizeSection(column, textWidth(*table_, QLatin1String(texts[column])));
-  }
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber,
+                          ColumnKind::kName, ColumnKind::kName});
   hint_ = new EmptyHint(table_);
   summary_ = new QLabel(this);
   summary_->setObjectName(QStringLiteral("streamsSummary"));

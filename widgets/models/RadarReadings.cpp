@@ -12,6 +12,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/StreamStore.h"
+#include "widgets/models/Silence.h"
 
 namespace widgets {
 namespace {
@@ -133,6 +134,7 @@ RadarReadings radarReadings(const StreamStore& store, const std::string& robot,
     if (const auto* state = dynamic_cast<const robotcontrol::DriveState*>(message->value.get()))
       addState(readings, *state);
   }
+  readings.silence = baseSilence(store, robot, shown);
   addSonar(readings, store, robot, shown, memory);
   if (readings.openingAngle == 0 && description != nullptr && description->sonars) {
     readings.openingAngle = description->sonars->openingAngle;

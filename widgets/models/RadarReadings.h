@@ -43,6 +43,8 @@ struct RadarReadings {
   double speed = 0, rotation = 0;          ///< m/s, rad/s
   double heading = 0;                      ///< where it looks, as its odometry says
   std::optional<robotlink::Instant> time;  ///< of what is newest; unset: nothing is told
+  /// s since its base said anything: all of this is as old. Unset: it speaks.
+  std::optional<double> silence;
 
   /// The nearest echo of the newest ones and of the laser; unset: nothing is near.
   std::optional<double> nearestSonar() const;

@@ -25,6 +25,8 @@ struct RobotBelief {
   bool selected = false;
   /// Length and width in metres of a robot on wheels; zero: it is a four-legged one.
   robotlink::Vector2 body = robotlink::Vector2::Zero();
+  /// Its base has not been heard for a while: it may be elsewhere by now, and is shown in gray.
+  bool silent = false;
   std::optional<robotlink::Pose2> truth;  ///< known of simulated robots only
   std::optional<robotlink::Pose2> estimate;
   double positionDeviation = 0;

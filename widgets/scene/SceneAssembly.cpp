@@ -2,6 +2,7 @@
 #include "widgets/scene/SceneAssembly.h"
 
 #include "foxglove/Scene.pb.h"
+#include "widgets/models/CurrentDrawings.h"
 
 namespace widgets {
 
@@ -19,7 +20,9 @@ std::vector<SceneBody> SceneAssembly::drawings(const std::vector<WorldDrawing>& 
   std::vector<SceneBody> bodies;
   bodies.reserve(drawings.size());
   for (const WorldDrawing& drawing : drawings) {
-    bodies.push_back({shape(drawingShapes_, drawing.entity, drawing.keep), drawing.frameInField, {}});
+    const auto opacity = static_cast<float>(drawing.old ? kOldDrawingOpacity : 1);
+    bodies.push_back(
+        {shape(drawingShapes_, drawing.entity, drawing.keep), drawing.frameInField, {}, opacity});
   }
   forgetUnused(drawingShapes_);
   return bodies;
@@ -29,7 +32,8 @@ std::vector<SceneLabel> SceneAssembly::labels(const std::vector<SceneBody>& draw
   std::vector<SceneLabel> labels;
   for (const SceneBody& body : drawings) {
     for (const SceneText& text : body.shape->texts) {
-      const QColor color(text.color[0], text.color[1], text.color[2], text.color[3]);
+      QColor color(text.color[0], text.color[1], text.color[2], text.color[3]);
+      color.setAlphaF(color.alphaF() * static_cast<double>(body.opacity));
       labels.push_back(
           {body.inField * text.position, QString::fromStdString(text.text), color, text.size, false});
     }

@@ -20,9 +20,11 @@ struct SceneBody {
   std::shared_ptr<const SceneShape> shape;
   robotlink::Pose3 inField = robotlink::Pose3::Identity();
   std::string model;  ///< that it is part of; empty: it can not be moved and throws no shadow
+  float opacity = 1;  ///< below 1 for drawings of earlier frames
 
   bool operator==(const SceneBody& other) const {
-    return shape == other.shape && model == other.model && inField.matrix() == other.inField.matrix();
+    return shape == other.shape && model == other.model && opacity == other.opacity &&
+           inField.matrix() == other.inField.matrix();
   }
 };
 

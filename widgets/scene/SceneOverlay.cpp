@@ -35,7 +35,8 @@ void paintPlate(QPainter& painter, const QPointF& at, const SceneLabel& label) {
 void paintPlain(QPainter& painter, const QPointF& at, const SceneLabel& label) {
   QPainterPath path;
   path.addText(at, painter.font(), label.text);
-  painter.strokePath(path, QPen(QColor(0, 0, 0, 150), 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
+  const QColor rim(0, 0, 0, 150 * label.color.alpha() / 255);
+  painter.strokePath(path, QPen(rim, 2.5, Qt::SolidLine, Qt::RoundCap, Qt::RoundJoin));
   painter.fillPath(path, label.color);
 }
 

@@ -74,6 +74,10 @@ struct SceneRenderer::State {
   void drawOpaque(const SceneFrame& frame);
   void drawShadows(const SceneFrame& frame);
   void drawDrawings(const SceneFrame& frame);
+  void drawTranslucent(const SceneFrame& frame);
+  void drawLines(const SceneFrame& frame);
+  /// What is solid in drawings of earlier frames: the ground and what is drawn now show through.
+  void drawFaded(const SceneFrame& frame);
   void drawGhosts(const SceneFrame& frame);
   void setMeshDefaults(const SceneFrame& frame);
   void setLight(const SceneLight& light);
@@ -171,6 +175,7 @@ void SceneRenderer::State::prepare(const SceneFrame& frame) {
                                 static_cast<float>(frame.pixelRatio)));
   line.set("pixelsPerMetre",
            static_cast<float>(size.height() / 2 / std::tan(SceneCamera::kVerticalAngle / 2)));
+  line.set("opacity", 1.F);
 }
 
 void SceneRenderer::State::drawSky(const SceneFrame& frame) {
@@ -250,27 +255,54 @@ void SceneRenderer::State::drawShadows(const SceneFrame& frame) {
 void SceneRenderer::State::drawDrawings(const SceneFrame& frame) {
   setMeshDefaults(frame);
   for (const SceneBody& drawing : frame.contents.drawings) {
+    if (drawing.opacity < 1) continue;
     mesh.set("model", Matrix4f(drawing.inField.matrix().cast<float>()));
     uploaded(drawing.shape).opaque.draw();
   }
   glDepthMask(GL_FALSE);
+  drawTranslucent(frame);
+  drawLines(frame);
+  glDepthMask(GL_TRUE);
+  drawFaded(frame);
+}
+
+void SceneRenderer::State::drawTranslucent(const SceneFrame& frame) {
   for (const auto* bodies : {&frame.contents.bodies, &frame.contents.drawings}) {
     setLight(bodies == &frame.contents.bodies ? frame.contents.light : SceneLight());
     for (const SceneBody& body : *bodies) {
       if (body.shape->translucent.empty()) continue;
       mesh.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+      mesh.set("opacity", body.opacity);
       uploaded(body.shape).translucent.draw();
     }
   }
+}
+
+void SceneRenderer::State::drawLines(const SceneFrame& frame) {
   line.use();
   for (const auto* bodies : {&frame.contents.bodies, &frame.contents.drawings}) {
     for (const SceneBody& body : *bodies) {
       if (body.shape->lines.segments.empty()) continue;
       line.set("model", Matrix4f(body.inField.matrix().cast<float>()));
+      line.set("opacity", body.opacity);
       uploaded(body.shape).lines.draw();
     }
   }
-  glDepthMask(GL_TRUE);
+}
+
+void SceneRenderer::State::drawFaded(const SceneFrame& frame) {
+  setMeshDefaults(frame);
+  for (const SceneBody& drawing : frame.contents.drawings) {
+    if (drawing.opacity >= 1 || drawing.shape->opaque.empty()) continue;
+    mesh.set("model", Matrix4f(drawing.inField.matrix().cast<float>()));
+    mesh.set("opacity", drawing.opacity);
+    const GlMesh& solid = uploaded(drawing.shape).opaque;
+    // The depth alone first, so that of each pixel only the nearest surface is mixed in.
+    glColorMask(GL_FALSE, GL_FALSE, GL_FALSE, GL_FALSE);
+    solid.draw();
+    glColorMask(GL_TRUE, GL_TRUE, GL_TRUE, GL_TRUE);
+    solid.draw();
+  }
 }
 
 void SceneRenderer::State::drawGhosts(const SceneFrame& frame) {

@@ -74,6 +74,7 @@ uniform mat4 model;
 uniform mat4 viewProjection;
 uniform vec3 viewport;      // pixels; z: pixels of the device for one of the user's
 uniform float pixelsPerMetre;  // at a distance of 1 m
+uniform float opacity;
 out vec4 surface;
 void main() {
   vec4 a = viewProjection * model * vec4(from, 1.0);
@@ -89,7 +90,7 @@ void main() {
   vec4 at = start ? a : b;
   float pixels = width > 0.0 ? width * viewport.z : max(1.0, -width * pixelsPerMetre / at.w);
   vec2 corner = across * ((gl_VertexID & 1) == 0 ? -1.0 : 1.0) + along * (start ? -0.5 : 0.5);
-  surface = color;
+  surface = vec4(color.rgb, color.a * opacity);
   gl_Position = vec4(at.xy + corner * pixels / viewport.xy * at.w, at.z - 2e-4 * at.w, at.w);
 })";
 

@@ -4,6 +4,7 @@
 #include <QAction>
 #include <QHBoxLayout>
 #include <QJsonArray>
+#include <QLabel>
 #include <QMenu>
 #include <QSplitter>
 #include <QVBoxLayout>
@@ -128,7 +129,10 @@ QWidget* SceneView::createToolRow() {
   row->addWidget(robots_);
   row->addSpacing(6);
   addButtons(row, {reset_, fromAbove_, behind_, follow_});
-  row->addStretch(1);
+  state_ = addLabel(row, "sceneState", tr("Whether drawings of earlier frames are shown"));
+  state_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  state_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  row->setStretchFactor(state_, 1);
   addButtons(row, {move_, wireFrame_, grid_, labels_, zoomOut_, zoomIn_, showDrawings_});
   return row->parentWidget();
 }
@@ -211,8 +215,10 @@ void SceneView::tick() {
 SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   SceneContents contents;
   contents.bodies = assembly_.bodies(scene_);
-  contents.drawings = assembly_.drawings(worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
-                                                       drawings_->shown(), session().timeline().shown()));
+  const auto drawings = worldDrawings(session(), scene_, beliefs, robots_->robots(session()),
+                                      drawings_->shown(), session().timeline().shown());
+  contents.drawings = assembly_.drawings(drawings);
+  showState(std::ranges::any_of(drawings, &WorldDrawing::old));
   contents.ghosts = ghosts(contents.bodies);
   contents.light = sceneLight(session().store().latestAs<robotcontrol::SimulationStatus>(
       robotlink::streams::kSimulation, session().timeline().shown()));
@@ -220,6 +226,12 @@ SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   contents.labels = SceneAssembly::labels(contents.drawings);
   addNames(beliefs, contents.labels);
   return contents;
+}
+
+/// Says nothing where there is no room for all of it.
+void SceneView::showState(bool faded) {
+  const QString text = faded ? tr("faded: drawn in earlier frames") : QString();
+  state_->setText(state_->fontMetrics().horizontalAdvance(text) < state_->width() ? text : QString());
 }
 
 /// The dragged model's bodies, where it is wanted.

@@ -13,6 +13,7 @@
 #include "widgets/scene/SceneCamera.h"
 
 class QAction;
+class QLabel;
 class QSplitter;
 
 namespace robotcontrol {
@@ -53,6 +54,7 @@ class SceneView final : public View {
 
   SceneContents contents(const std::vector<RobotBelief>& beliefs);
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
+  void showState(bool faded);
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
   /// Takes the camera along with the robot.
   void follow();
@@ -73,6 +75,7 @@ class SceneView final : public View {
   DrawingsModel* drawings_ = nullptr;
   SceneCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;
+  QLabel* state_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QAction *reset_ = nullptr, *fromAbove_ = nullptr, *behind_ = nullptr, *follow_ = nullptr;
   QAction *zoomIn_ = nullptr, *zoomOut_ = nullptr;

@@ -189,7 +189,11 @@ class BaseStateViewTest : public QObject {
     world.push("p3at1/link/status", status, 2);
     world.tick(*view);
     QVERIFY(now.isVisible());
-    QCOMPARE(text(*view, "linkReconnects"), QStringLiteral("2 times"));
+    QCOMPARE(text(*view, "linkReconnects"), QStringLiteral("twice"));
+    status.set_reconnects(3);
+    world.push("p3at1/link/status", status, 2.1);
+    world.tick(*view);
+    QCOMPARE(text(*view, "linkReconnects"), QStringLiteral("3 times"));
     click(now);
     QCOMPARE(asked, 1);
   }

@@ -71,6 +71,35 @@ class MapTest : public QObject {
     QVERIFY(!s.isGround(4, 1.5) && s.isGround(4.05, 1.5) && !s.isGround(4, 1.61));
   }
 
+  void aSilentRobotIsGrayAndItsAgeIsTold() {
+    Shown s;
+    s.push("p3at1/drive/state", DriveWorld::state(), 1);
+    robotcontrol::RobotPose pose;
+    robotlink::assign(*pose.mutable_robot_in_field(), robotlink::Pose2{6, 3, 0});
+    s.push("p3at1/models/pose", pose, 1);
+    s.tick(*s.view);
+    auto& told = child<QLabel>(*s.view, "fieldState");
+    QVERIFY(!told.isVisible());
+    const auto colored = [&] {
+      const QImage picture = s.canvas->rendered();
+      const QPoint middle = s.at(6, 3);
+      int saturation = 0;
+      for (int x = -20; x <= 20; ++x)
+        saturation = std::max(saturation, picture.pixelColor(middle.x() + x, middle.y()).saturation());
+      return saturation;
+    };
+    const int heard = colored();
+    s.push("simulation", robotcontrol::SimulationStatus(), 8);
+    s.tick(*s.view);
+    QCOMPARE(told.text(), QStringLiteral("p3at1 last heard 7 s ago"));
+    QVERIFY(told.isVisible());
+    QVERIFY2(colored() < heard, "it may be elsewhere by now");
+    s.push("p3at1/drive/state", DriveWorld::state(), 8.1);
+    s.tick(*s.view);
+    QVERIFY(!told.isVisible());
+    QCOMPARE(colored(), heard);
+  }
+
   void allOfABuildingIsSeenAtFirst() {
     ShownMapView s;
     for (const auto& [x, y] : {std::pair(0.0, 0.0), {8.0, 6.0}})

@@ -124,6 +124,39 @@ class RadarViewTest : public QObject {
     QCOMPARE(child<QLabel>(*view, "radarNearest").text(), QStringLiteral("nearest: sonar 1.50 m"));
   }
 
+  void aSilentRobotIsPaleAndItsAgeIsTold() {
+    DriveWorld world;
+    auto state = DriveWorld::state();
+    state.mutable_velocity()->set_x(0.4);
+    world.push("p3at1/drive/state", state, 1);
+    auto view = world.open<widgets::RadarView>();
+    auto& told = child<QLabel>(*view, "radarState");
+    auto& canvas = child<widgets::RadarCanvas>(*view, "radarCanvas");
+    QVERIFY(!told.isVisible());
+    const QImage heard = canvas.rendered();
+    // Time goes on, the base says nothing.
+    world.push("simulation", robotcontrol::SimulationStatus(), 13);
+    world.tick(*view);
+    QCOMPARE(told.text(), QStringLiteral("p3at1 last heard 12 s ago"));
+    QVERIFY(told.isVisible());
+    QVERIFY(canvas.rendered() != heard);
+    world.push("p3at1/drive/state", state, 13.1);
+    world.tick(*view);
+    QVERIFY(!told.isVisible());
+    QCOMPARE(canvas.rendered(), heard);
+  }
+
+  void nothingOfASilentRobotLooksAsIfItWereNow() {
+    RadarReadings readings;
+    readings.speed = 1;
+    readings.laser = {{2, 1}};
+    const Painted heard(readings);
+    readings.silence = 5;
+    const Painted silent(readings);
+    QVERIFY(silent.colorAt(2, 1).lightness() > heard.colorAt(2, 1).lightness() + 40);
+    QVERIFY(silent.colorAt(0.8, 0) != heard.colorAt(0.8, 0));  // no arrow says where it goes
+  }
+
   void itAsksForItsPackagesOnce() {
     DriveWorld world;
     world.pushKeys({"drive/state", "range/sonar", "range/laser", "models/ball"}, 1);

@@ -1,0 +1,18 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QObject>
+#include <filesystem>
+
+/// What all tests of the window have in common: warnings fail them, resources are those of the source tree,
+/// and each test finds an empty home.
+class WindowTest : public QObject {
+  Q_OBJECT
+ protected:
+  std::filesystem::path home_;
+
+ protected Q_SLOTS:
+  void initTestCase();
+  void init();
+  void cleanupTestCase();
+};
