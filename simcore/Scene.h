@@ -36,6 +36,7 @@ class Scene {
   struct Robot {
     std::string name;         ///< "red1"
     std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
+    std::string team = {};    ///< the color of its team in the scene's palette; empty: the scene names none
   };
 
   /// Reads a world file. `model://NAME` is looked for below the folder of the file and below

@@ -147,7 +147,8 @@ Pose3 wheelLinkPose(const OdeWorld& ode, const OdeWheel& wheel) {
   const dBodyID body = ode.bodies[wheel.body].id;
   const double angle = std::remainder(ode.wheelSides[wheel.side].travel / wheel.radius, 2 * robotlink::kPi);
   return poseOf(dBodyGetPosition(body), dBodyGetRotation(body)) * wheel.linkInBody *
-         Eigen::AngleAxisd(angle, wheel.axisInLink);
+         Eigen::Translation3d(wheel.centerInLink) * Eigen::AngleAxisd(angle, wheel.axisInLink) *
+         Eigen::Translation3d(-wheel.centerInLink);
 }
 
 }  // namespace simcore
