@@ -179,7 +179,8 @@ tl::expected<std::shared_ptr<const Scene>, Errors> Scene::load(const fs::path& f
   implementation.world = std::move(draft.world);
   implementation.groundMap = std::move(draft.map);
   for (const ModelInstance& model : implementation.world.models) {
-    if (!model.type->robot.empty()) implementation.robots.push_back({model.name, model.type->robot});
+    if (!model.type->robot.empty())
+      implementation.robots.push_back({model.name, model.type->robot, model.teamColorName});
     if (model.type->isBall) implementation.balls.push_back(model.name);
   }
   if (const auto* field =

@@ -47,6 +47,12 @@ bool isSimulator(const arcos::ClientSession& session) {
          (configuration != nullptr && configuration->serialNumber == "SIM");
 }
 
+/// " MobileSim (p3at-sh)", if it has told.
+std::string nameOf(const arcos::ClientSession& session) {
+  const auto* identity = session.identity();
+  return identity != nullptr ? " " + identity->name + " (" + identity->subclass + ")" : std::string();
+}
+
 robotcontrol::LinkStatus::State stateOf(const arcos::ClientSession& session) {
   using robotcontrol::LinkStatus;
   switch (session.state()) {
@@ -83,6 +89,7 @@ PioneerDriver::PioneerDriver(robotlink::Process& platform, std::string robot,
 
 void PioneerDriver::lineOpened(Instant now) {
   parser_.clear();
+  lineOpened_ = now;
   session_.linkOpened(now);
 }
 
@@ -181,15 +188,21 @@ void PioneerDriver::followConnection(Instant now) {
 void PioneerDriver::becomeConnected(Instant now) {
   driving_ = false;
   command(CommandId::kSonar, 1, now);
-  if (options_.laser && description_.laser && isSimulator(session_)) {
-    command(CommandId::kLegacyLaserStart,
-            static_cast<int>(std::lround(robotlink::degrees(description_.laser->startAngle))), now);
-    command(CommandId::kLegacyLaserEnd,
-            static_cast<int>(std::lround(robotlink::degrees(description_.laser->endAngle))), now);
-    command(CommandId::kLegacyLaserResolution, 100, now);
-    command(CommandId::kLegacyLaserEnable, 2, now);
-  }
-  if (motorsWanted_ && !held_) command(CommandId::kEnable, 1, now);
+  const bool laser = options_.laser && description_.laser && isSimulator(session_);
+  if (laser) startLaser(now);
+  const bool motors = motorsWanted_ && !held_;
+  if (motors) command(CommandId::kEnable, 1, now);
+  const auto milliseconds = static_cast<long>(std::lround(1000 * robotlink::seconds(now - lineOpened_)));
+  report_ = "The robot" + nameOf(session_) + " was set up in " + std::to_string(milliseconds) +
+            " ms: sonars on, " + (laser ? "laser on, " : "") + "motors " + (motors ? "on." : "off.");
+}
+
+void PioneerDriver::startLaser(Instant now) {
+  const auto degrees = [](double angle) { return static_cast<int>(std::lround(robotlink::degrees(angle))); };
+  command(CommandId::kLegacyLaserStart, degrees(description_.laser->startAngle), now);
+  command(CommandId::kLegacyLaserEnd, degrees(description_.laser->endAngle), now);
+  command(CommandId::kLegacyLaserResolution, 100, now);
+  command(CommandId::kLegacyLaserEnable, 2, now);
 }
 
 /// As the program's newest request says, as long as it is fresh.

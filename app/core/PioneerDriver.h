@@ -5,6 +5,7 @@
 #include <memory>
 #include <span>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "app/core/LinkMeter.h"
@@ -65,6 +66,8 @@ class PioneerDriver {
   std::vector<robotlink::arcos::Packet> takeOutgoing(robotlink::Instant now);
   /// Sends the packages of what came.
   void sendPackages(robotlink::Instant now);
+  /// What a person is to be told of setting the robot up, since the last call; empty: nothing.
+  std::string takeReport() { return std::exchange(report_, {}); }
   /// Tries again at once where it waits before it does.
   void connectNow(robotlink::Instant now) { session_.connectNow(now); }
   /// Ends the connection in good order: motors off, CLOSE.
@@ -79,6 +82,7 @@ class PioneerDriver {
   void use(const robotlink::arcos::Packet& packet, robotlink::Instant now);
   void followConnection(robotlink::Instant now);
   void becomeConnected(robotlink::Instant now);
+  void startLaser(robotlink::Instant now);
   void drive(robotlink::Instant now);
   void command(robotlink::arcos::CommandId id, int argument, robotlink::Instant now);
   void sendStatus(robotlink::Instant now);
@@ -91,7 +95,8 @@ class PioneerDriver {
   LinkMeter meter_;
   bool motorsWanted_;
   std::string otherClient_;
-  robotlink::Instant lastBytes_, requestCame_, commandSent_, statusSent_;
+  std::string report_;
+  robotlink::Instant lineOpened_, lastBytes_, requestCame_, commandSent_, statusSent_;
   int speedMmS_ = 0, rotationDegS_ = 0;  // as commanded last
   bool connected_ = false, held_ = false, driving_ = false;
 

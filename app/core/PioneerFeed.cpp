@@ -6,6 +6,7 @@
 #include "logplayer/Recorder.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace app {
@@ -14,7 +15,32 @@ namespace {
 constexpr std::chrono::milliseconds kStep{10};
 constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
 
+/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+bool isAddress(const std::string& source) {
+  if (source.starts_with("tcp://") || source.starts_with("serial://")) return true;
+  std::error_code ignored;
+  const bool isFile =
+      !source.starts_with("/dev/") && (source.starts_with('/') || std::filesystem::exists(source, ignored));
+  return !isFile && robotlink::arcos::parseUrl(source).has_value();
+}
+
+const PlatformRegistration kPioneerRegistration{
+    {PioneerFeed::kAdapter, "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
+     PlatformTime::kReal, false, isAddress, 2}};
+
 }  // namespace
+
+PlatformOpening PioneerFeed::opening(PioneerOptions options) {
+  // One way to write it, so that the same robot is recognized; what is no address is refused by create().
+  if (const auto url = robotlink::arcos::parseUrl(options.url))
+    options.url = robotlink::arcos::toString(*url);
+  return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
+            PioneerOptions chosen = options;
+            const auto before = context.wishes.find(chosen.robot);
+            if (before != context.wishes.end()) chosen.wishes = before->second;
+            return create(std::move(chosen), context.session, context.recorder);
+          }};
+}
 
 tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
     PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
@@ -29,6 +55,9 @@ PioneerRun::Listeners PioneerFeed::listeners() {
   return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
           [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
             outlet_.tellTrouble(robot, process, text);
+          },
+          [this](const std::string& robot, const std::string& text) {
+            if (run_) outlet_.tellText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
           }};
 }
 
@@ -50,12 +79,12 @@ void PioneerFeed::step() {
   if (real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
 }
 
-robotlink::Result<PlatformFeed::Answer> PioneerFeed::fulfil(const robotcontrol::Request& request) {
-  if (request.robot().empty()) {
-    return robotlink::failure("platform.real", "a real robot is connected, which cannot be asked for this");
-  }
-  if (auto done = run_->request(request); !done) return tl::unexpected(done.error());
-  return PioneerRun::isOfPlatform(request) ? Answer::kHere : Answer::kByProgram;
+robotlink::Result<void> PioneerFeed::requestRobot(const robotcontrol::Request& request) {
+  return run_->request(request);
+}
+
+std::map<std::string, ProgramWishes> PioneerFeed::wishes() const {
+  return {{run_->options().robot, run_->wishes()}};
 }
 
 robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
@@ -69,11 +98,14 @@ robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
 
 LoadedPlatform PioneerFeed::describe() const {
   LoadedPlatform loaded;
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kReal;
+  loaded.sources = {run_->options().url};
+  loaded.title = run_->options().url;
   loaded.lostChoices = run_->lostChoices();
-  loaded.robots[run_->options().robot] = run_->description();
-  loaded.field = run_->field();
+  loaded.robots[run_->options().robot] = run_->robot().description;
+  if (!run_->robot().fieldFile.empty()) loaded.field = run_->robot().field;
   loaded.layout = run_->layout();
-  loaded.pioneer = run_->options();
   return loaded;
 }
 

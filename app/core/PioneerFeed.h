@@ -1,7 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <map>
 #include <memory>
+#include <string>
 
 #include "app/core/Outlet.h"
 #include "app/core/PioneerRun.h"
@@ -13,6 +15,9 @@ namespace app {
 /// must outlive it.
 class PioneerFeed final : public PlatformFeed {
  public:
+  static constexpr const char* kAdapter = "pioneer";
+
+  static PlatformOpening opening(PioneerOptions options);
   static tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> create(PioneerOptions options,
                                                                               robotlink::Session& session,
                                                                               logplayer::Recorder& recorder);
@@ -20,13 +25,18 @@ class PioneerFeed final : public PlatformFeed {
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override { return due_; }
   void step() override;
-  /// STOP acts whatever the program does.
-  robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
   std::shared_ptr<StopSwitch> stopSwitch() const override { return run_->stopSwitch(); }
-  void connectNow() { run_->connectNow(); }
+  /// A robot has one client, and the other platform may want the same one.
+  bool makeWay() override { return false; }
+  std::map<std::string, ProgramWishes> wishes() const override;
+  void connectNow() override { run_->connectNow(); }
+
+ protected:
+  /// STOP acts whatever the program does.
+  robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
 
  private:
   using Clock = PacedThread::Clock;

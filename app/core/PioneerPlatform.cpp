@@ -22,6 +22,11 @@ PioneerPlatform::PioneerPlatform(const robotlink::Clock& clock, std::string robo
       line_(options.address, clock) {}
 
 PioneerPlatform::~PioneerPlatform() {
+  PioneerPlatform::shutDown();
+}
+
+void PioneerPlatform::shutDown() {
+  if (std::exchange(shutDown_, true)) return;
   driver_.end(clock().now());
   sendWaiting();
 }
@@ -52,6 +57,7 @@ void PioneerPlatform::actuate() {
   takeEvents();
   driver_.actuate(stopEngaged(), clock().now());
   sendWaiting();
+  if (const std::string text = driver_.takeReport(); !text.empty()) report(text);
   if (driver_.wantsLine()) {
     line_.open();
   } else {

@@ -20,17 +20,17 @@ class PioneerPlatform final : public robotlink::Platform {
  public:
   PioneerPlatform(const robotlink::Clock& clock, std::string robot,
                   const robotlink::RobotDescription& description, PioneerDriver::Options options);
-  /// Ends the connection in good order: motors off, CLOSE.
   ~PioneerPlatform() override;
 
+  /// Ends the connection in good order: motors off, CLOSE.
+  void shutDown() override;
   void actuate() override;
   /// Stops the robot at once, by the line's own thread: whoever steps this may be held up by a program that
   /// hangs.
   void engageStop(bool engaged) override;
-  bool stopEngaged() const { return stopEngaged_.load(); }
+  bool stopEngaged() const override { return stopEngaged_.load(); }
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
-  /// What a person asks of the base, not of its program.
-  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) {
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override {
     return driver_.control(wish, clock().now());
   }
   /// Does not wait any longer before it tries to connect again.
@@ -45,6 +45,7 @@ class PioneerPlatform final : public robotlink::Platform {
   void sendWaiting();
 
   std::atomic<bool> stopEngaged_{false};
+  bool shutDown_ = false;
   PioneerDriver driver_;
   PioneerLine line_;
 };

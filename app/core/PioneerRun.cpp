@@ -3,14 +3,13 @@
 
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
+#include "app/core/RobotFiles.h"
 #include "app/core/SceneMessages.h"
 #include "app/core/SolutionChoices.h"
-#include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/GroundMap.h"
-#include "robotlink/base/Resources.h"
-#include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
@@ -18,19 +17,11 @@
 namespace app {
 
 using robotlink::Errors;
-using robotlink::RobotProgram;
-
-namespace {
-
-const std::filesystem::path kPioneerFieldFile = "fields/2002.yaml";
-
-}  // namespace
 
 PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder)
     : options_(std::move(options)),
       listeners_(std::move(listeners)),
-      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr),
-      requests_(std::make_unique<ProgramRequests>(options_.robot)) {}
+      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
 
 PioneerRun::~PioneerRun() {
   stop();
@@ -50,99 +41,81 @@ tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOpti
 }
 
 Errors PioneerRun::load() {
-  auto description = robotlink::readRobotDescription(descriptionFile(options_.kind));
-  if (!description) return description.error();
-  description_ = std::make_shared<const robotlink::RobotDescription>(std::move(*description));
-  auto field = robotlink::FieldDescription::load(robotlink::resource(kPioneerFieldFile));
-  if (!field) return field.error();
-  field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
-  if (!options_.map.empty()) {
-    auto map = robotlink::GroundMap::load(options_.map);
-    if (!map) return map.error();
-    map_ = std::make_shared<const robotlink::GroundMap>(std::move(*map));
-  }
-  platform_ = std::make_unique<PioneerPlatform>(
-      clock_, options_.robot, *description_,
-      PioneerDriver::Options{.address = options_.url, .motorsOn = options_.motorsOn});
+  if (Errors errors = describeRobot(); !errors.empty()) return errors;
   if (const auto plain = robotlink::readLayout(layout())) {
     Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
     if (!errors.empty()) return errors;
   }
+  auto platform = std::make_unique<PioneerPlatform>(
+      clock_, options_.robot, robot_->description(),
+      PioneerDriver::Options{.address = options_.url, .motorsOn = options_.motorsOn});
+  platform_ = platform.get();
   stopSwitch_ =
       std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
-  auto program = makeProgram(layout());
+  auto program = makeProgram(std::move(platform), layout());
   if (!program) return program.error();
   if (tap_) tap_->restart();
   start(std::move(*program));
   return {};
 }
 
-std::filesystem::path PioneerRun::layout() const {
-  return !options_.layout.empty() ? options_.layout
-                                  : robotlink::resource("layouts/" + description_->layout + ".yaml");
+Errors PioneerRun::describeRobot() {
+  auto description = readRobot(options_.kind);
+  if (!description) return description.error();
+  const auto use = readUse(options_.kind);
+  if (!use) return use.error();
+  const std::filesystem::path fieldOfKind = fieldFile(use->field);
+  auto field = readField(fieldOfKind);
+  if (!field) return field.error();
+  std::shared_ptr<const robotlink::GroundMap> map;
+  if (!options_.map.empty()) {
+    auto read = robotlink::GroundMap::load(options_.map);
+    if (!read) return read.error();
+    map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
+  }
+  robot_ = std::make_unique<RobotHost>(
+      HostedRobot{options_.robot, use->teamOf(options_.robot), *description, *field, map, fieldOfKind},
+      listeners_, tap_.get(), options_.wishes);
+  return {};
 }
 
-tl::expected<std::unique_ptr<RobotProgram>, Errors> PioneerRun::makeProgram(
-    const std::filesystem::path& file) {
+std::filesystem::path PioneerRun::layout() const {
+  return !options_.layout.empty() ? options_.layout : layoutFile(robot_->description());
+}
+
+tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
+    std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
   auto layout = readLayoutWith(file, options_.solutions);
   if (!layout) return tl::unexpected(layout.error());
-  const robotlink::RobotSetup setup{options_.robot, "red", *description_, field_, map_};
-  auto program = RobotProgram::create(setup, std::move(*layout), *platform_,
-                                      {.folder = robotlink::resource("parameters/" + description_->name)});
-  if (!program) return program;
-  (*program)->debugProcess().setListener([this](auto queue) {
-    requests_->answered(*queue);
-    if (tap_) tap_->add(options_.robot, queue);
-    if (listeners_.queue) listeners_.queue(options_.robot, std::move(queue));
-  });
-  return program;
+  return robot_->make(std::move(platform), file, *layout);
 }
 
-void PioneerRun::start(std::unique_ptr<RobotProgram> program) {
-  program_ = std::move(program);
-  threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-      .onFailed =
-          [this](const auto& process) {
-            tellTrouble(process, "was stopped because it threw: " + process.failure());
-          },
-      .onPriorityRefused =
-          [this](const auto& process, const auto& why) {
-            tellTrouble(process, "runs with normal priority: " + why);
-          }});
-  if (tap_) {
-    const ProgramFiles files{layout(), descriptionFile(options_.kind), robotlink::resource(kPioneerFieldFile),
-                             "threads"};
-    tap_->attach(options_.robot, *platform_, *program_, programSetup(*program_, *platform_, files));
-    if (map_) tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*map_, clock_.now())});
-  }
-  lostChoices_ = requests_->begin(*program_);
-  handIn();
-  for (robotlink::Process* process : program_->processes()) threads_->add(*process);
-  threads_->start();
+void PioneerRun::start(RobotHost::Candidate program) {
+  robot_->adopt(std::move(program));
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      .kind = ExecutorKind::kThreads,
+      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); }});
+  lostChoices_ = robot_->begin(*executor_);
+  if (const auto& known = map(); known && tap_)
+    tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*known, clock_.now())});
+  executor_->start();
 }
 
 void PioneerRun::stop() {
-  threads_.reset();
-  if (program_) program_->stop();
-  program_.reset();
-}
-
-void PioneerRun::tellTrouble(const robotlink::Process& process, const std::string& text) const {
-  if (listeners_.trouble)
-    listeners_.trouble(options_.robot, process, "Process " + process.name() + " " + text);
+  executor_.reset();
+  if (robot_) robot_->stop();
 }
 
 void PioneerRun::step() {
+  robot_->enqueueRequests();
   if (tap_) tap_->askForPackages();
-  platform_->tryBeginFrame();
-  platform_->guard([&] { platform_->actuate(); });
-  platform_->runFrame();
-  threads_->clockAdvanced();
+  executor_->step();
+  robot_->reportPlatform();
   if (tap_) tap_->endStep();
 }
 
 Errors PioneerRun::setLayout(const std::filesystem::path& file) {
-  auto program = makeProgram(file);
+  auto program = makeProgram(nullptr, file);
   if (!program) return program.error();
   stop();
   options_.layout = file;
@@ -150,35 +123,10 @@ Errors PioneerRun::setLayout(const std::filesystem::path& file) {
   return {};
 }
 
-bool PioneerRun::isOfPlatform(const robotcontrol::Request& request) {
-  return request.has_stop() || request.has_control_drive();
-}
-
 robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request) {
-  if (request.robot() != options_.robot) {
-    return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
-                              {request.robot()});
-  }
-  if (request.has_stop()) {
-    platform_->engageStop(request.stop().engaged());
-    return {};
-  }
-  if (request.has_control_drive()) return platform_->control(request.control_drive());
-  if (requests_->ask(request) && handIn()) return {};
-  return robotlink::failure("request.queue-full",
-                            options_.robot + " does not take requests now: too many wait already", {},
-                            {options_.robot});
-}
-
-/// False: too many wait, some were dropped.
-bool PioneerRun::handIn() {
-  bool taken = true;
-  for (const auto& request : requests_->take()) {
-    const bool accepted = program_->debugProcess().request(request);
-    if (accepted && tap_) tap_->handedIn(request);
-    taken = taken && accepted;
-  }
-  return taken;
+  if (request.robot() == options_.robot) return robot_->request(request);
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
+                            {request.robot()});
 }
 
 }  // namespace app

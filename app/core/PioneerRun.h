@@ -8,9 +8,8 @@
 #include <string>
 
 #include "app/core/PioneerPlatform.h"
-#include "app/core/ProgramRequests.h"
+#include "app/core/RobotHost.h"
 #include "app/core/StopSwitch.h"
-#include "robotlink/process/ThreadExecutor.h"
 
 namespace logplayer {
 class Recorder;
@@ -37,8 +36,9 @@ struct PioneerOptions {
   std::filesystem::path layout = {};  ///< empty: that of its kind
   std::filesystem::path map = {};     ///< of where it drives; empty: it knows none
   std::map<std::string, std::string> solutions =
-      {};                 ///< task -> solution at the start, instead of the layout's
-  bool motorsOn = false;  ///< as soon as it is connected
+      {};                     ///< task -> solution at the start, instead of the layout's
+  bool motorsOn = false;      ///< as soon as it is connected
+  ProgramWishes wishes = {};  ///< what a person chose for it while it was connected before
 };
 
 /// A Pioneer at the far end of a line with its program, which runs here: one thread for each of its
@@ -49,12 +49,7 @@ struct PioneerOptions {
 /// goes. One thread at a time; listeners are called in the processes' threads.
 class PioneerRun {
  public:
-  struct Listeners {
-    std::function<void(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue>)> queue;
-    /// A process was stopped, or could not get its priority.
-    std::function<void(const std::string& robot, const robotlink::Process& process, const std::string& text)>
-        trouble;
-  };
+  using Listeners = RobotHost::Listeners;
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
   static tl::expected<std::unique_ptr<PioneerRun>, robotlink::Errors> create(
@@ -71,8 +66,6 @@ class PioneerRun {
   robotlink::Result<void> request(const robotcontrol::Request& request);
   /// A connection that was lost is sought again at once; the program goes on.
   void connectNow() { platform_->connectNow(); }
-  /// Whether the platform fulfils such a request itself.
-  static bool isOfPlatform(const robotcontrol::Request& request);
 
   /// Stops the robot whatever the other threads do; not null.
   std::shared_ptr<StopSwitch> stopSwitch() const { return stopSwitch_; }
@@ -82,33 +75,28 @@ class PioneerRun {
   std::filesystem::path layout() const;
   const robotlink::Clock& clock() const { return clock_; }
   const PioneerPlatform& platform() const { return *platform_; }
-  std::shared_ptr<const robotlink::RobotDescription> description() const { return description_; }
-  std::shared_ptr<const robotlink::FieldDescription> field() const { return field_; }
-  std::shared_ptr<const robotlink::GroundMap> map() const { return map_; }
+  const HostedRobot& robot() const { return robot_->robot(); }
+  ProgramWishes wishes() const { return robot_->wishes(); }
+  std::shared_ptr<const robotlink::GroundMap> map() const { return robot().map; }
 
  private:
   PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
-  tl::expected<std::unique_ptr<robotlink::RobotProgram>, robotlink::Errors> makeProgram(
-      const std::filesystem::path& file);
-  void start(std::unique_ptr<robotlink::RobotProgram> program);
+  robotlink::Errors describeRobot();
+  tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(
+      std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file);
+  void start(RobotHost::Candidate program);
   void stop();
-  void tellTrouble(const robotlink::Process& process, const std::string& text) const;
-  bool handIn();
 
   PioneerOptions options_;
   Listeners listeners_;
   robotlink::SteadyClock clock_;
-  std::shared_ptr<const robotlink::RobotDescription> description_;
-  std::shared_ptr<const robotlink::FieldDescription> field_;
-  std::shared_ptr<const robotlink::GroundMap> map_;
-  std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
-  std::unique_ptr<ProgramRequests> requests_;
+  std::unique_ptr<RecordingTap> tap_;    // null: there is no recorder
+  PioneerPlatform* platform_ = nullptr;  // the robot's
+  std::unique_ptr<RobotHost> robot_;
   std::vector<std::string> lostChoices_;
-  std::unique_ptr<PioneerPlatform> platform_;
   std::shared_ptr<StopSwitch> stopSwitch_;
-  std::unique_ptr<robotlink::RobotProgram> program_;
-  std::unique_ptr<robotlink::ThreadExecutor> threads_;
+  std::unique_ptr<ProgramExecutor> executor_;
 };
 
 }  // namespace app

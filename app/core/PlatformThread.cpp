@@ -1,10 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
-#include "app/core/PioneerFeed.h"
-#include "app/core/ReplayFeed.h"
 #include "app/core/ReplayMoves.h"
-#include "app/core/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
@@ -36,6 +33,10 @@ LoadedPlatform PlatformThread::describe() const {
 }
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
+  if (feed_) {
+    const LoadedPlatform before = feed_->describe();
+    ended_ = {before.adapter, before.sources, feed_->wishes()};
+  }
   feed_.reset();  // What it still tells must not get into the next one's history.
   recorder_.setLive(dynamic_cast<const ReplayFeed*>(feed.get()) == nullptr);
   feed_ = std::move(feed);
@@ -48,34 +49,23 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
   });
 }
 
-void PlatformThread::load(RunOptions options, LoadHandler handler) {
-  postOther([this, options = std::move(options), handler = std::move(handler)] {
-    auto* before = dynamic_cast<SimulationFeed*>(feed_.get());
-    if (before != nullptr) before->closePorts();
-    auto feed = SimulationFeed::create(options, session_, recorder_);
+void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
+  postOther([this, opening = std::move(opening), handler = std::move(handler)] {
+    const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
+    if (sameKind && !feed_->makeWay()) start(nullptr);
+    PlatformContext context{session_, recorder_};
+    if (feed_ == nullptr && ended_.adapter == opening.adapter && ended_.sources == opening.sources)
+      context.wishes = ended_.wishes;
+    auto feed = opening.make(context);
     if (!feed) {
       robotlink::Errors errors = feed.error();
-      if (before != nullptr) {
-        if (auto opened = before->openPorts(); !opened) errors.push_back(opened.error());
+      if (sameKind && feed_) {
+        for (robotlink::Error& error : feed_->goOn()) errors.push_back(std::move(error));
       }
       handler(tl::unexpected(std::move(errors)));
       return;
     }
-    if (before != nullptr) (*feed)->goOnLike(*before);
-    start(std::move(*feed));
-    handler(describe());
-  });
-}
-
-void PlatformThread::connect(PioneerOptions options, LoadHandler handler) {
-  postOther([this, options = std::move(options), handler = std::move(handler)] {
-    // Its line may be the one that runs now, and a robot has one client.
-    if (dynamic_cast<const PioneerFeed*>(feed_.get()) != nullptr) start(nullptr);
-    auto feed = PioneerFeed::create(options, session_, recorder_);
-    if (!feed) {
-      handler(tl::unexpected(feed.error()));
-      return;
-    }
+    if (sameKind && feed_) (*feed)->goOnLike(feed_->going());
     start(std::move(*feed));
     handler(describe());
   });
@@ -83,42 +73,24 @@ void PlatformThread::connect(PioneerOptions options, LoadHandler handler) {
 
 void PlatformThread::connectNow() {
   postOther([this] {
-    if (auto* feed = dynamic_cast<PioneerFeed*>(feed_.get())) feed->connectNow();
+    if (feed_) feed_->connectNow();
   });
 }
 
-void PlatformThread::open(ReplayOptions options, LoadHandler handler) {
-  postOther([this, options = std::move(options), handler = std::move(handler)] {
-    auto feed = ReplayFeed::create(options, session_, recorder_);
-    if (!feed) {
-      handler(tl::unexpected(feed.error()));
-      return;
-    }
-    start(std::move(*feed));
-    handler(describe());
-  });
-}
-
-void PlatformThread::addLog(ReplayLog log, logplayer::LogFile::Progress progress, LoadHandler handler) {
-  postOther([this, log = std::move(log), progress = std::move(progress), handler = std::move(handler)] {
-    const auto* before = dynamic_cast<const ReplayFeed*>(feed_.get());
-    if (before == nullptr) {
-      handler(tl::unexpected(
-          robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}}));
-      return;
-    }
-    ReplayOptions options = before->options();
-    options.logs.push_back(log);
-    options.progress = progress;
-    auto feed = ReplayFeed::create(std::move(options), session_, recorder_, before->now());
-    if (!feed) {
-      handler(tl::unexpected(feed.error()));
-      return;
-    }
-    (*feed)->goOnLike(*before);
-    start(std::move(*feed));
-    handler(describe());
-  });
+void PlatformThread::addLog(std::filesystem::path file, robotlink::Duration offset,
+                            logplayer::LogFile::Progress progress, LoadHandler handler) {
+  postOther(
+      [this, file = std::move(file), offset, progress = std::move(progress), handler = std::move(handler)] {
+        PlatformOpening::Made feed = tl::unexpected(
+            robotlink::Errors{{"replay.none", "no log is open that this one could be added to", {}, {}}});
+        if (feed_) feed = feed_->withLog(file, offset, progress);
+        if (!feed) {
+          handler(tl::unexpected(feed.error()));
+          return;
+        }
+        start(std::move(*feed));
+        handler(describe());
+      });
 }
 
 void PlatformThread::setLayout(std::filesystem::path file, LoadHandler handler) {

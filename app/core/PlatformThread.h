@@ -2,8 +2,10 @@
 #pragma once
 
 #include <functional>
+#include <map>
 #include <memory>
 #include <mutex>
+#include <string>
 #include <vector>
 
 #include "app/core/PacedThread.h"
@@ -30,15 +32,12 @@ class PlatformThread {
 
   PlatformThread(robotlink::Session& session, logplayer::Recorder& recorder);
 
-  void load(RunOptions options, LoadHandler handler);
-  /// A real robot, or one of another simulator; whether it answers is told on the stream link/status.
-  void connect(PioneerOptions options, LoadHandler handler);
-  /// Where such a robot is not connected, tries it again at once.
+  void open(PlatformOpening opening, LoadHandler handler);
+  /// Where a robot at the end of a line is not connected, tries it again at once.
   void connectNow();
-  /// Paused, at the first image.
-  void open(ReplayOptions options, LoadHandler handler);
   /// One more to the logs that are open; what was chosen for those stays.
-  void addLog(ReplayLog log, logplayer::LogFile::Progress progress, LoadHandler handler);
+  void addLog(std::filesystem::path file, robotlink::Duration offset, logplayer::LogFile::Progress progress,
+              LoadHandler handler);
   void setLayout(std::filesystem::path file, LoadHandler handler);
   /// Nothing runs then.
   void close(LoadHandler handler);
@@ -48,6 +47,12 @@ class PlatformThread {
 
  private:
   struct Asked;
+  /// What was open last, for when it is opened again.
+  struct Ended {
+    std::string adapter;
+    std::vector<std::string> sources;
+    std::map<std::string, ProgramWishes> wishes;  // by the robots' names
+  };
   void start(std::unique_ptr<PlatformFeed> feed);
   LoadedPlatform describe() const;
   void fulfil(const robotcontrol::Request& request, const std::vector<std::uint64_t>& ids);
@@ -56,6 +61,7 @@ class PlatformThread {
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PlatformFeed> feed_;  // the platform's thread only; null: nothing runs
+  Ended ended_;                         // the platform's thread only
 
   std::mutex mutex_;                        // protects newest_ and stopSwitch_
   std::shared_ptr<StopSwitch> stopSwitch_;  // of the robot that runs; null: none

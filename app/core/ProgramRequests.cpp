@@ -3,6 +3,7 @@
 
 #include <algorithm>
 
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RobotProgram.h"
 
 namespace app {
@@ -19,40 +20,10 @@ bool isOwn(const Request& request) {
   return (request.id() & kOwnIds) != 0;
 }
 
-/// Whether both ask for another value of the same thing.
-bool setTheSame(const Request& a, const Request& b) {
-  if (a.what_case() != b.what_case()) return false;
-  switch (a.what_case()) {
-    case Request::kSetKey:
-      return a.set_key().name() == b.set_key().name();
-    case Request::kSelectSolution:
-      return a.select_solution().task() == b.select_solution().task();
-    case Request::kSetParameters:
-      return a.set_parameters().task() == b.set_parameters().task() &&
-             a.set_parameters().solution() == b.set_parameters().solution();
-    case Request::kSetColorTable:
-      return true;
-    default:
-      return false;
-  }
-}
-
 /// What was chosen, for a sentence; empty: nothing that a person would miss.
-std::string inWords(const Request& request) {
-  switch (request.what_case()) {
-    case Request::kSelectSolution:
-      return "solution " + request.select_solution().solution() + " of task " +
-             request.select_solution().task();
-    case Request::kSetParameters: {
-      const auto& wish = request.set_parameters();
-      return "the parameters of " + wish.task() +
-             (wish.solution().empty() ? "" : ", solution " + wish.solution());
-    }
-    case Request::kSetColorTable:
-      return "the color table that was sent";
-    default:
-      return {};
-  }
+std::string choiceOf(const Request& request) {
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  return kind.choice != nullptr ? kind.choice(request) : std::string();
 }
 
 }  // namespace
@@ -68,7 +39,7 @@ std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program
   for (Request& request : wishes_.requests(robot_)) {
     if (const std::string why = preview.add(request); why.empty()) {
       addOwn(std::move(request));
-    } else if (const std::string what = inWords(request); !what.empty()) {
+    } else if (const std::string what = choiceOf(request); !what.empty()) {
       lost.push_back(robot_ + " could not keep " + what + ": " + why);
     }
   }
@@ -85,7 +56,7 @@ void ProgramRequests::addOwn(Request request) {
 /// behind.
 bool ProgramRequests::replacesLast(const Request& request) const {
   return !open_.empty() && open_.back().told && !open_.back().handed &&
-         setTheSame(open_.back().request, request);
+         robotlink::setTheSame(open_.back().request, request);
 }
 
 bool ProgramRequests::ask(const Request& request) {
@@ -96,16 +67,15 @@ bool ProgramRequests::ask(const Request& request) {
   return true;
 }
 
-std::vector<Request> ProgramRequests::take() {
+void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
   const std::lock_guard lock(mutex_);
-  std::vector<Request> taken;
   for (Open& open : open_) {
-    if (std::exchange(open.handed, true)) continue;
-    taken.push_back(open.request);
+    if (open.handed) continue;
+    if (!give(open.request)) break;
+    open.handed = true;
     if (open.request.id() == 0) wishes_.note(open.request);  // Nobody will know the answer.
   }
-  std::erase_if(open_, [](const Open& open) { return open.request.id() == 0; });
-  return taken;
+  std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
 }
 
 void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {

@@ -2,6 +2,7 @@
 #pragma once
 
 #include <deque>
+#include <functional>
 #include <memory>
 #include <mutex>
 #include <optional>
@@ -25,20 +26,22 @@ namespace app {
 /// until they are handed to it, those that it has not answered yet, and what was accepted and shall hold for
 /// the next program, too.
 ///
-/// ask(), take() and answered() may be called from any thread; the others while no process of the program
+/// ask(), hand() and answered() may be called from any thread; the others while no process of the program
 /// runs.
 class ProgramRequests {
  public:
-  explicit ProgramRequests(std::string robot) : robot_(std::move(robot)) {}
+  explicit ProgramRequests(std::string robot, ProgramWishes wishes = {})
+      : robot_(std::move(robot)), wishes_(std::move(wishes)) {}
 
-  /// A program was made that has not run yet, in the place of the one before, if there was one: take() gives
-  /// what a person chose so far, and what was asked and not yet answered. Returns a sentence for each choice
-  /// that this program cannot fulfill.
+  /// A program was made that has not run yet, in the place of the one before, if there was one: hand() gives
+  /// it what a person chose so far, and what was asked and not yet answered. Returns a sentence for each
+  /// choice that this program cannot fulfill.
   std::vector<std::string> begin(robotlink::RobotProgram& program);
   /// False: too many wait already.
   bool ask(const robotcontrol::Request& request);
-  /// What is to be handed to the program now.
-  std::vector<robotcontrol::Request> take();
+  /// Gives the program what it was not handed yet, in order, until it takes no more; the rest waits for the
+  /// next time. `give` must not call this object.
+  void hand(const std::function<bool(const robotcontrol::Request&)>& give);
   /// The program has told this.
   void answered(const robotcontrol::DebugQueue& queue);
   /// The program has run: what it would do is to be found anew.

@@ -23,7 +23,9 @@ std::string nameOf(const std::filesystem::path& file) {
   return (shipped ? relative : file).generic_string();
 }
 
+/// Without a file nothing is filled in.
 void fill(ProgramSetup::File& to, const std::filesystem::path& file) {
+  if (file.empty()) return;
   to.set_name(nameOf(file));
   if (auto text = robotlink::readFile(file)) to.set_text(std::move(*text));
 }
@@ -91,10 +93,6 @@ bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& 
 }
 
 }  // namespace
-
-std::filesystem::path descriptionFile(const std::string& kind) {
-  return robotlink::resource("robots/" + kind + ".yaml");
-}
 
 tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
     const std::filesystem::path& file, const std::map<std::string, std::string>& solutions) {

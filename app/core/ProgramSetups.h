@@ -21,12 +21,9 @@ namespace app {
 struct ProgramFiles {
   std::filesystem::path layout;
   std::filesystem::path description;  ///< of the robot
-  std::filesystem::path field;
-  std::string executor;  ///< "lockstep" or "threads"
+  std::filesystem::path field;        ///< empty: its program knows none
+  std::string executor;               ///< "lockstep" or "threads"
 };
-
-/// The file that describes a kind of robot, such as "nao".
-std::filesystem::path descriptionFile(const std::string& kind);
 
 /// A layout with other solutions than its own for some tasks, by their names.
 tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(

@@ -1,12 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/ProgramWishes.h"
 
+#include "robotlink/debugging/RequestKinds.h"
+
 namespace app {
 
 using robotcontrol::KeyMode;
 using robotcontrol::Request;
 
 bool ProgramWishes::note(const Request& request) {
+  if (!robotlink::kindOf(request).isOverride) return false;
   switch (request.what_case()) {
     case Request::kSetKey:
       noteKey(request.set_key());

@@ -6,6 +6,7 @@
 
 #include "logplayer/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/config/FieldDescription.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Packages.h"
 #include "robotlink/process/Process.h"
@@ -20,6 +21,11 @@ using robotlink::Result;
 
 constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
+/// What nothing else opens is a log, or is told to be none.
+const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one time line",
+                                          PlatformTime::kLogged, true,
+                                          [](const std::string&) { return true; }, 3}};
+
 /// The images of the robot by which the log is stepped.
 std::string imagesOf(const ReplayRun& run) {
   const std::string& process = run.stepProcess();
@@ -27,6 +33,25 @@ std::string imagesOf(const ReplayRun& run) {
 }
 
 }  // namespace
+
+PlatformOpening ReplayFeed::opening(ReplayOptions options) {
+  std::vector<std::string> sources;
+  for (const ReplayLog& log : options.logs) sources.push_back(log.file.string());
+  return {kAdapter, std::move(sources), [options](const PlatformContext& context) -> PlatformOpening::Made {
+            return create(options, context.session, context.recorder);
+          }};
+}
+
+PlatformOpening::Made ReplayFeed::withLog(const std::filesystem::path& file, robotlink::Duration offset,
+                                          const logplayer::LogFile::Progress& progress) const {
+  ReplayOptions more = options();
+  more.logs.push_back({file, offset});
+  more.progress = progress;
+  auto feed = create(std::move(more), session_, recorder_, now());
+  if (!feed) return tl::unexpected(feed.error());
+  (*feed)->playLike(*this);
+  return feed;
+}
 
 tl::expected<std::unique_ptr<ReplayFeed>, Errors> ReplayFeed::create(ReplayOptions options,
                                                                      robotlink::Session& session,
@@ -59,7 +84,7 @@ Playback::Place ReplayFeed::place() const {
   return {run_->now(), run_->begin(), run_->end(), run_->nextTime()};
 }
 
-void ReplayFeed::goOnLike(const ReplayFeed& before) {
+void ReplayFeed::playLike(const ReplayFeed& before) {
   playback_ = before.playback_;
   playback_.jumped(Clock::now(), place());
   run_->setStepProcess(before.run_->stepProcess());
@@ -172,9 +197,14 @@ Errors ReplayFeed::setLayout(const std::filesystem::path& file) {
 LoadedPlatform ReplayFeed::describe() const {
   LoadedPlatform loaded;
   for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
-  loaded.field = run_->field();
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kLogged;
+  for (const ReplayLog& log : run_->options().logs) {
+    loaded.sources.push_back(log.file.string());
+    loaded.title += (loaded.title.empty() ? "" : " + ") + log.file.filename().string();
+  }
+  if (const auto field = run_->field(); field && !field->name.empty()) loaded.field = field;
   loaded.layout = run_->options().layout;
-  loaded.logs = run_->options().logs;
   loaded.lostChoices = run_->lostChoices();
   return loaded;
 }

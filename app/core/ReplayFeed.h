@@ -10,6 +10,7 @@
 #include "app/core/Outlet.h"
 #include "app/core/PlatformFeed.h"
 #include "app/core/Playback.h"
+#include "app/core/ReplayRun.h"
 #include "robotcontrol/Requests.pb.h"
 
 namespace app {
@@ -22,24 +23,32 @@ namespace app {
 /// shown at once: the programs run again up to where the log stands.
 class ReplayFeed final : public PlatformFeed {
  public:
+  static constexpr const char* kAdapter = "log";
+
+  static PlatformOpening opening(ReplayOptions options);
   /// Paused: at `time`, or, if that is not given, at the first image.
   static tl::expected<std::unique_ptr<ReplayFeed>, robotlink::Errors> create(
       ReplayOptions options, robotlink::Session& session, logplayer::Recorder& recorder,
       std::optional<robotlink::Instant> time = {});
-  /// Plays as another one did that it takes the place of; both have logs in common.
-  void goOnLike(const ReplayFeed& before);
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
   void step() override;
-  robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+  PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
+                                const logplayer::LogFile::Progress& progress) const override;
+  std::map<std::string, ProgramWishes> wishes() const override { return run_->wishes(); }
 
   robotlink::Instant now() const { return run_->now(); }
   /// With what was chosen since.
   ReplayOptions options() const;
+
+ protected:
+  robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
+  robotlink::Result<void> requestReplay(const robotcontrol::Request& request) override;
 
  private:
   using Clock = PacedThread::Clock;
@@ -48,6 +57,8 @@ class ReplayFeed final : public PlatformFeed {
   ReplayFeed(robotlink::Session& session, logplayer::Recorder& recorder)
       : session_(session), recorder_(recorder), outlet_(session, &recorder) {}
   ReplayRun::Listeners listeners();
+  /// Plays as another one did that it takes the place of; both have logs in common.
+  void playLike(const ReplayFeed& before);
   Playback::Place place() const;
   robotlink::Instant firstImage() const;
   /// That something failed for which nobody asked just now; it is paused.
@@ -61,7 +72,6 @@ class ReplayFeed final : public PlatformFeed {
   robotlink::Result<void> control(const robotcontrol::ControlReplay& control);
   robotlink::Result<void> set(const robotcontrol::ControlReplay& control);
   robotlink::Result<void> change(const robotcontrol::ControlReplay& control);
-  robotlink::Result<void> askProgram(const robotcontrol::Request& request);
   robotlink::Result<void> act(const robotcontrol::ControlReplay& control);
   robotlink::Result<void> play();
   bool leads(robotlink::Instant to, int count) const;

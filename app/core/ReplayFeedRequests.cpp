@@ -21,22 +21,17 @@ Instant instantOf(std::int64_t time) {
 
 }  // namespace
 
-Result<PlatformFeed::Answer> ReplayFeed::fulfil(const robotcontrol::Request& request) {
-  Result<void> done;
-  if (request.has_control_replay()) {
-    done = control(request.control_replay());
-  } else if (request.has_control_simulation() || request.has_place_model() || request.has_set_lighting()) {
-    done = failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
-  } else if (request.has_stop()) {
-    done = failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");
-  } else {
-    done = askProgram(request);
-  }
-  if (!done) return tl::unexpected(done.error());
-  return request.robot().empty() ? Answer::kHere : Answer::kByProgram;
+Result<void> ReplayFeed::requestReplay(const robotcontrol::Request& request) {
+  return control(request.control_replay());
 }
 
-Result<void> ReplayFeed::askProgram(const robotcontrol::Request& request) {
+Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request&) {
+  return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
+}
+
+Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
+  if (request.has_stop())
+    return failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");
   auto done = run_->request(request);
   if (!done || request.has_record_packages()) return done;
   stale_ = true;

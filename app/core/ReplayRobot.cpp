@@ -6,7 +6,6 @@
 #include "app/core/ColorTables.h"
 #include "app/core/ProgramSetups.h"
 #include "app/core/ReplayRobotProgram.h"
-#include "app/core/SimulatedPlatform.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/debugging/RegisteredTasks.h"
@@ -99,7 +98,7 @@ Errors ReplayRobot::readSetupAt(Instant time) {
   }
   for (const auto& [solution, values] : choices_.wishes.parameters())
     setup->parameters.recorded.push_back(values);
-  if (setup->team.empty()) setup->team = teamOf(logName_);
+  if (setup->team.empty()) setup->team = setup->use.teamOf(logName_);
   setup->map = loggedMapAt(time);
   setup_ = std::make_shared<const ReplaySetup>(std::move(*setup));
   loggedSetup_ = std::move(logged);

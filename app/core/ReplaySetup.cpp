@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/ReplaySetup.h"
 
+#include "app/core/RobotFiles.h"
 #include "robotlink/base/AtomicFile.h"
-#include "robotlink/base/Resources.h"
 
 namespace app {
 
@@ -14,8 +14,8 @@ using robotlink::RobotDescription;
 
 namespace {
 
-constexpr char kFieldFile[] = "fields/2002.yaml";
-constexpr char kRobotFile[] = "robots/ers210.yaml";
+/// What a robot is taken for whose log does not tell.
+constexpr char kRobotOfOldLogs[] = "ers210";
 
 /// The log's, if it has one and no other is wished for, else one on the disk.
 tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged,
@@ -29,15 +29,23 @@ tl::expected<ProgramSetup::File, Errors> fileOf(const ProgramSetup::File* logged
   return read;
 }
 
-/// The one that a robot has unless another is chosen.
-std::filesystem::path shippedLayout(const ProgramSetup::File& description) {
-  const auto robot = robotlink::parseRobotDescription(description.text(), description.name());
-  return robotlink::resource("layouts/" + (robot ? robot->layout : RobotDescription().layout) + ".yaml");
+/// One that cannot be read is told of later.
+RobotDescription described(const ProgramSetup::File& description) {
+  auto robot = robotlink::parseRobotDescription(description.text(), description.name());
+  return robot ? std::move(*robot) : RobotDescription();
+}
+
+/// Descriptions in older logs do not say it; then the shipped one of that name does, if there is one.
+robotlink::RobotUse useOf(const ProgramSetup::File& description, const std::string& kind) {
+  auto use = robotlink::parseRobotUse(description.text(), description.name());
+  const bool says = use && (!use->teams.empty() || !use->field.empty());
+  if (!says) use = readUse(kind);
+  return use ? std::move(*use) : robotlink::RobotUse();
 }
 
 tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std::string& robot,
                                            const std::filesystem::path& layout) {
-  const auto own = robotlink::resource("robots/" + robot + ".yaml");
+  const auto own = descriptionFile(robot);
   std::error_code error;
   const bool known = robot.find('/') == std::string::npos && std::filesystem::exists(own, error);
   ProgramSetup files;
@@ -48,11 +56,15 @@ tl::expected<ProgramSetup, Errors> filesOf(const ProgramSetup* logged, const std
     return read ? Errors{} : read.error();
   };
   const Errors ofRobot = take(logged != nullptr ? &logged->description() : nullptr,
-                              known ? own : robotlink::resource(kRobotFile), files.mutable_description());
+                              known ? own : descriptionFile(kRobotOfOldLogs), files.mutable_description());
+  const RobotDescription kind = described(files.description());
   Errors errors = take(logged != nullptr && layout.empty() ? &logged->layout() : nullptr,
-                       layout.empty() ? shippedLayout(files.description()) : layout, files.mutable_layout());
-  const Errors ofField = take(logged != nullptr ? &logged->field() : nullptr, robotlink::resource(kFieldFile),
-                              files.mutable_field());
+                       layout.empty() ? layoutFile(kind) : layout, files.mutable_layout());
+  const std::filesystem::path field = fieldFile(useOf(files.description(), kind.name).field);
+  const bool loggedField = logged != nullptr && !logged->field().text().empty();
+  Errors ofField;  // There may be no field at all.
+  if (loggedField || !field.empty())
+    ofField = take(loggedField ? &logged->field() : nullptr, field, files.mutable_field());
   errors.insert(errors.end(), ofRobot.begin(), ofRobot.end());
   errors.insert(errors.end(), ofField.begin(), ofField.end());
   if (!errors.empty()) return tl::unexpected(std::move(errors));
@@ -82,18 +94,21 @@ tl::expected<ReplaySetup, Errors> read(const ProgramSetup* logged, const std::st
   auto description =
       robotlink::parseRobotDescription(files->description().text(), files->description().name());
   if (!description) return tl::unexpected(description.error());
-  auto field = FieldDescription::parse(files->field().text(), files->field().name());
+  const bool hasField = !files->field().text().empty();
+  auto field = hasField ? FieldDescription::parse(files->field().text(), files->field().name())
+                        : tl::expected<FieldDescription, Errors>(FieldDescription());
   if (!field) return tl::unexpected(field.error());
   ReplaySetup setup;
   setup.layout = std::move(*layout);
   setup.layoutFromLog = layoutFile.empty();
   setup.files = std::move(*files);
   if (logged != nullptr && setup.layoutFromLog) choose(setup.layout, *logged);
-  setup.parameters.folder = robotlink::resource("parameters/" + description->name);
+  setup.parameters.folder = parameterFolder(*description);
   if (logged != nullptr) {
     setup.team = logged->team();
     setup.parameters.recorded.assign(logged->parameters().begin(), logged->parameters().end());
   }
+  setup.use = useOf(setup.files.description(), description->name);
   setup.description = std::make_shared<const RobotDescription>(std::move(*description));
   setup.field = std::make_shared<const FieldDescription>(std::move(*field));
   return setup;

@@ -9,6 +9,7 @@
 #include "robotcontrol/Logging.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
+#include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/SolutionParameters.h"
 #include "robotlink/process/Layout.h"
 
@@ -25,6 +26,7 @@ struct ReplaySetup {
   robotcontrol::ProgramSetup files;  ///< layout, description and field, as texts
   std::string team;
   std::shared_ptr<const robotlink::RobotDescription> description;
+  robotlink::RobotUse use;
   std::shared_ptr<const robotlink::FieldDescription> field;
   std::shared_ptr<const robotlink::GroundMap> map = {};  ///< that it drove by; null: none is in the log
   robotlink::ParameterSource parameters;

@@ -26,21 +26,19 @@ SimulatedDrivePlatform::SimulatedDrivePlatform(SimulatedWorld& world, SimulatedP
       pioneer_(pioneer),
       driver_(*this, std::move(robot), description, {.address = "simulated", .motorsOn = true}) {}
 
-SimulatedDrivePlatform::~SimulatedDrivePlatform() {
-  if (begun_) pioneer_.setListener({});
-}
-
-/// Only now: another platform may have driven the robot until it was known that this one can be run.
-void SimulatedDrivePlatform::begin() {
-  begun_ = true;
+void SimulatedDrivePlatform::initialize() {
+  listens_ = true;
   if (pioneer_.outsideClient().empty()) pioneer_.clientGone(clock().now());
   pioneer_.setListener([this](const auto& packet, bool fromRobot, robotlink::Instant now) {
     driver_.overhear(packet, fromRobot, now);
   });
 }
 
+void SimulatedDrivePlatform::shutDown() {
+  if (std::exchange(listens_, false)) pioneer_.setListener({});
+}
+
 void SimulatedDrivePlatform::actuate() {
-  if (!begun_) begin();
   const robotlink::Instant now = clock().now();
   pioneer_.setStopButton(stopEngaged());
   driver_.setOtherClient(pioneer_.outsideClient(), now);
@@ -49,6 +47,7 @@ void SimulatedDrivePlatform::actuate() {
   const auto packets = driver_.takeOutgoing(now);
   if (!pioneer_.outsideClient().empty()) return;
   for (const auto& packet : packets) pioneer_.take(packet, now);
+  if (const std::string text = driver_.takeReport(); !text.empty()) report(text);
 }
 
 void SimulatedDrivePlatform::execute() {

@@ -16,8 +16,11 @@ class SimulatedDrivePlatform final : public SimulatedPlatform {
   /// Fails if the simulated robot has no drive.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
-  ~SimulatedDrivePlatform() override;
 
+  /// Only now the driver takes the microcontroller over: another platform may have driven the robot until it
+  /// was known that this one can be run.
+  void initialize() override;
+  void shutDown() override;
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return driver_.senders(); }
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
@@ -28,11 +31,10 @@ class SimulatedDrivePlatform final : public SimulatedPlatform {
  private:
   SimulatedDrivePlatform(SimulatedWorld& world, SimulatedPioneer& pioneer, std::string robot,
                          const robotlink::RobotDescription& description);
-  void begin();
 
   SimulatedPioneer& pioneer_;
   PioneerDriver driver_;
-  bool begun_ = false;
+  bool listens_ = false;
 };
 
 }  // namespace app

@@ -54,7 +54,10 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
   }
   ports.drive = static_cast<std::size_t>(drive - drives.begin());
   const auto sensors = simulation.sensors();
-  ports.gyroscope = find(sensors, robot + "/gyroscope");
+  const auto gyroscope = std::ranges::find_if(sensors, [&](const auto& sensor) {
+    return sensor.info.robot == robot && sensor.info.type == "angular_velocity";
+  });
+  if (gyroscope != sensors.end()) ports.gyroscope = static_cast<std::size_t>(gyroscope - sensors.begin());
   for (std::size_t i = 1; i <= kMostBumpers; ++i) {
     const std::string number = std::to_string(i);
     if (const auto found = find(sensors, robot + "/frontBumper" + number))
@@ -63,9 +66,12 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
   }
   auto& settings = options.settings;
   const auto ranges = simulation.rangeSensors();
-  for (int i = 0; i < settings.sonars; ++i)
-    ports.sonars.push_back(find(ranges, robot + "/sonar" + std::to_string(i)));
-  ports.laser = find(ranges, robot + "/laser");
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i].info.robot != robot) continue;
+    if (ranges[i].kind == simcore::RangeSensor::Kind::kSonar) ports.sonars.emplace_back(i);
+    if (ranges[i].kind == simcore::RangeSensor::Kind::kLaser && !ports.laser) ports.laser = i;
+  }
+  ports.sonars.resize(static_cast<std::size_t>(settings.sonars));  // numbered as the model has them
   // The microcontroller says that it has what it has.
   settings.motion.track = drive->track;
   settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());

@@ -24,6 +24,9 @@ namespace app {
 /// outlive it; one thread at a time.
 class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
  public:
+  /// The controller that a model's drive names to have this microcontroller.
+  static constexpr const char* kController = "arcos";
+
   struct Options {
     robotlink::arcos::ServerSettings settings;
     /// Standard deviation of the shares by which each side's tyres are larger or smaller than the encoders'

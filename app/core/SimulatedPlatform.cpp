@@ -3,16 +3,13 @@
 
 #include "app/core/SimulatedDrivePlatform.h"
 #include "app/core/SimulatedJointPlatform.h"
+#include "app/core/SimulatedWheelPlatform.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "simcore/Scene.h"
 
 namespace app {
-
-std::string teamOf(const std::string& robot) {
-  return robot.rfind("blue", 0) == 0 ? "blue" : "red";
-}
 
 SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
     : Platform("platform", world.clock()),
@@ -22,7 +19,9 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
 
 robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedPlatform::create(
     SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
-  if (description.drive) return SimulatedDrivePlatform::create(world, std::move(robot), description);
+  if (description.drive && world.pioneer(robot) != nullptr)
+    return SimulatedDrivePlatform::create(world, std::move(robot), description);
+  if (description.drive) return SimulatedWheelPlatform::create(world, std::move(robot), description);
   return SimulatedJointPlatform::create(world, std::move(robot), description);
 }
 
@@ -47,7 +46,7 @@ void SimulatedPlatform::sendOracle() {
     if (robot.name == robot_ || !pose) continue;
     auto& other = *oracle->add_others();
     other.set_name(robot.name);
-    other.set_team(teamOf(robot.name));
+    other.set_team(robot.team);
     robotlink::assign(*other.mutable_pose_in_field(), robotlink::groundPose(*pose));
   }
   oracle_.send(std::move(oracle));

@@ -24,7 +24,8 @@ namespace app {
 /// packages, and what is truly so, and moves it as requested. The world must outlive it.
 class SimulatedPlatform : public robotlink::Platform {
  public:
-  /// One for what the description says: joints (SimulatedJointPlatform) or a drive (SimulatedDrivePlatform).
+  /// One for what the robot moves by: joints (SimulatedJointPlatform), wheels that a microcontroller turns
+  /// (SimulatedDrivePlatform), or wheels that obey the program directly (SimulatedWheelPlatform).
   /// Fails if the simulated robot lacks what its description names.
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
@@ -34,11 +35,10 @@ class SimulatedPlatform : public robotlink::Platform {
   /// Robots with a camera send the true classes with every image from now on, whether or not somebody
   /// receives them; the listener, which may be empty, is told of both.
   virtual void alwaysSendClasses(LabelledListener listener) { (void)listener; }
-  /// What a person asks of the base, not of its program. Fails for robots that have none.
-  virtual robotlink::Result<void> control(const robotcontrol::ControlDrive& wish);
+  robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
 
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }
-  bool stopEngaged() const { return stopEngaged_.load(); }
+  bool stopEngaged() const override { return stopEngaged_.load(); }
 
  protected:
   SimulatedPlatform(SimulatedWorld& world, std::string robot);
@@ -52,8 +52,5 @@ class SimulatedPlatform : public robotlink::Platform {
   std::atomic<bool> stopEngaged_{false};
   robotlink::Sender<robotcontrol::OracleWorld> oracle_;
 };
-
-/// "blue" for robots whose name starts so, else "red".
-std::string teamOf(const std::string& robot);
 
 }  // namespace app

@@ -8,14 +8,16 @@
 #include "app/core/Outlet.h"
 #include "app/core/ProgramSetups.h"
 #include "app/core/RecordingTap.h"
+#include "app/core/RobotFiles.h"
 #include "app/core/SceneMessages.h"
+#include "app/core/SimulatedPlatform.h"
 #include "app/core/SolutionChoices.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
 #include "robotcontrol/Requests.pb.h"
-#include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
+#include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
@@ -26,9 +28,6 @@ namespace app {
 using robotlink::Errors;
 
 namespace {
-
-// Robots know a field even where there is none.
-const std::string kField = "2002";
 
 /// Every so many steps it is recorded where all bodies are: about 30 times a second.
 constexpr int kTransformsEvery = 4;
@@ -66,14 +65,11 @@ Errors SimulatedRun::load() {
   auto world = SimulatedWorld::create(std::move(*scene), options_.world);
   if (!world) return {world.error()};
   world_ = std::move(*world);
-  auto field = robotlink::FieldDescription::load(fieldFile());
-  if (!field) return field.error();
-  field_ = std::make_shared<const robotlink::FieldDescription>(std::move(*field));
-  if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (auto opened = openPorts(); !opened) return {opened.error()};
   if (Errors errors = describeRobots(); !errors.empty()) return errors;
+  if (options_.kickOffs) kickOff_ = KickOff::create(field_, world_->simulation());
   if (!options_.layout.empty()) {
-    for (const Robot& robot : robots_) options_.layouts[robot.description->name] = options_.layout;
+    for (const auto& robot : robots_) options_.layouts[robot->description().name] = options_.layout;
     options_.layout.clear();
   }
   if (Errors errors = checkChosenSolutions(); !errors.empty()) return errors;
@@ -84,18 +80,12 @@ Errors SimulatedRun::load() {
   return {};
 }
 
-std::filesystem::path SimulatedRun::fieldFile() const {
-  // A name, not a path to somewhere else.
-  const std::filesystem::path name = world_->simulation().scene().field();
-  return robotlink::resource("fields/" + (name.empty() ? kField : name.filename().string()) + ".yaml");
-}
-
 /// A layout that cannot be read says so when its program is made.
 Errors SimulatedRun::checkChosenSolutions() const {
   if (options_.solutions.empty()) return {};
   std::vector<robotlink::Layout> layouts;
-  for (const Robot& robot : robots_) {
-    auto layout = robotlink::readLayout(layoutOf(robot, options_.layouts));
+  for (const auto& robot : robots_) {
+    auto layout = robotlink::readLayout(layoutOf(*robot, options_.layouts));
     if (!layout) return {};
     layouts.push_back(std::move(*layout));
   }
@@ -113,121 +103,95 @@ robotlink::Result<void> SimulatedRun::openPorts() {
 }
 
 Errors SimulatedRun::describeRobots() {
-  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> known;
-  for (const auto& robot : world_->simulation().scene().robots()) {
-    auto& description = known[robot.description];
-    if (!description) {
-      auto read = robotlink::readRobotDescription(descriptionFile(robot.description));
-      if (!read) return read.error();
-      description = std::make_shared<const robotlink::RobotDescription>(std::move(*read));
-    }
-    robots_.push_back(
-        {robot.name, description, nullptr, nullptr, std::make_shared<ProgramRequests>(robot.name)});
+  const simcore::Scene& scene = world_->simulation().scene();
+  struct Kind {
+    std::shared_ptr<const robotlink::RobotDescription> description;
+    robotlink::RobotUse use;
+  };
+  std::map<std::string, Kind> kinds;
+  std::string field = scene.field();  // else one that a robot knows by its description
+  for (const auto& robot : scene.robots()) {
+    if (kinds.contains(robot.description)) continue;
+    auto description = readRobot(robot.description);
+    if (!description) return description.error();
+    auto use = readUse(robot.description);
+    if (!use) return use.error();
+    if (field.empty()) field = use->field;
+    kinds[robot.description] = {std::move(*description), std::move(*use)};
+  }
+  auto read = readField(fieldFile(field));
+  if (!read) return read.error();
+  field_ = std::move(*read);
+  for (const auto& robot : scene.robots()) {
+    const Kind& kind = kinds[robot.description];
+    const std::string team = robot.team.empty() ? kind.use.teamOf(robot.name) : robot.team;
+    robots_.push_back(std::make_unique<RobotHost>(
+        HostedRobot{robot.name, team, kind.description, field_, map(), fieldFile(field)},
+        RobotHost::Listeners{listeners_.queue, listeners_.trouble, listeners_.platform}, tap_.get()));
   }
   return {};
 }
 
-std::filesystem::path SimulatedRun::layoutOf(const Robot& robot, const Layouts& chosen) const {
-  const auto found = chosen.find(robot.description->name);
-  return found != chosen.end() ? found->second
-                               : robotlink::resource("layouts/" + robot.description->layout + ".yaml");
+std::filesystem::path SimulatedRun::layoutOf(const RobotHost& robot, const Layouts& chosen) const {
+  const auto found = chosen.find(robot.description().name);
+  return found != chosen.end() ? found->second : layoutFile(robot.description());
 }
 
 std::filesystem::path SimulatedRun::layout() const {
-  return robots_.empty() ? std::filesystem::path() : layoutOf(robots_.front(), options_.layouts);
+  return robots_.empty() ? std::filesystem::path() : layoutOf(*robots_.front(), options_.layouts);
 }
 
-tl::expected<std::vector<SimulatedRun::Robot>, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
+tl::expected<SimulatedRun::Candidates, Errors> SimulatedRun::makePrograms(const Layouts& layouts) {
   std::map<std::filesystem::path, robotlink::Layout> read;
-  std::vector<Robot> robots;
-  for (const Robot& robot : robots_) {
-    const std::filesystem::path file = layoutOf(robot, layouts);
+  Candidates candidates;
+  for (const auto& robot : robots_) {
+    const std::filesystem::path file = layoutOf(*robot, layouts);
     if (!read.contains(file)) {
       auto layout = readLayoutWith(file, options_.solutions);
       if (!layout) return tl::unexpected(layout.error());
       read[file] = std::move(*layout);
     }
-    auto made = makeProgram(robot, read[file]);
+    auto made = makeProgram(*robot, file, read[file]);
     if (!made) return tl::unexpected(made.error());
-    robots.push_back(std::move(*made));
+    candidates.push_back(std::move(*made));
   }
-  return robots;
+  return candidates;
 }
 
-tl::expected<SimulatedRun::Robot, Errors> SimulatedRun::makeProgram(const Robot& robot,
-                                                                    const robotlink::Layout& layout) {
-  auto platform = SimulatedPlatform::create(*world_, robot.name, *robot.description);
+tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& robot,
+                                                                     const std::filesystem::path& file,
+                                                                     const robotlink::Layout& layout) {
+  auto platform = SimulatedPlatform::create(*world_, robot.name(), robot.description());
   if (!platform) return tl::unexpected(Errors{platform.error()});
-  if (robot.platform) (*platform)->engageStop(robot.platform->stopEngaged());
+  if (robot.platform() != nullptr) (*platform)->engageStop(robot.platform()->stopEngaged());
   if (listeners_.labelled) {
-    (*platform)->alwaysSendClasses([this, name = robot.name](const auto& image, const auto& classes) {
+    (*platform)->alwaysSendClasses([this, name = robot.name()](const auto& image, const auto& classes) {
       listeners_.labelled(name, image, classes);
     });
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});
   }
-  const robotlink::RobotSetup setup{robot.name, teamOf(robot.name), *robot.description, field_, map()};
-  auto program = robotlink::RobotProgram::create(
-      setup, layout, **platform, {.folder = robotlink::resource("parameters/" + robot.description->name)});
-  if (!program) return tl::unexpected(program.error());
-  (*program)->debugProcess().setListener([this, name = robot.name, requests = robot.requests](auto queue) {
-    requests->answered(*queue);
-    if (tap_) tap_->add(name, queue);
-    if (listeners_.queue) listeners_.queue(name, std::move(queue));
-  });
-  return Robot{robot.name, robot.description, std::move(*platform), std::move(*program), robot.requests};
+  return robot.make(std::move(*platform), file, layout);
 }
 
-void SimulatedRun::startPrograms(std::vector<Robot> robots) {
+void SimulatedRun::startPrograms(Candidates candidates) {
   stopPrograms();
-  robots_ = std::move(robots);
-  const auto failed = [this](const robotlink::Process& process) {
-    tellTrouble(process, "was stopped because it threw: " + process.failure());
-  };
-  if (options_.executor == ExecutorKind::kLockstep) {
-    lockstep_ = std::make_unique<robotlink::LockstepExecutor>(robotlink::LockstepExecutor::Options{
-        .starvation = std::chrono::seconds(2),
-        .advance = [this] { world_->advance(); },
-        .onStarved = [this](const auto& process,
-                            const auto& what) { tellTrouble(process, "waits for " + what); },
-        .onFailed = failed});
-  } else {
-    threads_ = std::make_unique<robotlink::ThreadExecutor>(robotlink::ThreadExecutor::Options{
-        .onFailed = failed, .onPriorityRefused = [this](const auto& process, const auto& why) {
-          tellTrouble(process, "runs with normal priority: " + why);
-        }});
-  }
+  for (std::size_t i = 0; i < robots_.size(); ++i) robots_[i]->adopt(std::move(candidates[i]));
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      options_.executor, [this] { world_->advance(); },
+      [this](const auto& process, const auto& text) { reportTrouble(process, text); }});
   if (tap_) recordWorld();
   lostChoices_.clear();
-  for (Robot& robot : robots_) {
-    if (tap_) record(robot);
-    for (std::string& lost : robot.requests->begin(*robot.program)) lostChoices_.push_back(std::move(lost));
-    if (threads_) handIn(robot);
-    if (lockstep_) lockstep_->add(*robot.platform);
-    for (robotlink::Process* process : robot.program->processes()) {
-      if (lockstep_) lockstep_->add(*process);
-      if (threads_) threads_->add(*process);
-    }
+  for (const auto& robot : robots_) {
+    for (std::string& lost : robot->begin(*executor_)) lostChoices_.push_back(std::move(lost));
   }
-  if (threads_) threads_->start();
+  executor_->start();
 }
 
 void SimulatedRun::stopPrograms() {
-  threads_.reset();
-  lockstep_.reset();
+  executor_.reset();
   if (tap_) tap_->clear();
-  for (Robot& robot : robots_) {
-    if (robot.program) robot.program->stop();
-    robot.program.reset();
-  }
-}
-
-void SimulatedRun::record(Robot& robot) {
-  const ProgramFiles files{layoutOf(robot, options_.layouts), descriptionFile(robot.description->name),
-                           fieldFile(),
-                           options_.executor == ExecutorKind::kLockstep ? "lockstep" : "threads"};
-  tap_->attach(robot.name, *robot.platform, *robot.program,
-               programSetup(*robot.program, *robot.platform, files));
+  for (const auto& robot : robots_) robot->stop();
 }
 
 void SimulatedRun::recordWorld() {
@@ -245,24 +209,17 @@ void SimulatedRun::recordStep() {
       {robotlink::streams::kTransforms, world_->clock().now(), transformsMessage(world_->simulation())});
 }
 
-void SimulatedRun::tellTrouble(const robotlink::Process& process, const std::string& text) {
-  if (!listeners_.trouble) return;
-  for (const Robot& robot : robots_) {
-    const auto& processes = robot.program->processes();
-    if (std::find(processes.begin(), processes.end(), &process) == processes.end()) continue;
-    listeners_.trouble(robot.name, process, "Process " + process.name() + " " + text);
+void SimulatedRun::reportTrouble(const robotlink::Process& process, const std::string& text) {
+  for (const auto& robot : robots_) {
+    if (robot->owns(process)) robot->reportTrouble(process, text);
   }
 }
 
 void SimulatedRun::step() {
-  for (Robot& robot : robots_) handIn(robot);
+  for (const auto& robot : robots_) robot->enqueueRequests();
   if (tap_) tap_->askForPackages();
   if (ports_) ports_->serve({});
-  if (lockstep_) {
-    lockstep_->step();
-  } else if (threads_) {
-    stepThreads();
-  }
+  executor_->step();
   if (ports_) ports_->deliver();
   if (kickOff_) watchGame();
   if (tap_) recordStep();
@@ -274,18 +231,9 @@ void SimulatedRun::watchGame() {
   if (listeners_.game) listeners_.game(world_->clock().now(), *text);
   // The game belongs to no robot; a log keeps texts with one.
   if (tap_ && !robots_.empty()) {
-    tap_->world(textMessage(robots_.front().name, "game", world_->clock().now(), foxglove::Log::INFO, *text));
+    tap_->world(
+        textMessage(robots_.front()->name(), "game", world_->clock().now(), foxglove::Log::INFO, *text));
   }
-}
-
-void SimulatedRun::stepThreads() {
-  for (Robot& robot : robots_) {
-    robot.platform->tryBeginFrame();
-    robot.platform->guard([&] { robot.platform->actuate(); });
-  }
-  world_->advance();
-  for (Robot& robot : robots_) robot.platform->runFrame();
-  threads_->clockAdvanced();
 }
 
 Errors SimulatedRun::reset(std::uint64_t seed) {
@@ -307,9 +255,9 @@ Errors SimulatedRun::reset(std::uint64_t seed) {
 Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path& layout) {
   auto read = readLayoutWith(layout, options_.solutions);
   if (!read) return read.error();
-  for (const Robot& robot : robots_) {
-    if (robot.description->name != kind) continue;
-    auto made = makeProgram(robot, *read);
+  for (const auto& robot : robots_) {
+    if (robot->description().name != kind) continue;
+    auto made = makeProgram(*robot, layout, *read);
     if (!made) return made.error();
     made->program->stop();
     return {};
@@ -320,7 +268,7 @@ Errors SimulatedRun::whyNot(const std::string& kind, const std::filesystem::path
 Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
   Errors errors;
   std::set<std::string> kinds, changed;
-  for (const Robot& robot : robots_) kinds.insert(robot.description->name);
+  for (const auto& robot : robots_) kinds.insert(robot->description().name);
   for (const std::string& kind : kinds) {
     if (Errors reasons = whyNot(kind, file); reasons.empty()) {
       changed.insert(kind);
@@ -340,62 +288,41 @@ Errors SimulatedRun::setLayout(const std::filesystem::path& file) {
 
 std::vector<std::string> SimulatedRun::robots() const {
   std::vector<std::string> names;
-  for (const Robot& robot : robots_) names.push_back(robot.name);
+  for (const auto& robot : robots_) names.push_back(robot->name());
   return names;
 }
 
+RobotHost* SimulatedRun::find(const std::string& name) const {
+  const auto found = std::ranges::find_if(robots_, [&](const auto& robot) { return robot->name() == name; });
+  return found == robots_.end() ? nullptr : found->get();
+}
+
 std::shared_ptr<const robotlink::RobotDescription> SimulatedRun::description(const std::string& name) const {
-  for (const Robot& robot : robots_) {
-    if (robot.name == name) return robot.description;
-  }
-  return nullptr;
+  const RobotHost* robot = find(name);
+  return robot != nullptr ? robot->robot().description : nullptr;
 }
 
 std::shared_ptr<const robotlink::GroundMap> SimulatedRun::map() const {
   return world_->simulation().scene().groundMap();
 }
 
-bool SimulatedRun::isOfPlatform(const robotcontrol::Request& request) {
-  return request.has_stop() || request.has_control_drive();
-}
-
 robotlink::Result<void> SimulatedRun::request(const robotcontrol::Request& request) {
-  for (Robot& robot : robots_) {
-    if (robot.name != request.robot()) continue;
-    if (request.has_stop()) {
-      robot.platform->engageStop(request.stop().engaged());
-      return {};
-    }
-    if (request.has_control_drive()) return robot.platform->control(request.control_drive());
-    if (robot.requests->ask(request)) return {};
-    return robotlink::failure("request.queue-full",
-                              "robot " + robot.name + " does not take requests now: too many wait already",
-                              {}, {robot.name});
-  }
+  if (RobotHost* robot = find(request.robot())) return robot->request(request);
   return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
                             {request.robot()});
 }
 
-void SimulatedRun::handIn(Robot& robot) {
-  robot.requests->ran();
-  for (const auto& request : robot.requests->take()) {
-    if (robot.program->debugProcess().request(request) && tap_) tap_->handedIn(request);
-  }
-}
-
 void SimulatedRun::tellAnswersToCome() {
-  if (!lockstep_ || !listeners_.queue) return;
-  for (Robot& robot : robots_) {
-    if (auto queue = robot.requests->answersToCome(*robot.program, world_->clock().now())) {
-      listeners_.queue(robot.name, std::move(queue));
-    }
+  if (options_.executor != ExecutorKind::kLockstep || !listeners_.queue) return;
+  for (const auto& robot : robots_) {
+    if (auto queue = robot->answersToCome()) listeners_.queue(robot->name(), std::move(queue));
   }
 }
 
 std::vector<std::string> SimulatedRun::stoppedRobots() const {
   std::vector<std::string> names;
-  for (const Robot& robot : robots_) {
-    if (robot.platform && robot.platform->stopEngaged()) names.push_back(robot.name);
+  for (const auto& robot : robots_) {
+    if (robot->platform() != nullptr && robot->platform()->stopEngaged()) names.push_back(robot->name());
   }
   return names;
 }

@@ -11,12 +11,9 @@
 
 #include "app/core/ArcosPorts.h"
 #include "app/core/KickOff.h"
-#include "app/core/ProgramRequests.h"
-#include "app/core/SimulatedPlatform.h"
+#include "app/core/RobotHost.h"
 #include "app/core/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
-#include "robotlink/process/LockstepExecutor.h"
-#include "robotlink/process/ThreadExecutor.h"
 #include "simcore/Scene.h"
 
 namespace logplayer {
@@ -35,8 +32,6 @@ struct Layout;
 namespace app {
 
 class RecordingTap;
-
-enum class ExecutorKind : std::uint8_t { kLockstep, kThreads };
 
 /// What a run is made of. Paths are files; defaults are those of the resources.
 struct RunOptions {
@@ -79,6 +74,8 @@ class SimulatedRun {
     std::function<void(const std::string& text)> ports = {};
     /// A goal, a kick-off: a sentence each.
     std::function<void(robotlink::Instant time, const std::string& text)> game = {};
+    /// What a robot's platform has to say of being set up and shut down, a sentence each.
+    std::function<void(const std::string& robot, const std::string& text)> platform = {};
   };
 
   /// `recorder`: is told all that a log may hold; it must outlive the run. Null: there is none.
@@ -121,40 +118,31 @@ class SimulatedRun {
   /// Null: programs outside cannot drive the robots.
   const ArcosPorts* ports() const { return ports_.get(); }
   std::shared_ptr<const robotlink::GroundMap> map() const;  ///< that the world was made from; null: from none
-  /// Whether the platform fulfils such a request itself.
-  static bool isOfPlatform(const robotcontrol::Request& request);
   /// Hands a request to a robot's program, or STOP and what concerns its base to its platform. Fails if there
   /// is no such robot or its queue is full.
   robotlink::Result<void> request(const robotcontrol::Request& request);
   std::vector<std::string> stoppedRobots() const;
 
  private:
-  struct Robot {
-    std::string name;
-    std::shared_ptr<const robotlink::RobotDescription> description;
-    std::unique_ptr<SimulatedPlatform> platform;
-    std::unique_ptr<robotlink::RobotProgram> program;
-    std::shared_ptr<ProgramRequests> requests;  // of all its programs
-  };
   SimulatedRun(RunOptions options, Listeners listeners, logplayer::Recorder* recorder);
   robotlink::Errors load();
   robotlink::Errors describeRobots();
   robotlink::Errors checkChosenSolutions() const;
   using Layouts = std::map<std::string, std::filesystem::path>;
-  std::filesystem::path layoutOf(const Robot& robot, const Layouts& chosen) const;
-  tl::expected<std::vector<Robot>, robotlink::Errors> makePrograms(const Layouts& layouts);
+  using Candidates = std::vector<RobotHost::Candidate>;  // one for each robot
+  std::filesystem::path layoutOf(const RobotHost& robot, const Layouts& chosen) const;
+  tl::expected<Candidates, robotlink::Errors> makePrograms(const Layouts& layouts);
   robotlink::Errors whyNot(const std::string& kind, const std::filesystem::path& layout);
-  tl::expected<Robot, robotlink::Errors> makeProgram(const Robot& robot, const robotlink::Layout& layout);
-  void startPrograms(std::vector<Robot> robots);
-  void record(Robot& robot);
-  void handIn(Robot& robot);
+  tl::expected<RobotHost::Candidate, robotlink::Errors> makeProgram(RobotHost& robot,
+                                                                    const std::filesystem::path& file,
+                                                                    const robotlink::Layout& layout);
+  RobotHost* find(const std::string& robot) const;
+  void startPrograms(Candidates candidates);
   void recordWorld();
   void recordStep();
   void stopPrograms();
-  void tellTrouble(const robotlink::Process& process, const std::string& text);
-  void stepThreads();
+  void reportTrouble(const robotlink::Process& process, const std::string& text);
   void watchGame();
-  std::filesystem::path fieldFile() const;
 
   RunOptions options_;
   Listeners listeners_;
@@ -163,11 +151,10 @@ class SimulatedRun {
   std::unique_ptr<KickOff> kickOff_;   // null: see game()
   std::unique_ptr<ArcosPorts> ports_;  // null: there are none
   std::unique_ptr<RecordingTap> tap_;  // null: there is no recorder
-  std::vector<Robot> robots_;
+  std::vector<std::unique_ptr<RobotHost>> robots_;
   std::vector<std::string> lostChoices_;
   int stepsToTransforms_ = 0;
-  std::unique_ptr<robotlink::LockstepExecutor> lockstep_;
-  std::unique_ptr<robotlink::ThreadExecutor> threads_;
+  std::unique_ptr<ProgramExecutor> executor_;
 };
 
 }  // namespace app

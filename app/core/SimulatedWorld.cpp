@@ -65,6 +65,7 @@ robotlink::Result<void> SimulatedWorld::makePioneers() {
   options.seed = options_.seed;
   if (!options_.noise) options.tyreError = 0;
   for (const auto& drive : simulation_->drives()) {
+    if (drive.controller != SimulatedPioneer::kController) continue;
     auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, options);
     if (!pioneer) return tl::unexpected(pioneer.error());
     pioneers_.push_back(std::move(*pioneer));

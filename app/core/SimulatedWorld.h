@@ -60,9 +60,9 @@ class SimulatedWorld {
   const Options& options() const { return options_; }
   const Costs& costs() const { return costs_; }
 
-  /// Those of all robots with a drive, in the order of the scene.
+  /// Those of all robots whose drive has such a microcontroller, in the order of the scene.
   std::span<const std::unique_ptr<SimulatedPioneer>> pioneers() const { return pioneers_; }
-  /// Null if that robot has no drive.
+  /// Null if that robot has none.
   SimulatedPioneer* pioneer(const std::string& robot) const;
 
   /// Whether a camera takes an image at this step.

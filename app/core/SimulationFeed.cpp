@@ -18,11 +18,29 @@ namespace {
 constexpr std::chrono::milliseconds kTransformsPeriod{15};
 constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
 
+bool isWorld(const std::string& source) {
+  const auto extension = std::filesystem::path(source).extension();
+  return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
+}
+
+const PlatformRegistration kSimulationRegistration{
+    {SimulationFeed::kAdapter, "a world (.sdf, .world) or the map of a building (.map) to simulate",
+     PlatformTime::kSimulated, false, isWorld, 1}};
+
 }  // namespace
 
+PlatformOpening SimulationFeed::opening(RunOptions options, Choices choices) {
+  return {kAdapter,
+          {options.scene.string()},
+          [options, choices](const PlatformContext& context) -> PlatformOpening::Made {
+            return create(options, context.session, context.recorder, choices);
+          }};
+}
+
 tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(
-    RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
+    RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices) {
   auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
+  feed->choices_ = std::move(choices);
   auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
   if (!run) return tl::unexpected(std::move(run.error()));
   feed->run_ = std::move(*run);
@@ -36,7 +54,11 @@ SimulatedRun::Listeners SimulationFeed::listeners() {
           },
           {},
           [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); },
-          [this](robotlink::Instant, const std::string& text) { tellOfGame(text); }};
+          [this](robotlink::Instant, const std::string& text) { tellOfGame(text); },
+          [this](const std::string& robot, const std::string& text) {
+            const robotlink::Instant time = run_ ? now() : robotlink::Instant{};
+            outlet_.tellText(robot, "platform", time, foxglove::Log::INFO, text);
+          }};
 }
 
 void SimulationFeed::tellOfPorts(const std::string& text, int level) {
@@ -48,13 +70,24 @@ void SimulationFeed::tellOfGame(const std::string& text) {
     outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
 }
 
-void SimulationFeed::goOnLike(const SimulationFeed& before) {
-  running_ = before.running_;
-  pace_.setSpeed(before.pace_.speed());
+bool SimulationFeed::makeWay() {
+  run_->closePorts();
+  return true;
+}
+
+robotlink::Errors SimulationFeed::goOn() {
+  const auto opened = run_->openPorts();
+  return opened ? robotlink::Errors{} : robotlink::Errors{opened.error()};
+}
+
+void SimulationFeed::goOnLike(const Going& before) {
+  running_ = before.running;
+  pace_.setSpeed(before.speed);
 }
 
 void SimulationFeed::begin() {
   outlet_.open();
+  if (choices_) choices_(run_->options());
   restartPace();
   publishScene();
   if (const auto map = run_->map(); map && !run_->robots().empty()) {
@@ -97,31 +130,35 @@ void SimulationFeed::tellAnswers() {
 LoadedPlatform SimulationFeed::describe() const {
   LoadedPlatform loaded;
   for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
-  loaded.field = run_->field();
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kSimulated;
+  loaded.sources = {run_->options().scene.string()};
+  loaded.title = run_->options().scene.stem().string();
+  if (!run_->field()->name.empty()) loaded.field = run_->field();
   loaded.layout = run_->layout();
-  loaded.simulation = run_->options();
   loaded.lostChoices = run_->lostChoices();
   return loaded;
 }
 
-robotlink::Result<PlatformFeed::Answer> SimulationFeed::fulfil(const robotcontrol::Request& request) {
+robotlink::Result<void> SimulationFeed::requestRobot(const robotcontrol::Request& request) {
+  auto done = run_->request(request);
+  tellAnswers();
+  return done;
+}
+
+robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Request& request) {
   robotlink::Result<void> done;
   if (request.has_control_simulation()) {
     done = control(request.control_simulation());
-  } else if (request.has_control_replay()) {
-    done = robotlink::failure("replay.none", "no log is open; open one first");
   } else if (request.has_place_model()) {
     const auto& place = request.place_model();
     done = run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
     publishTransforms();
-  } else if (request.has_set_lighting()) {
-    done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
   } else {
-    done = run_->request(request);
+    done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
   }
   tellAnswers();
-  if (!done) return tl::unexpected(done.error());
-  return request.robot().empty() || SimulatedRun::isOfPlatform(request) ? Answer::kHere : Answer::kByProgram;
+  return done;
 }
 
 robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimulation& control) {
@@ -150,6 +187,7 @@ robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimul
 robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
   robotlink::Errors errors = run_->setLayout(file);
   if (errors.empty()) {
+    if (choices_) choices_(run_->options());
     tellAnswers();
     tellLostChoices();
   }

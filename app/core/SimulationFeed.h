@@ -1,11 +1,13 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <functional>
 #include <memory>
 
 #include "app/core/Outlet.h"
 #include "app/core/Pace.h"
 #include "app/core/PlatformFeed.h"
+#include "app/core/SimulatedRun.h"
 
 namespace robotcontrol {
 class ControlSimulation;
@@ -17,24 +19,31 @@ namespace app {
 /// and what the programs say, and a recorder. Both must outlive it.
 class SimulationFeed final : public PlatformFeed {
  public:
-  static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
-      RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder);
+  static constexpr const char* kAdapter = "simulation";
 
-  /// Runs, and at the speed, as another one did that it takes the place of.
-  void goOnLike(const SimulationFeed& before);
+  /// `choices` is given the options with which it runs, whenever they change, in the platform's thread.
+  using Choices = std::function<void(const RunOptions& options)>;
+  static PlatformOpening opening(RunOptions options, Choices choices = {});
+  static tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> create(
+      RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices = {});
 
   // Another simulation may want the same ports before it is known that it can be run.
-  void closePorts() { run_->closePorts(); }
-  robotlink::Result<void> openPorts() { return run_->openPorts(); }
+  bool makeWay() override;
+  robotlink::Errors goOn() override;
+  Going going() const override { return {running_, pace_.speed()}; }
+  void goOnLike(const Going& before) override;
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
   void step() override;
-  /// STOP acts even while the simulation is paused, and requests to programs are answered then, too.
-  robotlink::Result<Answer> fulfil(const robotcontrol::Request& request) override;
   robotlink::Errors setLayout(const std::filesystem::path& file) override;
   LoadedPlatform describe() const override;
   void publishStatus() override;
+
+ protected:
+  /// STOP acts even while the simulation is paused, and requests to programs are answered then, too.
+  robotlink::Result<void> requestRobot(const robotcontrol::Request& request) override;
+  robotlink::Result<void> requestSimulation(const robotcontrol::Request& request) override;
 
  private:
   using Clock = PacedThread::Clock;
@@ -55,6 +64,7 @@ class SimulationFeed final : public PlatformFeed {
 
   Outlet outlet_;
   logplayer::Recorder& recorder_;
+  Choices choices_;
   std::unique_ptr<SimulatedRun> run_;
   bool running_ = false;
   int stepsWanted_ = 0;

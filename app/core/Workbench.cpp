@@ -2,15 +2,21 @@
 #include "app/core/Workbench.h"
 
 #include <algorithm>
+#include <mutex>
 
 #include "app/core/CommandValues.h"
 #include "app/core/LogCommands.h"
+#include "app/core/PioneerFeed.h"
 #include "app/core/RecordingCommands.h"
+#include "app/core/ReplayFeed.h"
 #include "app/core/RobotCommands.h"
+#include "app/core/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
+#include "robotlink/config/RobotUse.h"
 #include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/process/Layout.h"
 #include "robotlink/session/KeyPresets.h"
@@ -42,11 +48,18 @@ std::filesystem::path shippedOr(const std::vector<std::filesystem::path>& shippe
 
 }  // namespace
 
+/// Another scene is opened with the layouts and the world's options of the one before.
+struct Workbench::LastSimulation {
+  mutable std::mutex mutex;  // protects options
+  RunOptions options;
+};
+
 Workbench::Workbench(std::filesystem::path userFolder)
     : userFolder_(std::move(userFolder)),
       recording_(userFolder_),
-      lastSimulation_(defaultOptions()),
+      lastSimulation_(std::make_shared<LastSimulation>()),
       platform_(session_, recording_.recorder()) {
+  lastSimulation_->options = defaultOptions();
   session_.setRequestSink([this](const robotcontrol::Request& request) { take(request); });
   addSimulationCommands();
   addLayoutCommand();
@@ -67,6 +80,20 @@ std::vector<std::filesystem::path> Workbench::scenes() {
 }
 std::vector<std::filesystem::path> Workbench::layouts() {
   return filesIn("layouts", ".yaml");
+}
+
+std::vector<Workbench::RobotKind> Workbench::simulatedRobots() {
+  std::vector<RobotKind> kinds;
+  for (const auto& file : filesIn("robots", ".yaml")) {
+    const std::string name = file.stem().string();
+    std::error_code error;
+    if (!std::filesystem::exists(robotlink::resource("scenes/models/" + name + "/model.sdf"), error))
+      continue;
+    const auto description = robotlink::readRobotDescription(file);
+    const auto use = robotlink::readRobotUse(file);
+    if (description && use) kinds.push_back({name, description->title, !use->teams.empty()});
+  }
+  return kinds;
 }
 
 std::vector<std::filesystem::path> Workbench::layoutsFor(const robotlink::RobotDescription& robot) {
@@ -105,7 +132,17 @@ PlatformThread::LoadHandler Workbench::outcomeOf(Change change) {
 
 void Workbench::load(RunOptions options) {
   options.progress = newOpening(options.scene);
-  platform_.load(std::move(options), outcomeOf(Change::kPlatform));
+  platform_.open(SimulationFeed::opening(std::move(options),
+                                         [last = lastSimulation_](const RunOptions& running) {
+                                           const std::lock_guard lock(last->mutex);
+                                           last->options = running;
+                                         }),
+                 outcomeOf(Change::kPlatform));
+}
+
+RunOptions Workbench::lastSimulation() const {
+  const std::lock_guard lock(lastSimulation_->mutex);
+  return lastSimulation_->options;
 }
 
 logplayer::LogFile::Progress Workbench::newOpening(const std::filesystem::path& file) {
@@ -134,18 +171,18 @@ void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::pat
   options.layout = layout;
   options.progress = newOpening(logs.empty() ? std::filesystem::path() : logs.front().file);
   options.logs = std::move(logs);
-  platform_.open(std::move(options), outcomeOf(Change::kPlatform));
+  platform_.open(ReplayFeed::opening(std::move(options)), outcomeOf(Change::kPlatform));
 }
 
 void Workbench::addLog(ReplayLog log) {
   auto progress = newOpening(log.file);
-  platform_.addLog(std::move(log), std::move(progress), outcomeOf(Change::kPlatform));
+  platform_.addLog(log.file, log.offset, std::move(progress), outcomeOf(Change::kPlatform));
 }
 void Workbench::connectRobot(PioneerOptions options) {
-  platform_.connect(std::move(options), outcomeOf(Change::kPlatform));
+  platform_.open(PioneerFeed::opening(std::move(options)), outcomeOf(Change::kPlatform));
 }
 robotlink::Result<void> Workbench::connectNow() {
-  if (!loaded_ || !loaded_->pioneer)
+  if (!loaded_ || !loaded_->isReal())
     return robotlink::failure("robot.not-real",
                               "no robot is connected over a line; choose Robot > Connect first");
   platform_.connectNow();
@@ -165,7 +202,8 @@ void Workbench::ask(robotcontrol::Request request) {
 }
 
 void Workbench::take(const robotcontrol::Request& request) {
-  if (!request.has_control_recording()) return platform_.request(request);
+  if (robotlink::kindOf(request).doer != robotlink::RequestDoer::kRecording)
+    return platform_.request(request);
   const auto done = recording_.control(request.control_recording());
   robotcontrol::RequestResult result;
   result.set_id(request.id());
@@ -194,7 +232,6 @@ void Workbench::takeIn(Outcome outcome) {
     return;
   }
   loaded_ = std::move(*outcome.loaded);
-  if (loaded_->simulation) lastSimulation_ = *loaded_->simulation;
   std::vector<std::string> robots;
   for (const auto& [name, description] : loaded_->robots) robots.push_back(name);
   session_.setRobots(robots);
@@ -273,7 +310,7 @@ void Workbench::addSimulationCommands() {
                  "Opens a scene, by its path or the name of a shipped one",
                  {{"scene", CommandTable::Type::kText, "an SDFormat file"}},
                  [this](const Values& values) -> robotlink::Result<void> {
-                   RunOptions options = lastSimulation_;
+                   RunOptions options = lastSimulation();
                    options.scene = sceneNamed(std::get<std::string>(values[0]));
                    options.robots.reset();
                    options.ports.reset();
@@ -285,7 +322,8 @@ void Workbench::addSimulationCommands() {
        "Opens a scene or a map with robots put into it",
        {{"scene", CommandTable::Type::kText,
          "an SDFormat file, a map (.map), or the name of a shipped scene"},
-        {"kind", CommandTable::Type::kText, "of the robots that are put into it: p3at or ers210"},
+        {"kind", CommandTable::Type::kText,
+         "of the robots that are put into it: p3at, ers210, or another that has a model"},
         {"robots", CommandTable::Type::kNumber, "how many, 0 to 100"},
         {"kinematic", CommandTable::Type::kBool, "true: they are moved by their odometry, without forces"},
         {"port", CommandTable::Type::kNumber, "at which programs outside find the first one; 0: none"},
@@ -306,7 +344,7 @@ robotlink::Result<void> Workbench::setUp(const Values& values) {
   if (teams != "both" && teams != "red" && teams != "blue") {
     return robotlink::failure("simulation.setup", "the teams must be both, red or blue, not '" + teams + "'");
   }
-  RunOptions options = lastSimulation_;
+  RunOptions options = lastSimulation();
   options.scene = sceneNamed(std::get<std::string>(values[0]));
   options.robots = simcore::RobotsToAdd{.model = std::get<std::string>(values[1]),
                                         .count = static_cast<int>(robots),

@@ -8,8 +8,11 @@
 #include <optional>
 #include <vector>
 
+#include "app/core/PioneerRun.h"
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
+#include "app/core/ReplayRun.h"
+#include "app/core/SimulatedRun.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
@@ -70,6 +73,13 @@ class Workbench {
   /// The shipped ones.
   static std::vector<std::filesystem::path> scenes();
   static std::vector<std::filesystem::path> layouts();
+  /// The kinds of robots that can be put into a simulated world: those that are described and have a model.
+  struct RobotKind {
+    std::string name;    ///< "p3at"
+    std::string title;   ///< "Pioneer 3-AT"
+    bool plays = false;  ///< in teams
+  };
+  static std::vector<RobotKind> simulatedRobots();
   /// Those of them in which robots of a kind can be run.
   static std::vector<std::filesystem::path> layoutsFor(const robotlink::RobotDescription& robot);
   /// A shipped scene by its name ("field2002"), or any by its path.
@@ -96,6 +106,8 @@ class Workbench {
   logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
   PlatformThread::LoadHandler outcomeOf(Change change);
   void takeIn(Outcome outcome);
+  /// With which the last simulation runs or ran.
+  RunOptions lastSimulation() const;
   void take(const robotcontrol::Request& request);
   void tell(const robotlink::Errors& errors);
   void switchKeysOn(const std::string& robot);
@@ -107,7 +119,8 @@ class Workbench {
   Recording recording_;
   robotlink::BoundedQueue<Outcome> outcomes_{64};
   std::optional<LoadedPlatform> loaded_;
-  RunOptions lastSimulation_;  ///< another scene is opened with its layout
+  struct LastSimulation;  // also known to the platform's thread
+  std::shared_ptr<LastSimulation> lastSimulation_;
   std::function<void(const LoadedPlatform&)> onLoaded_;
   std::function<void(const robotlink::Errors&)> onErrors_;
   int loading_ = 0;

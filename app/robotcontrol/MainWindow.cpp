@@ -149,12 +149,11 @@ void MainWindow::connectSignals() {
 
 void MainWindow::onLoaded() {
   const auto* loaded = workbench_.loaded();
-  const bool open = loaded->simulation || !loaded->logs.empty();
-  context_.field = open ? loaded->field : defaultField();
+  context_.field = loaded->time ? loaded->field : defaultField();
   context_.robots = loaded->robots;
   errorBar_->hide();
   toolBar_->showLoaded();
-  simulationMenu_->menuAction()->setVisible(loaded->logs.empty());
+  simulationMenu_->menuAction()->setVisible(!loaded->isLogged());
   const QString name = QString::fromStdString(loaded->name());
   setWindowTitle(name.isEmpty() ? QStringLiteral("RobotControl") : tr("%1 – RobotControl").arg(name));
   showWhatBelongsTo(*loaded);

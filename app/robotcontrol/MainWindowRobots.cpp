@@ -1,20 +1,20 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the main window connects robots.
+#include "app/core/RobotFiles.h"
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/drive/ConnectDialog.h"
 
 namespace app {
 namespace {
 
-/// The layouts that a Pioneer's program can run in, by their names.
-std::vector<std::pair<QString, QString>> pioneerLayouts() {
+/// The layouts that the program of a robot can run in that is connected over a line, by their names.
+std::vector<std::pair<QString, QString>> layoutsOfConnected() {
   std::vector<std::pair<QString, QString>> layouts;
-  const auto description = robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));
+  const auto description = readRobot(PioneerOptions{}.kind);
   if (!description) return layouts;
-  for (const auto& file : Workbench::layoutsFor(*description)) {
+  for (const auto& file : Workbench::layoutsFor(**description)) {
     const QString name = QString::fromStdString(file.stem().string());
     layouts.emplace_back(name, name);
   }
@@ -29,7 +29,7 @@ void MainWindow::connectRobot() {
     widgets::ConnectDialog::Choices choices;
     choices.recent = recentRobots_;
     choices.serialPorts = [] { return robotlink::arcos::serialPorts(); };
-    choices.layouts = pioneerLayouts();
+    choices.layouts = layoutsOfConnected();
     choices.map = robotMap_;
     connectDialog_ =
         new widgets::ConnectDialog(workbench_.session(), workbench_.commands(), std::move(choices), this);

@@ -147,7 +147,7 @@ Perspectives::Perspectives(std::filesystem::path file)
 }
 
 QString Perspectives::beginningWith(const LoadedPlatform& loaded) {
-  if (!loaded.logs.empty()) return QStringLiteral("Log");
+  if (loaded.isLogged()) return QStringLiteral("Log");
   if (loaded.robots.empty()) return {};
   const bool wheels = std::all_of(loaded.robots.begin(), loaded.robots.end(),
                                   [](const auto& robot) { return robot.second && robot.second->drive; });

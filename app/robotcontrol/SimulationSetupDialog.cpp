@@ -39,8 +39,9 @@ QString kindIn(const QString& scene) {
   constexpr qint64 kEnough = 1 << 20;
   if (!QFileInfo(file).isFile() || !file.open(QIODevice::ReadOnly)) return {};
   const QByteArray text = file.read(kEnough);
-  for (const char* kind : {"ers210", "p3at"}) {
-    if (text.contains(QByteArray("model://") + kind)) return QLatin1String(kind);
+  for (const auto& robot : Workbench::simulatedRobots()) {
+    if (text.contains("model://" + QByteArray::fromStdString(robot.name) + "<"))
+      return QString::fromStdString(robot.name);
   }
   return {};
 }
@@ -94,8 +95,9 @@ void SimulationSetupDialog::createRobots() {
   auto* form = new QFormLayout(group);
   kind_ = new QComboBox(group);
   kind_->setObjectName(QStringLiteral("setupKind"));
-  kind_->addItem(tr("Pioneer 3-AT"), QStringLiteral("p3at"));
-  kind_->addItem(tr("ERS-210"), QStringLiteral("ers210"));
+  for (const auto& robot : Workbench::simulatedRobots())
+    kind_->addItem(QString::fromStdString(robot.title), QString::fromStdString(robot.name));
+  kind_->setCurrentIndex(std::max(0, kind_->findData(QString::fromStdString(simcore::RobotsToAdd{}.model))));
   kind_->setToolTip(tr("What kind of robots are put into the world, beside those that it has"));
   robots_ = new QSpinBox(group);
   robots_->setObjectName(QStringLiteral("setupRobots"));
@@ -127,8 +129,8 @@ void SimulationSetupDialog::createPorts() {
   ports_ = new QCheckBox(tr("Can drive the robots over ARCOS"), group);
   ports_->setObjectName(QStringLiteral("setupPorts"));
   ports_->setToolTip(
-      tr("Each Pioneer has a TCP port; a program that is connected there drives it instead of the one that "
-         "runs here"));
+      tr("Each robot with such a microcontroller has a TCP port; a program that is connected there drives it "
+         "instead of the one that runs here"));
   port_ = new QSpinBox(group);
   port_->setObjectName(QStringLiteral("setupPort"));
   port_->setRange(1024, 65535 - kMostRobots);
@@ -173,19 +175,23 @@ void SimulationSetupDialog::chooseFile() {
 
 /// More of the kind that a scene has are wanted rather than others.
 void SimulationSetupDialog::followScene() {
-  const int kind = kind_ != nullptr ? kind_->findData(isMap(scene_->currentText().toStdString())
-                                                          ? QStringLiteral("p3at")
-                                                          : kindIn(scene_->currentText()))
-                                    : -1;
+  const int kind = kind_ != nullptr
+                       ? kind_->findData(isMap(scene_->currentText().toStdString())
+                                             ? QString::fromStdString(simcore::RobotsToAdd{}.model)
+                                             : kindIn(scene_->currentText()))
+                       : -1;
   if (kind >= 0) kind_->setCurrentIndex(kind);
   update();
 }
 
 void SimulationSetupDialog::update() {
   const bool adds = robots_->value() > 0;
-  const bool wheels = kind_->currentData() == QLatin1String("p3at");
+  const std::string kind = kind_->currentData().toString().toStdString();
+  const auto robots = Workbench::simulatedRobots();
+  const bool plays = std::any_of(robots.begin(), robots.end(),
+                                 [&](const auto& robot) { return robot.name == kind && robot.plays; });
   kind_->setEnabled(adds);
-  teams_->setEnabled(adds && !wheels);
+  teams_->setEnabled(adds && plays);
   port_->setEnabled(ports_->isChecked());
   network_->setEnabled(ports_->isChecked());
   buttons_->button(QDialogButtonBox::Open)->setEnabled(!scene_->currentText().trimmed().isEmpty());

@@ -136,9 +136,9 @@ void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
   // A log has a toolbar of its own to play it, and a real robot's time cannot be stopped.
-  for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty() && !loaded->pioneer);
-  selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
-  layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));
+  for (QAction* action : ofSimulation_) action->setVisible(!loaded->isLogged() && !loaded->isReal());
+  selectFile(scene_, std::filesystem::path(loaded->isSimulated() ? loaded->sources.front() : std::string()));
+  layout_->setPlaceholderText(loaded->isLogged() ? tr("of the log") : tr("none"));
   showLayouts(*loaded);
   selectFile(layout_, loaded->layout);
   robot_->clear();

@@ -58,7 +58,8 @@ void StatusLine::refresh() {
 
 QString StatusLine::robotState() {
   auto& session = workbench_.session();
-  const std::string& robot = workbench_.loaded()->pioneer->robot;
+  const auto& robots = workbench_.loaded()->robots;
+  const std::string robot = robots.empty() ? std::string() : robots.begin()->first;
   const auto newest = session.timeline().newest();
   wish_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
   const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
@@ -76,7 +77,7 @@ QString StatusLine::robotState() {
 }
 
 void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
-  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->pioneer;
+  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->isReal();
   state_->setText(workbench_.loading()               ? tr("loading…")
                   : status.stopped_robots_size() > 0 ? tr("STOP engaged")
                   : real                             ? robotState()

@@ -5,6 +5,7 @@
 #include <QApplication>
 #include <QMessageBox>
 #include <QTimer>
+#include <cctype>
 #include <cstdlib>
 #include <iostream>
 #include <string_view>
@@ -13,7 +14,6 @@
 #include "app/robotcontrol/FileKind.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
-#include "robotlink/arcos/stream/StreamUrl.h"
 #include "robotlink/base/Resources.h"
 
 namespace {
@@ -37,32 +37,47 @@ struct Arguments {
   std::vector<std::string> commands;
 };
 
+/// "A world (.sdf, .world) or ...; or a log file ...": all that the platforms open.
+std::string helpOnFiles() {
+  std::string help;
+  for (const app::PlatformAdapter& adapter : app::platformAdapters())
+    help += std::string(help.empty() ? "" : "; or ") + adapter.sources;
+  help.front() = static_cast<char>(std::toupper(static_cast<unsigned char>(help.front())));
+  return help + "; the field of 2002 if none is given";
+}
+
+/// "burger, ers210, p3at": of those that can be put into a world.
+std::string modelNames() {
+  std::string names;
+  for (const auto& robot : app::Workbench::simulatedRobots())
+    names += (names.empty() ? "" : ", ") + robot.name;
+  return names;
+}
+
 void define(CLI::App& app, Arguments& arguments) {
   app.set_version_flag("--version", ROBOTCONTROL_VERSION);
-  app.add_option("files", arguments.files,
-                 "A world (.sdf, .world) or the map of a building (.map) to simulate; or log files to open "
-                 "on one time line; or a "
-                 "Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]; the field of 2002 if "
-                 "none is given");
+  app.add_option("files", arguments.files, helpOnFiles());
   app.add_option("--layout", arguments.layout, "A process layout: a file, or the name of a shipped one");
   app.add_option("--robots", arguments.robots, "Simulated robots that are put into the world (a map: 1)")
       ->check(CLI::Range(0, 100));
   app.add_option("--robot", arguments.robot,
-                 "Their model: ers210, p3at (those of the world, if it has any; else p3at)");
+                 "Their model: " + modelNames() + " (those of the world, if it has any; else " +
+                     simcore::RobotsToAdd{}.model + ")");
   app.add_option("--teams", arguments.teams, "The teams that they play in, if they do: both, red or blue")
       ->check(CLI::IsMember({"both", "red", "blue"}))
       ->capture_default_str();
   app.add_flag("--kinematic", arguments.kinematic,
-               "Simulated Pioneers are moved by their odometry, without forces");
+               "Simulated robots on wheels are moved by their odometry, without forces");
   app.add_option("--arcos", arguments.port,
-                 "Programs find the first simulated Pioneer at this TCP port, the next at the next one")
+                 "Programs find the first simulated robot that speaks ARCOS at this TCP port, the next at "
+                 "the next one")
       ->check(CLI::Range(1, 65435));
-  app.add_option("--map", arguments.map, "The map of where a real Pioneer drives");
+  app.add_option("--map", arguments.map, "The map of where a real robot drives");
   app.add_option("--seed", arguments.seed, "Of the simulation's noise")->capture_default_str();
   app.add_flag("--paused", arguments.paused, "Do not start the simulation; logs are always opened paused");
   app.add_option("--perspective", arguments.perspective,
                  "The perspective to show: Play, Log, Colour, Motion, Processes, Drive, or one of your own; "
-                 "for a map or a Pioneer Drive, for logs Log, unless you say so");
+                 "for a map or a real robot Drive, for logs Log, unless you say so");
   app.add_option("--command", arguments.commands, "Run a command at the start; may be given several times")
       ->expected(1)
       ->take_all();
@@ -81,28 +96,23 @@ bool hasDisplay() {
   return set("DISPLAY") || set("WAYLAND_DISPLAY") || set("QT_QPA_PLATFORM");
 }
 
-bool isScene(const std::string& file) {
-  return app::kindOfFile(file) == app::FileKind::kScene;
-}
-
-/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
-bool isRobot(const std::string& file) {
-  if (file.starts_with("tcp://") || file.starts_with("serial://")) return true;
-  std::error_code ignored;
-  const bool isFile =
-      !file.starts_with("/dev/") && (file.starts_with('/') || std::filesystem::exists(file, ignored));
-  return !isFile && robotlink::arcos::parseUrl(file).has_value();
+/// Whether the first of the files and addresses is of a platform whose time goes so.
+bool opens(const Arguments& arguments, app::PlatformTime time) {
+  if (arguments.files.empty()) return false;
+  const app::PlatformAdapter* adapter = app::adapterFor(arguments.files.front());
+  return adapter != nullptr && adapter->time == time;
 }
 
 bool connectsRobot(const Arguments& arguments) {
-  return !arguments.files.empty() && isRobot(arguments.files.front());
+  return opens(arguments, app::PlatformTime::kReal);
 }
 
 bool opensLogs(const Arguments& arguments) {
-  return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
+  return opens(arguments, app::PlatformTime::kLogged);
 }
 
-/// Empty: the one that was shown last. Who opens a map, a Pioneer or a log wants to see what belongs to it.
+/// Empty: the one that was shown last. Who opens a map, a real robot or a log wants to see what belongs to
+/// it.
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
   if (opensLogs(arguments)) return "Log";
@@ -147,7 +157,7 @@ bool load(app::Workbench& workbench, const Arguments& arguments) {
   }
   std::vector<app::ReplayLog> logs;
   for (const std::string& file : arguments.files) {
-    if (isScene(file)) {
+    if (const auto* adapter = app::adapterFor(file); adapter->time == app::PlatformTime::kSimulated) {
       std::cerr << "robotcontrol: " << file << " is a world; it cannot be opened together with logs\n";
       return false;
     }

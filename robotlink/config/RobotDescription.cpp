@@ -4,6 +4,7 @@
 #include <algorithm>
 
 #include "robotlink/base/Geometry.h"
+#include "robotlink/config/RobotUseReader.h"
 #include "robotlink/config/YamlReader.h"
 
 namespace robotlink {
@@ -94,6 +95,7 @@ tl::expected<RobotDescription, Errors> read(Result<YamlReader> reader) {
   if (const YamlNode sonars = root.optionalChild("sonars"); !sonars.empty())
     robot.sonars = readSonars(sonars);
   if (const YamlNode laser = root.optionalChild("laser"); !laser.empty()) robot.laser = readLaser(laser);
+  readRobotUse(root);  // Those keys belong to the file, too.
   if (robot.joints.empty() && !robot.drive) root.fail("robot.moves", "a robot needs joints or a drive");
   const YamlNode platform = root.child("platform");
   robot.offers = platform.required<std::vector<std::string>>("offers");

@@ -2,16 +2,15 @@
 #include "robotlink/debugging/DebugProcess.h"
 
 #include <algorithm>
-#include <cmath>
 #include <set>
 
 #include "robotlink/base/BoundedQueue.h"
-#include "robotlink/base/Spelling.h"
 #include "robotlink/debugging/ColorTableInUse.h"
 #include "robotlink/debugging/DebugContext.h"
 #include "robotlink/debugging/JoinedTables.h"
 #include "robotlink/debugging/ProcessChannel.h"
 #include "robotlink/debugging/ProcessTable.h"
+#include "robotlink/debugging/RequestKinds.h"
 #include "robotlink/debugging/RequestedPackages.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/debugging/TaskTables.h"
@@ -27,46 +26,6 @@ namespace {
 
 constexpr std::size_t kMaxWaitingRequests = 1000;
 constexpr Duration kProcessTablePeriod = std::chrono::milliseconds(500);
-
-/// Empty if it can be set.
-std::string wrongWith(const robotcontrol::SetKey& wish) {
-  using robotcontrol::KeyMode;
-  const KeyMode& mode = wish.mode();
-  if (!KeyMode::Kind_IsValid(mode.kind())) return "there is no such mode of a debug key";
-  const bool needsNumber = mode.kind() == KeyMode::EVERY_N || mode.kind() == KeyMode::EVERY_MS;
-  if (needsNumber && mode.n() == 0) return "this mode of a debug key needs a number above 0";
-  if (!packageOfKey(wish.name()).empty() || DebugKey::find(wish.name()) >= 0) return "";
-  std::vector<std::string> all;
-  for (const DebugKey::Entry& entry : DebugKey::all()) all.push_back(entry.name);
-  const std::string near = nearest(wish.name(), all);
-  return "there is no debug key '" + wish.name() + "'" +
-         (near.empty() ? "" : "; did you mean '" + near + "'?");
-}
-
-bool isFinite(const robotcontrol::Pose2& pose) {
-  return std::isfinite(pose.x()) && std::isfinite(pose.y()) && std::isfinite(pose.heading());
-}
-
-bool isFinite(const robotcontrol::ColorCorrection& c) {
-  const auto lines = {c.y().gain(),    c.y().offset(), c.cb().gain(),
-                      c.cb().offset(), c.cr().gain(),  c.cr().offset()};
-  const auto curves = {c.luma_r2(), c.luma_r4(), c.blue_r2(), c.blue_r4(), c.red_r2(), c.red_r4()};
-  const auto finite = [](double value) { return std::isfinite(value); };
-  return std::ranges::all_of(lines, finite) && std::ranges::all_of(curves, finite);
-}
-
-/// Empty if it can be used, or has no cells at all.
-std::string wrongWith(const robotcontrol::ColorTable& table) {
-  constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
-  if (table.cells().empty()) return "";
-  if (table.cells().size() != kCells)
-    return "a colour table has " + std::to_string(kCells) + " cells, this one has " +
-           std::to_string(table.cells().size());
-  const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
-  if (!std::ranges::all_of(table.cells(), known))
-    return "cells of the colour table have classes without a name";
-  return isFinite(table.correction()) ? "" : "the colour table's correction has values that are no numbers";
-}
 
 }  // namespace
 
@@ -300,9 +259,7 @@ std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation
 
 /// Empty: it is done, or handed to the one who does it.
 std::string DebugProcess::Implementation::refusal(const Request& request) const {
-  if (request.has_set_key()) {
-    if (std::string wrong = wrongWith(request.set_key()); !wrong.empty()) return wrong;
-  }
+  if (std::string wrong = wrongWith(request); !wrong.empty()) return wrong;
   if (const auto target = targetOf(request)) return whyNotBy(*target);
   switch (request.what_case()) {
     case Request::kSetKey:
@@ -311,13 +268,9 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
       return "";
     case Request::kMotion:
       return remoteMotion.connected() ? "" : "no task of this layout obeys remote motions";
-    case Request::kSetColorTable: {
-      std::string wrong = wrongWith(request.set_color_table().table());
-      return !wrong.empty() || colorTable.connected() ? wrong : "no task of this layout uses a colour table";
-    }
+    case Request::kSetColorTable:
+      return colorTable.connected() ? "" : "no task of this layout uses a colour table";
     case Request::kSetGoal:
-      if (!isFinite(request.set_goal().pose_in_field()))
-        return "the goal's pose has values that are no numbers";
       return driveGoal.connected() ? "" : "no task of this layout drives to goals";
     default:
       return "a robot's program cannot do this; ask its platform or the simulation";

@@ -1,10 +1,16 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <mutex>
 #include <string>
 #include <vector>
 
+#include "robotlink/base/Error.h"
 #include "robotlink/process/Process.h"
+
+namespace robotcontrol {
+class ControlDrive;
+}
 
 namespace robotlink {
 
@@ -15,14 +21,33 @@ class Platform : public Process {
  public:
   using Process::Process;
 
+  /// Sets up sensors and motors, before the first frame and when it is known that the program can run.
+  virtual void initialize() {}
+  /// Leaves the robot safe, after the last frame; also called where initialize() was not.
+  virtual void shutDown() {}
+
   /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after,
   /// sends the sensors.
   virtual void actuate() = 0;
   /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
   virtual void engageStop(bool engaged) = 0;
+  virtual bool stopEngaged() const { return false; }
+  /// Does what a person asks of the robot's base rather than of its program. Refused where it has no wheels.
+  virtual Result<void> control(const robotcontrol::ControlDrive& wish);
   /// Senders of packages that no task may need: a debug process receives those that no task does while their
   /// keys are on. What takes time to make is made only while its sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }
+
+  /// What a person is to be told of setting up and shutting down since the last call, a sentence each. Any
+  /// thread.
+  std::vector<std::string> takeReports();
+
+ protected:
+  void report(std::string text);
+
+ private:
+  std::mutex reportsMutex_;  // protects reports_
+  std::vector<std::string> reports_;
 };
 
 }  // namespace robotlink

@@ -23,15 +23,16 @@ bool holdsUntilToldAnew(const StreamMessage& message) {
   return message.value && holdsUntilToldAnew(message.path, message.value->GetDescriptor()->full_name());
 }
 
-void HeldMessages::take(const StreamMessage& message) {
-  if (!holdsUntilToldAnew(message)) return;
+bool HeldMessages::take(const StreamMessage& message) {
+  if (!holdsUntilToldAnew(message)) return false;
   const std::pair key(message.path, message.process);
-  if (messages_.size() >= kMaxStreams && !messages_.contains(key)) return;
+  if (messages_.size() >= kMaxStreams && !messages_.contains(key)) return false;
   const std::shared_ptr<google::protobuf::Message> copy(message.value->New());
   copy->CopyFrom(*message.value);
   StreamMessage& held = messages_[key];
   held = message;
   held.value = copy;
+  return true;
 }
 
 void HeldMessages::forget(const std::string& robot) {

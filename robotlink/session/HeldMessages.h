@@ -25,8 +25,8 @@ class HeldMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;
 
-  /// Takes a message if it is one that holds.
-  void take(const StreamMessage& message);
+  /// Takes a message if it is one that holds. False: it was not taken.
+  bool take(const StreamMessage& message);
   /// Nothing that a robot told holds any more: its program starts anew.
   void forget(const std::string& robot);
   void clear() { messages_.clear(); }

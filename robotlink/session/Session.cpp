@@ -10,6 +10,8 @@
 
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/session/HeldMessages.h"
 #include "robotlink/session/QueueMessages.h"
 
 namespace robotlink {
@@ -30,29 +32,7 @@ std::size_t bytesOf(const std::vector<StreamMessage>& messages) {
   return bytes;
 }
 
-// A copy of a table that does not keep the queue alive which it came in; null for all else.
-PackagePtr tableCopy(const google::protobuf::Message& message) {
-  const auto* descriptor = message.GetDescriptor();
-  if (descriptor != robotcontrol::KeyTable::descriptor() &&
-      descriptor != robotcontrol::SolutionTable::descriptor() &&
-      descriptor != robotcontrol::ProcessTable::descriptor() &&
-      descriptor != robotcontrol::ParameterValues::descriptor()) {
-    return nullptr;
-  }
-  const std::shared_ptr<google::protobuf::Message> copy(message.New());
-  copy->CopyFrom(message);
-  return copy;
-}
-
-/// "set key of red1"; what is asked of no robot has no "of".
-std::string inWords(const robotcontrol::Request& request) {
-  const auto* what = robotcontrol::Request::descriptor()->FindFieldByNumber(request.what_case());
-  std::string words = what != nullptr ? what->name() : "nothing";
-  std::replace(words.begin(), words.end(), '_', ' ');
-  return request.robot().empty() ? words : words + " of " + request.robot();
-}
-
-constexpr std::size_t kMaxTables = 1000;
+constexpr std::size_t kMaxProcesses = 1000;
 constexpr std::size_t kMaxPending = 10'000;
 
 }  // namespace
@@ -72,29 +52,22 @@ struct Session::Inbox {
     Batch& oldest = batches.front();
     messageCount -= oldest.messages.size();
     bytes -= oldest.bytes;
-    for (StreamMessage& message : oldest.messages) {
-      PackagePtr copy = tableCopy(*message.value);
-      if (!copy || (tables.size() >= kMaxTables && !tables.contains(message.path))) {
-        ++dropped;
-        continue;
-      }
-      message.value = std::move(copy);
-      const std::string path = message.path;
-      tables[path] = std::move(message);
+    for (const StreamMessage& message : oldest.messages) {
+      if (!latched.take(message)) ++dropped;
     }
     batches.pop_front();
   }
 
   void forget() {
     batches.clear();
-    tables.clear();
+    latched.clear();
     messageCount = 0;
     bytes = 0;
     lastTime = Instant{};
   }
 
   void countDropped(const std::string& process, std::uint64_t count) {
-    if (robotDropped.size() >= kMaxTables && !robotDropped.contains(process)) return;
+    if (robotDropped.size() >= kMaxProcesses && !robotDropped.contains(process)) return;
     auto& [before, since] = robotDropped[process];
     if (count < since) before += since;  // the process was started anew
     since = count;
@@ -103,7 +76,7 @@ struct Session::Inbox {
   const InboxLimits limits;
   mutable std::mutex mutex;  // protects all that follows
   std::deque<Batch> batches;
-  std::map<std::string, StreamMessage> tables;  // of dropped batches, the newest of each path
+  HeldMessages latched;  // of dropped batches
   std::size_t messageCount = 0;
   std::size_t bytes = 0;
   std::uint64_t dropped = 0;
@@ -181,7 +154,7 @@ void Session::pushResult(const RequestResult& result) {
 
 void Session::tick() {
   std::deque<Batch> batches;
-  std::map<std::string, StreamMessage> tables;
+  HeldMessages latched;
   std::vector<ResultPtr> results;
   bool restarted = false;
   {
@@ -190,7 +163,7 @@ void Session::tick() {
     if (!inbox_->held) {
       results.swap(inbox_->results);
       batches.swap(inbox_->batches);
-      tables.swap(inbox_->tables);
+      std::swap(latched, inbox_->latched);
       restarted = std::exchange(inbox_->restarted, false);
       inbox_->messageCount = 0;
       inbox_->bytes = 0;
@@ -200,7 +173,7 @@ void Session::tick() {
     store_.clear();
     timeline_.goLive();
   }
-  for (auto& [path, message] : tables) store_.add(std::move(message));
+  for (StreamMessage& message : latched.all()) store_.add(std::move(message));
   for (Batch& batch : batches) {
     for (StreamMessage& message : batch.messages) store_.add(std::move(message));
   }

@@ -11,11 +11,13 @@
 namespace simcore {
 namespace {
 
+/// The middles of the wheels' cylinders: the links' own origins may lie anywhere.
 std::vector<Vector3> wheelPlaces(const ModelDescription& model, const std::vector<int>& joints) {
   std::vector<Vector3> places;
   for (const int joint : joints) {
-    const int link = model.joints[static_cast<std::size_t>(joint)].child;
-    places.emplace_back(model.links[static_cast<std::size_t>(link)].poseInModel.translation());
+    const int child = model.joints[static_cast<std::size_t>(joint)].child;
+    const LinkDescription& link = model.links[static_cast<std::size_t>(child)];
+    places.emplace_back((link.poseInModel * link.collisions.front().poseInLink).translation());
   }
   return places;
 }

@@ -25,6 +25,7 @@ struct OdeWheel {
   Pose3 linkInBody = Pose3::Identity();   ///< at angle 0; in ODE's body, whose origin is its centre of mass
   Vector3 axisInBody = Vector3::UnitY();  ///< forwards is right-handed about it
   Vector3 axisInLink = Vector3::UnitY();
+  Vector3 centerInLink = Vector3::Zero();  ///< of its cylinder, about which the link turns
   double radius = 0;
   double slipRatio = 1;  ///< of slip along to slip across at equal force
   double restLoad = 0;   ///< N that it carries if all wheels carry alike

@@ -24,6 +24,7 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
   wheel.axisInLink = link.poseInModel.linear().transpose() * joint.axisInModel;
   CollisionDescription tread = link.collisions.front();
   wheel.radius = tread.shape.radius;
+  wheel.centerInLink = tread.poseInLink.translation();
   tread.shape.kind = Shape::Kind::kSphere;
   tread.poseInLink = carrierInModel.inverse() * link.poseInModel * tread.poseInLink;
   body.id = carrier.id;

@@ -74,7 +74,8 @@ Pose3 OdeWorld::wheelLinkPose(const OdeWheel& wheel) const {
   const dBodyID body = bodies[wheel.body].id;
   const double angle = std::remainder(wheelSides[wheel.side].travel / wheel.radius, 2 * robotlink::kPi);
   return poseOf(dBodyGetPosition(body), dBodyGetRotation(body)) * wheel.linkInBody *
-         Eigen::AngleAxisd(angle, wheel.axisInLink);
+         Eigen::Translation3d(wheel.centerInLink) * Eigen::AngleAxisd(angle, wheel.axisInLink) *
+         Eigen::Translation3d(-wheel.centerInLink);
 }
 
 Pose3 OdeWorld::linkPose(std::size_t body) const {

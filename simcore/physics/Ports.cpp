@@ -52,8 +52,8 @@ class Collector {
   }
 
   void addDrive(const DriveDescription& drive) {
-    ports_.drives.push_back(
-        {port(drive.name, "wheel_speeds", {2}, "m/s"), drive.wheelRadius, drive.track, drive.maximumSpeed});
+    ports_.drives.push_back({port(drive.name, "wheel_speeds", {2}, "m/s"), drive.controller,
+                             drive.wheelRadius, drive.track, drive.maximumSpeed});
     ports_.driveModels.push_back(model_);
   }
 

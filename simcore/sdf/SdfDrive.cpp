@@ -22,6 +22,7 @@ class DriveReader {
 
   void read() {
     if (element_->HasAttribute("name")) drive_.name = element_->Get<std::string>("name");
+    readController();
     drive_.left = wheels("robotcontrol:left");
     drive_.right = wheels("robotcontrol:right");
     drive_.track = context_.within(number("robotcontrol:track"), 0.01, 10, "a drive's track", element_);
@@ -44,6 +45,13 @@ class DriveReader {
  private:
   void fail(std::string id, std::string text) const {
     context_.fail(element_, std::move(id), std::move(text));
+  }
+
+  void readController() {
+    if (!element_->HasAttribute("controller")) return;
+    drive_.controller = element_->Get<std::string>("controller");
+    if (drive_.controller == "arcos") return;
+    fail("scene.drive", "a drive has the controller 'arcos', or none, not '" + drive_.controller + "'");
   }
 
   double number(const char* key) const { return element_->HasElement(key) ? element_->Get<double>(key) : 0; }

@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <string>
 #include <vector>
 
 #include "robotlink/base/Clock.h"
@@ -37,6 +38,7 @@ struct Servo {
 /// Driven wheels on a robot's two sides ("skid steering"). A side's wheels are told one speed.
 struct WheelDrive {
   PortInfo info;            ///< "p3at1/drive": the speeds of the left and the right rims, {2}, m/s
+  std::string controller;   ///< the protocol of its microcontroller ("arcos"); empty: it has none
   double wheelRadius = 0;   ///< m
   double track = 0;         ///< m; while nothing is in the way, the robot turns by (right - left) / track
   double maximumSpeed = 0;  ///< m/s, of the rims

@@ -11,6 +11,7 @@ namespace simcore {
 struct SceneRobot {
   std::string name;         ///< "red1"
   std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
+  std::string team = {};    ///< the color of its team in the scene's palette; empty: the scene names none
 };
 
 /// Robots that are put into a world besides those of its file.

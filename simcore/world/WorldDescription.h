@@ -76,6 +76,7 @@ struct JointDescription {
 /// axis.
 struct DriveDescription {
   std::string name = "drive";
+  std::string controller;        ///< the protocol of its microcontroller ("arcos"); empty: it has none
   std::vector<int> left, right;  ///< joints
   double wheelRadius = 0;
   double track = 0;         ///< that the model turns about on firm ground

@@ -85,7 +85,7 @@ class OpenedLogsGuiTest : public WindowTest {
     auto* name = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
     name->setText(QString::fromStdString(file("second.mcap").string()));
     QTest::keyClick(name, Qt::Key_Return);
-    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->logs.size(), std::size_t{2}, kWaitMs);
+    QTRY_COMPARE_WITH_TIMEOUT(desk.workbench.loaded()->sources.size(), std::size_t{2}, kWaitMs);
   }
 
   void aLogOfAnotherProgramSaysWhatIsInItAndCanBePlayed() {
@@ -131,8 +131,8 @@ class OpenedLogsGuiTest : public WindowTest {
                              kWaitMs);
     QTest::mouseClick(&desk.find<QToolButton>("openingCancel"), Qt::LeftButton);
     QTRY_VERIFY_WITH_TIMEOUT(!bar.isVisible(), kWaitMs);
-    QVERIFY(desk.workbench.loaded()->logs.empty());
-    QVERIFY(desk.workbench.loaded()->simulation.has_value());
+    QVERIFY(!desk.workbench.loaded()->isLogged());
+    QVERIFY(desk.workbench.loaded()->isSimulated());
     QVERIFY(!desk.find<QWidget>("errorBar").isVisible());  // it was wanted
   }
 
@@ -143,7 +143,7 @@ class OpenedLogsGuiTest : public WindowTest {
   void open(Desk& desk, const char* name) {
     QVERIFY(desk.workbench.commands().run("log.open", {file(name).string()}));
     QTRY_VERIFY_WITH_TIMEOUT(
-        !desk.workbench.loaded()->logs.empty() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
+        desk.workbench.loaded()->isLogged() && desk.find<QToolBar>("logToolBar").isVisible(), kWaitMs);
   }
 
   QTemporaryDir folder_;

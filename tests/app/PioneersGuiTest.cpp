@@ -97,7 +97,7 @@ class PioneersGuiTest : public WindowTest {
       QCOMPARE(kind->currentText(), QStringLiteral("Pioneer 3-AT"));
       QVERIFY(!teams->isEnabled());
       dialog.findChild<QComboBox*>(QStringLiteral("setupScene"))->setEditText(QStringLiteral("field2002"));
-      QCOMPARE(kind->currentText(), QStringLiteral("ERS-210"));  // more of those that the scene has
+      QCOMPARE(kind->currentText(), QStringLiteral("Sony Aibo ERS-210"));  // more of those that the scene has
       QVERIFY(teams->isEnabled());
       DialogAnswer::press(dialog, QDialogButtonBox::AcceptRole);
     });

@@ -144,8 +144,8 @@ class RecordingGuiTest : public WindowTest {
     QDesktopServices::unsetUrlHandler(QStringLiteral("file"));
     QCOMPARE(shown_, QUrl::fromLocalFile(QString::fromStdString(folder.path().string())));
     click(child<QToolButton>(desk.window, "recordedOpen"));
-    QTRY_VERIFY_WITH_TIMEOUT(desk.workbench.loaded() != nullptr && desk.workbench.loaded()->logs.size() == 1,
-                             kWaitMs);
+    QTRY_VERIFY_WITH_TIMEOUT(
+        desk.workbench.loaded() != nullptr && desk.workbench.loaded()->sources.size() == 1, kWaitMs);
     QVERIFY(!child<QWidget>(desk.window, "recordedBar").isVisible());
     QVERIFY(!child<QLabel>(desk.window, "errorText").isVisible());
   }

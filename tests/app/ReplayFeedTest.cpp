@@ -100,7 +100,7 @@ TEST_F(ReplayFeedTest, aLogOpensPausedAtItsFirstImage) {
   EXPECT_EQ(newest("red1/camera/image"), 1);
   EXPECT_EQ(workbench.session().robots(), std::vector<std::string>{"red1"});
   EXPECT_EQ(workbench.loaded()->name(), "replay-feed.mcap");
-  ASSERT_EQ(workbench.loaded()->logs.size(), 1U);
+  ASSERT_EQ(workbench.loaded()->sources.size(), 1U);
   EXPECT_EQ(errors, "");
 }
 
@@ -402,7 +402,7 @@ TEST_F(ReplayFeedTest, aSolutionThatWasChosenIsKeptByAnotherLayoutAndByOneMoreLo
 
 TEST_F(ReplayFeedTest, aSimulationEndsTheLogAndALogTheSimulation) {
   run("simulation.open field2002");
-  ASSERT_TRUE(waitFor([this] { return workbench.loaded()->simulation.has_value(); })) << errors;
+  ASSERT_TRUE(waitFor([this] { return workbench.loaded()->isSimulated(); })) << errors;
   workbench.tick();
   const auto& store = workbench.session().store();
   EXPECT_EQ(store.find("replay"), nullptr);
@@ -412,7 +412,7 @@ TEST_F(ReplayFeedTest, aSimulationEndsTheLogAndALogTheSimulation) {
   ASSERT_TRUE(waitFor([this] { return !errors.empty(); }));
   EXPECT_THAT(errors, HasSubstr("no log is open"));
   run("log.open \"" + logFile().string() + "\"");
-  ASSERT_TRUE(waitFor([this] { return !workbench.loaded()->logs.empty(); })) << errors;
+  ASSERT_TRUE(waitFor([this] { return workbench.loaded()->isLogged(); })) << errors;
   workbench.tick();
   EXPECT_NE(store.find("replay"), nullptr);
   EXPECT_EQ(store.find("simulation"), nullptr);
@@ -435,7 +435,7 @@ TEST_F(ReplayFeedTest, whatCannotBeOpenedLeavesTheLogAsItWas) {
 
 TEST_F(ReplayFeedTest, afterItIsClosedNothingIsShown) {
   run("log.close");
-  ASSERT_TRUE(waitFor([this] { return workbench.loaded()->logs.empty(); }));
+  ASSERT_TRUE(waitFor([this] { return !workbench.loaded()->isLogged(); }));
   EXPECT_TRUE(waitFor([this] { return workbench.session().store().streams().empty(); }));
   EXPECT_TRUE(workbench.session().robots().empty());
   EXPECT_EQ(workbench.loaded()->name(), "");

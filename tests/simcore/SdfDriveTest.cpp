@@ -137,6 +137,32 @@ TEST(SdfDrive, itsGeometryFollowsFromTheWheels) {
   EXPECT_NEAR(slipRatioFor(2 * (0.2 + 1.5 * 0.01 / 0.2), 0.1, 0.2), 1.5, 1e-9);
 }
 
+TEST(SdfDrive, wheelsStandWhereTheirCylindersAreWhereverTheirLinksHaveTheirOrigins) {
+  const DriveGeometry usual = driveGeometry(*read(kCart).model);
+  // The same cart, its wheels' links with their origins in the cart's middle and turned.
+  std::string text = replaced(kCart, "<pose>0 0.2 0.1 0 0 0</pose>", "<pose>0 0 0.1 -1.570796 0 0</pose>");
+  text = replaced(text, "<inertial><mass>1</mass>", "<inertial><pose>0 0 0.2 0 0 0</pose><mass>1</mass>");
+  text = replaced(text, "<pose>0 0 0 1.570796 0 0</pose>", "<pose>0 0 0.2 0 0 0</pose>");
+  text = replaced(text, "<axis><xyz>0 -1 0</xyz>", "<axis><xyz>0 0 -1</xyz>");
+  const Reading moved = read(text);
+  ASSERT_EQ(moved.errors, "");
+  const DriveGeometry geometry = driveGeometry(*moved.model);
+  EXPECT_LT((geometry.center - usual.center).norm(), 1e-6);
+  EXPECT_LT((geometry.toLeft - usual.toLeft).norm(), 1e-6);
+  EXPECT_NEAR(geometry.slipRatio, usual.slipRatio, 1e-6);
+  EXPECT_NEAR(geometry.radius, usual.radius, 1e-6);
+}
+
+TEST(SdfDrive, aDriveHasAControllerOnlyIfItSaysSo) {
+  EXPECT_EQ(read(kCart).model->drive->controller, "");
+  const char* const drive = "<robotcontrol:drive name=\"motors\"";
+  EXPECT_EQ(
+      read(replaced(kCart, drive, std::string(drive) + " controller=\"arcos\"")).model->drive->controller,
+      "arcos");
+  EXPECT_THAT(errorsWith(drive, std::string(drive) + " controller=\"pigeon\""),
+              HasSubstr("m.sdf:2: a drive has the controller 'arcos', or none, not 'pigeon'"));
+}
+
 TEST(SdfDrive, wheelsAndTheirCarrierAreLumpedIntoOneBody) {
   const auto model = read(kCart).model;
   const LinkDescription body = withWheelsLumped(*model, 0);

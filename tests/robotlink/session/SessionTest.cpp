@@ -9,7 +9,10 @@
 #include <random>
 #include <thread>
 
+#include "foxglove/Scene.pb.h"
 #include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -144,6 +147,19 @@ TEST(Session, tablesAreNeverDropped) {
   EXPECT_EQ(keys->keys(0).name(), "ball-percept/circle");
   EXPECT_NE(session.store().find("red1/tables/solutions"), nullptr);
   EXPECT_EQ(weak.use_count(), 1) << "what was dropped with them is not kept in memory";
+}
+
+TEST(Session, theSceneAndWhatElseHoldsUntilItIsToldAnewIsNeverDropped) {
+  Session session({}, {.messages = 4});
+  session.push({"scene", at(1), std::make_shared<foxglove::SceneUpdate>()});
+  session.push({"map", at(1), std::make_shared<robotcontrol::GroundMap>()});
+  session.push({"red1/program", at(1), std::make_shared<robotcontrol::ProgramSetup>()});
+  for (int i = 0; i < 20; ++i) session.push(plot("red1/plots/a", 2 + i));
+  session.tick();
+  for (const char* path : {"scene", "map", "red1/program"}) {
+    EXPECT_NE(session.store().latest(path, at(30)), nullptr) << path;
+  }
+  EXPECT_EQ(session.dropped(), 16U) << "plots, and nothing else";
 }
 
 TEST(Session, whatTheRobotsQueuesDroppedIsCountedOverRestarts) {

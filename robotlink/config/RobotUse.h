@@ -1,0 +1,30 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "robotlink/base/Error.h"
+
+namespace robotlink {
+
+/// What resources/robots/<name>.yaml says of where a kind of robot is used, for whoever puts one on a
+/// platform; its programs are told of it. A plain value.
+struct RobotUse {
+  /// The field (resources/fields/<name>.yaml) that its program knows where neither scene nor log name one;
+  /// empty: none.
+  std::string field;
+  /// The teams that such robots play in; empty: none.
+  std::vector<std::string> teams;
+
+  /// The team of a robot of this name that nobody has put in one: that with which its name begins, else the
+  /// first. Empty: such robots play in none.
+  std::string teamOf(const std::string& robot) const;
+};
+
+/// From the same file and text as the robot's description, which has the other keys.
+tl::expected<RobotUse, Errors> readRobotUse(const std::filesystem::path& file);
+tl::expected<RobotUse, Errors> parseRobotUse(const std::string& text, const std::string& file);
+
+}  // namespace robotlink

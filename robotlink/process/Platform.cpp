@@ -1,0 +1,21 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/process/Platform.h"
+
+namespace robotlink {
+
+Result<void> Platform::control(const robotcontrol::ControlDrive& wish) {
+  (void)wish;
+  return robotlink::failure("platform.no-drive", "this robot has no wheels that this could be asked of");
+}
+
+void Platform::report(std::string text) {
+  const std::lock_guard lock(reportsMutex_);
+  reports_.push_back(std::move(text));
+}
+
+std::vector<std::string> Platform::takeReports() {
+  const std::lock_guard lock(reportsMutex_);
+  return std::exchange(reports_, {});
+}
+
+}  // namespace robotlink

@@ -1,0 +1,87 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "robotlink/debugging/RequestKinds.h"
+
+#include <gmock/gmock.h>
+
+#include <limits>
+#include <set>
+
+using namespace robotlink;
+using robotcontrol::KeyMode;
+using robotcontrol::Request;
+using testing::HasSubstr;
+
+namespace {
+
+Request keyRequest(const std::string& key, KeyMode::Kind kind = KeyMode::ALWAYS) {
+  Request request;
+  request.set_robot("red1");
+  request.mutable_set_key()->set_name(key);
+  request.mutable_set_key()->mutable_mode()->set_kind(kind);
+  return request;
+}
+
+Request solutionRequest(const std::string& task, const std::string& solution) {
+  Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  return request;
+}
+
+}  // namespace
+
+TEST(RequestKinds, everyKindOfRequestIsDeclaredOnce) {
+  std::set<int> declared;
+  for (const RequestKind& kind : requestKinds()) {
+    EXPECT_TRUE(declared.insert(kind.what).second) << kind.words;
+    EXPECT_NE(kind.doer, RequestDoer::kNobody) << kind.words;
+  }
+  const auto* what = Request::descriptor()->FindOneofByName("what");
+  ASSERT_NE(what, nullptr);
+  EXPECT_EQ(declared.size(), static_cast<std::size_t>(what->field_count()));
+  for (int i = 0; i < what->field_count(); ++i) {
+    EXPECT_TRUE(declared.contains(what->field(i)->number())) << what->field(i)->name();
+  }
+}
+
+TEST(RequestKinds, aRequestReadsAsWordsWithItsRobot) {
+  EXPECT_EQ(inWords(keyRequest("motion/legs")), "set key of red1");
+  EXPECT_EQ(inWords(solutionRequest("ball-percept", "region")), "select solution");
+  EXPECT_EQ(inWords(Request()), "nothing");
+  EXPECT_EQ(kindOf(Request()).doer, RequestDoer::kNobody);
+}
+
+TEST(RequestKinds, twoRequestsSetTheSameIfTheirSubjectIsTheSame) {
+  EXPECT_TRUE(setTheSame(keyRequest("a"), keyRequest("a", KeyMode::OFF)));
+  EXPECT_FALSE(setTheSame(keyRequest("a"), keyRequest("b")));
+  EXPECT_TRUE(setTheSame(solutionRequest("ball", "one"), solutionRequest("ball", "other")));
+  EXPECT_FALSE(setTheSame(solutionRequest("ball", "one"), keyRequest("ball")));
+  Request motion;
+  motion.mutable_motion();
+  EXPECT_FALSE(setTheSame(motion, motion)) << "a motion sets nothing, each counts";
+}
+
+TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
+  EXPECT_THAT(wrongWith(keyRequest("no-such-key-anywhere")), HasSubstr("there is no debug key"));
+  EXPECT_EQ(wrongWith(keyRequest("package/camera/image")), "");
+  EXPECT_EQ(wrongWith(keyRequest("package/camera/image", KeyMode::EVERY_N)),
+            "this mode of a debug key needs a number above 0");
+  Request place;
+  place.mutable_place_model()->mutable_pose_in_field()->set_x(std::numeric_limits<double>::quiet_NaN());
+  EXPECT_NE(wrongWith(place), "");
+  Request table;
+  table.mutable_set_color_table();
+  EXPECT_EQ(wrongWith(table), "") << "without cells it takes back the one before";
+  table.mutable_set_color_table()->mutable_table()->set_cells("abc");
+  EXPECT_EQ(wrongWith(table), "a colour table has 262144 cells, this one has 3");
+}
+
+TEST(RequestKinds, whatAPersonChoseIsKeptForLaterProgramsAndCanBeNamed) {
+  const RequestKind& solution = kindOf(solutionRequest("ball", "region"));
+  EXPECT_TRUE(solution.isOverride);
+  EXPECT_EQ(solution.choice(solutionRequest("ball", "region")), "solution region of task ball");
+  Request stop;
+  stop.mutable_stop();
+  EXPECT_FALSE(kindOf(stop).isOverride);
+  EXPECT_EQ(kindOf(stop).doer, RequestDoer::kPlatform);
+}
