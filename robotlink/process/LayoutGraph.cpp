@@ -8,7 +8,7 @@
 namespace robotlink {
 namespace {
 
-// A double-quoted string of the DOT language; in records, "{}|<>" have a meaning of their own.
+// Quotes a string for the DOT language; in records, "{}|<>" have a meaning of their own.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

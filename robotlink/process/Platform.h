@@ -8,20 +8,20 @@
 
 namespace robotlink {
 
-/// Where a robot program's sensor readings come from and its actuator commands go to. For the program it is
-/// an ordinary process; beyond that it owns the clock that all of the program's processes go by, and STOP
-/// acts on it.
+/// The source of a robot program's sensor data and the receiver of its actuator commands: a simulated robot,
+/// a real one or a log. For the program it is an ordinary process; beyond that it owns the clock of all of
+/// the program's processes, and STOP acts on it.
 class Platform : public Process {
  public:
   using Process::Process;
 
-  /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after,
-  /// sends the sensors.
+  /// Applies the received commands to the actuators; called before the world advances. execute(), called
+  /// after it, sends the sensor data.
   virtual void actuate() = 0;
-  /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
+  /// While engaged, the platform holds the robot in a safe state, whatever the program requests. Any thread.
   virtual void engageStop(bool engaged) = 0;
-  /// Senders of packages that no task may need: a debug process receives those that no task does while their
-  /// keys are on. What takes time to make is made only while its sender is connected.
+  /// Senders of packages that no task needs to receive; the debug process receives them while their debug
+  /// keys are on. Packages that are costly to produce are produced only while their sender is connected.
   virtual std::vector<AnySender*> onRequest() { return {}; }
 };
 
