@@ -27,7 +27,7 @@ namespace {
 constexpr std::size_t kMaxWaitingRequests = 1000;
 constexpr Duration kProcessTablePeriod = std::chrono::milliseconds(500);
 
-/// Empty if it can be set.
+/// Returns what is wrong; empty if the mode can be set.
 std::string wrongWith(const robotcontrol::SetKey& wish) {
   using robotcontrol::KeyMode;
   const KeyMode& mode = wish.mode();
@@ -54,7 +54,7 @@ bool isFinite(const robotcontrol::ColorCorrection& c) {
   return std::ranges::all_of(lines, finite) && std::ranges::all_of(curves, finite);
 }
 
-/// Empty if it can be used, or has no cells at all.
+/// Returns what is wrong; empty if the table can be used or has no cells at all.
 std::string wrongWith(const robotcontrol::ColorTable& table) {
   constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
   if (table.cells().empty()) return "";
@@ -88,8 +88,8 @@ struct DebugProcess::Implementation {
   void takeQueues();
   void takeRequested();
   void joinOwnKeys();
-  /// Who does what is asked of a process or for its task or package; a name that is empty or of no process:
-  /// nobody.
+  /// The process that handles a request, and the task, key or package that it is about. An empty or unknown
+  /// process means that none handles it.
   struct Target {
     std::string process;
     std::string what;
@@ -105,7 +105,7 @@ struct DebugProcess::Implementation {
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
-  /// `taken`: the checksum of what was handed over.
+  /// `taken` is the checksum of the value that was passed on.
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
   void noticeStopped();
   void sendTables();
@@ -123,11 +123,13 @@ struct DebugProcess::Implementation {
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
   std::vector<const Process*> watched;
-  std::set<std::string> known;  // processes whose end was noticed
+  // Processes that are known to have stopped.
+  std::set<std::string> known;
   std::map<std::string, std::uint64_t> dropped;
   JoinedTables tables;
   std::optional<Instant> processTableDue;
-  bool solutionsDue = false;  // told although no process has told its own
+  // Send the table although no process has sent its own.
+  bool solutionsDue = false;
   Listener listener;
   BoundedQueue<Request> inbox{kMaxWaitingRequests};
 };
@@ -264,7 +266,7 @@ void DebugProcess::Implementation::route(const Request& request) {
   }
 }
 
-/// Nothing: this process does it itself.
+/// Returns nothing if the debug process itself handles the request.
 std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(
     const Request& request) const {
   const auto ofTask = [&](const std::string& task) { return Target{routes.processOf(task), task}; };
@@ -286,7 +288,7 @@ std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation
   }
 }
 
-/// Empty: it is done, or handed to the one who does it.
+/// Empty if the request will be done here or forwarded.
 std::string DebugProcess::Implementation::refusal(const Request& request) const {
   if (request.has_set_key()) {
     if (std::string wrong = wrongWith(request.set_key()); !wrong.empty()) return wrong;
@@ -329,7 +331,7 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
   answer(request, "");
 }
 
-/// A table without cells takes back the one that was set.
+/// A table without cells removes the one that was set.
 void DebugProcess::Implementation::sendColorTable(const Request& request) {
   const robotcontrol::ColorTable& table = request.set_color_table().table();
   colorTable.send(std::make_shared<robotcontrol::ColorTable>(table));
@@ -385,7 +387,7 @@ std::string DebugProcess::Implementation::stoppedText(const Process& stopped) co
   return "process " + stopped.name() + (failure.empty() ? " has stopped" : " has failed: " + failure);
 }
 
-/// Tells a process's end once, and answers for what it will never do.
+/// Logs the end of a process once, and answers the requests that it will never process.
 void DebugProcess::Implementation::noticeStopped() {
   for (const Process* watchedOne : watched) {
     if (!watchedOne->stopped() || !known.insert(watchedOne->name()).second) continue;

@@ -9,7 +9,7 @@
 namespace robotlink {
 namespace {
 
-// By task and name, so that nothing depends on the order in which files are linked.
+// Sorted by task and name, so that nothing depends on the order in which files are linked.
 std::vector<SolutionDescription>& registry() {
   static std::vector<SolutionDescription> solutions;
   return solutions;
