@@ -22,7 +22,8 @@ OdeGeom& infoOf(dGeomID geom) {
   return *static_cast<OdeGeom*>(dGeomGetData(geom));
 }
 
-/// Goes down into spaces, but never inside one: calls `found` for each pair of geoms of different models.
+/// Descends into spaces but compares nothing within one space: calls `callback` for each pair of geoms of
+/// different models. Returns false if neither argument is a space.
 template <typename Data>
 bool descend(Data* data, dGeomID a, dGeomID b, dNearCallback* callback) {
   if (dGeomIsSpace(a) == 0 && dGeomIsSpace(b) == 0) return false;
