@@ -10,16 +10,19 @@ namespace simcore {
 /// not even for reading, because it caches the last tile.
 class CellSet {
  public:
+  /// Whether a cell is in the set. Constant time on average; fastest near the cell of the last call.
   bool contains(int x, int y) const {
     const std::uint64_t* const tile = find(x, y);
     return tile != nullptr && (*tile & bitOf(x, y)) != 0;
   }
+  /// Adds a cell; no effect if it is in the set already.
   void insert(int x, int y) {
     if (std::uint64_t* const tile = find(x, y))
       *tile |= bitOf(x, y);
     else
       tiles_[keyOf(x, y)] = bitOf(x, y);
   }
+  /// Removes a cell; no effect if it is not in the set. Empty tiles stay allocated.
   void erase(int x, int y) {
     if (std::uint64_t* const tile = find(x, y)) *tile &= ~bitOf(x, y);
   }
