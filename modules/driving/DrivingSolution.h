@@ -11,17 +11,19 @@
 
 namespace modules {
 
-// Inline, so that every file that registers a solution of the task has it before.
+// Inline, so that it is defined in every file that registers a solution of the task.
 inline const robotlink::DebugKey kDrivingSpeedKey{
     "driving/speed", "The speed and rotation that the behaviour would like (plots)"};
 
-/// A solution of the task "driving": sends what the behaviour would like.
+/// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
+/// plots it.
 class DrivingSolution : public robotlink::Solution {
  public:
   explicit DrivingSolution(robotlink::SolutionContext& context)
       : debug_(context.debug()), clock_(context.clock()), wish_(context.output(robotlink::kDriveWish)) {}
 
  protected:
+  /// Sends a request; call it in every frame, because requests expire.
   void want(const DriveVelocity& velocity) {
     auto wish = std::make_shared<robotcontrol::DriveRequest>();
     robotlink::assign(*wish->mutable_timestamp(), clock_.now());

@@ -10,7 +10,8 @@
 
 namespace modules {
 
-// Keys that all solutions of the task share. Inline, so that every file that registers one has them before.
+// Debug keys shared by all solutions of the task. Inline, so that they are defined in every file that
+// registers a solution.
 inline const robotlink::DebugKey kLocatorPoseKey{
     "self-localisation/pose", "Where the robot believes to be, and how sure that is (drawn on the field)"};
 inline const robotlink::DebugKey kLocatorParticlesKey{
@@ -19,13 +20,14 @@ inline const robotlink::DebugKey kLocatorParticlesKey{
 inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
                                                  "Place, heading and deviation of the robot"};
 
-/// A solution of the task "self-localisation": sends an estimate and tells of it.
+/// The base of solutions of the task "self-localization": sends the pose estimate, and draws and plots it.
 class SelfLocator : public robotlink::Solution {
  public:
   explicit SelfLocator(robotlink::SolutionContext& context)
       : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
 
  protected:
+  /// Sends an estimate that is valid at `time`; call it once a frame.
   void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::RobotPose>();
     *package->mutable_timestamp() = time;
