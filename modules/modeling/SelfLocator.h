@@ -20,7 +20,7 @@ inline const robotlink::DebugKey kLocatorParticlesKey{
 inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
                                                  "Place, heading and deviation of the robot"};
 
-/// The base of solutions of the task "self-localization": sends the pose estimate, and draws and plots it.
+/// The base of solutions of the task "self-localisation": sends the pose estimate, and draws and plots it.
 class SelfLocator : public robotlink::Solution {
  public:
   explicit SelfLocator(robotlink::SolutionContext& context)

@@ -32,8 +32,8 @@ struct RobotDimensions {
   double hipX = 0.0595;
   /// Distance of the shoulders beside the origin.
   double hipY = 0.0592;
-  double pawOffset = 0;  ///< how much further out the paws are than the shoulders (0.5 mm in the drawing; the
-                         ///< model has none)
+  /// How much farther out the paws are than the shoulders (0.5 mm in the drawing, 0 in the model).
+  double pawOffset = 0;
   /// From J1 downwards to J3 with all angles at 0.
   double kneeDown = 0.0640;
   /// The same, away from the body's center.

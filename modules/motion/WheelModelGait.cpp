@@ -16,8 +16,8 @@ double approached(double value, double target, double change) {
   return value + std::clamp(target - value, -change, change);
 }
 
-/// Whether phases from `from` to `to` (a little later) pass a multiple of a half: there all paws of a trot
-/// are down.
+/// Whether the phases from `from` to `to` (slightly later) pass a multiple of one half, where all paws of a
+/// trot are down.
 bool passesHalf(double from, double to) {
   return std::floor(from * 2) != std::floor(to * 2);
 }

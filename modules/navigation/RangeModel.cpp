@@ -11,8 +11,8 @@ using robotlink::Vector2;
 
 namespace {
 
-// How far from a wall a ray may end, how far before its end it must meet none, and how far from what the map
-// says a cone's range may be, to be explained; m.
+// Conditions for a measurement to be explained, m: how far from a wall a ray may end, how far before its end
+// it must not hit one, and how far the range of a cone may differ from the map.
 constexpr double kNearWall = 0.15, kThroughWall = 0.3, kExplained = 0.25;
 // Cones are slow to look at, and a message has seldom more of them.
 constexpr std::size_t kMostCones = 16;
