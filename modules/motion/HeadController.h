@@ -10,7 +10,6 @@
 
 namespace modules {
 
-/// What is wanted of the head.
 /// A request for the head.
 struct HeadWish {
   enum class Kind { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };

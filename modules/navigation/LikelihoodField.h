@@ -21,10 +21,8 @@ class LikelihoodField {
   /// `deviation` is that of the end of a ray, m; `randomShare` the fraction of rays that hit something
   /// unknown to the map.
   void setDeviation(double deviation, double randomShare);
-  /// The logarithm of the likelihood, 0 at best.
   /// The logarithm of the likelihood at a place in the map, m; 0 is the best.
   float logLikelihood(float x, float y) const { return logarithms_[nearness(x, y)]; }
-  /// m, 2.5 at most and beyond the map.
   /// The distance to the nearest wall, m; at most 2.5, which is also the value outside the map.
   double distance(float x, float y) const { return kStep * nearness(x, y); }
 

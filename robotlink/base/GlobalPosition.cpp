@@ -40,7 +40,6 @@ GlobalPosition globalPosition(const GlobalPosition& origin, const Vector3& eastN
   double found = latitude;
   for (int round = 0; round < 6; ++round)
     found = std::atan2(place.z() + kEccentricity2 * verticalRadius(found) * std::sin(found), toAxis);
-  // The difference along the vertical, which is well defined at the poles, too.
   // Measured along the vertical, which is well defined at the poles, too.
   const double foundLongitude = toAxis > 0 ? std::atan2(place.y(), place.x()) : longitude;
   const Vector3 vertical(std::cos(found) * std::cos(foundLongitude),

@@ -32,7 +32,6 @@ struct DebugRoutes {
 /// process by the first process that receives it.
 DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
-/// The key by which a package is asked for: "package/camera/image".
 /// The debug key by which a package is requested: "package/camera/image".
 std::string packageKey(const std::string& package);
 /// The package that a key requests; empty if the key is not for a package.

@@ -125,7 +125,6 @@ struct OdeWorld {
   Pose3 wheelLinkPose(const OdeWheel& wheel) const;
 };
 
-/// Makes ODE ready to be used by the calling thread.
 /// Prepares ODE for use by the calling thread; cheap after the first call.
 void prepareOdeForThread();
 

@@ -37,7 +37,6 @@ class StaticGrid {
   /// Sets `found` to the geoms whose bounds meet `bounds`, in an order that depends only on the geoms and the
   /// bounds.
   void near(const Bounds& bounds, std::vector<dGeomID>& found) const;
-  /// Whether one of them may be within a rectangle, seen from above.
   /// Whether any geom may overlap a rectangle, seen from above.
   bool meetsAny(const Footprint& footprint) const;
   /// A lower bound of the distance from a point to the nearest geom, seen from above; at most `most`.

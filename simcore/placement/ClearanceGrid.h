@@ -43,7 +43,6 @@ class ClearanceGrid {
   void markCircle(const robotlink::Vector2& center, double radius);
   void mark(const Cell& cell);
 
-  /// Must be called after the last mark.
   /// Computes the clearances; call it after the last mark.
   void findClearances();
   bool isMarked(const Cell& cell) const { return marks_[indexOf(cell)] != 0; }

@@ -101,7 +101,6 @@ void FreeSpace::keepSurrounded() {
   constexpr Cell kSides[] = {{1, 0}, {1, 1}, {0, 1}, {-1, 1}, {-1, 0}, {-1, -1}, {0, -1}, {1, -1}};
   const auto isSurrounded = [&](const Cell& cell) {
     return std::ranges::count_if(kSides, [&](const Cell& side) {
-             // By its clearance, a cell tells how many next to it are free as well.
              // The clearance of a cell tells how many cells next to it are free as well.
              for (Cell at = cell; grid_.contains(at);) {
                if (grid_.isMarked(at)) return true;

@@ -36,7 +36,6 @@ struct LocalFan {
 void traceFan(RTCScene tree, const LocalFan& fan, int first, int last, double nearest,
               std::span<FanHit> hits);
 
-/// Where spheres in the world are, seen from a fan. Fan and frame must outlive it.
 /// The positions of spheres as seen from a fan, to select the rays that may hit them. Fan and frame must
 /// outlive it. Used for one fan at a time.
 class FanView {

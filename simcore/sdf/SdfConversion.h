@@ -47,7 +47,6 @@ Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
 LinkDescription readLink(const sdf::Link& link, const SdfContext& context);
 /// Reads the sensors of a link; kinds that this simulator does not know are errors.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
-/// A lidar: a laser, or, of one ray, a sensor of a distance.
 /// Reads a lidar: a laser or, if it has one ray, a distance sensor.
 void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
 void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
