@@ -21,7 +21,8 @@ PointsAnnotation& addPoints(foxglove::ImageAnnotations& to, Instant time, Points
   return points;
 }
 
-// The last annotation if it looks the same, else a new one: a thousand dots of one colour are one annotation.
+// Returns the last annotation if it has the same style, otherwise a new one, so that a thousand dots of one
+// color become one annotation.
 PointsAnnotation& points(foxglove::ImageAnnotations& to, Instant time, PointsAnnotation::Type type,
                          Color color, double width) {
   if (to.points_size() > 0) {

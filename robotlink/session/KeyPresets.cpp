@@ -38,7 +38,7 @@ json toJson(const KeyMode& mode) {
   return result;
 }
 
-// False if it is none.
+// Reads a mode; returns false if the value is not one.
 bool fromJson(const json& value, KeyMode& mode) {
   if (!value.is_object()) return false;
   const json name = value.value("mode", json());

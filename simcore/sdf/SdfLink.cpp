@@ -7,7 +7,8 @@
 namespace simcore {
 namespace {
 
-constexpr double kSmallest = 1e-5, kLargest = 1000;  // metres
+/// Limits of sizes, m.
+constexpr double kSmallest = 1e-5, kLargest = 1000;
 constexpr double kFar = 10'000;
 
 Vector3 checkedSize(const ignition::math::Vector3d& size, const sdf::ElementPtr& element,

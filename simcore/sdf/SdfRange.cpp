@@ -6,10 +6,12 @@
 namespace simcore {
 namespace {
 
-constexpr double kFarthest = 1000;  // metres
+/// In m.
+constexpr double kFarthest = 1000;
 constexpr int kMostReadings = 10'000;
 
-// With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller angle.
+// With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller
+// angle.
 constexpr double kDefaultIncidence = robotlink::radians(55);
 
 /// A number in one of our own elements of a sensor, or `otherwise`.
