@@ -14,6 +14,7 @@ namespace robotlink {
 template <typename T>
 class BoundedQueue {
  public:
+  /// The capacity is the number of values, whatever their size.
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
   /// Returns false if the queue was full and `value` was dropped.

@@ -40,6 +40,7 @@ inline Duration fromSeconds(double s) {
 class Clock {
  public:
   virtual ~Clock() = default;
+  /// Instants of one clock do not decrease, unless the platform was reset.
   virtual Instant now() const = 0;
 };
 

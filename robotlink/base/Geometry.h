@@ -35,6 +35,7 @@ inline double normalizedAngle(double angle) {
 struct Pose2 {
   double x = 0;
   double y = 0;
+  /// Not necessarily normalized; the operators below normalize their results.
   double heading = 0;
 
   Vector2 translation() const { return {x, y}; }
@@ -58,8 +59,8 @@ struct Pose2 {
   bool operator==(const Pose2&) const = default;
 };
 
-/// The pose of a body projected onto the ground; its heading is the direction of the body's x-axis. Undefined
-/// if that axis is vertical.
+/// The pose of a body projected onto the ground; its heading is the direction of the body's x-axis.
+/// Meaningless if that axis is vertical.
 inline Pose2 groundPose(const Pose3& pose) {
   return {pose.translation().x(), pose.translation().y(),
           std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};

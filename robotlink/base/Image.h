@@ -82,6 +82,7 @@ struct Image {
   PixelFormat format = PixelFormat::kMono8;
   std::vector<std::uint8_t> data;
 
+  /// An empty image.
   Image() = default;
   /// All bytes are 0.
   Image(int imageWidth, int imageHeight, PixelFormat imageFormat);

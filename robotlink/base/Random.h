@@ -22,7 +22,9 @@ constexpr std::uint64_t hashBits(std::uint64_t seed, std::uint64_t stream, std::
   return mixBits(mixBits(mixBits(seed) ^ stream) ^ index);
 }
 
-/// A small deterministic generator: the same seed gives the same numbers on every machine. Not thread-safe.
+/// A small deterministic generator: the same seed gives the same numbers. bits() and uniform() are the same
+/// on every machine; normal() may differ in its last bits between mathematical libraries. Not thread-safe.
+/// Streams of one seed are independent, so that each user can have its own.
 class Random {
  public:
   explicit Random(std::uint64_t seed, std::uint64_t stream = 0) : seed_(hashBits(seed, stream, 0)) {}
@@ -33,13 +35,15 @@ class Random {
   double uniform() { return static_cast<double>(bits() >> 11) * 0x1.0p-53; }
   /// Uniform in [low, high).
   double uniform(double low, double high) { return low + (high - low) * uniform(); }
-  /// Normally distributed with mean 0 and standard deviation 1 (Box-Muller).
+  /// Normally distributed with mean 0 and standard deviation 1 (Box-Muller). Takes two uniform numbers and
+  /// discards the second result, so that the state stays a mere counter.
   double normal() {
     const double radius = std::sqrt(-2.0 * std::log(1.0 - uniform()));
     return radius * std::cos(2 * std::numbers::pi * uniform());
   }
 
  private:
+  /// Seed and stream, mixed.
   std::uint64_t seed_;
   /// How many numbers were drawn; the whole state beside the seed.
   std::uint64_t count_ = 0;

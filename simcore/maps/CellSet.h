@@ -20,6 +20,7 @@ class CellSet {
     if (std::uint64_t* const tile = find(x, y))
       *tile |= bitOf(x, y);
     else
+      // A new tile, with only this cell.
       tiles_[keyOf(x, y)] = bitOf(x, y);
   }
   /// Removes a cell; no effect if it is not in the set. Empty tiles stay allocated.
@@ -30,7 +31,8 @@ class CellSet {
  private:
   /// The bit of a cell in its tile.
   static std::uint64_t bitOf(int x, int y) { return std::uint64_t{1} << ((y & 7) * 8 + (x & 7)); }
-  /// The key of a cell's tile: both coordinates divided by 8.
+  /// The key of a cell's tile: both coordinates divided by 8, rounded down, so that tiles do not straddle
+  /// the origin.
   static std::uint64_t keyOf(int x, int y) {
     return static_cast<std::uint64_t>(static_cast<std::uint32_t>(x >> 3)) << 32U |
            static_cast<std::uint32_t>(y >> 3);
@@ -39,6 +41,7 @@ class CellSet {
   std::uint64_t* find(int x, int y) const {
     const std::uint64_t key = keyOf(x, y);
     if (last_ != nullptr && key == lastKey_) return last_;
+    // A tile that does not exist is not cached: insert() may create it.
     const auto found = tiles_.find(key);
     if (found == tiles_.end()) return nullptr;
     lastKey_ = key;

@@ -7,6 +7,11 @@
 // Draws a mesh into the visibility buffer. Edge functions are homogeneous (Olano and Greer 1997: the sign of
 // the volume spanned by a pixel's ray and an edge), so nothing is ever clipped: a triangle may pass through
 // the camera. Included only by the two Kernels*.cpp.
+//
+// The steps for a mesh: collect the triangles that face the camera; transform the vertices; then for eight
+// triangles at a time compute pixel boxes, edge functions and planes, and draw each triangle row by row,
+// eight pixels at a time, where it is nearer than what was drawn before. Normals and color are not
+// interpolated here: a record per triangle has what the lighting of its pixels needs.
 namespace simcore::rendering {
 namespace {
 

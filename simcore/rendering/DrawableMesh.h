@@ -20,6 +20,7 @@ class DrawableMesh {
  public:
   explicit DrawableMesh(const Mesh& mesh);
   DrawableMesh(const DrawableMesh&) = delete;
+  /// Moving keeps streams() valid, because the vectors keep their memory.
   DrawableMesh(DrawableMesh&&) = default;
 
   const MeshStreams& streams() const { return streams_; }
@@ -27,7 +28,9 @@ class DrawableMesh {
   const Sphere& bound() const { return bound_; }
   /// A few smaller spheres that together contain the mesh.
   const std::vector<Sphere>& cover() const { return cover_; }
-  /// Whether the mesh is closed and convex. Then no part of it that faces a lamp is in its own shadow.
+  /// Whether all vertices are on or behind the plane of every triangle. Then no part of the mesh that faces a
+  /// lamp is in its own shadow. The mesh need not be closed. Very large meshes are not examined and count as
+  /// not convex.
   bool convex() const { return convex_; }
 
  private:
@@ -41,6 +44,7 @@ class DrawableMesh {
   MeshStreams streams_;
   /// Three positions, three normals, four plane coefficients.
   std::vector<float> floats_[10];
+  /// By corner, then by triangle: indices of vertices.
   std::vector<std::int32_t> indices_[3];
   /// By triangle: 1 if its vertices share a normal.
   std::vector<std::uint8_t> flat_;

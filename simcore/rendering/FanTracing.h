@@ -57,6 +57,7 @@ class FanView {
   /// The least distance at which a ray may meet it.
   double nearest() const { return nearest_; }
   /// Calls `trace(first, last)` for each range of rays that may meet it.
+  /// The ranges are inclusive and in increasing order of the angle within one turn.
   template <typename Trace>
   void forRays(Trace trace) const {
     const int last = static_cast<int>(fan_.size()) - 1;

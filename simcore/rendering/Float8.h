@@ -9,6 +9,9 @@
 // Eight floats at once, only for the kernels. Everything here has internal linkage, because the same code is
 // compiled once for AVX2 and once for any processor. Only operations that IEEE 754 rounds correctly are used,
 // no fused or approximate ones, so both give the same bits.
+//
+// Lane i holds the value of the i-th pixel, vertex or triangle of a group. Masks are Int8 with all bits of a
+// lane set or none, so they select with `mask ? a : b` and combine with & | ~.
 namespace simcore::rendering {
 namespace {
 
@@ -138,6 +141,8 @@ struct Rows4 {
   Float8 rows[4];
 };
 SIMCORE_INLINE Rows4 transposed(Float8 a, Float8 b, Float8 c, Float8 d) {
+  // Interleaves pairs of vectors first, then pairs of pairs. Shuffles within the halves of a vector are the
+  // cheap ones with AVX2.
   const Float8 ab0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
   const Float8 ab1 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
   const Float8 cd0 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);

@@ -35,6 +35,7 @@ class FrameMemory {
   // The memory to which buffer_ points.
   std::vector<TriangleRecord> records_;
   std::vector<float> positions_, normals_, inverseDepths_, columns_, rows_;
+  /// candidates_ is by triangle of the largest mesh, triangles_ by pixel.
   std::vector<std::int32_t> candidates_, triangles_;
   int rowsPerStrip_ = 1;
   // The memory of a strip.

@@ -5,6 +5,10 @@
 #include "simcore/rendering/KernelTypes.h"
 
 // Converts lit colors to bytes, and adds noise. Included only by the two Kernels*.cpp.
+//
+// A pixel's color is multiplied by its light, at most 1. For YCbCr this works on luma and on chroma without
+// its offset, because both are linear in the color. Noise is added last, to the bytes, and depends only on
+// keys and positions.
 namespace simcore::rendering {
 namespace {
 

@@ -5,6 +5,11 @@
 #include "simcore/rendering/KernelTypes.h"
 
 // Lights the pixels of a visibility buffer, eight at a time. Included only by the two Kernels*.cpp.
+//
+// For each group of pixels, shade() computes normals and positions from the triangles' records, and adds up
+// ambient light and lamps. A lamp's light on points that a caster might shade (LampGrid) is left out; these
+// pixels are collected as "unsure". ShadowCaster then traces rays for a quarter of them, settle() resolves
+// those whose neighbors agree, and rays are traced for the rest.
 namespace simcore::rendering {
 namespace {
 
