@@ -13,9 +13,10 @@ namespace modules {
 
 /// The obstacles seen around the robot during the last seconds, as points in the odometry frame, which is
 /// accurate enough for such a time. They must be remembered because sonars fire in turn and miss what is
-/// beside their cones, and a laser sees only one half. A newer measurement through a point removes it. A
-/// sonar knows the distance of an echo but hardly its direction; what other cones found free helps to locate
-/// it. Memory is bounded. Not thread-safe.
+/// beside their cones, and a laser sees only one half. A newer scan replaces the laser's points within its
+/// field of view; a newer cone removes points of sonars in the space that it found free. A sonar knows the
+/// distance of an echo but hardly its direction; what other cones found free helps to locate it. Memory is
+/// bounded. Not thread-safe.
 class RangeMemory {
  public:
   struct Options {

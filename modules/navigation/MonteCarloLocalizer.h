@@ -68,8 +68,8 @@ class MonteCarloLocalizer {
   void startAt(const robotlink::Pose2& robotInMap, double positionDeviation, double headingDeviation);
   /// Applies the motion since the last call, in the robot's frame.
   void move(const robotlink::Pose2& step);
-  /// Processes measurements at the robot's present pose. Returns false if they were ignored because the robot
-  /// has hardly moved.
+  /// Processes measurements at the robot's present pose. Returns false if they were ignored, because the
+  /// robot has hardly moved or none of them can be compared with the map.
   bool see(std::span<const RangeBeam> beams);
 
   const PoseEstimate& estimate() const { return estimate_; }

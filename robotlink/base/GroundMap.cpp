@@ -125,7 +125,7 @@ class Parser {
 
   /// The count that the header promises, summed over all sensors.
   struct Promise {
-    int line = 0;  ///< 0: it says nothing
+    int line = 0;  ///< 0: the header has no count
     double count = 0;
   };
 
@@ -332,7 +332,7 @@ class Parser {
     map_.places.push_back(std::move(place));
   }
 
-  std::string_view text_;  // what is left of it
+  std::string_view text_;  // the part that is not parsed yet
   const std::string& file_;
   int line_ = 0, column_ = 1;
   Section section_ = Section::kIntro;

@@ -106,8 +106,8 @@ struct Configuration {
   std::uint16_t latVelMaxMmS = 0;
   std::uint16_t latAccMmS2 = 0;
   std::uint16_t latDecelMmS2 = 0;
-  // The following fields are sent only by newer firmware.
   std::uint16_t chargeThreshold = 0;
+  // The following fields are sent only by newer firmware.
   std::uint8_t pdbPort = 0;
   std::uint16_t gyroRateLimitDegS = 0;
   std::int8_t highTemperatureDegC = 0;

@@ -77,8 +77,8 @@ void visitConfigurationFields(C& c, V& v) {
   v("lateral speed, limit", c.latVelMaxMmS, "mm/s");
   v("lateral acceleration", c.latAccMmS2, "mm/s2");
   v("lateral deceleration", c.latDecelMmS2, "mm/s2");
-  // Fields of newer firmware.
   v("charge threshold", c.chargeThreshold);
+  // Fields of newer firmware.
   v("pdb port", c.pdbPort);
   v("gyro rate limit", c.gyroRateLimitDegS, "deg/s");
   v("high temperature", c.highTemperatureDegC, "degC");

@@ -36,7 +36,7 @@ struct LoadMap {
 };
 /// Show a text to the user.
 struct Message {
-  std::string text;  ///< to be shown
+  std::string text;
 };
 /// End the simulator.
 struct Exit {
