@@ -79,17 +79,17 @@ class BallChaser {
   };
   /// Speeds, times and tolerances.
   struct Options {
-    /// In m/s.
+    /// Meters per second.
     double forwardSpeed = 0.15, sidewardSpeed = 0.10;
-    /// In rad/s.
+    /// Radians per second.
     double turnSpeed = 0.9;
-    /// In s.
+    /// Seconds.
     double lookAboutTime = 2.5;
     /// In s, for slightly more than a whole turn.
     double turnTime = 9;
-    /// In s.
+    /// Seconds.
     double wanderTime = 4;
-    /// In m/s.
+    /// Meters per second.
     double wanderSpeed = 0.1;
     /// Time without colors of the field, s.
     double blindAfter = 1.0;
@@ -110,7 +110,7 @@ class BallChaser {
     double kickToleranceX = 0.02, kickToleranceY = 0.03;
     /// After this time it approaches again, s.
     double positionTime = 8;
-    /// In s.
+    /// Seconds.
     double kickTimeout = 5;
   };
   explicit BallChaser(const Options& options) : options_(options) {}

@@ -16,9 +16,9 @@ class CornerEscape {
     double patience = 0.5;
     /// Free distance ahead, from the robot's center, that ends the escape, m.
     double roomAhead = 0.9;
-    /// In rad/s.
+    /// Radians per second.
     double rotation = 0.6;
-    /// In m/s.
+    /// Meters per second.
     double backingSpeed = 0.12;
     /// Delay until a request takes effect, s.
     double latency = 0.25;

@@ -24,9 +24,9 @@ struct Outline {
 
 /// A velocity in the robot's frame: forwards and counter-clockwise.
 struct DriveVelocity {
-  /// In m/s.
+  /// Meters per second.
   double forward = 0;
-  /// In rad/s.
+  /// Radians per second.
   double rotation = 0;
   bool operator==(const DriveVelocity&) const = default;
 };

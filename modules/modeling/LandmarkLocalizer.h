@@ -16,7 +16,7 @@ struct LandmarkMeasurement {
   robotlink::Vector2 position = robotlink::Vector2::Zero();
   /// From the robot's x-axis, rad.
   double bearing = 0;
-  /// In m.
+  /// Meters.
   double distance = 0;
   /// From 0 to 1.
   double confidence = 0;
@@ -38,9 +38,9 @@ class LandmarkLocalizer {
  public:
   struct Options {
     int particles = 200;
-    /// In m.
+    /// Meters.
     double fieldLength = 4.2, fieldWidth = 2.7;
-    /// In rad.
+    /// Radians.
     double bearingDeviation = 0.04;
     /// As a fraction of the distance.
     double distanceDeviation = 0.12;

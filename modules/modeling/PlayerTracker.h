@@ -12,7 +12,7 @@ namespace modules {
 /// Another robot on the field.
 struct TrackedPlayer {
   std::string team;
-  /// In m.
+  /// Meters.
   robotlink::Vector2 positionInField = robotlink::Vector2::Zero();
   /// From 0 to 1.
   double confidence = 0;

@@ -32,7 +32,7 @@ class FallDetector {
  private:
   /// Smoothed acceleration, in units of gravity.
   robotlink::Vector3 up_{0, 0, 1};
-  /// In s.
+  /// Seconds.
   double tiltedFor_ = 0;
   bool fallen_ = false;
 };

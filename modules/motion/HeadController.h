@@ -32,7 +32,7 @@ struct HeadParameters {
   double bodyHeight = 0.115;
   /// Nose down, rad.
   double bodyPitch = 0.046;
-  /// In m.
+  /// Meters.
   double ballRadius = 0.042;
   // Tilt is positive upwards.
   double aheadTilt = robotlink::radians(-12);
@@ -44,7 +44,7 @@ struct HeadParameters {
   /// Beacons and goals are at this height.
   double aroundTilt = robotlink::radians(-2);
   double aroundPan = robotlink::radians(85);
-  /// In rad/s.
+  /// Radians per second.
   double sweepSpeed = 1.9;
   /// Time without seeing the ball before it is searched, s.
   double lostAfter = 0.7;

@@ -15,7 +15,7 @@ struct GridFrame {
   robotlink::Vector2 low = robotlink::Vector2::Zero();
   /// Side of a cell, m.
   double cell = 0.05;
-  /// In cells.
+  /// Cells.
   int width = 0, height = 0;
 
   // The cell of a coordinate; may be outside the grid.

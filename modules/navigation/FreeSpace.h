@@ -19,7 +19,7 @@ class FreeSpace {
   FreeSpace(const DistanceMap& distances, const robotlink::GroundMap& map, double clearance);
 
   bool empty() const { return cells_.empty(); }
-  /// In m^2.
+  /// Square meters.
   double area() const;
   bool contains(const robotlink::Vector2& place) const;
   /// A random pose, uniformly distributed, with any heading. Must not be called if it is empty.

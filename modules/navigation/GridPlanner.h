@@ -16,7 +16,7 @@ struct PlannedPath {
   /// Why there is no path; empty if there is one.
   std::string reason;
   bool blocked() const { return !reason.empty(); }
-  /// In m.
+  /// Meters.
   double length() const;
 };
 
@@ -26,7 +26,7 @@ struct PlannedPath {
 class GridPlanner {
  public:
   struct Options {
-    /// In m.
+    /// Meters.
     double cell = 0.1;
     /// The distance from walls that the robot's center needs, m.
     double clearance = 0.32;

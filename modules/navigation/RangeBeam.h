@@ -12,7 +12,7 @@ struct RangeBeam {
   robotlink::Pose2 sensorInRobot;
   /// In m; `maximum` if nothing was hit.
   double range = 0;
-  /// In m.
+  /// Meters.
   double maximum = 0;
   /// The full cone, rad; 0 for a ray.
   double openingAngle = 0;

@@ -10,9 +10,9 @@ namespace modules {
 /// The ball as seen in one image.
 struct BallObservation {
   bool seen = false;
-  /// In pixels.
+  /// Pixels.
   robotlink::Vector2 centerInImage = robotlink::Vector2::Zero();
-  /// In pixels.
+  /// Pixels.
   double radiusInImage = 0;
   /// On the ground, m.
   robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
@@ -22,9 +22,9 @@ struct BallObservation {
 
 /// A disc in the image that may be the ball.
 struct BallDisc {
-  /// In pixels.
+  /// Pixels.
   robotlink::Vector2 center = robotlink::Vector2::Zero();
-  /// In pixels.
+  /// Pixels.
   double radius = 0;
   /// Standard deviation of the radius, pixels; large if too little of the edge is visible.
   double radiusDeviation = 0.6;
@@ -41,9 +41,9 @@ struct BallDisc {
 class BallGeometry {
  public:
   struct Options {
-    /// In m.
+    /// Meters.
     double ballRadius = 0.042;
-    /// In m.
+    /// Meters.
     double maximumDistance = 5.0;
     /// Standard deviation of the camera's elevation, rad.
     double tiltDeviation = 0.03;

@@ -14,9 +14,9 @@ namespace modules {
 class BandLandmarkFinder {
  public:
   struct Options {
-    /// In pixels.
+    /// Pixels.
     int minimumBandArea = 4;
-    /// In pixels.
+    /// Pixels.
     int minimumGoalArea = 60;
     LandmarkGeometry::Options geometry;
   };

@@ -15,10 +15,10 @@ namespace modules {
 /// points down.
 struct CameraView {
   robotlink::Pose3 cameraInRobot = robotlink::Pose3::Identity();
-  /// In pixels.
+  /// Pixels.
   int width = 176;
   int height = 144;
-  /// In pixels.
+  /// Pixels.
   double focalX = 160.07;
   double focalY = 162.48;
 

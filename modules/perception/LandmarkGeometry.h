@@ -38,9 +38,9 @@ struct LandmarkObservation {
 class LandmarkGeometry {
  public:
   struct Options {
-    /// In pixels.
+    /// Pixels.
     double minimumHeight = 4;
-    /// In m.
+    /// Meters.
     double maximumDistance = 6;
     /// Of the camera's elevation, rad.
     double tiltTolerance = 0.09;

@@ -14,7 +14,7 @@ namespace modules {
 struct RobotObservation {
   /// Color class of its team's patches.
   int teamClass = 0;
-  /// In m.
+  /// Meters.
   robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
   /// From 0 to 1.
   double confidence = 0;
@@ -36,9 +36,9 @@ class PatchFinder {
     double patchHeight = 0.13;
     /// Nearer patches are those of the robot itself, m.
     double minimumDistance = 0.25;
-    /// In m.
+    /// Meters.
     double maximumDistance = 3;
-    /// In m.
+    /// Meters.
     double robotLength = 0.3;
   };
   explicit PatchFinder(const Options& options) : options_(options) {}

@@ -17,7 +17,7 @@ namespace modules {
 class RegionBallFinder {
  public:
   struct Options {
-    /// In pixels.
+    /// Pixels.
     int minimumArea = 6;
     /// The fraction of the disc that must have the color.
     double minimumFill = 0.5;

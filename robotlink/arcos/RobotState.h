@@ -53,10 +53,10 @@ struct RobotState {
 
   /// Voltage, V.
   double battery = 0;
-  /// In 0 to 1. Empty optionals were not sent by the robot.
+  /// From 0 to 1. Empty optionals were not sent by the robot.
   std::optional<double> stateOfCharge;
   std::optional<bool> charging;
-  /// In degC.
+  /// Degrees Celsius.
   std::optional<double> temperature;
 
   std::uint8_t digitalIn = 0, digitalOut = 0;

@@ -68,7 +68,7 @@ struct OdeDrive {
   int model = 0;
   /// The body that carries the wheels, an index of OdeWorld::bodies.
   std::size_t body = 0;
-  // m
+  /// Meters.
   double track = 0;
   /// The middle between the wheels.
   Vector3 centerInBody = Vector3::Zero();

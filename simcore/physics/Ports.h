@@ -29,7 +29,7 @@ struct SensorSource {
 /// A servo with its commands.
 struct ServoState {
   std::size_t hinge = 0;
-  /// rad.
+  /// Radians.
   double target = 0;
   /// Fraction of the maximum torque, 0 to 1.
   double torqueShare = 1;

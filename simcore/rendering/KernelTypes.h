@@ -80,7 +80,7 @@ struct VisibilityBuffer {
 /// A cell of directions around a lamp: the nearest caster of shadows in it, and the nearest one of another
 /// instance, with lower bounds of their squared distances.
 struct LampCell {
-  // m^2
+  /// Square meters.
   float nearest = 0;
   float second = 0;
   /// The instances of the two; they share the third word, nearestInstance in its low half. Instances whose

@@ -11,9 +11,9 @@ namespace simcore {
 /// distance from the center (1 in the corners), all light is multiplied by 1 - falloff * r^2, and red and
 /// green also by 1 - tint * r^2, which makes the corners bluish.
 struct Vignetting {
-  /// In 0 to 1.
+  /// From 0 to 1.
   double falloff = 0;
-  /// In 0 to 1.
+  /// From 0 to 1.
   double tint = 0;
   bool operator==(const Vignetting&) const = default;
 };

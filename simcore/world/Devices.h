@@ -35,11 +35,11 @@ struct CameraSensor {
 struct Servo {
   /// Such as "red1/legFL1/request".
   PortInfo info;
-  /// In rad.
+  /// Radians.
   double minimum = 0, maximum = 0;
-  /// In rad/s.
+  /// Radians per second.
   double maximumSpeed = 0;
-  /// In N m.
+  /// Newton meters.
   double maximumTorque = 0;
 };
 
@@ -47,7 +47,7 @@ struct Servo {
 struct WheelDrive {
   /// Such as "p3at1/drive": speeds of the left and the right rims, shape {2}, m/s.
   PortInfo info;
-  /// In m.
+  /// Meters.
   double wheelRadius = 0;
   /// In m; where nothing is in the way, the robot turns by (right - left) / track.
   double track = 0;
@@ -58,9 +58,9 @@ struct WheelDrive {
 /// The readings of a drive's encoders and motors. Travel is that of the rims, the mean of a side's wheels,
 /// since the simulation began. It never wraps, and counts on while wheels slip.
 struct WheelState {
-  /// In m.
+  /// Meters.
   double leftTravel = 0, rightTravel = 0;
-  /// In m/s.
+  /// Meters per second.
   double leftSpeed = 0, rightSpeed = 0;
   /// True if for at least 0.1 s the motors have been at their limit and the wheels have hardly turned.
   bool leftBlocked = false, rightBlocked = false;

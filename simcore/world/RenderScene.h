@@ -44,7 +44,7 @@ struct Lamp {
   /// In the world, m.
   Eigen::Vector3f position = {0, 0, 3};
   float intensity = 0.6F;
-  /// In 1/m^2.
+  /// Per square meter.
   float attenuation = 0;
 };
 

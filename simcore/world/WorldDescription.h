@@ -23,7 +23,7 @@ struct Shape {
   Kind kind = Kind::kBox;
   /// Box: edge lengths; plane: x and y of the visible part.
   Vector3 size = Vector3::Zero();
-  // m
+  /// Meters.
   double radius = 0;
   /// Of a cylinder, or of a capsule's cylindrical part.
   double length = 0;
@@ -59,7 +59,7 @@ struct LinkDescription {
   std::string name;
   /// With all joints at 0.
   Pose3 poseInModel = Pose3::Identity();
-  // kg
+  /// Kilograms.
   double mass = 0;
   /// In the link's frame.
   Vector3 centerOfMass = Vector3::Zero();
@@ -184,7 +184,7 @@ struct ModelInstance {
 /// A checked world: every index is valid, every number finite and of a sensible magnitude. A plain value.
 struct WorldDescription {
   std::string name;
-  // m/s^2
+  /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
   float ambient = 0.4F;
   Rgb background;

@@ -11,7 +11,7 @@ namespace robotlink::arcos {
 
 /// A command to the motors: speeds of the wheels' rims, and whether the motors have power.
 struct WheelCommand {
-  /// m/s.
+  /// Meters per second.
   double left = 0, right = 0;
   /// If off, the wheels roll freely.
   bool motorsOn = false;
@@ -22,7 +22,7 @@ struct WheelCommand {
 struct MotionParameters {
   /// Maximal speed, also used by move().
   double speed = 0.75;
-  // m/s^2
+  /// Meters per second squared.
   double acceleration = 0.3, deceleration = 0.3;
   /// Maximal rotation, also used by turnTo().
   double rotation = radians(100.0);

@@ -14,7 +14,7 @@ namespace robotlink::arcos {
 struct RobotSensing {
   /// Travel of the wheels' rims by the encoders, m.
   double leftTravel = 0, rightTravel = 0;
-  /// m/s.
+  /// Meters per second.
   double leftSpeed = 0, rightSpeed = 0;
   // The wheel does not turn although it is driven.
   bool leftBlocked = false, rightBlocked = false;
@@ -22,7 +22,7 @@ struct RobotSensing {
   std::uint8_t frontBumpers = 0, rearBumpers = 0;
   /// Pressed: the motors are off, whatever the client commands.
   bool stopButton = false;
-  /// V.
+  /// Volts.
   double battery = 12.8;
   /// State of charge, 0 to 1.
   double charge = 1;

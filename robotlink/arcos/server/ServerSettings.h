@@ -22,7 +22,7 @@ struct ServerSettings {
   struct Laser {
     /// The angles of the first and the last reading, rad, counter-clockwise.
     double startAngle = radians(-90.0), endAngle = radians(90.0);
-    /// m.
+    /// Meters.
     double maximum = 32.0;
   };
 

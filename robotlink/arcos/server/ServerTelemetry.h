@@ -17,7 +17,7 @@ namespace robotlink::arcos {
 struct ServerReport {
   /// Ranges measured since the last packet, m, by sonar.
   std::map<int, double> sonars;
-  /// V.
+  /// Volts.
   double battery = 0;
   std::uint8_t digitalOut = 0;
 };
