@@ -15,7 +15,7 @@ namespace robotlink {
 ///
 /// In a step, every process that may enter phase 2 runs, in the order of add(), at most once per instant,
 /// until none can. Then the platforms step: all actuate, the world that they share advances its clock, all
-/// send their sensor data. The clock of the first platform counts; without a platform a step does nothing. A
+/// send their sensor data. The clock of the first platform counts; without a platform no process runs. A
 /// process that has not run for `starvation` plus its period is reported once, with what it waits for, until
 /// it runs again. Processes and platforms must outlive the executor or be removed with clear(). One thread at
 /// a time.

@@ -36,7 +36,7 @@ struct Conversation {
   bool operator==(const Conversation&) const = default;
 };
 
-/// Larger files are refused without being read.
+/// Files of this size or larger are refused without being read.
 inline constexpr std::size_t kMaximumConversationBytes = 256U << 20U;
 
 /// Parses a conversation. Empty lines and lines that begin with # are skipped. Fails at the first wrong line

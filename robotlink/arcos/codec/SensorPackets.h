@@ -60,7 +60,7 @@ struct ImuPacket {
     std::vector<std::int16_t> temperature;
     bool operator==(const Reading&) const = default;
   };
-  /// Time from the last information packet to the first reading.
+  /// Time since the last information packet.
   std::uint8_t sinceInformationMs = 0;
   std::vector<Reading> readings;
   Bytes rest;
@@ -101,9 +101,9 @@ struct GripperPacket {
   static constexpr std::uint8_t kId = 0xE0;
   /// Type of the gripper; 0 if there is none.
   std::uint8_t hasGripper = 0;
-  /// Bits as in StandardInformation::gripState.
+  /// Bits of the gripper's state.
   std::uint8_t state = 0;
-  /// Duration of a grasp, in units of the gripper.
+  /// Grasp time, in units of the gripper.
   std::uint8_t graspTime = 0;
   Bytes rest;
   bool operator==(const GripperPacket&) const = default;

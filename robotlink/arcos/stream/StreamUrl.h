@@ -11,7 +11,7 @@ namespace robotlink::arcos {
 
 /// The port of the first robot, used if the URL has none.
 inline constexpr std::uint16_t kDefaultPort = 8101;
-/// The rate at which Pioneers are delivered.
+/// The default rate of ARCOS.
 inline constexpr int kDefaultBaud = 9600;
 
 /// A robot, or its simulator, in the network.
