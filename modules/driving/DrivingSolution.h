@@ -16,7 +16,8 @@ inline const robotlink::DebugKey kDrivingSpeedKey{
     "driving/speed", "The speed and rotation that the behaviour would like (plots)"};
 
 /// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
-/// plots it.
+/// plots it. Obstacle avoidance treats a request older than a second as 0. Used by its process's thread; the
+/// context must outlive it.
 class DrivingSolution : public robotlink::Solution {
  public:
   explicit DrivingSolution(robotlink::SolutionContext& context)
@@ -35,6 +36,7 @@ class DrivingSolution : public robotlink::Solution {
     debug_.plot(kDrivingSpeedKey, "rotation", velocity.rotation, "rad/s");
   }
 
+  // For the derived classes.
   robotlink::DebugContext& debug_;
   const robotlink::Clock& clock_;
 

@@ -28,6 +28,7 @@ class ModeCounter {
   robotcontrol::KeyMode mode_;
   /// Uses since set(), or since the last time it was due.
   std::uint32_t count_ = 0;
+  /// The last time it was due, for EVERY_MS.
   Instant last_;
 };
 
@@ -36,13 +37,16 @@ inline bool ModeCounter::due(Instant now) {
   switch (mode_.kind()) {
     case KeyMode::ALWAYS:
       return true;
+    // Switches itself off with the last use.
     case KeyMode::N_TIMES:
       if (++count_ >= mode_.n()) mode_.set_kind(KeyMode::OFF);
       return true;
+    // True at the n-th use, then at the 2n-th, ...
     case KeyMode::EVERY_N:
       if (++count_ < mode_.n()) return false;
       count_ = 0;
       return true;
+    // True at the first use, then at least n ms apart; count_ is 0 only before the first.
     case KeyMode::EVERY_MS: {
       const Duration since = now - last_;
       const bool backInTime = since < Duration::zero();  // the simulation was reset

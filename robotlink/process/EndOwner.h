@@ -30,6 +30,7 @@ class EndOwner {
  private:
   friend class AnyReceiver;
   friend class AnySender;
+  // Called by the constructors of ends, which are members of the process or of its parts.
   void add(AnyReceiver& receiver) { receivers_.push_back(&receiver); }
   void add(AnySender& sender) { senders_.push_back(&sender); }
 

@@ -9,6 +9,7 @@ namespace robotlink {
 /// is one that the user chose, while the robot keeps running. Only in the GUI's thread.
 class Timeline {
  public:
+  /// Whether the newest instant is shown.
   bool live() const { return live_; }
   Instant shown() const { return live_ ? newest_ : chosen_; }
   Instant newest() const { return newest_; }
@@ -20,15 +21,18 @@ class Timeline {
   Duration sinceOrigin(Instant time) const { return time - origin_; }
 
   void goLive() { live_ = true; }
+  /// Stops following the newest instant and shows this one.
   void show(Instant time) {
     live_ = false;
     chosen_ = time;
   }
+  /// Called by the session in each tick.
   void setNewest(Instant time) { newest_ = time; }
 
  private:
   bool live_ = true;
   Instant newest_;
+  /// Shown while not live.
   Instant chosen_;
   Instant origin_;
 };
