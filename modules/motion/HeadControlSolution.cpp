@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "head-control": they connect a HeadController to packages.
 #include "MotionParameters.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "modules/motion/HeadController.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// ImageDrawing of Drawings.h: shapes as foxglove.ImageAnnotations.
 #include <google/protobuf/timestamp.pb.h>
 #include <array>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// SceneDrawing of Drawings.h: shapes as primitives of a foxglove.SceneEntity.
 #include "foxglove/Scene.pb.h"
 #include "robotlink/debugging/Primitives.h"
 #include "robotlink/debugging/Shapes.h"

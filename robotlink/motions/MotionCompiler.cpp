@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// compileMotions() of MotionNet.h: from motion files to a net of nodes.
 #include <algorithm>
 #include <map>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// checkLayout() of Layout.h: everything that makes a layout unusable.
 #include <algorithm>
 
 #include "robotlink/base/Spelling.h"

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// layoutGraph() of Layout.h: a layout as text for Graphviz.
 #include <map>
 #include <sstream>
 #include <tuple>

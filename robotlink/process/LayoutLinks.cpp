@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// layoutLinks() and unavailability() of Layout.h: the links that follow from inputs and outputs.
 #include <algorithm>
 
 #include "robotlink/process/LayoutIndex.h"

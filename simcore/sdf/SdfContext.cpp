@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// SdfContext of SdfConversion.h: errors with line numbers, and checks of numbers.
 #include <algorithm>
 #include <cctype>
 #include <sstream>

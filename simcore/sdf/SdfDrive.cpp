@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readDrive() of SdfConversion.h: drives of wheeled models.
 #include <algorithm>
 #include <cmath>
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readLink(), readSensors() and resolvedPose() of SdfConversion.h: links with their shapes and sensors.
 #include <algorithm>
 #include <cmath>
 

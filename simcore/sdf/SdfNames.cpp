@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// checkSdfNames() of SdfCheck.h: names, references, masses, sizes and inertias.
 #include <tinyxml2.h>
 
 #include <algorithm>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readLidar() and readSonar() of SdfConversion.h: range sensors.
 #include <cmath>
 
 #include "simcore/sdf/SdfConversion.h"
