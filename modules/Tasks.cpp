@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the tasks of the robot program are for. Their solutions register themselves, each beside its class.
+// The descriptions of the robot program's tasks. Their solutions register themselves, each next to its class.
 #include "robotlink/debugging/Solution.h"
 
 namespace modules {

@@ -22,7 +22,7 @@ namespace {
 
 using ModelTypes = std::map<fs::path, std::shared_ptr<const ModelDescription>>;
 
-/// A type with `static` overridden by an <include>.
+/// A copy of a type with `static` overridden by an <include>.
 std::shared_ptr<const ModelDescription> madeStatic(const std::shared_ptr<const ModelDescription>& type) {
   auto copy = std::make_shared<ModelDescription>(*type);
   copy->isStatic = true;
@@ -57,11 +57,12 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
   world.models.push_back(std::move(instance));
 }
 
-/// A world in the making, of either kind of file.
+/// A world under construction, from either kind of file.
 struct Draft {
   WorldDescription world;
   std::shared_ptr<const GroundMap> map;
-  SceneFiles files;  ///< empty so far, if the world comes from a map
+  // Empty if the world comes from a map and no model was added.
+  SceneFiles files;
 };
 
 Draft readSdfScene(const fs::path& file, const SdfSpec& spec, Errors& errors) {
@@ -121,7 +122,7 @@ const ModelInstance* firstModel(const WorldDescription& world, Fits fits) {
   return found == world.models.end() ? nullptr : &*found;
 }
 
-/// Reads the model of the robots that are to be added; null, with errors noted, if there is no such robot.
+/// Reads the model of the robots to add; null, after adding errors, if it is not a robot.
 std::shared_ptr<const ModelDescription> readRobot(Draft& draft, const std::string& name, const fs::path& file,
                                                   const SdfSpec& spec, Errors& errors) {
   const auto model = draft.files.addModel(name, file, spec, errors);

@@ -28,8 +28,8 @@ class Scene {
  public:
   using Robot = SceneRobot;
 
-  /// Reads a world file. `model://NAME` is looked for below the folder of the file and below
-  /// resources/scenes/models. Every error carries file and line. A file called *.map is a map.
+  /// Reads a world file; a file named *.map is a map. `model://NAME` is searched below the file's folder and
+  /// below resources/scenes/models. All errors are reported, each with file and line.
   ///
   /// Robots to add stand at the homes of a map or, by their teams, of a field first, then at free places that
   /// can be reached from there, apart from each other and with room to turn; never in walls, in forbidden
@@ -42,16 +42,18 @@ class Scene {
       const std::filesystem::path& file, const RobotsToAdd& robots = {}, const LoadProgress& progress = {});
 
   ~Scene();
+  /// The path as given to load().
   const std::filesystem::path& file() const;
-  const std::vector<Robot>& robots() const;  ///< in the order of the world's models; added ones last
-  /// Which resources/fields/<name>.yaml the world shows ("2002"); empty if it shows none.
+  /// In the order of the world's models; added robots come last.
+  const std::vector<Robot>& robots() const;
+  /// The name of the field in the world (resources/fields/<name>.yaml, "2002"); empty if there is none.
   const std::string& field() const;
   /// The names of all balls.
   const std::vector<std::string>& balls() const;
-  /// The map that the world was made from; null if there is none.
+  /// The map from which the world was built; null if the file is not a map.
   std::shared_ptr<const robotlink::GroundMap> groundMap() const;
 
-  /// For simcore's own sources and tests.
+  /// Only for simcore's own sources and tests.
   const SceneContents& contents() const { return *contents_; }
 
  private:

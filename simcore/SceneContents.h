@@ -13,15 +13,18 @@
 
 namespace simcore {
 
-/// What a Scene holds; for this folder's sources and tests only.
+/// The contents of a Scene; only for this folder's sources and tests.
 struct SceneContents {
   std::filesystem::path file;
   std::vector<SceneRobot> robots;
   std::vector<std::string> balls;
+  // As Scene::balls() and Scene::field() return them.
   std::string field;
   WorldDescription world;
+  /// Shared by all simulations and viewers of the scene.
   std::shared_ptr<const RenderScene> renderScene;
-  std::shared_ptr<const robotlink::GroundMap> groundMap;  ///< null: the world comes from no map
+  /// Null if the file is not a map.
+  std::shared_ptr<const robotlink::GroundMap> groundMap;
 };
 
 }  // namespace simcore

@@ -15,12 +15,12 @@
 namespace simcore {
 namespace {
 
-// The share of the remaining angle that a servo tries to turn in one step; 1 would overshoot.
+// The fraction of the remaining angle that a servo tries to turn in one step; with 1 it would overshoot.
 constexpr double kServoGain = 0.4;
-// Solids sink into each other a little where they rest on each other; more than this is a wrong place.
+// Solids that rest on each other overlap a little; a deeper overlap means an impossible pose.
 constexpr double kMaxOverlap = 0.003;
 
-/// Touches that are less than a moment apart are one.
+/// Counts touches; touches less than kMoment steps apart count as one.
 class TouchCount {
  public:
   void afterStep(bool touches) {
@@ -36,8 +36,8 @@ class TouchCount {
   std::uint64_t stepsSince_ = kMoment + 1, count_ = 0, steps_ = 0;
 };
 
-constexpr std::uint64_t kSolverStream =
-    0x736F6C766572;  // keeps the solver's random numbers apart from the sensors'
+/// Separates the solver's random numbers from those of the sensors.
+constexpr std::uint64_t kSolverStream = 0x736F6C766572;
 
 }  // namespace
 
@@ -48,14 +48,21 @@ struct Simulation::Implementation {
   Ports ports;
   std::unique_ptr<Physics> physics;
   std::optional<Sensing> sensing;
-  std::unique_ptr<RangeSensing> ranging;  // if there is anything to measure
+  // Null if there is nothing to measure.
+  std::unique_ptr<RangeSensing> ranging;
   std::uint64_t steps = 0;
-  std::vector<Pose3> poses;                 // by body of the render scene
-  std::vector<int> balls, robots;           // models
-  std::vector<std::uint64_t> ballContacts;  // by robot
-  std::vector<bool> touchedBall;            // in the last step, by robot
-  std::vector<TouchCount> obstacles;        // by robot
-  std::vector<WheelState> wheelStates;      // by drive
+  // By body of the render scene.
+  std::vector<Pose3> poses;
+  // Indices of models.
+  std::vector<int> balls, robots;
+  // By robot.
+  std::vector<std::uint64_t> ballContacts;
+  // By robot, in the last step.
+  std::vector<bool> touchedBall;
+  // By robot.
+  std::vector<TouchCount> obstacles;
+  // By drive.
+  std::vector<WheelState> wheelStates;
   bool readingsValid = false, posesValid = false, rangingValid = false;
 
   Implementation(std::shared_ptr<const Scene> ofScene, SimulationOptions with)

@@ -17,75 +17,93 @@ namespace simcore {
 
 class Scene;
 
+/// The options of a simulation.
 struct SimulationOptions {
+  /// Of all random numbers: noise and the order of the solver's constraints.
   std::uint64_t seed = 1;
+  /// Whether sensors have the noise that the scene's file gives them.
   bool noise = true;
-  /// Models with a drive are moved by their odometry, and stop before what is in the way, instead of by
-  /// forces.
+  /// Whether models with a drive follow their odometry, and stop in front of obstacles, instead of being
+  /// moved by forces.
   bool kinematic = false;
 };
 
-/// A world in motion: bodies, joints, contacts, sensors and servos, in steps of Simulation::kStep.
+/// A running simulation of a world: bodies, joints, contacts, sensors and servos, in steps of kStep. SI
+/// units; poses are in the world's frame.
 ///
-/// Deterministic: scene, seed and the servos' requests give the same bytes on one machine. One thread at a
-/// time may use a simulation; several simulations may run on several threads. Knows no robot program.
+/// Deterministic: on one machine, the same scene, options and requests give the same bytes. Each simulation
+/// may be used by one thread at a time; several simulations may run in several threads. It does not know
+/// about robot programs.
 class Simulation {
  public:
+  /// The duration of a step.
   static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
 
+  /// Fails if a model starts inside another one.
   static robotlink::Result<std::unique_ptr<Simulation>> create(std::shared_ptr<const Scene> scene,
                                                                SimulationOptions options);
   ~Simulation();
   Simulation(const Simulation&) = delete;
   Simulation& operator=(const Simulation&) = delete;
 
+  /// Advances by one step: servos and drives first, then physics, then contact counters.
   void step();
+  /// Steps since the start or the last reset.
   std::uint64_t steps() const;
+  /// Simulated time since then.
   robotlink::Duration time() const;
-  /// Back to the scene's first poses, with a new seed.
+  /// Returns to the initial state of the scene, with a new seed.
   void reset(std::uint64_t seed);
 
   const Scene& scene() const;
   std::shared_ptr<const RenderScene> renderScene() const;
-  /// Where each body of renderScene() is, by body index; valid until the next call to a non-const function.
+  /// The poses of the bodies of renderScene(), by body index; valid until the next call of a non-const
+  /// function.
   std::span<const Pose3> bodyPoses() const;
 
+  /// The sensors with their readings of the last step. They are computed on demand, once a step.
   std::span<const Sensor> sensors() const;
+  /// The cameras; images are made by a CameraRenderer.
   std::span<const CameraSensor> cameras() const;
   std::span<const RangeSensor> rangeSensors() const;
-  /// Writes what a range sensor measures now, m, into a span of as many as its readings. It costs something
-  /// only when it is called. The same within a step however often, and whether others are asked for or not.
+  /// Measures the present ranges of a range sensor, m; `ranges` has as many elements as the sensor has
+  /// readings. Computed on demand; repeated calls within a step, in any order of sensors, give the same
+  /// values.
   void measure(std::size_t rangeSensor, std::span<double> ranges) const;
+  /// The servos, addressed by their index.
   std::span<const Servo> servos() const;
-  /// An angle for a servo; limited to its range.
+  /// Sets the angle that a servo shall turn to, rad; clamped to its range. NaN is ignored.
   void requestAngle(std::size_t servo, double angle);
-  /// Share of the maximum torque that a servo may use, 0 to 1.
+  /// Sets the fraction of its maximum torque that a servo may use, 0 to 1.
   void setTorqueLimit(std::size_t servo, double share);
 
+  /// The drives, addressed by their index.
   std::span<const WheelDrive> drives() const;
   const WheelState& wheelState(std::size_t drive) const;
-  /// Speeds of a drive's rims, m/s, limited to what it can, from the next step on. How fast they may change
-  /// is up to whoever asks.
+  /// Sets the speeds of a drive's rims from the next step on, m/s; clamped to its maximum. Acceleration
+  /// limits are left to the caller. NaN is ignored.
   void requestWheelSpeeds(std::size_t drive, double left, double right);
-  /// Motors without power roll out against their gears' friction. They are on at first.
+  /// Switches the power of a drive's motors, initially on. Without power the wheels coast against the
+  /// friction of their gears.
   void setDriveOn(std::size_t drive, bool on);
 
-  /// True pose of a model ("red1", "ball") in the world. A robot's frame lies at its body's centre, x to the
-  /// front.
+  /// The true pose of a model ("red1", "ball") in the world; empty if there is none. A robot's frame is at
+  /// the center of its body, x to the front.
   std::optional<Pose3> modelPose(const std::string& model) const;
-  /// Puts a model somewhere, at rest, keeping its height and its joints; refuses a place where it would not
-  /// fit.
+  /// Moves a model to a pose on the ground and brings it to rest, with the same height and joint angles.
+  /// Fails, changing nothing, if the model is unknown or static, or does not fit there.
   robotlink::Result<void> placeModel(const std::string& model, const robotlink::Pose2& pose);
 
-  /// How often a robot and the ball began to touch.
+  /// How often robots, or a robot, began to touch a ball.
   std::uint64_t ballContacts() const;
   std::uint64_t ballContacts(const std::string& robot) const;
 
-  /// How often a robot began to touch anything but the floor, and for how long it did altogether.
+  /// How often a robot began to touch anything but the floor (contacts less than 0.1 s apart count as one),
+  /// and for how long in total.
   std::uint64_t obstacleContacts(const std::string& robot) const;
   robotlink::Duration obstacleContactTime(const std::string& robot) const;
 
-  /// A hash over all poses and velocities.
+  /// A hash of all poses and velocities, for tests of determinism.
   std::uint64_t digest() const;
 
  private:

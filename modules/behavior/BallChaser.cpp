@@ -16,7 +16,7 @@ double bearing(const Vector2& place) {
   return std::atan2(place.y(), place.x());
 }
 
-/// Turning towards a direction; gentle near it, so that the gait does not swing about.
+/// The rotation towards an angle; slow near it, so that the gait does not oscillate.
 double turnTo(double angle, double limit) {
   return std::clamp(1.6 * angle, -limit, limit);
 }
@@ -128,7 +128,7 @@ void BallChaser::transit(const Situation& now) {
 Intention BallChaser::walk(const Vector2& way, double turn, double speedShare) const {
   Intention intention;
   intention.motion = Intention::Motion::kWalk;
-  // Keeps the direction where one of the two speeds is at its limit.
+  // Keeps the direction if one of the two speeds is at its limit.
   const double excess = std::max({1.0, std::abs(way.x()) / (options_.forwardSpeed * speedShare),
                                   std::abs(way.y()) / (options_.sidewardSpeed * speedShare)});
   intention.forward = way.x() / excess;
@@ -143,7 +143,7 @@ Intention BallChaser::approach(const Situation& now) {
   Vector2 place = now.ball * std::max(0.0, 1 - options_.alignDistance / std::max(0.01, distance));
   const auto off = misalignment(now);
   if (off && distance > options_.alignDistance) {
-    // A place behind the ball. The detour grows with the angle, but never leads past the ball's far side.
+    // A position behind the ball. The detour grows with the angle, but never passes the far side of the ball.
     const double bend = std::clamp(*off, -1.2, 1.2);
     const Vector2 behind = Eigen::Rotation2Dd(bend) * (-now.ball.normalized()) * options_.alignDistance;
     place = now.ball + behind;
@@ -151,7 +151,7 @@ Intention BallChaser::approach(const Situation& now) {
   target_ = place;
   const double direction = bearing(distance > 0.6 ? place : now.ball);
   Intention intention = walk(place * 3, turnTo(direction, options_.turnSpeed), 1);
-  // First turn, then go: a trot that turns and walks at once does neither well.
+  // First turn, then walk: a trot does not turn and walk well at the same time.
   const double share = std::clamp(1.5 - std::abs(bearing(now.ball)) / 0.6, 0.0, 1.0);
   intention.forward *= share;
   intention.left *= share;
@@ -160,8 +160,8 @@ Intention BallChaser::approach(const Situation& now) {
 
 Intention BallChaser::align(const Situation& now) const {
   const double off = misalignment(now).value_or(0);
-  // Circling: sideways along the circle, turning so that the ball stays ahead. Goal to the left: go to the
-  // right.
+  // Circling: sideways along the circle, while turning so that the ball stays ahead. If the goal is to the
+  // left, walk to the right.
   const double along = off > 0 ? -options_.sidewardSpeed : options_.sidewardSpeed;
   const double distance = std::max(0.15, now.ball.norm());
   const double in = 1.2 * (distance - options_.alignDistance);
@@ -204,7 +204,7 @@ Intention BallChaser::act(const Situation& now) {
     case State::kPosition:
       return position(now);
     case State::kKick:
-      // Asked for until it begins: a motion that is asked for when it ends is played again.
+      // Requested only until it begins: a motion that is still requested when it ends is repeated.
       intention.motion = kickBegan_ ? Intention::Motion::kStand : Intention::Motion::kKick;
       intention.head = Intention::Head::kTrack;
       return intention;

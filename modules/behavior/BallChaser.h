@@ -8,112 +8,162 @@
 
 namespace modules {
 
-/// What a behaviour knows of its robot and the world at one instant. Robot frame unless it says otherwise.
+/// What a behavior knows about its robot and the world at one instant, in the robot's frame unless noted
+/// otherwise.
 struct Situation {
-  double time = 0;  ///< s, of any clock
+  /// Of any clock, s.
+  double time = 0;
+  /// The ball was seen recently enough to be of use.
   bool ballKnown = false;
-  robotlink::Vector2 ball = robotlink::Vector2::Zero();  ///< m
-  double ballAge = 0;                                    ///< s since it was seen
-  /// Where the opponent's goal is; none while the robot does not know where it is itself.
+  /// Position of the ball's center on the ground, m.
+  robotlink::Vector2 ball = robotlink::Vector2::Zero();
+  /// Time since the ball was seen, s.
+  double ballAge = 0;
+  /// Position of the opponent's goal, m; empty while the robot does not know its own pose.
   std::optional<robotlink::Vector2> goal;
-  bool fieldSeen = false;  ///< the camera shows colours of the field: it is not blind
+  /// The camera shows colors of the field, so it is not blind.
+  bool fieldSeen = false;
   bool fallen = false;
-  bool kicking = false;  ///< motion plays key frames
-  bool stable = true;    ///< the motion can be left now
+  /// The motion task is playing key frames.
+  bool kicking = false;
+  /// The current motion can be left now.
+  bool stable = true;
 };
 
-/// What it wants of the robot.
+/// What a behavior requests from motion and head.
 struct Intention {
+  // Motion of the body.
   enum class Motion { kStand, kWalk, kKick, kGetUp };
+  // What the head looks at.
   enum class Head { kAhead, kSearch, kTrack, kLookAround };
   Motion motion = Motion::kStand;
-  double forward = 0, left = 0;  ///< m/s
-  double turn = 0;               ///< rad/s, counter-clockwise
+  /// In m/s; only for kWalk.
+  double forward = 0, left = 0;
+  /// In rad/s, counter-clockwise.
+  double turn = 0;
   Head head = Head::kAhead;
   bool operator==(const Intention&) const = default;
 };
 
-/// Goes to the ball and kicks it: a state machine on plain values.
+/// Walks to the ball and kicks it: a state machine on plain values.
 ///
-/// Searching: looks about standing, then turns on the spot; it leaves the spot only after a whole turn, for a
-/// bounded way, and only if it sees the field: a blind robot stands still. Approaching: turns to the ball and
-/// walks to a place behind it, seen from the goal if that is known. Aligning: circles around the ball until
-/// the goal is behind it. Positioning: the last centimetres to where the kicking paw reaches the ball.
-/// Kicking: one key-frame motion, then the ball is looked for anew. A robot that fell gets up.
+/// Search: looks around while standing, then turns on the spot. It walks elsewhere only after a whole turn,
+/// for a limited time, and only if it sees the field: a blind robot stands still. Chase: turns to the ball
+/// and walks to a position behind it (as seen from the goal, if that is known), circles the ball until the
+/// goal is behind it, then covers the last centimeters to where the kicking paw reaches the ball. The kick is
+/// one key-frame motion; then the ball is searched again. A robot that fell gets up. Not thread-safe.
 class BallChaser {
  public:
+  /// The states; kBlind to kWander are the search, kApproach to kPosition the chase.
   enum class State {
+    /// Nothing of the field is seen: stands still.
     kBlind,
+    /// Stands and moves its head.
     kLookAbout,
+    /// Turns on the spot for a whole turn.
     kTurn,
+    /// Walks ahead for a while to search elsewhere.
     kWander,
+    /// Walks to a position behind the ball.
     kApproach,
+    /// Stands near the ball and looks for beacons and goals.
     kGlance,
+    /// Circles the ball until the goal is behind it.
     kAlign,
+    /// Walks the last centimeters, until the kicking paw can reach the ball.
     kPosition,
+    /// Plays the kick.
     kKick,
+    /// Gets up after a fall.
     kGetUp
   };
+  /// Speeds, times and tolerances.
   struct Options {
-    double forwardSpeed = 0.15, sidewardSpeed = 0.10;  ///< m/s
-    double turnSpeed = 0.9;                            ///< rad/s
-    double lookAboutTime = 2.5;                        ///< s
-    double turnTime = 9;                               ///< s, for a bit more than a whole turn
-    double wanderTime = 4;                             ///< s
-    double wanderSpeed = 0.1;                          ///< m/s
-    double blindAfter = 1.0;                           ///< s without the field's colours
-    double lostAfter = 4;                              ///< s without the ball
-    double glanceTime = 2.5;                           ///< s, for beacons and goals
-    double glanceAgain = 12;                           ///< s, after the last glance
-    double alignDistance = 0.32;                       ///< m, from the ball's middle while circling it
-    double alignTolerance = 0.35;                      ///< rad, between ball and goal
-    double alignTime = 8;                              ///< s, then it kicks wherever the ball goes
-    double kickX = 0.155, kickY = 0.0;                 ///< m, where the ball must be
+    /// Meters per second.
+    double forwardSpeed = 0.15, sidewardSpeed = 0.10;
+    /// Radians per second.
+    double turnSpeed = 0.9;
+    /// Seconds.
+    double lookAboutTime = 2.5;
+    /// In s, for slightly more than a whole turn.
+    double turnTime = 9;
+    /// Seconds.
+    double wanderTime = 4;
+    /// Meters per second.
+    double wanderSpeed = 0.1;
+    /// Time without colors of the field, s.
+    double blindAfter = 1.0;
+    /// Time without the ball, s.
+    double lostAfter = 4;
+    /// In s, for beacons and goals.
+    double glanceTime = 2.5;
+    /// Minimum time between glances, s.
+    double glanceAgain = 12;
+    /// Distance from the ball's center while circling it, m.
+    double alignDistance = 0.32;
+    /// Angle between ball and goal, rad.
+    double alignTolerance = 0.35;
+    /// After this time it kicks in any direction, s.
+    double alignTime = 8;
+    /// Where the ball must be for a kick, m.
+    double kickX = 0.155, kickY = 0.0;
     double kickToleranceX = 0.02, kickToleranceY = 0.03;
-    double positionTime = 8;  ///< s, then it begins anew
-    double kickTimeout = 5;   ///< s
+    /// After this time it approaches again, s.
+    double positionTime = 8;
+    /// Seconds.
+    double kickTimeout = 5;
   };
   explicit BallChaser(const Options& options) : options_(options) {}
+  /// Takes effect with the next decide().
   void setOptions(const Options& options) { options_ = options; }
 
+  /// Updates the state and returns the request; call it once a frame.
   Intention decide(const Situation& now);
   State state() const { return state_; }
-  /// Why the state was entered.
+  /// The reason for entering the state, for logs.
   const std::string& reason() const { return reason_; }
-  /// The last decide() entered it.
+  /// Whether the last decide() entered the state.
   bool changed() const { return changed_; }
-  /// Where it wants to stand, in the robot's frame; for drawings.
+  /// The position that it walks to, in the robot's frame; for drawings.
   const std::optional<robotlink::Vector2>& target() const { return target_; }
 
  private:
   void enter(State state, const char* reason, double time);
+  // The transitions by group of states; each may enter another state.
   void transit(const Situation& now);
   void transitSearch(const Situation& now);
   void transitChase(const Situation& now);
   void transitKick(const Situation& now);
+  /// Stricter than `ballKnown`: the ball is visible now.
   bool seesBall(const Situation& now) const { return now.ballKnown && now.ballAge < 0.3; }
-  /// The angle between the ball and the goal behind it, seen from the robot; none if the goal is not known.
+  /// The angle between the ball and the goal behind it, seen from the robot; empty if the goal is unknown.
   std::optional<double> misalignment(const Situation& now) const;
 
+  // The requests in the present state.
   Intention act(const Situation& now);
   Intention approach(const Situation& now);
   Intention align(const Situation& now) const;
   Intention position(const Situation& now) const;
+  /// A walk in the direction `way`, at most at a fraction of the maximal speeds, keeping the direction.
   Intention walk(const robotlink::Vector2& way, double turn, double speedShare) const;
 
   Options options_;
   State state_ = State::kLookAbout;
   double enteredAt_ = 0;
+  /// False before the first decide().
   bool started_ = false;
   double fieldSeenAt_ = 0;
+  /// The motion task has confirmed that the kick is being played.
   bool kickBegan_ = false;
   double glancedAt_ = -1e9;
+  /// 1 to the left, -1 to the right.
   double turnDirection_ = 1;
   std::string reason_;
   bool changed_ = false;
   std::optional<robotlink::Vector2> target_;
 };
 
+/// The state in words: "look about", "kick", ...
 const char* name(BallChaser::State state);
 
 }  // namespace modules

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "behavior": what the robot wants to do.
+// The solutions of the task "behavior": what the robot does, as requests to motion and head.
 #include <algorithm>
 #include <array>
 
@@ -28,7 +28,7 @@ const DebugKey kTargetKey{
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};
 const DebugKey kSpeedKey{"behavior/speed", "The walking speeds that are asked for"};
 
-/// Sends what is wanted of body and head.
+/// Sends the requests for body and head.
 class Behavior : public robotlink::Solution {
  public:
   explicit Behavior(robotlink::SolutionContext& context)
@@ -127,7 +127,7 @@ class GoToBallAndKick final : public Behavior {
     if (ball_ && ball_->known()) {
       now.ballKnown = true;
       now.ball = robotlink::vector2(ball_->position_in_robot());
-      // The model's age is that of its last frame.
+      // The age in the model is that at its last frame.
       now.ballAge = ball_->seconds_since_seen() +
                     std::max(0.0, now.time - robotlink::seconds(robotlink::instant(ball_->timestamp())));
     }
@@ -143,10 +143,10 @@ class GoToBallAndKick final : public Behavior {
     return now;
   }
 
-  /// A blind camera shows no colour at all; before a wall or in a goal there is no green, but white or the
-  /// goal's colour.
+  /// A blind camera shows no color at all. In front of a wall or in a goal there is no green, but white or
+  /// the goal's color.
   bool seesField() const {
-    // Without regions nobody can tell; the ball model alone decides then.
+    // Without regions, only the ball model can tell.
     if (!regions_) return ball_ && ball_->known();
     double colored = 0;
     for (const robotcontrol::ColorRegion& region : regions_->regions()) colored += region.area();

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "obstacle-avoidance": what the motors are told of what the behaviour would like.
+// The solutions of the task "obstacle-avoidance": they convert the behavior's drive requests to requests for
+// the motors.
 #include <cmath>
 
 #include "DrivingParameters.pb.h"
@@ -28,10 +29,10 @@ const DebugKey kWindowKey{"obstacle-avoidance/window",
 const DebugKey kSpeedKey{"obstacle-avoidance/speed",
                          "The speeds and rotations that are wished, requested and driven (plots)"};
 
-/// s, after which a wish has lost its meaning.
+/// After this time a request has expired, s.
 constexpr double kWishOutdated = 1.0;
 
-/// Knows the wish and the robot's limits, and sends requests that the robot can follow.
+/// Has the behavior's request and the robot's limits, and sends requests that the robot can follow.
 class Avoidance : public robotlink::Solution {
  public:
   explicit Avoidance(robotlink::SolutionContext& context)
@@ -42,7 +43,7 @@ class Avoidance : public robotlink::Solution {
         request_(context.output(robotlink::kDriveRequest)) {}
 
  protected:
-  /// What the behaviour wants now; nothing if it has not said so lately.
+  /// The current request of the behavior; zero if it has expired.
   DriveVelocity wish() const {
     if (!wish_) return {};
     const double age = robotlink::seconds(clock_.now() - robotlink::instant(wish_->timestamp()));
@@ -87,7 +88,7 @@ class Avoidance : public robotlink::Solution {
   double sentAt_ = -1;
 };
 
-/// Avoids by what is seen; blind it does not drive.
+/// Avoids obstacles seen by the sensors; does not drive without readings.
 class SeeingAvoidance : public Avoidance {
  public:
   explicit SeeingAvoidance(robotlink::SolutionContext& context)
@@ -212,7 +213,7 @@ class DynamicWindowAvoidance final : public SeeingAvoidance {
     replace(options.window, parameters_.window());
     replace(options.horizon, parameters_.horizon());
     replace(options.latency, parameters_.latency());
-    // A person may ask for so many that it takes for ever.
+    // Limited, because users may set so many samples that a frame takes too long.
     options.speeds = std::min(50, orBuiltIn(parameters_.speeds(), options.speeds));
     options.rotations = std::min(50, orBuiltIn(parameters_.rotations(), options.rotations));
     replace(options.speedWeight, parameters_.speed_weight());
@@ -222,7 +223,7 @@ class DynamicWindowAvoidance final : public SeeingAvoidance {
     return options;
   }
 
-  /// Each velocity as the arc that it would drive.
+  /// Draws each velocity as the arc that the robot would drive.
   void draw() {
     auto drawing = debug_.robotDrawing(kWindowKey);
     const auto arc = [&](const DriveVelocity& velocity, double time, robotlink::Color color, double width) {

@@ -10,11 +10,11 @@ using robotlink::Vector2;
 
 namespace {
 
-// m, that a corner of the robot moves at most from one look to the next.
+// How far a corner of the robot moves at most between two checks, m.
 constexpr double kStep = 0.04;
-// m, that a point within the margin may come nearer by before that counts.
+// How much closer a point within the margin may come before that counts, m.
 constexpr double kSlack = 0.003;
-// m, that is kept even from what is within the margin.
+// The distance that is kept even from points within the margin, m.
 constexpr double kTouching = 0.02;
 
 }  // namespace
@@ -24,7 +24,7 @@ Clearance::Clearance(const Outline& outline, const Options& options, std::span<c
   for (const Vector2& point : points) {
     const double distance = outline_.distance(point);
     nearest_ = std::min(nearest_, distance);
-    // What lies within the outline is wrong, or it is too late.
+    // A point inside the outline is an error, or it is too late.
     const double allowed =
         std::min(options_.margin, std::max(distance - kSlack, std::min(distance, kTouching)));
     obstacles_.push_back({static_cast<float>(point.x()), static_cast<float>(point.y()),
@@ -41,7 +41,7 @@ double Clearance::freeTime(const DriveVelocity& velocity) const {
              halfWidth = static_cast<float>(outline_.halfWidth);
   for (double time = step; time < options_.horizon; time += step) {
     const double turn = velocity.rotation * time;
-    // The way along an arc.
+    // The displacement along an arc.
     const double half = 0.5 * turn;
     const double chord = velocity.forward * time * (std::abs(half) < 1e-6 ? 1 : std::sin(half) / half);
     const auto x = static_cast<float>(chord * std::cos(half)), y = static_cast<float>(chord * std::sin(half));
@@ -70,7 +70,7 @@ double Clearance::nearestAfter(const DriveVelocity& velocity, double time) const
 }
 
 bool Clearance::safe(const DriveVelocity& velocity, const DriveLimits& limits, double latency) const {
-  // At the velocity of the beginning, braking takes half as long.
+  // Braking takes half as long as the same distance at the initial velocity.
   const double braking = std::max(0.5 * std::abs(velocity.forward) / limits.acceleration,
                                   0.5 * std::abs(velocity.rotation) / limits.rotationAcceleration);
   return freeTime(velocity) >= std::min(options_.horizon, latency + braking);

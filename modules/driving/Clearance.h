@@ -8,39 +8,45 @@
 
 namespace modules {
 
-/// How long a robot may drive until it comes too near to what is around it, by its real outline. A point that
-/// is nearer than the margin already is no hindrance as long as the robot gets no nearer to it.
+/// How long a robot can keep a velocity before an obstacle comes too close to its outline. A point that is
+/// closer than the margin already does not count as long as it does not come closer. A plain value for one
+/// set of obstacles.
 class Clearance {
  public:
   struct Options {
-    double margin = 0.1;   ///< m, that shall stay free around the outline
-    double horizon = 3.0;  ///< s, looked ahead
+    /// The distance to keep around the outline, m.
+    double margin = 0.1;
+    /// How far to look ahead, s.
+    double horizon = 3.0;
   };
-  /// `points`: obstacles in the robot's frame.
+  /// `points` are obstacles in the robot's frame, m.
   Clearance(const Outline& outline, const Options& options, std::span<const robotlink::Vector2> points);
 
-  /// s, for which the robot may keep this velocity; the horizon if nothing is in its way.
+  /// The time for which the robot can keep this velocity, s; the horizon if nothing is in its way.
   double freeTime(const DriveVelocity& velocity) const;
-  /// Whether it may drive so until the next decision, and still brake then. `latency`: s, until a request
-  /// acts.
+  /// Whether it can drive like this until the next decision and still brake then. `latency` is the delay
+  /// until a request takes effect, s.
   bool safe(const DriveVelocity& velocity, const DriveLimits& limits, double latency) const;
-  /// The velocity, or as much of it as is safe; of forward and backward speed and rotation either may be 0
-  /// then.
+  /// The given velocity, scaled down until it is safe; either its forward speed or its rotation may become 0.
   DriveVelocity limited(const DriveVelocity& velocity, const DriveLimits& limits, double latency) const;
-  /// m, to what is nearest; the horizon's reach if there is nothing.
+  /// The distance to the nearest obstacle, m; very large if there is none.
   double nearest() const { return nearest_; }
-  /// m, to what will be nearest after some seconds of a velocity.
+  /// The distance to the nearest obstacle after driving at a velocity for `time` seconds, m.
   double nearestAfter(const DriveVelocity& velocity, double time) const;
 
  private:
+  // Single precision, because many obstacles are checked many times.
   struct Obstacle {
     float x, y;
-    float allowed;  // m, as near as it may come
-    float reach;    // m, from the robot's middle
+    /// The least distance allowed, m.
+    float allowed;
+    /// The distance from the robot's center, m.
+    float reach;
   };
   Outline outline_;
   Options options_;
-  std::vector<Obstacle> obstacles_;  // the nearest first
+  /// Nearest first.
+  std::vector<Obstacle> obstacles_;
   double nearest_ = 1e3;
 };
 

@@ -5,15 +5,15 @@ namespace modules {
 
 namespace {
 
-// rad/s of a wish and m/s of what comes of it; less is none.
+// Requested rotation, rad/s, and possible speed, m/s, below which there is none.
 constexpr double kWantsTurn = 0.1, kDrivesSpeed = 0.04;
-// s, of turning without success until it tries the other side.
+// How long it turns without success before it tries the other side, s.
 constexpr double kOtherSideAfter = 12;
 
-// s, after which a move must have made room; m of it that keeping on is worth.
+// The time in which a move must have made room, s; and the bonus for continuing in the same direction, m.
 constexpr double kMakingRoom = 1.5, kKeeping = 0.03;
 
-/// 1: there is more room to the left; -1: to the right.
+/// Returns 1 if there is more room to the left, -1 if to the right.
 double betterSide(const PolarView& view) {
   double left = 0, right = 0;
   for (int sector = 1; sector < PolarView::kSectors / 2; ++sector) {
@@ -61,14 +61,14 @@ DriveVelocity CornerEscape::escape(const Clearance& clearance, const DriveLimits
     const DriveVelocity turning{0, side_ * share * options_.rotation};
     if (clearance.safe(turning, limits, options_.latency)) return turning;
   }
-  // No room to turn: go to where there is more, back or ahead, straight or in a curve.
+  // There is no room to turn: move to where there is more, back or ahead, straight or in a curve.
   DriveVelocity best;
   double most = -1;
   for (const double direction : {-1.0, 1.0}) {
     for (const double turn : {0.0, 0.1, -0.1, 0.3, -0.3}) {
       const DriveVelocity moving{direction * options_.backingSpeed, turn * options_.rotation};
       if (!clearance.safe(moving, limits, options_.latency)) continue;
-      // Not to and fro.
+      // Avoids moving to and fro.
       const double room =
           clearance.nearestAfter(moving, kMakingRoom) + (direction == direction_ ? kKeeping : 0);
       if (room <= most) continue;

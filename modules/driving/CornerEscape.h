@@ -6,40 +6,52 @@
 
 namespace modules {
 
-/// What avoiding does where there is no way on, or no room for a turn that is wished: it turns on the spot to
-/// the side that has more room, and does not change its mind before there is a way; where it cannot turn, it
-/// backs off, or creeps on.
+/// The part of obstacle avoidance for when there is no way ahead, or no room for a requested turn: turns on
+/// the spot to the side with more room and keeps to that side until there is a way; if it cannot turn, it
+/// moves backwards or creeps ahead. Not thread-safe.
 class CornerEscape {
  public:
   struct Options {
-    double patience = 0.5;       ///< s, that a wish to drive is without effect before it begins
-    double roomAhead = 0.9;      ///< m, free ahead, from the robot's middle, that end it
-    double rotation = 0.6;       ///< rad/s
-    double backingSpeed = 0.12;  ///< m/s
-    double latency = 0.25;       ///< s
+    /// How long a request must be without effect before the escape begins, s.
+    double patience = 0.5;
+    /// Free distance ahead, from the robot's center, that ends the escape, m.
+    double roomAhead = 0.9;
+    /// Radians per second.
+    double rotation = 0.6;
+    /// Meters per second.
+    double backingSpeed = 0.12;
+    /// Delay until a request takes effect, s.
+    double latency = 0.25;
   };
-  /// m/s; a wish of less is none to drive on.
+  /// A request with a lower speed is not considered a request to drive, m/s.
   static constexpr double kWantsSpeed = 0.05;
 
   explicit CornerEscape(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }
 
-  /// `wish`: what is wanted; `possible`: what is safe of it; `time`: s. The velocity to drive at.
+  /// `wish` is the request, `possible` the safe part of it, `time` in s of any clock. Returns the velocity to
+  /// drive at.
   DriveVelocity decide(const DriveVelocity& wish, const DriveVelocity& possible, const Clearance& clearance,
                        const PolarView& view, const DriveLimits& limits, double time);
+  /// Whether an escape is in progress.
   bool active() const { return side_ != 0; }
 
  private:
-  /// What the wish wants is possible again.
+  /// Whether the requested motion is possible again.
   bool freed(const DriveVelocity& wish, const Clearance& clearance, const PolarView& view,
              const DriveLimits& limits) const;
+  /// The velocity of the escape.
   DriveVelocity escape(const Clearance& clearance, const DriveLimits& limits, double time);
 
   Options options_;
+  /// Negative if the robot is not stuck.
   double stuckSince_ = -1;
-  double side_ = 0;  // 1 left, -1 right, 0 none
+  /// The side to turn to: 1 left, -1 right, 0 no escape.
+  double side_ = 0;
+  /// When turning to that side began.
   double since_ = 0;
-  double direction_ = -1;  // of the last move that was to make room
+  /// Direction of the last move that was to make room: 1 ahead, -1 back.
+  double direction_ = -1;
 };
 
 }  // namespace modules

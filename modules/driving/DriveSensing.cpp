@@ -15,9 +15,9 @@ using robotlink::Vector2;
 
 namespace {
 
-// s, after which a reading is too old to drive by.
+// Readings older than this are not sufficient for driving, s.
 constexpr double kOutdated = 1.0;
-// m, before the outline, where what a bumper touches is remembered.
+// How far in front of the outline a contact is stored, m.
 constexpr double kTouch = 0.01;
 
 }  // namespace
@@ -58,7 +58,7 @@ void DriveSensing::update(double requested) {
     if (finite && !odometry_.add(robotlink::instant(drive_->timestamp()), robot)) memory_.clear();
     feelBumpers(requested);
   }
-  // Rays first: they tell where the echoes of cones came from.
+  // Rays first, because they explain echoes of cones.
   if (laser_ && laser_.isNew()) memory_.see(beams(*laser_, laserMaximum_), odometry_);
   if (sonar_ && sonar_.isNew()) memory_.see(beams(*sonar_), odometry_);
   memory_.forget(now, robotInOdometry());
@@ -75,7 +75,7 @@ std::string DriveSensing::whyNot() const {
   return "sonars, laser or odometry have told nothing for a second";
 }
 
-/// Segments from left to right, of each end.
+/// Segments are numbered from left to right at either end.
 void DriveSensing::feelBumpers(double requested) {
   const Pose2 robot = robotInOdometry();
   const Instant now = clock_.now();

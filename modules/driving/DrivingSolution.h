@@ -11,17 +11,20 @@
 
 namespace modules {
 
-// Inline, so that every file that registers a solution of the task has it before.
+// Inline, so that it is defined in every file that registers a solution of the task.
 inline const robotlink::DebugKey kDrivingSpeedKey{
     "driving/speed", "The speed and rotation that the behaviour would like (plots)"};
 
-/// A solution of the task "driving": sends what the behaviour would like.
+/// The base of solutions of the task "driving": sends the requested velocity before obstacle avoidance, and
+/// plots it. Obstacle avoidance treats a request older than a second as 0. Used by its process's thread; the
+/// context must outlive it.
 class DrivingSolution : public robotlink::Solution {
  public:
   explicit DrivingSolution(robotlink::SolutionContext& context)
       : debug_(context.debug()), clock_(context.clock()), wish_(context.output(robotlink::kDriveWish)) {}
 
  protected:
+  /// Sends a request; call it in every frame, because requests expire.
   void want(const DriveVelocity& velocity) {
     auto wish = std::make_shared<robotcontrol::DriveRequest>();
     robotlink::assign(*wish->mutable_timestamp(), clock_.now());
@@ -33,6 +36,7 @@ class DrivingSolution : public robotlink::Solution {
     debug_.plot(kDrivingSpeedKey, "rotation", velocity.rotation, "rad/s");
   }
 
+  // For the derived classes.
   robotlink::DebugContext& debug_;
   const robotlink::Clock& clock_;
 

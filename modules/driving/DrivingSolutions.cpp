@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "driving" that decide by themselves where the robot goes, not knowing what is in
-// the way, or leave that to a person.
+// The solutions of the task "driving" that decide where the robot goes without regard to obstacles, or leave
+// that to the user.
 #include <cmath>
 #include <optional>
 
@@ -43,7 +43,7 @@ Wanderer::Options wanderOptions(const robotcontrol::WanderParameters& p) {
   return options;
 }
 
-/// Steers by what is seen; stands while nothing is.
+/// Steers by the sensors; stands without readings.
 class Roaming {
  public:
   Roaming(robotlink::SolutionContext& context, const Wanderer::Options& options)
@@ -137,7 +137,7 @@ class FollowPath final : public DrivingSolution {
     return lost_;
   }
 
-  /// The pose is that of a moment ago, if another process made it.
+  /// If another process computed the pose, it is slightly old.
   Pose2 robotNow() const {
     const Pose2 robot = robotlink::pose2(pose_->robot_in_field());
     const OdometryHistory& odometry = roaming_.sensing().odometry();
@@ -227,8 +227,8 @@ class ObeyOnWheels final : public DrivingSolution {
   }
 
  private:
-  /// Who steers repeats his wish ten times a second: if he is no longer heard, his window hangs or his line
-  /// is lost.
+  /// While the user steers, the request is repeated ten times a second. If it stops, the window hangs or the
+  /// connection is lost.
   static constexpr robotlink::Duration kPatience = std::chrono::seconds(2);
 
   robotlink::Input<robotcontrol::RemoteMotion> remote_;

@@ -8,10 +8,10 @@ namespace modules {
 
 namespace {
 
-// m, of the view for escapes and for room beside the way.
+// Reach of the view for escapes and for room on the sides, m.
 constexpr double kReach = 2.5;
 
-/// i-th of `count` samples from low to high.
+/// The i-th of `count` samples from low to high.
 double sample(double low, double high, int i, int count) {
   return count > 1 ? low + (high - low) * i / (count - 1) : 0.5 * (low + high);
 }
@@ -35,7 +35,7 @@ DynamicWindow::Candidate DynamicWindow::judged(const DriveVelocity& velocity,
   const double rotation = std::abs(velocity.rotation - situation.wish.rotation) / limits.rotation;
   // The room in the direction that the robot will have after a while.
   const double room = view.freeAt(0.7 * velocity.rotation) / view.reach();
-  // How far it gets, as a share of how far the wish would get where nothing is in the way.
+  // How far the robot gets, relative to the requested distance without obstacles.
   const double wished = std::max(1e-3, std::abs(situation.wish.forward)) * options_.horizon;
   const double way = std::abs(velocity.forward) * candidate.freeTime / wished;
   candidate.value = -options_.speedWeight * speed - options_.rotationWeight * rotation +
@@ -49,7 +49,7 @@ DriveVelocity DynamicWindow::best(const AvoidanceSituation& situation, const Cle
   const double faster = limits.acceleration * options_.window;
   const double sharper = limits.rotationAcceleration * options_.window;
   const double wish = situation.wish.forward;
-  // Never faster than wished, and backwards only if that was wished.
+  // Never faster than requested, and backwards only if requested.
   const double most = std::max(0.0, wish), least = std::min(0.0, wish);
   const double low = std::clamp(situation.now.forward - 2 * faster, least, most);
   const double high = std::clamp(situation.now.forward + faster, least, most);
@@ -77,7 +77,7 @@ DriveVelocity DynamicWindow::decide(const AvoidanceSituation& situation) {
   if (situation.wish.forward > CornerEscape::kWantsSpeed) {
     chosen_ = best(situation, clearance, view);
   } else {
-    // Turning on the spot and backing off are taken as they are wished, as far as that is safe.
+    // Turning on the spot and moving backwards are executed as requested, as far as that is safe.
     candidates_.clear();
     chosen_ = clearance.limited(situation.wish, situation.limits, options_.latency);
   }

@@ -8,30 +8,35 @@
 
 namespace modules {
 
-/// The body of a robot on wheels, from above: a rectangle about the point that it turns about.
+/// The body of a robot on wheels, from above: a rectangle around its center of rotation.
 struct Outline {
-  double halfLength = 0.313, halfWidth = 0.2525;  ///< m
+  /// In m; the defaults are those of a Pioneer 3-AT.
+  double halfLength = 0.313, halfWidth = 0.2525;
 
-  /// m, from a point in the robot's frame to the body; 0 within it.
+  /// The distance from a point in the robot's frame to the body, m; 0 inside.
   double distance(const robotlink::Vector2& point) const {
     return std::hypot(std::max(0.0, std::abs(point.x()) - halfLength),
                       std::max(0.0, std::abs(point.y()) - halfWidth));
   }
-  /// m, of the circle about it.
+  /// The radius of the circumscribed circle, m.
   double radius() const { return std::hypot(halfLength, halfWidth); }
 };
 
-/// Forward and counter-clockwise.
+/// A velocity in the robot's frame: forwards and counter-clockwise.
 struct DriveVelocity {
-  double forward = 0;   ///< m/s
-  double rotation = 0;  ///< rad/s
+  /// Meters per second.
+  double forward = 0;
+  /// Radians per second.
+  double rotation = 0;
   bool operator==(const DriveVelocity&) const = default;
 };
 
-/// What a robot on wheels can do.
+/// The limits of a robot on wheels; the defaults are those of a Pioneer 3-AT.
 struct DriveLimits {
-  double speed = 0.75, rotation = robotlink::radians(100);                    ///< m/s, rad/s
-  double acceleration = 0.3, rotationAcceleration = robotlink::radians(100);  ///< m/s^2, rad/s^2
+  /// In m/s and rad/s.
+  double speed = 0.75, rotation = robotlink::radians(100);
+  /// In m/s^2 and rad/s^2.
+  double acceleration = 0.3, rotationAcceleration = robotlink::radians(100);
 };
 
 }  // namespace modules

@@ -9,7 +9,7 @@ using robotlink::Vector2;
 
 namespace {
 
-/// The share of the way from `from` to `to` at which a line is nearest to a place.
+/// The fraction of the way from `from` to `to` at which the line is nearest to a place.
 double nearestShare(const Vector2& place, const Vector2& from, const Vector2& to) {
   const Vector2 way = to - from;
   const double squares = way.squaredNorm();
@@ -59,7 +59,7 @@ DriveVelocity PathFollower::decide(const Pose2& robot, std::span<const Vector2> 
 DriveVelocity PathFollower::atTheEnd(const Pose2& robot, std::optional<double> heading) {
   target_ = goal_;
   const double turn = heading ? normalizedAngle(*heading - robot.heading) : 0;
-  // Once it is there it stays so until it is clearly turned away.
+  // Having reached the heading, it stays there until it is clearly turned away.
   const double near = state_ == State::kThere ? 2 * options_.headingNear : options_.headingNear;
   state_ = std::abs(turn) < near ? State::kThere : State::kTurning;
   if (state_ == State::kThere) return {};

@@ -9,43 +9,58 @@
 
 namespace modules {
 
-/// Follows a path by pure pursuit (Coulter 1992): steers along the arc to a point of it that is some way
-/// ahead; slower in curves and before the end, turning on the spot where the path is behind or the goal wants
-/// a heading.
+/// Follows a path by pure pursuit (Coulter 1992): steers along an arc to a point of the path that is some
+/// distance ahead. It is slower in curves and near the end, and turns on the spot where the path is behind
+/// the robot or the goal has a heading. Not thread-safe.
 class PathFollower {
  public:
   struct Options {
-    double speed = 0.5, rotation = 0.8;  ///< m/s, rad/s
-    double slowest = 0.06;               ///< m/s, near the goal
-    double lookAhead = 0.7;              ///< m, along the path
-    double braking = 0.2;                ///< m/s^2, before the goal
-    double near = 0.1;                   ///< m, from the goal that is near enough
-    double away = 0.3;                   ///< m, from it that begins everything anew
-    double headingNear = 0.06;           ///< rad
-    double turnOnSpot = 0.9;             ///< rad, from the way from which on it turns on the spot first
+    /// Maximal speeds, m/s and rad/s.
+    double speed = 0.5, rotation = 0.8;
+    /// Minimal speed near the goal, m/s.
+    double slowest = 0.06;
+    /// Distance of the steering point along the path, m.
+    double lookAhead = 0.7;
+    /// Deceleration before the goal, m/s^2.
+    double braking = 0.2;
+    /// Distance from the goal at which it is reached, m.
+    double near = 0.1;
+    /// Distance from the goal at which a robot that has arrived drives again, m.
+    double away = 0.3;
+    /// Tolerance of the heading at the goal, rad.
+    double headingNear = 0.06;
+    /// Angle to the path above which it first turns on the spot, rad.
+    double turnOnSpot = 0.9;
   };
+  /// What it is doing; kThere means that the goal, and its heading if any, is reached.
   enum class State { kNoPath, kDriving, kTurning, kThere };
   explicit PathFollower(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }
 
-  /// `points`: of the path, in the same frame as the robot; `heading`: at its end, if one is wanted.
+  /// `points` are those of the path in the frame of the robot's pose; `heading` is that at its end, if it
+  /// matters.
   DriveVelocity decide(const robotlink::Pose2& robot, std::span<const robotlink::Vector2> points,
                        std::optional<double> heading);
   State state() const { return state_; }
-  /// The point that it steers for.
+  /// The point that it steers to.
   const robotlink::Vector2& target() const { return target_; }
 
  private:
+  /// The steering point: on the path, lookAhead beyond the point nearest to `place`.
   robotlink::Vector2 pointAhead(const robotlink::Vector2& place,
                                 std::span<const robotlink::Vector2> points) const;
+  /// Turns to the goal's heading.
   DriveVelocity atTheEnd(const robotlink::Pose2& robot, std::optional<double> heading);
+  /// Drives along an arc to the steering point; `left` is the remaining length, m.
   DriveVelocity pursue(const robotlink::Pose2& robot, double left);
 
   Options options_;
   State state_ = State::kNoPath;
   robotlink::Vector2 goal_ = robotlink::Vector2::Zero();
   robotlink::Vector2 target_ = robotlink::Vector2::Zero();
+  /// The goal was reached and the robot has not left it since.
   bool arrived_ = false;
+  /// It is turning on the spot towards the path.
   bool spinning_ = false;
 };
 

@@ -8,8 +8,8 @@ namespace modules {
 
 using robotlink::Vector2;
 
-// Share of a point's distance: a point that is less than this aside of the robot's path blocks it, however
-// near it is.
+// A point that is less than this fraction of its distance beside the robot's path blocks it, however near it
+// is.
 constexpr double kNearest = 0.95;
 
 PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double reach) : reach_(reach) {
@@ -18,8 +18,8 @@ PolarView::PolarView(std::span<const Vector2> points, double halfWidth, double r
     const double distance = point.norm();
     if (distance > reach + halfWidth) continue;
     const double bearing = std::atan2(point.y(), point.x());
-    // It is in the way of all directions in which it would be passed by less than half of the width; what is
-    // nearer than that already only of those that lead towards it.
+    // A point blocks all directions in which the robot would pass it by less than half its width; if it is
+    // nearer than that already, only the directions towards it.
     const double room = std::min(halfWidth, kNearest * distance);
     const double half = distance > 0 ? std::asin(room / distance) : 0;
     const int first = static_cast<int>(std::ceil((bearing - half) / kSector));

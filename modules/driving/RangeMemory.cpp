@@ -16,13 +16,13 @@ using robotlink::Vector2;
 namespace {
 
 constexpr std::size_t kMostPoints = 3000;
-// m; a point that a measurement passes by less is not in its way.
+// A measurement does not remove points that it passes by more than this, m.
 constexpr double kBehind = 0.15;
-// m, side of the squares of which each gives one point.
+// Side of the squares that yield one point each, m.
 constexpr double kThinning = 0.05;
-// s; an older scan says nothing of what a sonar hears now.
+// An older scan says nothing about what a sonar hears now, s.
 constexpr double kRaysOutdated = 0.3;
-// rad, beside a cone, where a ray still may explain its echo.
+// How far beside a cone a ray may still explain its echo, rad.
 constexpr double kRayAside = 0.05;
 constexpr std::size_t kMostCones = 256;
 
@@ -53,7 +53,7 @@ void RangeMemory::add(const Vector2& place, Instant time, Source source) {
   points_.push_back({place, time, source});
 }
 
-/// One scan, in the order of its angles: it replaces what earlier ones saw within its angle.
+/// Processes a scan in the order of its angles: it replaces what earlier scans saw within its field of view.
 void RangeMemory::seeRays(std::span<const RangeBeam> rays, const Pose2& robotInOdometry) {
   newest_ = std::max(newest_.value_or(rays.front().time), rays.front().time);
   const Pose2 laserInRobot{rays.front().sensorInRobot.x, rays.front().sensorInRobot.y, 0};
@@ -114,7 +114,7 @@ void RangeMemory::addArc(const FreeCone& cone) {
     add(place, cone.time, Source::kSonar);
     if (++added == kMost) return;
   }
-  // All of it was free a moment ago: something moves.
+  // The whole arc was free a moment ago, so something moves.
   if (added == 0) add(cone.sensor * Vector2(cone.range, 0), cone.time, Source::kSonar);
 }
 

@@ -11,70 +11,86 @@
 
 namespace modules {
 
-/// What was seen around the robot during the last seconds, as points in the frame of its odometry, which is
-/// good for so short a time. Sonars fire in turn and look past what is beside them, and a laser sees only one
-/// half: what was seen must not be forgotten at once. A newer measurement through a point takes it away. A
-/// sonar knows how far an echo came from, but hardly from where; what others found free tells. Bounded.
+/// The obstacles seen around the robot during the last seconds, as points in the odometry frame, which is
+/// accurate enough for such a time. They must be remembered because sonars fire in turn and miss what is
+/// beside their cones, and a laser sees only one half. A newer scan replaces the laser's points within its
+/// field of view; a newer cone removes points of sonars in the space that it found free. A sonar knows the
+/// distance of an echo but hardly its direction; what other cones found free helps to locate it. Memory is
+/// bounded. Not thread-safe.
 class RangeMemory {
  public:
   struct Options {
-    double memory = 4.0;  ///< s
-    double nearMemory =
-        10.0;  ///< s, of what a laser saw near by: nothing else tells a corner of the robot so exactly
-    double near = 1.2;   ///< m
-    double reach = 5.0;  ///< m, that is remembered around the robot
-    double coneMemory =
-        1.5;  ///< s, that what a cone found free tells where on its arc another one's echo came from
-    double sameAs = 0.25;       ///< m; an echo that a laser's ray in the cone explains so well is the laser's
-    double bumperMemory = 6.0;  ///< s
+    /// How long points are kept, s.
+    double memory = 4.0;
+    /// The same for near points of a laser, s: no other sensor shows what is at a corner of the robot so
+    /// precisely.
+    double nearMemory = 10.0;
+    /// What counts as near, m.
+    double near = 1.2;
+    /// The distance from the robot up to which points are kept, m.
+    double reach = 5.0;
+    /// How long the free space of a cone helps to locate the echoes of others, s.
+    double coneMemory = 1.5;
+    /// An echo is not stored if a laser ray in the cone ended this close to its distance, m.
+    double sameAs = 0.25;
+    /// How long contacts of bumpers are kept, s.
+    double bumperMemory = 6.0;
   };
   explicit RangeMemory(const Options& options) : options_(options) {}
 
-  /// Each measurement is placed where the robot was at its time; those for whose time there is no odometry
-  /// are left out.
+  /// Adds measurements. Each is located at the robot's pose at its time; measurements without odometry for
+  /// their time are dropped.
   void see(std::span<const RangeBeam> beams, const OdometryHistory& odometry);
-  /// The robot pushes against something there, in the robot's frame.
+  /// Adds a contact at a place in the robot's frame.
   void touch(const robotlink::Vector2& placeInRobot, const robotlink::Pose2& robotInOdometry,
              robotlink::Instant now);
-  /// Lets go what is too old or too far.
+  /// Drops points that are too old or too far away.
   void forget(robotlink::Instant now, const robotlink::Pose2& robotInOdometry);
-  /// The odometry was set to another place.
+  /// Call it when the odometry was reset.
   void clear() {
     points_.clear();
     freeCones_.clear();
   }
 
-  /// In the robot's frame; those that lie as good as at the same place only once.
+  /// The points in the robot's frame, m; of several at nearly the same place only one.
   std::vector<robotlink::Vector2> pointsInRobot(const robotlink::Pose2& robotInOdometry) const;
-  /// When the newest measurement was made; none before the first.
+  /// The time of the newest measurement; empty before the first one.
   std::optional<robotlink::Instant> newest() const { return newest_; }
 
  private:
+  /// The kind of sensor decides how long a point is kept.
   enum class Source : std::uint8_t { kLaser, kSonar, kBumper };
   struct Point {
-    robotlink::Vector2 place;  // in odometry
+    /// In the odometry frame.
+    robotlink::Vector2 place;
     robotlink::Instant time;
     Source source;
   };
-  /// What one cone found free.
+  /// The free space in the cone of a sonar.
   struct FreeCone {
-    robotlink::Pose2 sensor;  // in odometry
+    /// In the odometry frame.
+    robotlink::Pose2 sensor;
+    /// Half the opening angle, rad, and the free distance, m.
     double half = 0, range = 0;
     robotlink::Instant time;
     bool contains(const robotlink::Vector2& place) const;
   };
+  /// Adds the rays of a scan.
   void seeRays(std::span<const RangeBeam> rays, const robotlink::Pose2& robotInOdometry);
+  /// Adds the echo of a cone, and removes points in the free space before it.
   void seeCone(const RangeBeam& cone, const robotlink::Pose2& robotInOdometry,
                std::span<const RangeBeam> rays);
-  /// Some ray in the cone ended as far away.
+  /// Whether a ray in the cone ended at about the same distance.
   bool explainedByRays(const RangeBeam& cone, std::span<const RangeBeam> rays) const;
-  /// Where on the arc at a cone's range its echo may have come from.
+  /// Adds points on the arc at a cone's range where its echo may have come from.
   void addArc(const FreeCone& cone);
   void add(const robotlink::Vector2& place, robotlink::Instant time, Source source);
 
   Options options_;
   std::vector<Point> points_;
+  /// The latest scan, to explain echoes of sonars.
   std::vector<RangeBeam> lastRays_;
+  /// Oldest first.
   std::deque<FreeCone> freeCones_;
   std::optional<robotlink::Instant> newest_;
 };

@@ -6,7 +6,7 @@ namespace modules {
 namespace {
 
 double towards(double last, double wanted, double step) {
-  // Braking: towards 0.
+  // Braking means towards 0.
   const bool braking = last * wanted < 0 || std::abs(wanted) < std::abs(last);
   const double most = braking ? 2 * step : step;
   return last + std::clamp(wanted - last, -most, most);
@@ -15,7 +15,7 @@ double towards(double last, double wanted, double step) {
 }  // namespace
 
 DriveVelocity SpeedLimiter::limit(const DriveVelocity& wanted, const DriveLimits& limits, double elapsed) {
-  // After a pause nothing is known of how fast the robot is: no more than a cycle's worth.
+  // After a pause the robot's velocity is unknown, so at most one cycle counts.
   const double time = std::clamp(elapsed, 0.0, 0.2);
   const double forward = std::isfinite(wanted.forward) ? wanted.forward : 0;
   const double rotation = std::isfinite(wanted.rotation) ? wanted.rotation : 0;

@@ -5,11 +5,11 @@
 
 namespace modules {
 
-/// Keeps requests within what the robot can do: its speeds, and how fast they change.
+/// Keeps requests within the limits of the robot: its speeds and accelerations. Not thread-safe.
 class SpeedLimiter {
  public:
-  /// The request nearest to `wanted` that can follow the last one `elapsed` seconds later. Braking may be
-  /// twice as hard.
+  /// The request closest to `wanted` that can follow the previous one after `elapsed` seconds. Deceleration
+  /// may be twice the acceleration.
   DriveVelocity limit(const DriveVelocity& wanted, const DriveLimits& limits, double elapsed);
   const DriveVelocity& last() const { return last_; }
 

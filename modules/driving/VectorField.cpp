@@ -9,9 +9,9 @@ using robotlink::normalizedAngle;
 
 namespace {
 
-// m, that what gets in the way while the robot drives must stay away from its outline.
+// The distance from the outline that is enforced in the direction of driving, m.
 constexpr double kHardMargin = 0.1;
-// Share of the requested speed that is kept in every direction.
+// The fraction of the requested speed that is kept in every direction.
 constexpr double kLeastShare = 0.1;
 
 }  // namespace
@@ -31,7 +31,7 @@ void VectorField::openSectors(double need) {
 
 DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits& limits) {
   const double wanted = std::clamp(wish.rotation * options_.wishTime, -2.0, 2.0);
-  // Slow wishes need less room.
+  // Slow requests need less room.
   openSectors(std::min(options_.need, options_.outline.halfLength + 0.15 + 1.6 * wish.forward));
   double best = 1e9, direction = 0;
   bool found = false;
@@ -52,7 +52,7 @@ DriveVelocity VectorField::steered(const DriveVelocity& wish, const DriveLimits&
   const double room = view_.freeAbout(0, robotlink::radians(5));
   const double straight = std::max(kLeastShare, std::cos(direction));
   const double speed = wish.forward * straight * std::clamp(room / options_.reach + kLeastShare, 0.0, 1.0);
-  // Where the wish's own way is open it is followed as it was wished.
+  // If the requested direction is open, the request is followed unchanged.
   const bool asWished = std::abs(direction - wanted) < 0.6 * PolarView::kSector;
   const double rotation = asWished ? wish.rotation : options_.steering * direction;
   return {direction > 1.2 || direction < -1.2 ? 0 : speed,
@@ -63,7 +63,7 @@ DriveVelocity VectorField::decide(const AvoidanceSituation& situation) {
   const Clearance clearance(options_.outline, {kHardMargin, 3.0}, situation.points);
   view_ = PolarView(situation.points, options_.outline.halfWidth + options_.margin, options_.reach);
   DriveVelocity wanted = situation.wish;
-  // Only ways ahead are steered; turning on the spot and backing off are taken as they are wished.
+  // Only motion ahead is steered; turning on the spot and moving backwards are executed as requested.
   if (wanted.forward > CornerEscape::kWantsSpeed)
     wanted = steered(wanted, situation.limits);
   else

@@ -9,47 +9,62 @@
 
 namespace modules {
 
-/// What an avoidance is told, all in the robot's frame.
+/// The input of obstacle avoidance, all in the robot's frame.
 struct AvoidanceSituation {
+  /// The requested velocity.
   DriveVelocity wish;
-  DriveVelocity now;  ///< as the wheels turn
+  /// As measured by the wheels.
+  DriveVelocity now;
+  /// Obstacles, m.
   std::span<const robotlink::Vector2> points;
   DriveLimits limits;
-  double time = 0;  ///< s
+  /// Of any clock, s.
+  double time = 0;
 };
 
-/// Avoids obstacles by a polar histogram (the vector field histogram of Borenstein and Koren 1991, with the
-/// widening by the robot's size and the costs of Ulrich and Borenstein 1998): of the directions in which
-/// there is a way it takes the one that is cheapest by how far it is from the wish, from straight on and from
-/// the last one. What comes out is held against the robot's outline, and is never more than it can still
-/// brake from.
+/// Avoids obstacles with a polar histogram (the vector field histogram of Borenstein and Koren 1991, with the
+/// enlargement by the robot's size and the costs of Ulrich and Borenstein 1998). Of the directions with a
+/// free way it takes the one with the lowest cost, by its difference from the request, from straight ahead
+/// and from the last direction. The result is checked against the robot's outline, and never exceeds a
+/// velocity from which it can still brake. Not thread-safe.
 class VectorField {
  public:
   struct Options {
     Outline outline;
-    double margin = 0.12;    ///< m, beside the robot, that a way must have
-    double reach = 2.5;      ///< m, that is looked at
-    double need = 1.0;       ///< m, from the robot's middle, that makes a direction open; ...
-    double needAgain = 1.2;  ///< m, ... one that was closed needs more
-    double wishTime = 1.0;   ///< s, after which a wish to turn would have the direction that is wanted
-    double wishCost = 5, straightCost = 1.5, lastCost = 2;  ///< of a radian
-    double steering = 1.5;                                  ///< 1/s
-    double latency = 0.25;                                  ///< s
+    /// Clearance of a way on both sides, m.
+    double margin = 0.12;
+    /// The distance up to which obstacles count, m.
+    double reach = 2.5;
+    /// Free distance, from the robot's center, that makes a direction open, m.
+    double need = 1.0;
+    /// The same for a direction that was closed, m; more, as hysteresis.
+    double needAgain = 1.2;
+    /// A requested rotation means the direction that it would reach after this time, s.
+    double wishTime = 1.0;
+    /// Costs per radian.
+    double wishCost = 5, straightCost = 1.5, lastCost = 2;
+    /// Rotation per difference in direction, 1/s.
+    double steering = 1.5;
+    /// Delay until a request takes effect, s.
+    double latency = 0.25;
     CornerEscape::Options escape;
   };
   explicit VectorField(const Options& options) : options_(options), escape_(options.escape) {}
   void setOptions(const Options& options);
 
+  /// The velocity to drive at; call it once a frame.
   DriveVelocity decide(const AvoidanceSituation& situation);
-  // For drawings.
+  // Only for drawings, as of the last decide().
   bool open(int sector) const { return open_[static_cast<std::size_t>(PolarView::wrapped(sector))]; }
   const PolarView& view() const { return view_; }
-  double direction() const { return direction_; }  ///< rad, that was chosen
+  /// The direction that was chosen, rad.
+  double direction() const { return direction_; }
   bool escaping() const { return escape_.active(); }
 
  private:
+  /// Updates open_, with hysteresis.
   void openSectors(double need);
-  /// Steers the wish through the histogram.
+  /// The velocity that follows the request through the histogram.
   DriveVelocity steered(const DriveVelocity& wish, const DriveLimits& limits);
 
   Options options_;

@@ -16,16 +16,16 @@ namespace {
 constexpr double kOpenReach = 3.5;
 // rad, to the sides that it chooses from while it drives.
 constexpr double kWidest = robotlink::radians(100);
-// m of room that a radian away from straight on is worth.
+// The value of a radian closer to straight ahead, in m of room.
 constexpr double kStraightness = 0.8;
-// The same of a radian away from the side that it likes, and from the direction it chose before.
+// The same for the preferred direction, and for the direction chosen before.
 constexpr double kLiking = 0.3, kSteadiness = 0.8;
-// It stands still at this share of the distance at which it begins to turn on the spot.
+// At this fraction of the distance at which it begins to turn on the spot, it stands.
 constexpr double kTooNear = 0.6;
-// rad, to both sides of a direction, that had better be free with it.
+// The angle on both sides of a direction that should be free, too, rad.
 constexpr double kBeside = 1.01 * PolarView::kSector;
-// m, side of the squares whose visits are counted; s, after which a square counts as known; how far it looks
-// for new ones.
+// Side of the squares whose visits are counted, m; time after which a square counts as known, s; step and
+// reach of the search for new squares, m.
 constexpr double kSquare = 1.0, kUsualVisit = 6, kNewsStep = 0.75, kNewsReach = 3;
 constexpr std::size_t kMostSquares = 20000;
 
@@ -39,7 +39,7 @@ std::uint64_t squareOf(const Vector2& place) {
 
 void Wanderer::visit(const Vector2& place, double time) {
   if (visits_.size() >= kMostSquares) visits_.clear();
-  // Time that was not told of was spent elsewhere.
+  // Longer gaps were spent elsewhere.
   const double spent = std::clamp(time - visitedAt_, 0.0, 0.5);
   visitedAt_ = time;
   visits_[squareOf(place)] += spent;
@@ -58,7 +58,7 @@ double Wanderer::valueOf(double angle, const PolarView& view, const Pose2& robot
     const Vector2 place = robotInOdometry * (Pose2{0, 0, angle} * Vector2(way, 0));
     news += (1 - visited(place)) * kNewsStep / kNewsReach;
   }
-  // With its neighbours: the middle of a gap is better than its edge.
+  // Including its neighbors, because the center of a gap is better than its edge.
   return 0.75 * free + 0.25 * view.freeAbout(angle, kBeside) + options_.novelty * news;
 }
 

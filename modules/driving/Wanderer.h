@@ -11,51 +11,65 @@
 
 namespace modules {
 
-/// Drives about by what is seen around the robot: to where there is room and where it has not been for long,
-/// rather straight on than about, now and then with a liking for one side; turns on the spot where there is
-/// no way on. Where it has been it knows by dead reckoning, square by square, bounded. Deterministic by its
-/// seed.
+/// Drives around in an environment that it does not know: to where there is room and where it has not been
+/// for long, preferably straight ahead, at times with a preference for one side; turns on the spot where
+/// there is no way. It records by dead reckoning where it has been, in a bounded number of squares.
+/// Deterministic for a seed. Not thread-safe.
 class Wanderer {
  public:
   struct Options {
-    double speed = 0.45, rotation = 0.8;  ///< m/s, rad/s
-    double room = 0.55;      ///< m, free ahead, from the robot's middle, below which it turns on the spot ...
-    double roomAgain = 0.9;  ///< m, ... until there is so much
-    double easyRoom = 1.3;   ///< m, free ahead, from which on it drives at full speed
-    double likingTime = 12;  ///< s, that it likes a side for
-    double novelty = 4;      ///< m of room that a way to where it never was is worth
-    double halfWidth = 0.35;  ///< m, of the way that it wants free
+    /// Maximal speeds, m/s and rad/s.
+    double speed = 0.45, rotation = 0.8;
+    /// Free distance ahead, from the robot's center, below which it turns on the spot, m...
+    double room = 0.55;
+    /// ...until there is this much, m.
+    double roomAgain = 0.9;
+    /// Free distance ahead from which it drives at full speed, m.
+    double easyRoom = 1.3;
+    /// Mean time of a preference for a side, s.
+    double likingTime = 12;
+    /// A way to new places is worth as much as this additional free distance, m.
+    double novelty = 4;
+    /// Half the width of the corridor that should be free, m.
+    double halfWidth = 0.35;
     std::uint64_t seed = 1;
   };
   explicit Wanderer(const Options& options) : options_(options), random_(options.seed) {}
-  /// From now on; the seed stays.
+  /// Takes effect with the next decide(), except for the seed.
   void setOptions(const Options& options) { options_ = options; }
 
-  /// `points`: obstacles in the robot's frame. `time`: s.
+  /// `points` are obstacles in the robot's frame, m; `time` in s of any clock.
   DriveVelocity decide(std::span<const robotlink::Vector2> points, const robotlink::Pose2& robotInOdometry,
                        double time);
-  /// The odometry was set to another place.
+  /// Call it when the odometry was reset.
   void forgetPlaces() { visits_.clear(); }
-  /// Where it wants to go, in the robot's frame; for drawings.
+  /// The direction that it drives to, in the robot's frame, rad; for drawings.
   double direction() const { return direction_; }
 
  private:
+  /// Counts the time spent in the square of a place.
   void visit(const robotlink::Vector2& place, double time);
-  /// 0: never, to 1: again and again.
+  /// How well a place is known: 0 for never visited, towards 1 for often.
   double visited(const robotlink::Vector2& place) const;
-  /// m of room, and what new places on the way are worth.
+  /// The value of a direction as a free distance, m, including that of new places.
   double valueOf(double angle, const PolarView& view, const robotlink::Pose2& robotInOdometry) const;
+  /// The direction with the highest value.
   double bestDirection(const PolarView& view, const robotlink::Pose2& robotInOdometry) const;
+  /// The side with more value: 1 left, -1 right.
   double betterSide(const PolarView& view, const robotlink::Pose2& robotInOdometry) const;
 
   Options options_;
   robotlink::Random random_;
-  double liking_ = 0;  // rad, a direction that it likes
+  /// The preferred direction, rad.
+  double liking_ = 0;
   double likingUntil_ = -1;
-  double turning_ = 0;  // 1 or -1 while it turns on the spot
+  /// 1 or -1 while it turns on the spot.
+  double turning_ = 0;
   double direction_ = 0;
-  double heading_ = 0;                                // in odometry, of the direction
-  std::unordered_map<std::uint64_t, double> visits_;  // s spent in each square
+  /// The chosen direction in the odometry frame.
+  double heading_ = 0;
+  /// Time spent in each square, s.
+  std::unordered_map<std::uint64_t, double> visits_;
   double visitedAt_ = -1;
 };
 

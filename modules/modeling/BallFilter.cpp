@@ -59,7 +59,7 @@ void BallFilter::correct(const BallMeasurement& seen, const Pose2& robotInOdomet
       covariance_.topLeftCorner<2, 2>() + Eigen::Matrix2d::Identity() * deviation * deviation;
   const Vector2 difference = measured - state_.head<2>();
   if (difference.dot(innovation.inverse() * difference) > options_.gate * options_.gate) {
-    // One wrong percept must not move the ball; several at the same place are a ball that was moved.
+    // A single wrong percept must not move the ball; several at the same place mean that the ball was moved.
     const bool again = outliers_ > 0 && (measured - lastOutlier_).norm() < 0.1 + 3 * deviation;
     outliers_ = again ? outliers_ + 1 : 1;
     lastOutlier_ = measured;

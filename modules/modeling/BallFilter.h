@@ -8,31 +8,37 @@
 
 namespace modules {
 
-/// Where the ball is believed to be. Robot frame, metres.
+/// The estimated state of the ball, in the robot's frame, meters.
 struct BallEstimate {
+  /// False before the first percept, and when the last one is too old.
   bool known = false;
   robotlink::Vector2 position = robotlink::Vector2::Zero();
-  robotlink::Vector2 velocity = robotlink::Vector2::Zero();  ///< m/s, over ground
+  /// Over ground, m/s.
+  robotlink::Vector2 velocity = robotlink::Vector2::Zero();
   double secondsSinceSeen = 0;
-  double deviation = 0;  ///< m, standard deviation
+  /// Standard deviation of the position, m.
+  double deviation = 0;
 };
 
-/// What one image says of the ball.
+/// A ball percept.
 struct BallMeasurement {
-  robotlink::Vector2 position = robotlink::Vector2::Zero();  ///< robot frame, m
+  /// In the robot's frame, m.
+  robotlink::Vector2 position = robotlink::Vector2::Zero();
+  /// From 0 to 1.
   double confidence = 0;
 };
 
-/// Remembers the last percept: the ball stays where it was seen, while the robot moves.
+/// The simplest ball model: the ball stays where it was seen last, while the robot moves. Not thread-safe.
 class LastBall {
  public:
   struct Options {
-    double memory = 4;  ///< s that a percept is of use
+    /// How long a percept is used, s.
+    double memory = 4;
   };
   explicit LastBall(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }
 
-  /// `time` in seconds of any clock; `robotInOdometry` by dead reckoning.
+  /// Call it once a frame. `time` is that of any clock, s; `robotInOdometry` is the pose by dead reckoning.
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
   BallEstimate estimate() const { return estimate_; }
@@ -40,35 +46,48 @@ class LastBall {
  private:
   Options options_;
   BallEstimate estimate_;
+  /// The last percept in the odometry frame.
   robotlink::Vector2 inOdometry_ = robotlink::Vector2::Zero();
   std::optional<double> seenAt_;
 };
 
-/// A Kalman filter over place and velocity of the ball in the frame of dead reckoning, where a ball at rest
-/// stays where it is although the robot walks. Rolling balls slow down; percepts that do not fit are ignored
-/// until several agree with each other.
+/// A Kalman filter for position and velocity of the ball in the odometry frame, in which a resting ball stays
+/// in place although the robot walks. Rolling balls slow down. Percepts that do not fit are ignored until
+/// several agree with each other. Not thread-safe.
 class BallFilter {
  public:
   struct Options {
-    double memory = 6;                ///< s
-    double friction = 0.3;            ///< 1/s: how fast a velocity dies away
-    double acceleration = 0.6;        ///< m/s^2, of kicks and dead reckoning that slips
-    double deviationNear = 0.02;      ///< m, of a percept, plus ...
-    double deviationPerMetre = 0.06;  ///< ... this for each metre of distance
-    double gate = 4;                  ///< standard deviations
+    /// How long the ball is known without percepts, s.
+    double memory = 6;
+    /// Rate at which a velocity decays, 1/s.
+    double friction = 0.3;
+    /// Standard deviation of accelerations by kicks and by errors of dead reckoning, m/s^2.
+    double acceleration = 0.6;
+    /// Standard deviation of a percept, m, ...
+    double deviationNear = 0.02;
+    /// ...plus this for each meter of distance.
+    double deviationPerMetre = 0.06;
+    /// Percepts farther away than this many standard deviations are outliers.
+    double gate = 4;
+    /// After this many outliers that agree, the filter starts again there.
     int outliersToRestart = 3;
   };
   explicit BallFilter(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }
 
+  /// Call it once a frame; the arguments are those of LastBall::update().
   void update(double time, const robotlink::Pose2& robotInOdometry,
               const std::optional<BallMeasurement>& seen);
   BallEstimate estimate() const { return estimate_; }
 
  private:
-  using State = Eigen::Vector4d;  // x, y, vx, vy
+  /// x, y, vx, vy in the odometry frame.
+  using State = Eigen::Vector4d;
+  /// Moves the state ahead in time.
   void predict(double seconds);
+  /// Fuses a percept, or counts it as an outlier.
   void correct(const BallMeasurement& seen, const robotlink::Pose2& robotInOdometry, double time);
+  /// Starts at a position with zero velocity.
   void restart(const robotlink::Vector2& position, double deviation);
 
   Options options_;
@@ -77,7 +96,9 @@ class BallFilter {
   Eigen::Matrix4d covariance_ = Eigen::Matrix4d::Identity();
   std::optional<double> updatedAt_;
   std::optional<double> seenAt_;
+  /// Consecutive outliers that agree.
   int outliers_ = 0;
+  /// In the odometry frame.
   robotlink::Vector2 lastOutlier_ = robotlink::Vector2::Zero();
 };
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "ball-model": where the ball is, seen or not.
+// The solutions of the task "ball-model": the position of the ball, whether it is visible or not.
 #include <optional>
 
 #include "ModelingParameters.pb.h"
@@ -25,7 +25,7 @@ const DebugKey kPositionKey{"ball-model/position",
                             "Place of the ball in the robot's frame, and its deviation"};
 const DebugKey kAgeKey{"ball-model/age", "Seconds since the ball was seen"};
 
-/// Sends an estimate and tells of it.
+/// Sends an estimate, and draws and plots it.
 class BallModeler : public robotlink::Solution {
  public:
   explicit BallModeler(robotlink::SolutionContext& context)
@@ -78,7 +78,7 @@ BallFilter::Options optionsOf(const robotcontrol::FilteredBallParameters& p) {
           p.gate(),   p.outliers_to_restart()};
 }
 
-/// What the two solutions that look at percepts share: `Estimator` is LastBall or BallFilter.
+/// The common part of the two solutions based on percepts; `Estimator` is LastBall or BallFilter.
 template <typename Estimator, typename Parameters>
 class PerceptBallModeler final : public BallModeler {
  public:

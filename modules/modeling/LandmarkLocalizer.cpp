@@ -50,7 +50,7 @@ void LandmarkLocalizer::weigh(std::span<const LandmarkMeasurement> seen) {
                              (doubt * options_.bearingDeviation);
       const double distance = (landmark.distance - expected.norm()) /
                               (doubt * (options_.distanceDeviation * landmark.distance + 0.1));
-      // Bounded, so that one wrong landmark does not outvote the rest.
+      // Bounded, so that one wrong landmark does not outweigh the others.
       squares += std::min(9.0, bearing * bearing) + std::min(9.0, distance * distance);
     }
     sum += std::exp(-0.5 * squares);
@@ -86,7 +86,7 @@ void LandmarkLocalizer::resample(std::span<const LandmarkMeasurement> seen) {
   for (std::size_t i = 0; i < count; ++i) {
     const double wanted = (position + static_cast<double>(i)) / static_cast<double>(count) * sum;
     while (at + 1 < count && passed + particles_[at].weight < wanted) passed += particles_[at++].weight;
-    // Doubles that stay alike would make the cloud shrink whatever is seen.
+    // If duplicates stayed equal, the cloud would shrink whatever is seen.
     const double rough = options_.roughening;
     drawn_.push_back({particles_[at].pose *
                           Pose2{rough * random_.normal(), rough * random_.normal(), rough * random_.normal()},

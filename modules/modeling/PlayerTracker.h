@@ -12,26 +12,33 @@ namespace modules {
 /// Another robot on the field.
 struct TrackedPlayer {
   std::string team;
-  robotlink::Vector2 positionInField = robotlink::Vector2::Zero();  ///< m
-  double confidence = 0;                                            ///< 0 to 1
+  /// Meters.
+  robotlink::Vector2 positionInField = robotlink::Vector2::Zero();
+  /// From 0 to 1.
+  double confidence = 0;
 };
 
-/// Keeps the robots that were seen: percepts near a known robot of the same team move it, others add one;
-/// what is not seen again fades away.
+/// Tracks other robots: a percept near a known robot of the same team moves it, any other percept adds one;
+/// the confidence of robots that are not seen decays. Not thread-safe.
 class PlayerTracker {
  public:
   struct Options {
-    double sameWithin = 0.4;  ///< m
-    double halfLife = 2;      ///< s
+    /// The distance within which a percept is assigned to a known robot, m.
+    double sameWithin = 0.4;
+    /// Of the confidence, s.
+    double halfLife = 2;
+    /// Robots with less confidence are removed.
     double forgetBelow = 0.1;
-    double pull = 0.4;  ///< how far a percept moves a known robot, 0 to 1
+    /// How far a percept moves a known robot, 0 to 1.
+    double pull = 0.4;
     std::size_t maximumPlayers = 7;
   };
   explicit PlayerTracker(const Options& options) : options_(options) {}
   void setOptions(const Options& options) { options_ = options; }
 
+  /// Call it once a frame; `time` in s of any clock.
   void update(double time, std::span<const TrackedPlayer> seen);
-  /// Surest first.
+  /// Sorted by decreasing confidence.
   const std::vector<TrackedPlayer>& players() const { return players_; }
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "players-model": where the other robots are.
+// The solutions of the task "players-model": the positions of other robots.
 #include "ModelingParameters.pb.h"
 #include "modules/modeling/PlayerTracker.h"
 #include "robotcontrol/Modeling.pb.h"
@@ -17,7 +17,7 @@ const DebugKey kPlayersKey{"players-model/players",
                            "Where the other robots are believed to be (drawn on the field)"};
 const DebugKey kCountKey{"players-model/count", "How many other robots are known"};
 
-/// Sends the players and tells of them.
+/// Sends the players, and draws them.
 class PlayersModeler : public robotlink::Solution {
  public:
   explicit PlayersModeler(robotlink::SolutionContext& context)

@@ -5,7 +5,7 @@
 
 namespace modules {
 
-/// Where the robot believes to be on the field, or in the building.
+/// The pose estimate of the robot, on a field or in a building.
 struct PoseEstimate {
   robotlink::Pose2 robotInField;
   double positionDeviation = 0;  ///< m, standard deviation

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "self-localisation": where the robot is on the field.
+// The solutions of the task "self-localisation" on a field: the robot's pose.
 #include <algorithm>
 #include <cmath>
 
@@ -16,7 +16,7 @@ namespace {
 
 using robotlink::Pose2;
 
-/// Start poses are those of the red team; the blue one plays the field turned by half.
+/// Start poses are those of the red team; for the blue team the field is rotated by half a turn.
 Pose2 startPose(const robotcontrol::Pose2& start, const std::string& team) {
   const Pose2 red = robotlink::pose2(start);
   return team == "blue" ? Pose2{0, 0, robotlink::kPi} * red : red;

@@ -10,7 +10,8 @@
 
 namespace modules {
 
-// Keys that all solutions of the task share. Inline, so that every file that registers one has them before.
+// Debug keys shared by all solutions of the task. Inline, so that they are defined in every file that
+// registers a solution.
 inline const robotlink::DebugKey kLocatorPoseKey{
     "self-localisation/pose", "Where the robot believes to be, and how sure that is (drawn on the field)"};
 inline const robotlink::DebugKey kLocatorParticlesKey{
@@ -19,13 +20,16 @@ inline const robotlink::DebugKey kLocatorParticlesKey{
 inline const robotlink::DebugKey kLocatorPlotKey{"self-localisation/plot",
                                                  "Place, heading and deviation of the robot"};
 
-/// A solution of the task "self-localisation": sends an estimate and tells of it.
+/// The base of solutions of the task "self-localisation": sends the pose estimate, and draws and plots it. A
+/// derived class computes an estimate in execute() and passes it to tell(). Used by its process's thread; the
+/// context must outlive it.
 class SelfLocator : public robotlink::Solution {
  public:
   explicit SelfLocator(robotlink::SolutionContext& context)
       : debug_(context.debug()), pose_(context.output(robotlink::kRobotPose)) {}
 
  protected:
+  /// Sends an estimate that is valid at `time`; call it once a frame. Costs little unless a key is on.
   void tell(const PoseEstimate& estimate, const google::protobuf::Timestamp& time) {
     auto package = std::make_shared<robotcontrol::RobotPose>();
     *package->mutable_timestamp() = time;
@@ -33,6 +37,7 @@ class SelfLocator : public robotlink::Solution {
     package->set_position_deviation(estimate.positionDeviation);
     package->set_heading_deviation(estimate.headingDeviation);
     pose_.send(std::move(package));
+    // The robot, and a circle of two standard deviations of its position.
     if (debug_.on(kLocatorPoseKey)) {
       auto drawing = debug_.fieldDrawing(kLocatorPoseKey);
       drawing.pose(estimate.robotInField, robotlink::colors::kBlack);
@@ -47,6 +52,7 @@ class SelfLocator : public robotlink::Solution {
     }
   }
 
+  /// For drawings and texts of the derived classes.
   robotlink::DebugContext& debug_;
 
  private:

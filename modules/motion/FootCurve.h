@@ -5,19 +5,20 @@
 
 namespace modules {
 
-/// Where a paw is on its closed curve: `along` its step vector, from -0.5 (behind) to 0.5 (before), and how
-/// much of the full lift it is `up`, 0 to 1.
+/// The position of a paw on its closed curve: `along` its step vector from -0.5 (rear) to 0.5 (front), and
+/// `up` as a fraction of the full lift, 0 to 1.
 struct FootPoint {
   double along = 0, up = 0;
 };
 
-/// The shape of a leg's curve over time. The curve begins in front, on the ground: phases [0, ground) are on
-/// the ground.
+/// The shape of a paw's curve over time. It starts at the front on the ground; the paw is on the ground in
+/// phases [0, ground).
 struct FootCurve {
   FootMode mode = FootMode::kRectangle;
-  double ground = 0.5, lift = 0.06, lowering = 0.06;  ///< shares of the cycle
+  /// As fractions of the cycle.
+  double ground = 0.5, lift = 0.06, lowering = 0.06;
 
-  /// `phase` in [0, 1). Continuous, also from 1 to 0.
+  /// `phase` is in [0, 1). The curve is continuous, also from 1 to 0.
   FootPoint at(double phase) const;
 };
 

@@ -11,41 +11,51 @@ struct WalkSpeed {
   bool operator==(const WalkSpeed&) const = default;
 };
 
-/// The closed curve that a paw runs through, seen from the side.
+/// The shape of a paw's curve, seen from the side.
 enum class FootMode { kRectangle, kHalfEllipse };
 
-/// What describes a gait of the wheel model. Lengths in metres relative to the shoulders and hips, in a level
-/// frame: `height` is that of the paw sphere's centre below J1, `width` how far it is from the robot's plane
-/// of symmetry, `centerX` how far before J1. Phases are shares of one cycle; those of fore and hind legs
-/// differ in the second place of an array.
+/// The parameters of a gait of the wheel model. Lengths are in meters relative to the shoulders and hips, in
+/// a level frame: `height` is that of the center of the paw's sphere below J1, `width` its distance from the
+/// robot's plane of symmetry, `centerX` its distance in front of J1. Phases are fractions of a cycle; arrays
+/// of two are for fore and hind legs.
 struct GaitParameters {
   FootMode footMode = FootMode::kRectangle;
   double foreHeight = 0.1014, foreWidth = 0.0705, foreCenterX = 0.0428;
   double hindHeight = 0.1069, hindWidth = 0.0572, hindCenterX = -0.0313;
-  double foreLift = 0.0081, hindLift = 0.0101;  ///< how high the paws go
-  double foreTilt = -0.65,
-         hindTilt = 0.31;  ///< how far a lifted paw goes to the front for each metre of lift
+  /// How high the paws are lifted.
+  double foreLift = 0.0081, hindLift = 0.0101;
+  /// How far a lifted paw moves to the front per meter of lift.
+  double foreTilt = -0.65, hindTilt = 0.31;
 
-  int stepFrames = 54;                             ///< of 8 ms, of one cycle
-  std::array<double, 2> groundPhase{0.5, 0.5};     ///< on the ground
-  std::array<double, 2> liftPhase{0.1, 0.1};       ///< straight up (rectangle only)
-  std::array<double, 2> loweringPhase{0.1, 0.1};   ///< straight down (rectangle only)
-  std::array<double, 4> legPhase{0, 0.5, 0.5, 0};  ///< a trot: the diagonal legs together
+  /// Duration of a cycle in frames of 8 ms.
+  int stepFrames = 54;
+  /// The part of the cycle on the ground.
+  std::array<double, 2> groundPhase{0.5, 0.5};
+  /// The part straight up (only rectangle).
+  std::array<double, 2> liftPhase{0.1, 0.1};
+  /// The part straight down (only rectangle).
+  std::array<double, 2> loweringPhase{0.1, 0.1};
+  /// Order of the legs: by default a trot, diagonal legs together.
+  std::array<double, 4> legPhase{0, 0.5, 0.5, 0};
 
-  /// Paws are moved by this factor faster than the robot shall go: what slipping and slow servos cost.
+  /// Paws move by these factors faster than the robot is to move, to compensate for slip and slow servos.
   double factorX = 0.995, factorBackward = 1, factorY = 1.053, factorRotation = 1.003;
-  /// rad/s of turning for each m/s to the front and to the left: against the robot's drift.
+  /// Rotation in rad/s per m/s to the front and to the left, against the drift of the robot.
   double counterRotationX = 0, counterRotationY = 1.29;
-  /// How far the hind paws come to the front for each m/s of walking backward, so that they go on bearing
+  /// How far the hind paws move to the front per m/s of walking backwards, so that they continue to carry
   /// their share.
   double hindShiftBackward = 0.19;
-  double maximumX = 0.18, maximumBackward = 0.16, maximumY = 0.16,
-         maximumRotation = 1.2;  ///< the corners of an ellipsoid of speeds
-  double maximumChangeX = 0.4, maximumChangeY = 0.4, maximumChangeRotation = 3.0;  ///< a second
-  double maximumStepX = 0.060, maximumStepY = 0.060;  ///< length of a paw's way on the ground
+  /// The semi-axes of the ellipsoid of allowed speeds.
+  double maximumX = 0.18, maximumBackward = 0.16, maximumY = 0.16, maximumRotation = 1.2;
+  /// Per second.
+  double maximumChangeX = 0.4, maximumChangeY = 0.4, maximumChangeRotation = 3.0;
+  /// The largest travel of a paw on the ground.
+  double maximumStepX = 0.060, maximumStepY = 0.060;
 
-  double bodyShiftX = 0, bodyShiftY = 0;  ///< amplitude of the body's swaying
-  double bodyShiftOffset = 0;             ///< phase of it
+  /// Amplitude of the body's sway.
+  double bodyShiftX = 0, bodyShiftY = 0;
+  /// Its phase.
+  double bodyShiftOffset = 0;
 
   bool operator==(const GaitParameters&) const = default;
 };

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The solutions of the task "head-control": they connect a HeadController to packages.
 #include "MotionParameters.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "modules/motion/HeadController.h"
@@ -18,7 +19,7 @@ const robotlink::DebugKey kGazeKey{
     "head-control/gaze",
     "Where the head looks to, from above, and the ball that it tracks (drawn around the robot)"};
 
-/// What both solutions share: from packages to the controller's values and back.
+/// The common part of both solutions: converts packages to the controller's values and back.
 class HeadControlSolution : public robotlink::Solution {
  public:
   explicit HeadControlSolution(robotlink::SolutionContext& context)

@@ -9,9 +9,9 @@
 namespace modules {
 namespace {
 
-// Nearer to the neck than this a point cannot be looked at; the neck would have to look through the chest.
+// The head cannot look at points nearer to the neck than this, m: it would have to look through the chest.
 constexpr double kNearest = 0.06;
-// How far the head may stay behind a sweep before the sweep waits for it.
+// If the head lags behind a sweep by more than this, rad, the sweep waits.
 constexpr double kLag = 0.5;
 
 }  // namespace
@@ -46,7 +46,7 @@ HeadAngles HeadController::lookAround(const HeadAngles& now, robotlink::Duration
   return swept({{tilt, pan}, {tilt, -pan}}, State::kSweeping, now, robotlink::seconds(frame));
 }
 
-/// Goes along a closed path at the sweep's speed, from where the head is.
+/// Moves along a closed path at the sweep's speed, starting at the head's present angles.
 HeadAngles HeadController::swept(const std::vector<Waypoint>& path, State state, const HeadAngles& now,
                                  double seconds) {
   if (state_ != state) {
@@ -69,7 +69,7 @@ HeadAngles HeadController::anglesTowards(const robotlink::Vector3& pointInRobot)
   robotlink::Vector3 point = Eigen::AngleAxisd(-parameters_.bodyPitch, robotlink::Vector3::UnitY()) * raised;
   point -= robotlink::Vector3(dimensions_.neckX, 0, dimensions_.neckZ);
   point.x() = std::max(point.x(), kNearest);
-  // The pan axis stands on the tilted neck, so tilt must put the point at the height of the pan's centre.
+  // The pan axis is on the tilted neck, so tilt must bring the point to the height of the pan's center.
   const double distance = std::hypot(point.x(), point.z());
   const double tilt =
       std::atan2(point.z(), point.x()) - std::asin(std::min(dimensions_.neckLength / distance, 1.0));

@@ -10,71 +10,89 @@
 
 namespace modules {
 
-/// What is wanted of the head.
+/// A request for the head.
 struct HeadWish {
   enum class Kind { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
-  HeadAngles angles;  ///< for kAngles
+  /// Only for kAngles.
+  HeadAngles angles;
   bool operator==(const HeadWish&) const = default;
 };
 
-/// What the ball model says: where the ball is in the robot's frame (m), and for how long nobody has seen it
-/// (s).
+/// The ball model as the head needs it: the ball's position in the robot's frame, m, and the time since it
+/// was seen, s.
 struct BallSight {
   robotlink::Vector2 position{0, 0};
   double age = 0;
 };
 
+/// Dimensions, angles and speeds of looking.
 struct HeadParameters {
-  double bodyHeight = 0.115;  ///< m, of the body's origin above the ground
-  double bodyPitch = 0.046;   ///< rad, nose down
-  double ballRadius = 0.042;  ///< m
+  /// Height of the body's origin above the ground, m.
+  double bodyHeight = 0.115;
+  /// Nose down, rad.
+  double bodyPitch = 0.046;
+  /// Meters.
+  double ballRadius = 0.042;
+  // Tilt is positive upwards.
   double aheadTilt = robotlink::radians(-12);
-  double searchFarTilt = robotlink::radians(-14);   ///< the sweep that sees the field
-  double searchNearTilt = robotlink::radians(-42);  ///< the sweep that sees the ground before the paws
+  /// The sweep that sees the far field.
+  double searchFarTilt = robotlink::radians(-14);
+  /// The sweep that sees the ground in front of the paws.
+  double searchNearTilt = robotlink::radians(-42);
   double searchFarPan = robotlink::radians(80), searchNearPan = robotlink::radians(55);
-  double aroundTilt = robotlink::radians(-2);  ///< beacons and goals
+  /// Beacons and goals are at this height.
+  double aroundTilt = robotlink::radians(-2);
   double aroundPan = robotlink::radians(85);
-  double sweepSpeed = 1.9;  ///< rad/s
-  double lostAfter = 0.7;   ///< s since it was seen, then the ball is searched
+  /// Radians per second.
+  double sweepSpeed = 1.9;
+  /// Time without seeing the ball before it is searched, s.
+  double lostAfter = 0.7;
   bool operator==(const HeadParameters&) const = default;
 };
 
-/// Decides where the head looks: ahead, at given angles, around in sweeps, or at the ball, which it searches
+/// Controls where the head looks: ahead, at given angles, around in sweeps, or at the ball, which is searched
 /// when it is lost.
 ///
-/// Searching sweeps from side to side, once far and once near, beginning on the side where the ball was last.
-/// A pure function of its calls. Angles in rad; the motion task limits them to what the joints can do.
+/// The search sweeps from side to side, alternately far and near, starting at the side where the ball was
+/// last. The result depends only on the calls. Angles in rad; the motion task limits them to the range of the
+/// joints. Not thread-safe.
 class HeadController {
  public:
   explicit HeadController(const HeadParameters& parameters, const RobotDimensions& dimensions = {})
       : parameters_(parameters), dimensions_(dimensions) {}
 
   void setParameters(const HeadParameters& parameters) { parameters_ = parameters; }
-  /// `now`: where the head is; `ball`: empty if it is unknown.
+  /// Call it once a frame. `now` are the present angles; `ball` is empty if it is unknown.
   HeadAngles advance(const HeadWish& wish, const std::optional<BallSight>& ball, const HeadAngles& now,
                      robotlink::Duration frame);
-  /// The sweep from side to side alone.
+  /// Only the sweep from side to side.
   HeadAngles lookAround(const HeadAngles& now, robotlink::Duration frame);
-  /// Angles with which the camera's axis goes through a point of the robot's frame, as far as the neck
+  /// The angles with which the camera's axis points at a point in the robot's frame, as far as the neck
   /// allows.
   HeadAngles anglesTowards(const robotlink::Vector3& pointInRobot) const;
 
+  /// For drawings and logs.
   enum class State { kStill, kTracking, kSearching, kSweeping };
   State state() const { return state_; }
 
  private:
+  /// A corner of a sweep, rad.
   struct Waypoint {
     double tilt, pan;
   };
+  /// Advances a sweep along a closed path.
   HeadAngles swept(const std::vector<Waypoint>& path, State state, const HeadAngles& now, double seconds);
 
   HeadParameters parameters_;
   RobotDimensions dimensions_;
   State state_ = State::kStill;
+  /// Index of the next corner.
   std::size_t waypoint_ = 0;
-  double side_ = 1;   ///< where searching begins: 1 left, -1 right
-  HeadAngles sweep_;  ///< where the sweep is
+  /// The side where a search begins: 1 left, -1 right.
+  double side_ = 1;
+  /// The present target of the sweep.
+  HeadAngles sweep_;
 };
 
 }  // namespace modules

@@ -30,7 +30,7 @@ constexpr double kSwingLimit = radians(117);
 constexpr double kSpreadMaximum = radians(89);
 constexpr double kKneeMinimum = radians(-27), kKneeMaximum = radians(147);
 
-/// A leg's plane in directions that are the same for all four: away from the body's middle, outside, down.
+/// A vector in directions that are the same for all legs: away from the body's center, outwards, down.
 Vector3 mirrored(Leg leg, const Vector3& v) {
   return {isFore(leg) ? v.x() : -v.x(), isLeft(leg) ? v.y() : -v.y(), -v.z()};
 }
@@ -65,14 +65,14 @@ LegKinematics::Solution LegKinematics::anglesFor(Leg leg, const Vector3& pawInHi
   const double thighAngle = std::atan2(dimensions_.kneeAway, dimensions_.kneeDown);
   Solution solution;
 
-  // The knee alone decides how far the paw is from the hip.
+  // The knee alone determines the distance of the paw from the hip.
   const double squared = target.squaredNorm() - offset * offset;
   const double cosine = (squared - thigh * thigh - shank(leg) * shank(leg)) / (2 * thigh * shank(leg));
   const double bend = thighAngle + std::acos(clampedArc(cosine, solution.reached));
   const double away = dimensions_.kneeAway + shank(leg) * std::sin(bend);
   const double down = dimensions_.kneeDown + shank(leg) * std::cos(bend);
 
-  // J1's axis is parallel to y, so J2 alone decides how far outside the paw is.
+  // J1's axis is parallel to y, so J2 alone determines how far outside the paw is.
   const double radius = std::hypot(offset, down);
   const double spread =
       std::asin(clampedArc(target.y() / radius, solution.reached)) - std::atan2(offset, down);

@@ -5,39 +5,45 @@
 
 namespace modules {
 
-/// Angles of a leg, rad: J1 swings it away from the body's middle (fore legs to the front, hind legs to the
-/// back), J2 spreads it to the outside, J3 bends the knee so that the paw goes away from the middle.
+/// Angles of a leg, rad: J1 swings it away from the body's center (fore legs to the front, hind legs to the
+/// rear), J2 spreads it outwards, J3 bends the knee such that the paw moves away from the center.
 struct LegAngles {
   double swing = 0, spread = 0, knee = 0;
   bool operator==(const LegAngles&) const = default;
 };
 
-/// From angles of a leg of the ERS-210 to the place of its paw and back, in closed form.
+/// Forward and inverse kinematics of the ERS-210's legs, in closed form.
 ///
-/// Points are the centre of the paw's sphere, in metres, relative to the shoulder or hip (where the axes of
-/// J1 and J2 meet), in axes parallel to the body's. The inverse yields the posture with the knee bent towards
-/// the body's middle, as the robot walks, and stays within the software limits of the joints, of which that
-/// of J2 depends on J1 (Sony's Model Information).
+/// Points are the center of the paw's sphere in meters relative to the shoulder or hip (the intersection of
+/// the axes of J1 and J2), with axes parallel to the body's. The inverse yields the posture with the knee
+/// bent towards the body's center, as in walking, within the software limits of the joints; the limit of J2
+/// depends on J1 (Sony's Model Information).
 class LegKinematics {
  public:
+  /// The result of the inverse kinematics.
   struct Solution {
     LegAngles angles;
-    bool reached = true;  ///< false: the paw comes only near the point
+    /// False if the paw cannot reach the point and only comes close to it.
+    bool reached = true;
   };
 
   explicit LegKinematics(const RobotDimensions& dimensions = {}) : dimensions_(dimensions) {}
 
   const RobotDimensions& dimensions() const { return dimensions_; }
-  /// Shoulder or hip in the body's frame.
+  /// The position of a shoulder or hip in the body's frame.
   robotlink::Vector3 hipInBody(Leg leg) const;
+  /// Forward kinematics.
   robotlink::Vector3 pawInHip(Leg leg, const LegAngles& angles) const;
+  /// Inverse kinematics.
   Solution anglesFor(Leg leg, const robotlink::Vector3& pawInHip) const;
 
-  /// The least angle of J2 for an angle of J1.
+  /// The lower limit of J2 for an angle of J1.
   static double minimumSpread(Leg leg, double swing);
+  /// The nearest angles within the limits.
   static LegAngles limited(Leg leg, const LegAngles& angles);
 
  private:
+  /// The length of the lower leg, and its angle with the knee at 0.
   double shank(Leg leg) const { return isFore(leg) ? dimensions_.foreShank : dimensions_.hindShank; }
   double shankAngle(Leg leg) const {
     return isFore(leg) ? dimensions_.foreShankAngle : dimensions_.hindShankAngle;

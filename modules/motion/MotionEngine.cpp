@@ -39,7 +39,7 @@ void MotionEngine::advance(const Frame& frame) {
   if (falls_.fallen() && !wasFallen && mode_ == Mode::kGait) beginBlend();
   const MotionWish wish = resolved(frame.wish);
 
-  // Key frames begin and end where the gait stands; between two of them there is always a stand.
+  // Key frames begin and end in the gait's stand; between two of them there is always a stand.
   const bool wantsKeyFrames =
       wish.kind == MotionWish::Kind::kKeyFrames || wish.kind == MotionWish::Kind::kGetUp;
   if (mode_ == Mode::kGait && wantsKeyFrames && gait_.standing() && blended_ >= options_.blendTime) {
@@ -54,7 +54,8 @@ void MotionEngine::advance(const Frame& frame) {
   moveHead(frame.head, dt);
 }
 
-/// The wish as it can be fulfilled: falls come first, and what is unknown is a stand.
+/// The request as it can be executed: getting up after a fall takes precedence; an unknown motion becomes a
+/// stand.
 MotionWish MotionEngine::resolved(const MotionWish& wish) {
   refusal_.clear();
   const bool mustGetUp = falls_.fallen() && options_.getUpByItself;
@@ -85,7 +86,7 @@ std::string MotionEngine::getUpMotion() const {
   }
 }
 
-/// Legs to the stand from where they are; the gait goes on from there.
+/// Moves the legs from their present angles to the stand, where the gait continues.
 void MotionEngine::beginBlend() {
   mode_ = Mode::kGait;
   gait_.reset();
@@ -96,7 +97,7 @@ void MotionEngine::beginBlend() {
 }
 
 void MotionEngine::runKeyFrames(const MotionWish& wish, Duration time) {
-  // What shall be played may change, but a robot that gets up is not disturbed.
+  // The requested motion may change, but getting up is not interrupted.
   const bool getsUp = executed_.kind == MotionWish::Kind::kGetUp;
   if (!getsUp && wish.kind == MotionWish::Kind::kKeyFrames) {
     player_.request(wish.motion, robotlink::MotionPlayer::Repeat::kOnce);
@@ -144,7 +145,7 @@ void MotionEngine::runGait(const MotionWish& wish, Duration time) {
   executed_.motion.clear();
 }
 
-/// Mouth, tail and ears go to their stance when nobody moves them.
+/// Mouth, tail and ears move to their stance when nothing controls them.
 void MotionEngine::setFreeJoints(double seconds) {
   for (std::size_t i = 0; i < positions_.size(); ++i) {
     const auto& head = joints_.headJoints();

@@ -11,67 +11,84 @@
 
 namespace modules {
 
-/// What is wanted of the body. A plain value.
+/// A request for the body. A plain value.
 struct MotionWish {
   enum class Kind { kStand, kWalk, kKeyFrames, kGetUp };
   Kind kind = Kind::kStand;
-  WalkSpeed walk;      ///< for kWalk; zero is standing
-  std::string motion;  ///< for kKeyFrames
+  /// Only for kWalk; zero means standing.
+  WalkSpeed walk;
+  /// Only for kKeyFrames.
+  std::string motion;
   bool operator==(const MotionWish&) const = default;
 };
 
-/// Turns wishes into the angles of all joints, one frame at a time: stands, walks, plays key-frame motions,
-/// gets up, and passes from one to the other without jumps. The engine of the task `motion`, free of packages
-/// and debugging.
+/// Converts requests to angles of all joints, one frame at a time: stands, walks, plays key-frame motions,
+/// gets up, and blends between them without jumps. It is the core of the task `motion`, independent of
+/// packages and debugging.
 ///
-/// A walk comes to a stand before key frames begin; a motion that has begun is left at its transitions only.
-/// A robot that fell gets up first, whatever else is wanted, if `getUpByItself`. Deterministic: its calls
-/// decide everything.
+/// A walk stops before key frames begin, and a key-frame motion is left only at its transitions. With
+/// `getUpByItself`, a fallen robot first gets up, whatever is requested. Deterministic. Not thread-safe.
 class MotionEngine {
  public:
   struct Options {
     bool getUpByItself = true;
-    double blendTime = 0.5;       ///< s, from the end of a motion to the stand
-    double headSpeedShare = 0.9;  ///< of the head joints' greatest speed
+    /// From the end of a motion to the stand, s.
+    double blendTime = 0.5;
+    /// Fraction of the head joints' maximal speed.
+    double headSpeedShare = 0.9;
     bool operator==(const Options&) const = default;
   };
+  /// The input of a frame.
   struct Frame {
     MotionWish wish;
     HeadAngles head;
-    const robotlink::Vector3* acceleration = nullptr;  ///< null if it is not known anew
+    /// Null if it is unknown.
+    const robotlink::Vector3* acceleration = nullptr;
+    /// The duration of the frame.
     robotlink::Duration time = std::chrono::milliseconds(8);
   };
 
+  /// Starts in the robot's stance.
   MotionEngine(JointLayout joints, std::shared_ptr<const robotlink::MotionNet> motions,
                const GaitParameters& gait, Options options);
 
-  /// The joints are at these angles; to be called before the first frame if they are known.
+  /// Sets the present angles of the joints; call it before the first frame if they are known.
   void start(std::span<const double> positions);
+  /// Takes effect with the next frame.
   void setParameters(const GaitParameters& gait, Options options);
+  /// Advances by a frame; the results are read with the functions below.
   void advance(const Frame& frame);
 
-  /// rad, in the order of the robot's description.
+  /// In rad, in the order of the robot's description.
   std::span<const double> positions() const { return positions_; }
-  /// Share of the torque for all servos.
+  /// Fraction of the torque, the same for all servos.
   double stiffness() const { return stiffness_; }
+  /// The request that is being executed, which may differ from the last one.
   const MotionWish& executed() const { return executed_; }
+  /// Whether the present motion can be left now.
   bool stable() const;
-  /// Dead reckoning since start().
+  /// The pose by dead reckoning since start().
   const robotlink::Pose2& odometry() const { return odometry_; }
+  /// The robot's present velocity according to the gait.
   WalkSpeed speed() const;
   const FallDetector& falls() const { return falls_; }
   const WheelModelGait& gait() const { return gait_; }
-  /// Why the wish is not fulfilled: "there is no motion 'x'"; empty if it is.
+  /// Why the request is not executed: "there is no motion 'x'"; empty if it is.
   const std::string& refusal() const { return refusal_; }
 
  private:
+  /// What controls the legs.
   enum class Mode { kGait, kKeyFrames };
+  /// The request as it can be executed.
   MotionWish resolved(const MotionWish& wish);
+  /// The name of the motion for the side on which the robot lies.
   std::string getUpMotion() const;
   void runGait(const MotionWish& wish, robotlink::Duration time);
+  /// Starts moving the legs from their present angles to the stand.
   void beginBlend();
   void runKeyFrames(const MotionWish& wish, robotlink::Duration time);
   void moveHead(const HeadAngles& wanted, double seconds);
+  /// Moves joints that nothing controls to their stance.
   void setFreeJoints(double seconds);
 
   JointLayout joints_;
@@ -82,8 +99,10 @@ class MotionEngine {
   Options options_;
   Mode mode_ = Mode::kGait;
   std::vector<double> positions_;
+  /// The angles when the blend began.
   std::vector<double> blendFrom_;
-  double blended_ = 0;  ///< s since the blend began
+  /// Time since the blend began, s.
+  double blended_ = 0;
   double stiffness_ = 1;
   robotlink::Pose2 odometry_;
   MotionWish executed_;

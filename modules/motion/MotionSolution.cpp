@@ -106,7 +106,7 @@ robotcontrol::MotionRequest::Kind requestKind(MotionWish::Kind kind) {
   }
 }
 
-/// A net with nothing but its entry, for robots whose motions cannot be read.
+/// A net with only its entry, for robots whose motions cannot be loaded.
 std::shared_ptr<const robotlink::MotionNet> emptyNet(const std::vector<std::string>& joints) {
   auto net = std::make_shared<robotlink::MotionNet>();
   net->joints = joints;
@@ -169,8 +169,7 @@ void MotionSolution::execute() {
   draw();
 }
 
-/// How much time has gone by since the last frame, in whole frames; they are counted even if the process was
-/// late.
+/// The time since the last frame in whole frames; they are counted even if the process was late.
 robotlink::Duration MotionSolution::frameTime() {
   const robotlink::Instant now = context_.clock().now();
   const auto frames = std::max<robotlink::Duration::rep>((now - last_) / kFrame, 0);
@@ -216,7 +215,7 @@ void MotionSolution::sendStatus() {
   status_.send(std::move(status));
 }
 
-/// Tells each thing once, when it changes.
+/// Logs each fact once, when it changes.
 void MotionSolution::tell() {
   robotlink::DebugContext& debug = context_.debug();
   if (engine_->refusal() != toldRefusal_) {

@@ -12,11 +12,12 @@ class GaitMotionParameters;
 
 namespace modules {
 
-/// The solutions of the task `motion`: a MotionEngine between packages. They differ in the curve of the paws.
+/// The solutions of the task `motion`: they connect a MotionEngine to packages, and differ in the curve of
+/// the paws.
 ///
-/// A frame of joint angles is sent each time it runs. Without motions (resources/motions does not compile)
-/// the errors are told and the robot can still stand and walk. Frames are 8 ms by the platform's clock; what
-/// is missed is made up for, up to 40 ms.
+/// Each execution sends one frame of joint angles. If the motions (resources/motions) do not compile, the
+/// errors are logged and the robot can only stand and walk. Frames have 8 ms of the platform's clock; missed
+/// frames are made up for, up to 40 ms.
 class MotionSolution : public robotlink::Solution {
  public:
   MotionSolution(robotlink::SolutionContext& context, FootMode mode);
@@ -24,12 +25,15 @@ class MotionSolution : public robotlink::Solution {
   void execute() override;
 
  private:
+  /// Creates the engine, at the first execution.
   void create();
   void readParameters();
+  /// The time since the last execution, in whole frames.
   robotlink::Duration frameTime();
   MotionEngine::Frame frame(robotlink::Duration time);
   void sendJoints();
   void sendStatus();
+  /// Logs changes of motion, falls and refusals.
   void tell();
   void plot();
   void draw();
@@ -44,9 +48,12 @@ class MotionSolution : public robotlink::Solution {
   robotlink::Output<robotcontrol::MotionStatus> status_;
   const robotcontrol::GaitMotionParameters& parameters_;
   std::unique_ptr<MotionEngine> engine_;
+  /// The last known acceleration; initially level and at rest.
   robotlink::Vector3 acceleration_{0, 0, 9.81};
   robotlink::Instant last_;
+  /// Whether the engine has got the angles of the joints.
   bool started_ = false;
+  // The last logged state, so that only changes are logged.
   std::string toldRefusal_;
   std::string toldMotion_;
   bool toldFallen_ = false;

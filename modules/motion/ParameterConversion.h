@@ -12,9 +12,8 @@ class HeadControlParameters;
 
 namespace modules {
 
-// From parameter messages to the values that the engines calculate with. Fields that are not set, and those
-// that would break a gait (a cycle without frames, phases that do not fit into it), keep their built-in
-// values.
+// Converts parameter messages to the parameters of the engines. Unset fields, and values that would break a
+// gait (a cycle without frames, phases that do not fit into it), keep their built-in values.
 
 GaitParameters gaitParameters(const robotcontrol::GaitMotionParameters& from, FootMode mode);
 MotionEngine::Options motionOptions(const robotcontrol::GaitMotionParameters& from);

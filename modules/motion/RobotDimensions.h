@@ -18,31 +18,40 @@ constexpr bool isFore(Leg leg) {
 constexpr bool isLeft(Leg leg) {
   return leg == Leg::kFrontLeft || leg == Leg::kHindLeft;
 }
+/// The index of a leg in arrays.
 constexpr std::size_t index(Leg leg) {
   return static_cast<std::size_t>(leg);
 }
 
-/// Lengths of the ERS-210, in metres and radians. The body's frame: origin in the middle between the four J1
-/// axes, x to the front, y to the left, z up. Source: Sony's Model Information for the ERS-210 (external
-/// dimensions, stance drawing); the paws' centres follow from the stance drawing and agree with the kinematic
+/// Dimensions of the ERS-210 in meters and radians. The body's frame has its origin at the center of the four
+/// J1 axes, x to the front, y to the left, z up. Source: Sony's Model Information for the ERS-210 (external
+/// dimensions, stance drawing); the paws' centers follow from the stance drawing and agree with the kinematic
 /// tables of Tekkotsu.
 struct RobotDimensions {
-  double hipX = 0.0595;  ///< J1 axes before and behind the origin
-  double hipY = 0.0592;  ///< shoulders beside the origin
-  double pawOffset = 0;  ///< how much further out the paws are than the shoulders (0.5 mm in the drawing; the
-                         ///< model has none)
-  double kneeDown = 0.0640;    ///< from J1 to J3 with all angles 0
-  double kneeAway = 0.0128;    ///< the same, away from the body's middle
-  double foreShank = 0.05699;  ///< from J3 to the centre of the paw's sphere
+  /// Distance of the J1 axes in front of and behind the origin.
+  double hipX = 0.0595;
+  /// Distance of the shoulders beside the origin.
+  double hipY = 0.0592;
+  /// How much farther out the paws are than the shoulders (0.5 mm in the drawing, 0 in the model).
+  double pawOffset = 0;
+  /// From J1 downwards to J3 with all angles at 0.
+  double kneeDown = 0.0640;
+  /// The same, away from the body's center.
+  double kneeAway = 0.0128;
+  /// From J3 to the center of the paw's sphere.
+  double foreShank = 0.05699;
   double hindShank = 0.06457;
-  double foreShankAngle =
-      robotlink::radians(-11.86);  ///< of that line against the downward direction, with J3 at 0
+  /// The angle of that line to the downward direction with J3 at 0.
+  double foreShankAngle = robotlink::radians(-11.86);
   double hindShankAngle = robotlink::radians(-20.09);
   double pawRadius = 0.0125;
-  double neckX = 0.0750;  ///< tilt axis
+  /// The tilt axis.
+  double neckX = 0.0750;
   double neckZ = 0.0500;
-  double neckLength = 0.0480;  ///< from the tilt axis to the centre of pan and roll
-  double cameraX = 0.0666;     ///< lens before the pan axis
+  /// From the tilt axis to the intersection of pan and roll.
+  double neckLength = 0.0480;
+  /// From the pan axis to the lens.
+  double cameraX = 0.0666;
 };
 
 }  // namespace modules

@@ -7,47 +7,54 @@
 
 namespace modules {
 
-/// A trot by the wheel model: the requested motion of the robot gives each leg a step vector, as if it were a
-/// wheel of a vehicle, and each paw runs through a closed curve along its vector; half of the cycle on the
+/// A trot by the wheel model: the requested motion of the robot gives each leg a step vector, as if it were
+/// the wheel of a vehicle, and each paw follows a closed curve along its vector, half of the cycle on the
 /// ground.
 ///
-/// The model is that of the walking engines of the four-legged teams of 2002. Speeds change by bounded steps,
-/// so a request may jump. A pure function of its calls; 8 ms a frame. Paw positions are those of the sphere's
-/// centre, metres, in the frame of the robot's body (origin between the J1 axes); the body is pitched if fore
-/// and hind height differ.
+/// The model is that of the walking engines of the four-legged teams of 2002. Changes of speed are limited,
+/// so requests may jump. The result depends only on the calls; frames have 8 ms. Paw positions are those of
+/// the sphere's center in meters in the body's frame (origin between the J1 axes); the body is pitched if
+/// fore and hind height differ. Not thread-safe.
 class WheelModelGait {
  public:
   explicit WheelModelGait(const GaitParameters& parameters, const RobotDimensions& dimensions = {});
 
+  /// Takes effect with the next frame.
   void setParameters(const GaitParameters& parameters) { parameters_ = parameters; }
   const GaitParameters& parameters() const { return parameters_; }
-  /// Within what the gait can do; see limited().
+  /// Requests a speed, limited to what the gait can do: see limited().
   void request(const WalkSpeed& speed) { requested_ = limited(speed); }
-  /// Go on walking on the spot if the request is zero, or come to a stand.
+  /// Whether to step on the spot if the request is zero, or to stand.
   enum class Idle { kStep, kStand };
+  /// Advances by a frame.
   void advance(robotlink::Duration frame, Idle idle);
-  /// Standing at once, at the beginning of a cycle.
+  /// Stands immediately, at the beginning of a cycle.
   void reset();
 
-  /// A speed shrunk to the ellipsoid of speeds that the parameters allow, in its direction.
+  /// Scales a speed to the ellipsoid of allowed speeds, keeping its direction.
   WalkSpeed limited(const WalkSpeed& speed) const;
   const WalkSpeed& requested() const { return requested_; }
-  /// What the robot does now, as far as the model knows.
+  /// The present speed of the robot according to the model.
   const WalkSpeed& speed() const { return speed_; }
   bool standing() const { return standing_; }
-  /// In [0, 1).
+  /// The phase of the cycle, in [0, 1).
   double phase() const { return phase_; }
+  // State of a leg in the present frame.
   bool onGround(Leg leg) const;
   robotlink::Vector3 pawInBody(Leg leg) const;
   LegAngles angles(Leg leg) const;
-  /// The way of a paw over the ground in one cycle, metres; half of it before and half behind the paw's
-  /// place.
+  /// The travel of a paw over the ground in a cycle, m; one half in front of and one half behind the paw's
+  /// neutral position.
   robotlink::Vector3 stepVector(Leg leg) const;
 
  private:
+  /// The neutral position of a paw.
   robotlink::Vector3 standInHip(Leg leg) const;
+  /// The phase of a leg, in [0, 1).
   double legPhase(Leg leg) const;
+  /// The pitch of the body that follows from the heights of the legs, rad, nose down.
   double pitch() const;
+  /// The present position of a paw.
   robotlink::Vector3 pawInHip(Leg leg) const;
 
   GaitParameters parameters_;

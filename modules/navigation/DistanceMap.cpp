@@ -12,11 +12,11 @@ using robotlink::Vector2;
 
 namespace {
 
-// More than any square of cells, and far from float's end.
+// More than the square of any distance in cells, and far below the limit of float.
 constexpr float kNoWall = 1e12F;
 
 /// The lower envelope of parabolas: squared distances along one line of cells. `from` and `to` have the same
-/// size; the others are room to work in, one longer than that.
+/// size; the others are buffers, longer by one.
 void transformLine(const std::vector<float>& from, std::vector<float>& to, std::vector<std::size_t>& peaks,
                    std::vector<float>& bounds) {
   const std::size_t size = from.size();
@@ -51,7 +51,7 @@ DistanceMap::DistanceMap(const GroundMap& map, const Options& options) {
   const Vector2 size = bounds.high - bounds.low + 2 * margin;
   frame_.low = bounds.low - margin;
   frame_.cell = std::max(options.cell, 0.01);
-  // A map with a point far away must not cost all memory.
+  // A map with a point far away must not use all memory.
   const double cells = size.x() / frame_.cell * (size.y() / frame_.cell);
   const double most = static_cast<double>(std::max<std::size_t>(options.mostCells, 100));
   if (cells > most) frame_.cell *= std::sqrt(cells / most);
@@ -117,8 +117,8 @@ void DistanceMap::transform() {
 }
 
 double DistanceMap::range(const Pose2& sensor, double openingAngle, double maximum) const {
-  // Marches along the axis by what is known to be free; a wall is met where the free disc is no wider than
-  // the cone.
+  // Advances along the axis by the distance that is known to be free; a wall is hit where the free disc is no
+  // wider than the cone.
   const double half = std::sin(0.5 * openingAngle), c = std::cos(sensor.heading),
                s = std::sin(sensor.heading);
   const double shortest = 0.5 * frame_.cell;

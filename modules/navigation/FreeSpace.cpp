@@ -12,9 +12,10 @@ using robotlink::Vector2;
 
 namespace {
 
-constexpr std::uint8_t kWall = 0, kInside = 1, kOutside = 2;  // kWall: no place for a robot
+/// kWall: no place for a robot.
+constexpr std::uint8_t kWall = 0, kInside = 1, kOutside = 2;
 
-/// Marks what can be reached from the cells of `open` without leaving those marked `kInside`.
+/// Marks everything that can be reached from the cells of `open` within those marked `kInside`.
 void flood(const GridFrame& frame, std::vector<std::uint8_t>& marks, std::vector<std::uint32_t> open) {
   constexpr std::array<std::array<int, 2>, 4> kSteps{{{1, 0}, {-1, 0}, {0, 1}, {0, -1}}};
   while (!open.empty()) {
@@ -31,7 +32,7 @@ void flood(const GridFrame& frame, std::vector<std::uint8_t>& marks, std::vector
   }
 }
 
-/// Takes away what has no wall on two or more of its four sides: in front of a gap it may be one.
+/// Removes cells without a wall on two or more of their four sides: in front of a gap it may be one.
 void keepEnclosed(const DistanceMap& distances, std::vector<std::uint8_t>& marks) {
   const GridFrame& frame = distances.frame();
   std::vector<std::uint8_t> openSides(marks.size(), 0);

@@ -9,24 +9,28 @@
 
 namespace modules {
 
-/// The places of a map at which a robot can be: far enough from walls, and inside of the building. Inside are
-/// walls on at least three of four sides; and no way as wide as the robot leads there from beyond the map,
-/// unless one leads to the map's home, too: maps of real buildings have gaps. Immutable.
+/// The places of a map where a robot can be: with enough clearance, and inside the building. A place is
+/// inside if there are walls on at least three of its four sides, and if no way as wide as the robot leads
+/// there from outside the map; unless such a way leads to the map's home, too, because maps of real buildings
+/// have gaps. Immutable; any thread.
 class FreeSpace {
  public:
-  /// `clearance`: m, that the robot's middle needs.
+  /// `clearance` is the distance from walls that the robot's center needs, m.
   FreeSpace(const DistanceMap& distances, const robotlink::GroundMap& map, double clearance);
 
   bool empty() const { return cells_.empty(); }
-  double area() const;  ///< m^2
+  /// Square meters.
+  double area() const;
   bool contains(const robotlink::Vector2& place) const;
-  /// Evenly distributed, with any heading. Not if it is empty.
+  /// A random pose, uniformly distributed, with any heading. Must not be called if it is empty.
   robotlink::Pose2 draw(robotlink::Random& random) const;
 
  private:
   GridFrame frame_;
-  std::vector<std::uint8_t> inside_;  // by cell
-  std::vector<std::uint32_t> cells_;  // indices of those inside
+  /// By cell.
+  std::vector<std::uint8_t> inside_;
+  /// Indices of the cells inside.
+  std::vector<std::uint32_t> cells_;
 };
 
 }  // namespace modules

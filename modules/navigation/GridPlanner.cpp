@@ -90,7 +90,7 @@ void GridPlanner::setGoal(const Vector2& goal) {
     const int column = static_cast<int>(cell) % frame_.width, row = static_cast<int>(cell) / frame_.width;
     for (const auto& step : kSteps) {
       if (!passable(column + step[0], row + step[1])) continue;
-      // Not across corners.
+      // Not diagonally across corners.
       if (!passable(column + step[0], row) || !passable(column, row + step[1])) continue;
       const std::size_t next = frame_.index(column + step[0], row + step[1]);
       const double way = frame_.cell * std::hypot(step[0], step[1]);
@@ -140,7 +140,7 @@ PlannedPath GridPlanner::path(const Vector2& from) const {
   std::vector<Vector2> points = downTheWave(*start);
   points.front() = from;
   points.back() = *goal_;
-  // A robot that is where none can be planned for leaves by the nearest cell.
+  // A robot at a place where it cannot be leaves through the nearest free cell.
   if (!passable(from) && points.size() > 1) {
     const int cell = static_cast<int>(*start);
     points.insert(points.begin() + 1, frame_.center(cell % frame_.width, cell / frame_.width));
@@ -188,7 +188,7 @@ std::vector<GridPlanner::WavePoint> GridPlanner::wave(std::size_t most) const {
   return points;
 }
 
-/// Leaves out what lies between two points where the straight way is no dearer than the one between them.
+/// Removes points between two others if the straight line between these costs no more.
 std::vector<Vector2> GridPlanner::straightened(const std::vector<Vector2>& points) const {
   std::vector<Vector2> result{points.front()};
   std::size_t at = 0;
@@ -198,7 +198,7 @@ std::vector<Vector2> GridPlanner::straightened(const std::vector<Vector2>& point
     for (std::size_t i = at + 2; i < points.size(); ++i) {
       along += costOf(points[i - 1], points[i]);
       const double straight = costOf(points[at], points[i]);
-      // A bit dearer is good enough: steps of the grid make detours of up to 8 %.
+      // A slightly higher cost is acceptable: steps of the grid cause detours of up to 8 %.
       if (straight > 1.01 * along) {
         if ((points[i] - points[at]).norm() > 3) break;
         continue;

@@ -9,61 +9,80 @@
 
 namespace modules {
 
-/// A way in a map, or why there is none.
+/// A path in a map, or the reason why there is none.
 struct PlannedPath {
-  std::vector<robotlink::Vector2>
-      points;          ///< in the map, m; from the robot to the goal; empty if it is blocked
-  std::string reason;  ///< why there is no way; empty if there is one
+  /// In the map, m, from the robot to the goal; empty if it is blocked.
+  std::vector<robotlink::Vector2> points;
+  /// Why there is no path; empty if there is one.
+  std::string reason;
   bool blocked() const { return !reason.empty(); }
-  double length() const;  ///< m
+  /// Meters.
+  double length() const;
 };
 
-/// Plans ways in a map on a grid: a wave runs from the goal through all that is free (Dijkstra 1959), dearer
-/// near walls, so that one wave serves the ways from every place; a way runs down the wave and is then
-/// straightened where that costs no more. Forbidden lines and areas are walls. One thread at a time.
+/// Plans paths in a map on a grid: a wave expands from the goal through all free cells (Dijkstra 1959), at a
+/// higher cost near walls, so that one wave serves paths from all places. A path descends the wave and is
+/// then straightened where that costs no more. Forbidden lines and areas are walls. One thread at a time.
 class GridPlanner {
  public:
   struct Options {
-    double cell = 0.1;        ///< m
-    double clearance = 0.32;  ///< m, that the robot's middle needs
-    double comfort = 0.8;     ///< m, from walls from which on they do not matter
-    double nearness = 3;      ///< how much dearer a metre is at the least clearance
-    double reach = 1.0;       ///< m, within which a robot too near to a wall may find to where it can plan
+    /// Meters.
+    double cell = 0.1;
+    /// The distance from walls that the robot's center needs, m.
+    double clearance = 0.32;
+    /// The distance from walls beyond which they do not matter, m.
+    double comfort = 0.8;
+    /// The cost of a meter at the least clearance is higher by this factor.
+    double nearness = 3;
+    /// How far from a robot that is too close to a wall a path may begin, m.
+    double reach = 1.0;
   };
+  /// Builds the grid; the map need not outlive it.
   GridPlanner(const robotlink::GroundMap& map, const Options& options);
 
-  /// Runs the wave: some 20 ms in a large building. The goal may be anywhere; `path` tells if it cannot be
+  /// Computes the wave: some 20 ms for a large building. Any goal is accepted; path() reports if it cannot be
   /// reached.
   void setGoal(const robotlink::Vector2& goal);
   const std::optional<robotlink::Vector2>& goal() const { return goal_; }
-  /// Needs a goal. A way from where the robot is, which may be too near to a wall.
+  /// A path from the robot's position, which may be too close to a wall. Needs a goal.
   PlannedPath path(const robotlink::Vector2& from) const;
+  /// A place that the wave has reached.
   struct WavePoint {
     robotlink::Vector2 place;
-    double share = 0;  ///< of the farthest place's cost, 0 at the goal to 1
+    /// Its cost relative to that of the farthest place, 0 at the goal to 1.
+    double share = 0;
   };
-  /// Places that the wave reached, evenly spread; for drawings.
+  /// At most `most` places that the wave has reached, evenly spread; for drawings.
   std::vector<WavePoint> wave(std::size_t most) const;
 
  private:
+  /// Whether the robot's center can be there.
   bool passable(int column, int row) const;
   bool passable(const robotlink::Vector2& place) const;
+  /// The cost of a meter at a clearance.
   double costOf(double clearance) const;
-  /// The cost of a straight path; infinite where it is blocked.
+  /// The cost of a straight path; infinite if it is blocked.
   double costOf(const robotlink::Vector2& from, const robotlink::Vector2& to) const;
-  /// Why the goal cannot be stood on; empty if it can.
+  /// Why the robot cannot be at the goal; empty if it can.
   std::string wrongWithGoal() const;
+  /// The cell where the path of a robot begins; empty if there is none within reach.
   std::optional<std::size_t> startCell(const robotlink::Vector2& from) const;
+  /// The centers of the cells from one to the goal.
   std::vector<robotlink::Vector2> downTheWave(std::size_t cell) const;
+  /// The path with unnecessary points removed.
   std::vector<robotlink::Vector2> straightened(const std::vector<robotlink::Vector2>& points) const;
 
   Options options_;
-  DistanceMap walls_;      // without what is forbidden, to tell which of the two is in the way
-  DistanceMap obstacles_;  // with it
+  /// Without forbidden lines and areas, to tell whether those or walls are in the way.
+  DistanceMap walls_;
+  /// With them.
+  DistanceMap obstacles_;
   GridFrame frame_;
-  std::vector<float> costs_;  // of a metre, by cell; infinite where the robot cannot be
+  /// The cost of a meter by cell; infinite where the robot cannot be.
+  std::vector<float> costs_;
   std::optional<robotlink::Vector2> goal_;
-  std::vector<float> wave_;  // cost to the goal; infinite where there is no way
+  /// The cost to the goal by cell; infinite where there is no path.
+  std::vector<float> wave_;
 };
 
 }  // namespace modules

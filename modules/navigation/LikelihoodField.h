@@ -11,33 +11,38 @@
 
 namespace modules {
 
-/// How well a place of the map explains the end of a laser's ray, by how far it is from the nearest wall (the
-/// likelihood field of Thrun, Burgard and Fox, Probabilistic Robotics, 6.4). One byte a cell, so that the
-/// field of a large building stays in the processor's cache.
+/// How well the end of a laser ray is explained by the map, depending on its distance from the nearest wall
+/// (the likelihood field of Thrun, Burgard and Fox, Probabilistic Robotics, 6.4). One byte per cell, so that
+/// the field of a large building stays in the processor's cache. Reading is thread-safe.
 class LikelihoodField {
  public:
   explicit LikelihoodField(const DistanceMap& distances);
 
-  /// `deviation`: m, of the end of a ray; `randomShare`: of rays that hit what the map does not know.
+  /// `deviation` is that of the end of a ray, m; `randomShare` the fraction of rays that hit something
+  /// unknown to the map.
   void setDeviation(double deviation, double randomShare);
-  /// The logarithm of the likelihood, 0 at best.
+  /// The logarithm of the likelihood at a place in the map, m; 0 is the best.
   float logLikelihood(float x, float y) const { return logarithms_[nearness(x, y)]; }
-  /// m, 2.5 at most and beyond the map.
+  /// The distance to the nearest wall, m; at most 2.5, which is also the value outside the map.
   double distance(float x, float y) const { return kStep * nearness(x, y); }
 
  private:
+  /// The resolution of distances, m.
   static constexpr double kStep = 0.01;
   std::uint8_t nearness(float x, float y) const {
     const float column = (x - lowX_) * perCell_, row = (y - lowY_) * perCell_;
-    // Also false where they are not finite.
+    // Also false for values that are not finite.
     if (!(column >= 0 && row >= 0 && column < width_ && row < height_)) return kFarthest;
     return distances_[static_cast<std::size_t>(row) * columns_ + static_cast<std::size_t>(column)];
   }
   static constexpr std::uint8_t kFarthest = 250;
 
+  // Of the grid; in single precision, for speed.
   float lowX_, lowY_, perCell_, width_, height_;
   std::size_t columns_;
-  std::vector<std::uint8_t> distances_;  // in steps
+  /// By cell, in units of kStep.
+  std::vector<std::uint8_t> distances_;
+  /// By distance.
   std::array<float, kFarthest + 1> logarithms_{};
 };
 

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "self-localisation" of robots on wheels: where the robot is in the map that it
-// drives by.
+// The solutions of the task "self-localisation" of robots on wheels: the robot's pose in its map.
 #include <algorithm>
 #include <cmath>
 #include <optional>
@@ -29,9 +28,9 @@ const DebugKey kFilterKey{
     "self-localisation/filter",
     "Share of the measurements that the pose explains, and the number of particles (plots)"};
 
-/// So many particles are drawn at most.
+/// The limit of drawn particles.
 constexpr std::size_t kMostDrawn = 1000;
-/// The estimate without a map: no certainty at all.
+/// The estimate without a map: completely uncertain.
 constexpr PoseEstimate kNowhere{{}, 1e3, robotlink::kPi};
 
 bool finite(const Pose2& pose) {
@@ -83,11 +82,11 @@ class MonteCarloLocator final : public SelfLocator {
     if (!drive_.isNew() || !finite(odometry)) return;
     const std::optional<Pose2> last = odometry_.latest();
     const bool continued = odometry_.add(robotlink::instant(drive_->timestamp()), odometry);
-    // Where it was set to another place nobody knows how far the robot went meanwhile; not far.
+    // After a reset of the odometry, the motion in between is unknown, but small.
     if (last && continued) localizer_->move(last->inverse() * odometry);
   }
 
-  /// What is new, as if it had been measured where the robot is now.
+  /// New measurements, relative to the robot's present pose.
   std::vector<RangeBeam> measured() {
     std::vector<RangeBeam> result;
     if (laser_ && laser_.isNew()) {

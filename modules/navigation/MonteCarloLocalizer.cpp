@@ -11,11 +11,11 @@ using robotlink::Pose2;
 
 namespace {
 
-// Candidate poses from which the best are taken when particles are drawn anew.
+// The number of random poses from which the best are taken to replace particles.
 constexpr int kCandidates = 1500;
-// Share of a good fit below which the robot may have been carried away.
+// Below this fraction of a good fit, the robot may have been carried away.
 constexpr double kLostFit = 0.6;
-// m, of doubt about an estimate that explains nothing.
+// The additional deviation of an estimate that explains nothing, m.
 constexpr double kMisfitDeviation = 2;
 
 }  // namespace
@@ -68,7 +68,7 @@ void MonteCarloLocalizer::move(const Pose2& step) {
   if (way == 0 && turn == 0) return;
   way_ += way;
   turn_ += turn;
-  // Growing with the root, the errors of steps add up to the same, however many the way is driven in.
+  // With the square root, the errors of steps add up to the same, however many steps there are.
   const double wayError = options_.wayNoise * std::sqrt(way) + options_.skidNoise * std::sqrt(turn);
   const double turnError = options_.turnNoise * std::sqrt(turn) + options_.driftNoise * std::sqrt(way);
   for (Particle& particle : particles_) {
@@ -100,13 +100,13 @@ bool MonteCarloLocalizer::see(std::span<const RangeBeam> beams) {
 }
 
 void MonteCarloLocalizer::weigh() {
-  // Particles that were drawn anew do not hit exactly, either.
+  // Replaced particles are not exact, either.
   const double least = first_ || fit_ < options_.goodFit ? 0.5 * options_.startDeviation : 0;
   ranges_.setRayDeviation(std::clamp(std::max(least, 0.25 * estimate_.positionDeviation),
                                      options_.rayDeviation, options_.startDeviation));
   for (Particle& particle : particles_) {
     particle.logWeight += static_cast<float>(ranges_.logLikelihood(particle));
-    // No robot stands in a wall, whatever it would see there.
+    // No robot is inside a wall, whatever it would see there.
     if (distances_.at({particle.x, particle.y}) < 0.5 * options_.clearance) particle.logWeight -= 2;
   }
 }
@@ -129,7 +129,7 @@ void MonteCarloLocalizer::judge() {
 void MonteCarloLocalizer::resample() {
   const bool fits = fit_ >= options_.goodFit;
   if (fits && weightSums(particles_).effective() > 0.5 * static_cast<double>(particles_.size())) return;
-  // How many are needed only a sample can tell.
+  // Only a sample shows how many particles are needed.
   draw(particles_.size());
   const double fewest = std::max(1, options_.fewest);
   const auto needed = static_cast<std::size_t>(
@@ -139,7 +139,7 @@ void MonteCarloLocalizer::resample() {
   if (!fits) drawAnew();
 }
 
-/// Systematically, by their weights.
+/// Systematic resampling by weight.
 void MonteCarloLocalizer::draw(std::size_t count) {
   const WeightSums sums = weightSums(particles_);
   const auto weight = [&](std::size_t i) { return std::exp(particles_[i].logWeight - sums.best); };

@@ -11,64 +11,85 @@
 
 namespace modules {
 
-/// Self-localisation in a map of walls by a particle filter over dead reckoning and measured distances (Monte
-/// Carlo localisation; Dellaert, Fox et al. 1999), with as many particles as their spread needs.
+/// Self-localization in a map of walls by a particle filter with dead reckoning and measured distances (Monte
+/// Carlo localization; Dellaert, Fox et al. 1999). The number of particles adapts to their spread.
 ///
-/// It begins anywhere: particles are spread evenly over the map's free space. As long as they are far apart,
-/// rays are believed only roughly, so that a particle near the true pose counts although it does not hit it.
-/// Measurements that follow each other share their errors, so each counts only in part, and only after the
-/// robot has moved. Where measurements fit badly, some particles are drawn anew at the best of many places;
-/// where they do so for long, the robot was carried off, and everything begins anew.
+/// It starts anywhere: particles are spread evenly over the map's free space. While they are far apart, rays
+/// are trusted only roughly, so that a particle near the true pose counts although it does not match exactly.
+/// Consecutive measurements share their errors, so each one counts only in part, and only after the robot has
+/// moved. If measurements fit badly, some particles are replaced by the best of many random poses; if they do
+/// so for long, the robot was carried away, and the localization starts again.
 ///
-/// The estimate is the middle of the heaviest cluster; its deviation is that of all particles about it, so
-/// that it is large while there is more than one possibility, and larger still while the measurements fit
-/// badly. Deterministic: the seed and the calls decide everything. One thread at a time.
+/// The estimate is the center of the heaviest cluster. Its deviation is that of all particles from it, so it
+/// is large while there is more than one possibility, and even larger while the measurements fit badly.
+/// Deterministic for a seed. One thread at a time.
 class MonteCarloLocalizer {
  public:
   struct Options {
-    double particlesPerArea = 120;  ///< 1/m^2 of free space, at the start
+    /// Per m^2 of free space, at the start.
+    double particlesPerArea = 120;
+    // Limits of the number of particles.
     int fewest = 1200, most = 40000;
-    double clearance = 0.25;  ///< m, of the robot's middle from walls
+    /// The distance of the robot's center from walls, m.
+    double clearance = 0.25;
     RangeModel::Options ranges;
-    double rayDeviation = 0.08;                ///< m, of the ends of rays once the pose is known ...
-    double startDeviation = 0.35;              ///< m, ... and while it is not
-    double wayNoise = 0.08;                    ///< m after a metre
-    double skidNoise = 0.05;                   ///< m after a radian
-    double turnNoise = 0.1;                    ///< rad after a radian
-    double driftNoise = 0.04;                  ///< rad after a metre
-    double leastWay = 0.05, leastTurn = 0.05;  ///< m and rad between measurements that are looked at
-    double goodFit = 0.8;   ///< share of measurements that are explained where the pose is right
-    double newShare = 0.1;  ///< of particles drawn anew where none is explained
-    int lostAfter = 40;     ///< measurements with far less than a good fit until everything begins anew
+    /// Deviation of the ends of rays when the pose is known, m.
+    double rayDeviation = 0.08;
+    /// The same while it is unknown, m.
+    double startDeviation = 0.35;
+    /// In m after one meter.
+    double wayNoise = 0.08;
+    /// In m after one radian.
+    double skidNoise = 0.05;
+    /// In rad after one radian.
+    double turnNoise = 0.1;
+    /// In rad after one meter.
+    double driftNoise = 0.04;
+    /// The motion between evaluated measurements, m and rad.
+    double leastWay = 0.05, leastTurn = 0.05;
+    /// The fraction of measurements that are explained at the true pose.
+    double goodFit = 0.8;
+    /// The fraction of particles that are replaced if nothing is explained.
+    double newShare = 0.1;
+    /// The number of measurements that fit badly before it starts again.
+    int lostAfter = 40;
     std::uint64_t seed = 1;
   };
-  /// The map need not outlive it. In one without free space the estimate stays as uncertain as can be.
+  /// The map need not outlive it. In a map without free space the estimate stays completely uncertain.
   MonteCarloLocalizer(const robotlink::GroundMap& map, const Options& options);
   MonteCarloLocalizer(const MonteCarloLocalizer&) = delete;
   MonteCarloLocalizer& operator=(const MonteCarloLocalizer&) = delete;
-  /// From now on; the particles, what is free, and the seed stay.
+  /// Takes effect from now on, except for the particles, the free space, and the seed.
   void setOptions(const Options& options);
 
-  /// Everywhere with any heading.
+  /// Spreads particles everywhere, with any heading.
   void startAnywhere();
+  /// Spreads particles around a pose; deviations in m and rad.
   void startAt(const robotlink::Pose2& robotInMap, double positionDeviation, double headingDeviation);
-  /// `step`: in the robot's frame, since the last call.
+  /// Applies the motion since the last call, in the robot's frame.
   void move(const robotlink::Pose2& step);
-  /// What was measured where the robot is now. Returns false if that was no news: it has hardly moved.
+  /// Processes measurements at the robot's present pose. Returns false if they were ignored, because the
+  /// robot has hardly moved or none of them can be compared with the map.
   bool see(std::span<const RangeBeam> beams);
 
   const PoseEstimate& estimate() const { return estimate_; }
-  /// Share of the measurements that the estimate explains, lately; 0 to 1.
+  /// The fraction of recent measurements that the estimate explains, 0 to 1.
   double fit() const { return fit_; }
   std::span<const Particle> particles() const { return particles_; }
   const FreeSpace& freeSpace() const { return freeSpace_; }
 
  private:
+  /// Updates fit() and detects a robot that was carried away.
   void judge();
+  /// Multiplies the weights by the likelihood of the measurements.
   void weigh();
+  /// Draws a new generation of particles, as many as are needed.
   void resample();
+  /// Draws `count` particles by their weights.
   void draw(std::size_t count);
+  /// Replaces some particles by the best of random poses.
   void drawAnew();
+  /// Computes the estimate from the particles.
   void tell();
 
   Options options_;
@@ -76,10 +97,14 @@ class MonteCarloLocalizer {
   DistanceMap distances_;
   FreeSpace freeSpace_;
   RangeModel ranges_;
+  /// drawn_ is the next generation, kept to reuse its memory.
   std::vector<Particle> particles_, drawn_;
-  double way_ = 0, turn_ = 0;  // since the last measurement that was looked at
-  bool first_ = true;          // none was looked at yet
+  /// The motion since the last evaluated measurement, m and rad.
+  double way_ = 0, turn_ = 0;
+  /// No measurement has been evaluated yet.
+  bool first_ = true;
   double fit_ = 0;
+  /// Consecutive measurements that fit badly.
   int badFits_ = 0;
   PoseEstimate estimate_;
 };

@@ -15,7 +15,7 @@ namespace {
 constexpr Duration kMemory = std::chrono::seconds(3);
 constexpr Duration kBeyond = std::chrono::seconds(1);
 constexpr std::size_t kMost = 1000;
-// No robot of this program is faster; the constant part is for times that came late.
+// No robot of this program is faster; the constant part is for late timestamps.
 constexpr double kMostSpeed = 3;
 constexpr double kMostStep = 0.5;
 

@@ -9,17 +9,17 @@
 
 namespace modules {
 
-/// Where dead reckoning said that the robot was during the last seconds, so that what was measured can be
-/// placed where the robot was when it was measured. Bounded.
+/// The poses by dead reckoning during the last seconds, to locate measurements where the robot was at their
+/// time. Bounded. Not thread-safe.
 class OdometryHistory {
  public:
-  /// Instants must not decrease; an older one begins the history anew, and so does a step that no robot could
-  /// have driven: the odometry was set to another place. Returns false then.
+  /// Adds a pose. Instants must not decrease: an older one restarts the history, and so does a step that no
+  /// robot could have driven, because the odometry was reset. Returns false in both cases.
   bool add(robotlink::Instant time, const robotlink::Pose2& robotInOdometry);
-  /// Interpolated between the two that are next to it, the nearest one beyond the ends. None if the history
-  /// is empty, or if `time` is more than a second beyond one of its ends.
+  /// The pose at an instant, interpolated between its two neighbors, or the nearest one beyond the ends.
+  /// Empty if the history is empty, or if `time` is more than a second beyond one of its ends.
   std::optional<robotlink::Pose2> at(robotlink::Instant time) const;
-  /// The last; none if there is none.
+  /// The latest pose; empty if there is none.
   std::optional<robotlink::Pose2> latest() const;
   bool empty() const { return entries_.empty(); }
 
@@ -28,6 +28,7 @@ class OdometryHistory {
     robotlink::Instant time;
     robotlink::Pose2 pose;
   };
+  /// Oldest first.
   std::deque<Entry> entries_;
 };
 

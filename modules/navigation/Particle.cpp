@@ -14,9 +14,9 @@ using robotlink::Pose2;
 
 namespace {
 
-// Poses that are as near as this are the same possibility.
+// Poses in the same bin count as the same possibility; m and rad.
 constexpr double kBinSide = 0.25, kBinAngle = robotlink::radians(15);
-// Where a cluster is looked for, and how far it reaches from its middle.
+// Bins for finding the heaviest cluster, and the extent of a cluster from its center.
 constexpr double kClusterSide = 1.0, kClusterAngle = robotlink::radians(45);
 constexpr double kClusterReach = 1.0, kClusterTurn = 0.6;
 // KLD sampling: an error of at most 0.05 in 99 of 100 cases.
@@ -33,7 +33,7 @@ double weightOf(const Particle& particle, double best) {
   return std::exp(particle.logWeight - best);
 }
 
-/// Some particle of the heaviest bin.
+/// A particle of the heaviest bin.
 Pose2 heaviestPlace(std::span<const Particle> particles, double best) {
   std::unordered_map<std::uint64_t, double> bins;
   const Particle* heaviest = &particles.front();
@@ -48,7 +48,7 @@ Pose2 heaviestPlace(std::span<const Particle> particles, double best) {
   return heaviest->pose();
 }
 
-/// The weighted middle of what is near a place; the place itself if nothing is.
+/// The weighted mean of the particles near a place; the place itself if there are none.
 Pose2 middleAbout(const Pose2& place, std::span<const Particle> particles, double best) {
   double sum = 0, x = 0, y = 0, turn = 0;
   for (const Particle& particle : particles) {

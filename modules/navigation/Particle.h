@@ -7,9 +7,11 @@
 
 namespace modules {
 
-/// A possible pose of the robot. Single precision: thousands of them are gone through ten times a second.
+/// A hypothetical pose of the robot. In single precision, because thousands are processed ten times a second.
 struct Particle {
+  // m and rad, in the map.
   float x = 0, y = 0, heading = 0;
+  // Logarithm of the weight; only differences matter.
   float logWeight = 0;
 
   robotlink::Pose2 pose() const { return {x, y, heading}; }
@@ -18,20 +20,24 @@ struct Particle {
   }
 };
 
+/// Sums over the weights of all particles.
 struct WeightSums {
-  double best = 0;              ///< logarithm of the largest weight
-  double sum = 0, squares = 0;  ///< of the weights, the largest being 1
+  /// The logarithm of the largest weight.
+  double best = 0;
+  /// Of the weights, relative to the largest one.
+  double sum = 0, squares = 0;
+  /// How many particles of equal weight would be as informative.
   double effective() const { return sum * sum / squares; }
 };
-/// The sums over at least one particle.
+/// There must be at least one particle.
 WeightSums weightSums(std::span<const Particle> particles);
 
-/// The middle of the heaviest cluster, and the deviation of all particles about it; of none a deviation of a
-/// kilometre.
+/// The center of the heaviest cluster, and the deviation of all particles from it; without particles, a
+/// deviation of a kilometer.
 PoseEstimate summarize(std::span<const Particle> particles);
 
-/// How many particles a cloud as wide as this one needs, so that it is like the distribution it stands for
-/// (Fox, Adapting the sample size in particle filters through KLD-sampling, 2003).
+/// The number of particles that a cloud as wide as this one needs to approximate its distribution (Fox,
+/// Adapting the sample size in particle filters through KLD-sampling, 2003).
 double neededParticles(std::span<const Particle> cloud);
 
 }  // namespace modules

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "path-planning": how the robot gets to where a person wants it.
+// The solutions of the task "path-planning": how the robot gets to the goal that the user has set.
 #include <cmath>
 #include <optional>
 
@@ -36,7 +36,7 @@ std::string nameOf(const robotcontrol::DriveGoal& goal) {
   return text;
 }
 
-/// Plans when there is a new goal, and again and again while the robot is on its way.
+/// Plans when there is a new goal, and repeatedly while the robot is on its way.
 class PathPlanner : public robotlink::Solution {
  public:
   explicit PathPlanner(robotlink::SolutionContext& context)
@@ -64,7 +64,7 @@ class PathPlanner : public robotlink::Solution {
 
  protected:
   virtual double period() const { return 0.5; }
-  /// Standard deviation of the pose, m, above which nothing is planned.
+  /// The standard deviation of the pose, m, above which nothing is planned.
   virtual double lostDeviation() const { return 1.0; }
   virtual PlannedPath plan(const Vector2& from, const Vector2& goal) = 0;
   virtual void drawMore() {}
@@ -90,8 +90,8 @@ class PathPlanner : public robotlink::Solution {
     sayOnce(Level::kInfo, "to " + nameOf(goal) + " it is " + length, "to " + nameOf(goal));
   }
 
-  /// Not again until there is another goal, or something else to say; `what`: what it is about, if not the
-  /// text itself.
+  /// Logs a text, but not again until there is another goal or another text; `what` identifies the text if
+  /// its wording varies.
   void sayOnce(Level level, const std::string& text, const std::string& what = "") {
     const std::string about = what.empty() ? text : what;
     if (about == told_) return;

@@ -6,16 +6,21 @@
 
 namespace modules {
 
-/// One distance that a sensor measured: a laser's ray or a sonar's cone.
+/// A single measured distance: the ray of a laser or the cone of a sonar.
 struct RangeBeam {
-  robotlink::Pose2 sensorInRobot;  ///< it measures along its x-axis
-  double range = 0;                ///< m; `maximum` where nothing was hit
-  double maximum = 0;              ///< m
-  double openingAngle = 0;         ///< rad, of the whole cone; 0: a ray
-  robotlink::Instant time;         ///< when it was measured
+  /// It measures along its x-axis.
+  robotlink::Pose2 sensorInRobot;
+  /// In m; `maximum` if nothing was hit.
+  double range = 0;
+  /// Meters.
+  double maximum = 0;
+  /// The full cone, rad; 0 for a ray.
+  double openingAngle = 0;
+  /// When it was measured.
+  robotlink::Instant time;
 
   bool hit() const { return range < maximum; }
-  /// Where the hit lies if it is on the axis, in the robot's frame.
+  /// The position of the hit, assuming it is on the axis, in the robot's frame.
   robotlink::Vector2 endInRobot() const { return sensorInRobot * robotlink::Vector2(range, 0); }
 };
 

@@ -11,12 +11,12 @@ using robotlink::Vector2;
 
 namespace {
 
-// How far from a wall a ray may end, how far before its end it must meet none, and how far from what the map
-// says a cone's range may be, to be explained; m.
+// Conditions for a measurement to be explained, m: how far from a wall a ray may end, how far before its end
+// it must not hit one, and how far the range of a cone may differ from the map.
 constexpr double kNearWall = 0.15, kThroughWall = 0.3, kExplained = 0.25;
-// Cones are slow to look at, and a message has seldom more of them.
+// Cones are slow to evaluate, and a message seldom contains more of them.
 constexpr std::size_t kMostCones = 16;
-// A wall at a slant swallows the echo: that there was none tells little.
+// An oblique wall may reflect the echo away, so a missing echo says little.
 constexpr double kSwallowed = 0.3;
 
 }  // namespace
@@ -57,7 +57,7 @@ double RangeModel::logLikelihood(const Particle& particle) const {
     const double share = cone.hit() ? options_.randomShare : std::max(kSwallowed, options_.randomShare);
     cones += std::log((1 - share) * std::exp(-0.5 * away * away) + share);
   }
-  // Cones look elsewhere than each other; rays beside each other tell the same.
+  // Cones have different directions; adjacent rays contain the same information.
   return options_.evidence * (static_cast<double>(rays) + 2 * cones);
 }
 

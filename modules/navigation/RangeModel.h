@@ -10,43 +10,53 @@
 
 namespace modules {
 
-/// How likely measured distances are at a pose in the map: rays by where they end (a likelihood field), cones
-/// by how far the nearest wall in them is.
+/// The likelihood of measured distances at a pose in the map: rays by their ends (a likelihood field), cones
+/// by the distance to the nearest wall in them. Not thread-safe.
 class RangeModel {
  public:
   struct Options {
-    int rays = 40;                 ///< that are looked at, evenly spread over all
-    double evidence = 0.12;        ///< share of a measurement's news that the others did not tell already
-    double sonarDeviation = 0.15;  ///< m, plus a twentieth of the range
-    double randomShare = 0.1;      ///< of measurements of what the map does not know
+    /// The number of rays that are used, evenly spread.
+    int rays = 40;
+    /// The fraction of a measurement's information that the others do not contain.
+    double evidence = 0.12;
+    /// In m, plus a twentieth of the range.
+    double sonarDeviation = 0.15;
+    /// The fraction of measurements of things unknown to the map.
+    double randomShare = 0.1;
   };
-  /// The map must outlive it.
+  /// `distances` must outlive it.
   RangeModel(const DistanceMap& distances, const Options& options);
   void setOptions(const Options& options) { options_ = options; }
-  /// m, of the ends of rays.
+  /// Sets the deviation of the ends of rays, m.
   void setRayDeviation(double deviation) { field_.setDeviation(deviation, options_.randomShare); }
 
-  /// From now on the measurements to explain, in the robot's frame. Rays that hit nothing are left out.
+  /// Selects the measurements to explain, in the robot's frame. Rays that hit nothing are ignored.
   void choose(std::span<const RangeBeam> beams);
+  /// Whether there are no measurements to explain.
   bool empty() const { return rayEnds_.empty() && cones_.empty(); }
 
+  /// The sum over the selected measurements, weighted by `evidence`.
   double logLikelihood(const Particle& particle) const;
-  /// Share of the measurements that the map explains from there, 0 to 1: unlike for the likelihood, a ray
-  /// must not have gone through walls. Not if there are none.
+  /// The fraction of the measurements that the map explains from a pose, 0 to 1. Unlike for the likelihood,
+  /// rays must not pass through walls. There must be measurements.
   double explainedShare(const robotlink::Pose2& robotInMap) const;
 
  private:
   struct RayEnd {
-    float x, y;  // in the robot's frame
+    /// In the robot's frame.
+    float x, y;
   };
+  /// Whether a ray ends at a wall and passes through none.
   bool explained(const robotlink::Pose2& robotInMap, const RangeBeam& ray) const;
+  /// The reading of a cone according to the map, m.
   double expectedRange(const robotlink::Pose2& robotInMap, const RangeBeam& cone) const;
 
   const DistanceMap& distances_;
   Options options_;
   LikelihoodField field_;
   std::vector<RangeBeam> rays_;
-  std::vector<RayEnd> rayEnds_;  // theirs, as the many particles need them
+  /// The ends of rays_, for fast access.
+  std::vector<RayEnd> rayEnds_;
   std::vector<RangeBeam> cones_;
 };
 

@@ -15,7 +15,7 @@ using robotlink::Pose2;
 namespace {
 
 constexpr int kMostReadings = 256, kMostRays = 4096;
-// Where a message does not say how far its sonars reach: those of a Pioneer.
+// The range of a Pioneer's sonars, used if a message does not contain it.
 constexpr double kSonarMaximum = 5;
 
 bool finite(const Pose2& pose) {

@@ -14,12 +14,12 @@ class SonarReadings;
 
 namespace modules {
 
-/// What sonars measured, each reading with its own time. Readings that are no number, or not above 0, are
-/// left out; at most 256 of a message.
+/// Converts sonar readings, each with its own timestamp. Readings that are not positive finite numbers are
+/// dropped; at most 256 per message.
 std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar);
 
-/// What a laser measured, all at the time of the scan; `maximum`: m, of the laser. A range of 0, beyond the
-/// maximum, or that is no number hit nothing. At most 4096 of a message.
+/// Converts a laser scan; all rays have its timestamp. `maximum` is the laser's range, m. A reading that is
+/// 0, larger than the maximum or not finite means that nothing was hit. At most 4096 per message.
 std::vector<RangeBeam> beams(const foxglove::LaserScan& laser, double maximum);
 
 }  // namespace modules

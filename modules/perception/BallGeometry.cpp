@@ -10,12 +10,12 @@ using robotlink::Vector2;
 using robotlink::Vector3;
 
 Vector3 BallGeometry::middleBySize(const BallDisc& disc, const CameraView& view) const {
-  // A sphere of radius R whose middle is D away appears under the angle asin(R / D).
+  // A sphere with radius R at distance D appears under the angle asin(R / D).
   const Vector2 offset = disc.center - view.center();
   const double focal = std::sqrt(view.focalX * view.focalY);
   const double fromLens = std::hypot(focal, offset.norm());
-  // The radius is measured across the direction to the centre: there the scale is that of the sphere, not of
-  // the plane.
+  // The radius is measured perpendicular to the direction of the center, where the scale is that of the
+  // sphere, not of the plane.
   const double angle = std::atan(disc.radius / fromLens);
   const double distance = options_.ballRadius / std::sin(std::max(angle, 1e-4));
   return view.cameraInRobot.translation() + view.ray(disc.center).normalized() * distance;
@@ -38,7 +38,7 @@ std::optional<BallObservation> BallGeometry::locate(const BallDisc& disc, const 
   const double distanceBySize = (bySize - camera).norm();
   const double sizeDeviation = distanceBySize * std::min(1.0, disc.radiusDeviation / disc.radius) + 0.005;
 
-  // The middle of a ball on the ground is at the height of its radius: how far off is this one?
+  // The center of a ball on the ground is at the height of its radius; how far off is this one?
   const double slope = std::abs(view.ray(disc.center).normalized().z());
   const double heightDeviation =
       std::hypot(slope * sizeDeviation, options_.tiltDeviation * distanceBySize) + 0.005;

@@ -7,46 +7,58 @@
 
 namespace modules {
 
-/// A ball as one image shows it.
+/// The ball as seen in one image.
 struct BallObservation {
   bool seen = false;
-  robotlink::Vector2 centerInImage = robotlink::Vector2::Zero();    ///< pixels
-  double radiusInImage = 0;                                         ///< pixels
-  robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();  ///< m, on the ground
-  double confidence = 0;                                            ///< 0 to 1
+  /// Pixels.
+  robotlink::Vector2 centerInImage = robotlink::Vector2::Zero();
+  /// Pixels.
+  double radiusInImage = 0;
+  /// On the ground, m.
+  robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
+  /// From 0 to 1.
+  double confidence = 0;
 };
 
 /// A disc in the image that may be the ball.
 struct BallDisc {
-  robotlink::Vector2 center = robotlink::Vector2::Zero();  ///< pixels
-  double radius = 0;                                       ///< pixels
-  /// Standard deviation of the radius, pixels; large where too little of the edge is seen.
+  /// Pixels.
+  robotlink::Vector2 center = robotlink::Vector2::Zero();
+  /// Pixels.
+  double radius = 0;
+  /// Standard deviation of the radius, pixels; large if too little of the edge is visible.
   double radiusDeviation = 0.6;
 };
 
-/// From the disc of the ball in the image to its place on the ground, and whether it can be there at all.
+/// Computes the position of the ball on the ground from its disc in the image, and whether a ball can be
+/// there at all.
 ///
-/// Two measurements are weighed by their variances: where the ray through the centre meets the level plane at
-/// the height of the ball's middle (good near by, bad far off), and the distance that follows from the radius
-/// (the reverse, and useless where the ball is cut off). They must agree within what the posture of a walking
-/// body leaves uncertain; orange things in the air, on shirts or much larger than a ball fail there.
+/// Two measurements are combined by their variances: the intersection of the ray through the center with the
+/// horizontal plane at the height of the ball's center (accurate if near, inaccurate if far), and the
+/// distance that follows from the radius (the reverse, and useless if the ball is cut off). They must agree
+/// within the uncertainty of a walking body's posture; orange objects in the air, on shirts, or much larger
+/// than a ball are rejected by that.
 class BallGeometry {
  public:
   struct Options {
-    double ballRadius = 0.042;     ///< m
-    double maximumDistance = 5.0;  ///< m
-    double tiltDeviation = 0.03;   ///< rad, of the camera's elevation
-    double gate = 3;               ///< standard deviations that the two measurements may differ
+    /// Meters.
+    double ballRadius = 0.042;
+    /// Meters.
+    double maximumDistance = 5.0;
+    /// Standard deviation of the camera's elevation, rad.
+    double tiltDeviation = 0.03;
+    /// How many standard deviations the two measurements may differ.
+    double gate = 3;
   };
   explicit BallGeometry(const Options& options) : options_(options) {}
 
-  /// None if no ball can look so. `confidence` of the result tells how well the two measurements agree.
+  /// Empty if the disc cannot be a ball. The confidence of the result is how well the two measurements agree.
   std::optional<BallObservation> locate(const BallDisc& disc, const CameraView& view) const;
-  /// Pixels of the radius of a ball with its middle at this place.
+  /// The radius in the image, pixels, of a ball at this position.
   double radiusAt(const robotlink::Vector2& positionInRobot, const CameraView& view) const;
 
  private:
-  /// Middle of the ball that has this size in the image.
+  /// The center of a ball of this size in the image.
   robotlink::Vector3 middleBySize(const BallDisc& disc, const CameraView& view) const;
 
   Options options_;

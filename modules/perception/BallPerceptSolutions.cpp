@@ -24,7 +24,7 @@ const DebugKey kEdgeKey{
     "ball-percept/edge",
     "The points of the ball's edge; those that the circle follows are orange (drawn in the image)"};
 
-/// What both solutions share: inputs, the package and what is told of it.
+/// The common part of both solutions: inputs, the package, and drawings.
 class BallPerceptor : public robotlink::Solution {
  public:
   explicit BallPerceptor(robotlink::SolutionContext& context)

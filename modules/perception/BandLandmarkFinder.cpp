@@ -10,7 +10,7 @@ namespace {
 
 using colortool::Region;
 
-/// Whether one region sits upon another as bands of one beacon do.
+/// Whether one region is on top of another as the bands of a beacon are.
 bool sitsUpon(const Region& top, const Region& bottom) {
   const double width = std::max(top.width(), bottom.width());
   const double gap = bottom.top - top.bottom;
@@ -25,7 +25,7 @@ ImageBox boxOf(const Region& region) {
           static_cast<double>(region.right), static_cast<double>(region.bottom)};
 }
 
-/// Both bands. Pixels that the outer edge mixes belong to the box only in part.
+/// The box of both bands. Pixels at the outer edge have mixed colors and belong to the box only in part.
 ImageBox united(const Region& a, const Region& b) {
   constexpr double kMixed = 0.3;
   const int top = std::min(a.top, b.top), bottom = std::max(a.bottom, b.bottom);

@@ -9,13 +9,15 @@
 
 namespace modules {
 
-/// Finds beacons as two regions one upon the other in the colours of their bands, and goals as the largest
-/// region of their colour that belongs to no beacon.
+/// Finds beacons as two adjacent regions in the colors of their bands, one above the other, and goals as the
+/// largest region of their color that is not part of a beacon. Immutable; any thread.
 class BandLandmarkFinder {
  public:
   struct Options {
-    int minimumBandArea = 4;   ///< pixels
-    int minimumGoalArea = 60;  ///< pixels
+    /// Pixels.
+    int minimumBandArea = 4;
+    /// Pixels.
+    int minimumGoalArea = 60;
     LandmarkGeometry::Options geometry;
   };
   BandLandmarkFinder(const robotlink::FieldDescription& field, std::vector<FieldLandmark> landmarks,
@@ -23,11 +25,12 @@ class BandLandmarkFinder {
       : landmarks_(std::move(landmarks)), options_(options), geometry_(field, options.geometry) {}
 
   const std::vector<FieldLandmark>& landmarks() const { return landmarks_; }
-  /// At most one observation of each landmark, in the landmarks' order.
+  /// At most one observation per landmark, in the order of landmarks().
   std::vector<LandmarkObservation> find(std::span<const colortool::Region> regions,
                                         const CameraView& view) const;
 
  private:
+  /// Adds the best observation of a landmark, if there is one.
   void findBeacon(std::size_t index, std::span<const colortool::Region> regions, const CameraView& view,
                   std::vector<LandmarkObservation>& found) const;
   void findGoal(std::size_t index, std::span<const colortool::Region> regions, const CameraView& view,

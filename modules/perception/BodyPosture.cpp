@@ -24,8 +24,8 @@ Pose3 cameraInBody(const RobotDimensions& dimensions, const NeckAngles& neck) {
 
 BodyTilt BodyPosture::estimate(const std::array<LegAngles, 4>& angles,
                                const std::array<bool, 4>& contacts) const {
-  // The plane z = c + a x + b y through the paws' centres, in the body's axes; a lever of a hip's length
-  // makes slopes and heights comparable.
+  // The plane z = c + a x + b y through the paws' centers, in the axes of the body. A lever of the hip's
+  // length makes slopes and heights comparable.
   const double lever = legs_.dimensions().hipX, usual = std::tan(options_.usualPitch);
   Eigen::Matrix3d normal = Eigen::Vector3d(0, 1, 1).asDiagonal();
   normal *= options_.levelWeight * lever * lever;

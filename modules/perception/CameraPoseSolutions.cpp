@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "camera-pose": where the camera was when it took the image.
+// The solutions of the task "camera-pose": the pose of the camera when it took the image.
 #include <optional>
 #include <stdexcept>
 
@@ -25,7 +25,7 @@ const DebugKey kViewKey{"camera-pose/view",
                         "The camera, and the part of the ground that it sees (drawn around the robot)"};
 const DebugKey kTiltKey{"camera-pose/tilt", "Height, pitch and roll of the body over the ground"};
 
-/// What both solutions share: the neck's joints, the package and what is told of it.
+/// The common part of both solutions: the neck's joints, the package, and drawings.
 class CameraPoseEstimator : public robotlink::Solution {
  public:
   explicit CameraPoseEstimator(robotlink::SolutionContext& context)

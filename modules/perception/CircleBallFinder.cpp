@@ -12,14 +12,14 @@ using colortool::Region;
 using robotlink::ImageView;
 using robotlink::Vector2;
 
-/// Cb and Cr in proportion to Y. The offset keeps noise in dark pixels small.
+/// Cb and Cr relative to Y. The offset keeps noise in dark pixels small.
 Vector2 tint(const ImageView& image, int x, int y) {
   const robotlink::YCbCr color = robotlink::yuyvPixel(image, x, y);
   const double scale = 1.0 / (color.y + 8.0);
   return {(color.cb - 128) * scale, (color.cr - 128) * scale};
 }
 
-/// Mean tint around a region's middle.
+/// The mean tint around the center of a region.
 Vector2 meanTint(const ImageView& image, const Region& region) {
   const int reach = std::clamp(std::min(region.width(), region.height()) / 4, 0, 4);
   const int x0 = static_cast<int>(region.centerX), y0 = static_cast<int>(region.centerY);
@@ -60,7 +60,7 @@ void CircleBallFinder::scanEdge(const ImageView& image, const Region& region) {
       outside = difference > options_.colorDifference ? outside + 1 : 0;
       if (outside == 0) before = length;
     }
-    // The pixel through which the edge goes is mixed and thus outside already: the edge is in its middle.
+    // The pixel on the edge is mixed and thus counts as outside; the edge is at its center.
     if (outside == 3) edge_.push_back({start + direction * (before + kStep)});
   }
 }
@@ -115,7 +115,7 @@ std::optional<BallDisc> CircleBallFinder::fitCircle() {
   if (followers < needed || !refine(best) || !refine(best)) return std::nullopt;
   for (EdgePoint& point : edge_)
     point.onCircle = std::abs((point.at - best.center).norm() - best.radius) <= options_.tolerance;
-  // Half a circle fixes its radius well, a short arc badly.
+  // Half a circle determines its radius well, a short arc badly.
   const double arc = static_cast<double>(countFollowers(best)) / options_.rays;
   best.radiusDeviation = 0.4 + (arc < 0.6 ? (0.6 - arc) * best.radius : 0);
   return best;

@@ -11,24 +11,31 @@
 
 namespace modules {
 
-/// Finds the ball by its edge: from the middle of each region of its colour, rays are followed through the
-/// image until the colour changes; a circle is fitted to these points, robustly, so that parts which are
-/// hidden, cut off or in shadow do not matter.
+/// Finds the ball by its edge: from the center of each region of its color, rays are followed through the
+/// image until the color changes. A circle is fitted robustly to these points, so that hidden, cut-off or
+/// shaded parts do not matter.
 ///
-/// Colours are compared by Cb and Cr in proportion to Y, which light leaves alone. The circle comes from the
-/// three-point circle with the most followers, then by least squares from those (Kasa 1976). Keeps its
-/// memory; one thread at a time.
+/// Colors are compared by Cb and Cr relative to Y, which do not depend on brightness. The circle is the
+/// three-point circle with the most inliers, refined by least squares over these (Kasa 1976). Buffers are
+/// reused; one thread at a time.
 class CircleBallFinder {
  public:
   struct Options {
-    int minimumArea = 6;  ///< pixels, of the regions to begin with
-    int candidates = 4;   ///< the largest regions
+    /// Minimum size of a region, pixels.
+    int minimumArea = 6;
+    /// How many of the largest regions to try.
+    int candidates = 4;
+    /// Rays per region.
     int rays = 24;
-    double colorDifference = 0.3;  ///< of Cb and Cr divided by Y
-    double tolerance = 1.2;        ///< pixels that a point may be off the circle
-    double minimumInliers = 0.55;  ///< share of the edge's points
+    /// A larger difference in Cb / Y and Cr / Y is an edge.
+    double colorDifference = 0.3;
+    /// How far an inlier may be from the circle, pixels.
+    double tolerance = 1.2;
+    /// The fraction of edge points.
+    double minimumInliers = 0.55;
     BallGeometry::Options geometry;
   };
+  /// A point where the color changes, pixels.
   struct EdgePoint {
     robotlink::Vector2 at;
     bool onCircle = false;
@@ -39,16 +46,20 @@ class CircleBallFinder {
     geometry_ = BallGeometry(options.geometry);
   }
 
-  /// `image` must be kYuyv. `regions`: those of the ball's colour, largest first.
+  /// `image` must be kYuyv; `regions` are those of the ball's color, largest first.
   BallObservation find(const robotlink::ImageView& image, std::span<const colortool::Region> regions,
                        const CameraView& view);
-  /// The edge points of the last ball that was found.
+  /// The edge points of the last ball found; for drawings.
   const std::vector<EdgePoint>& edge() const { return foundEdge_; }
 
  private:
+  /// Collects edge points around a region.
   void scanEdge(const robotlink::ImageView& image, const colortool::Region& region);
+  /// The circle with the most inliers; empty if there are too few.
   std::optional<BallDisc> fitCircle();
+  /// The number of inliers of a circle.
   int countFollowers(const BallDisc& disc) const;
+  /// Improves a circle by least squares over its inliers.
   bool refine(BallDisc& disc) const;
 
   Options options_;

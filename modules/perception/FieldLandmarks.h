@@ -10,25 +10,26 @@
 
 namespace modules {
 
-/// A thing on the field that tells where one is. A plain value.
+/// An object on the field that is used for localization. A plain value.
 struct FieldLandmark {
   enum class Kind { kBeacon, kGoal };
   Kind kind = Kind::kBeacon;
-  std::string name;  ///< as in the field's description
-  robotlink::Vector2 position =
-      robotlink::Vector2::Zero();  ///< m, in the field: a beacon's axis, the middle of a goal's floor
-  /// Classes of a beacon's bands; of a goal both are its colour.
+  /// As in the field's description.
+  std::string name;
+  /// In the field, m: the axis of a beacon, or the center of a goal's floor.
+  robotlink::Vector2 position = robotlink::Vector2::Zero();
+  /// Color classes of a beacon's bands; for a goal both are its color.
   int topClass = 0;
   int bottomClass = 0;
 };
 
-/// The colours of the field that the robot program tells apart, in the order of their class numbers.
+/// The color classes that the robot program distinguishes, in the order of their numbers.
 colortool::ColorClasses fieldClasses(const robotlink::FieldDescription& field);
-/// The start-up colour table, made from the field's own colours.
+/// The initial color table, computed from the field's own colors.
 colortool::ColorTable fieldColorTable(const robotlink::FieldDescription& field,
                                       const colortool::ColorClasses& classes,
                                       const colortool::LightingRange& lighting);
-/// Beacons first, then goals; those with a colour that is not among the classes are left out.
+/// Beacons first, then goals; landmarks with a color that is not a class are dropped.
 std::vector<FieldLandmark> fieldLandmarks(const robotlink::FieldDescription& field,
                                           const colortool::ColorClasses& classes);
 

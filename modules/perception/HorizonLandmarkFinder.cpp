@@ -26,7 +26,7 @@ void HorizonLandmarkFinder::scanColumn(const ImageView& image, int column, int t
   for (int y = top; y < bottom; ++y) {
     const int colorClass = table_.classOf(robotlink::yuyvPixel(image, column, y));
     if (!wanted_[static_cast<std::size_t>(colorClass)]) continue;
-    // A single pixel of another colour, as they come at borders, does not end a run.
+    // A single pixel of another color, as at borders, does not end a run.
     if (!runs_.empty() && runs_.back().colorClass == colorClass && y - runs_.back().bottom <= 1)
       runs_.back().bottom = y + 1;
     else
@@ -81,7 +81,7 @@ std::vector<LandmarkObservation> HorizonLandmarkFinder::measured(const CameraVie
     if (widest == nullptr) continue;
     if (landmarks_[l].kind == FieldLandmark::Kind::kGoal && widest->lines < options_.minimumGoalLines)
       continue;
-    // A line stands for its neighbourhood.
+    // A line represents the columns around it.
     const double half = 0.5 * options_.spacing;
     ImageBox box{widest->firstColumn + 0.5 - half, widest->topSum / widest->lines,
                  widest->lastColumn + 0.5 + half, widest->bottomSum / widest->lines};

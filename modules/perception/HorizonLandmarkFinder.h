@@ -8,18 +8,23 @@
 
 namespace modules {
 
-/// Finds landmarks by scan lines across the horizon, which pierces all of them, because the camera is about
-/// as high as the lower band of a beacon: each line is read from above as a sequence of colours; pairs of
-/// colours that are a beacon's and single ones that are a goal's are gathered from neighbouring lines.
+/// Finds landmarks with scan lines across the horizon, which all of them intersect, because the camera is
+/// about as high as the lower band of a beacon. Each line is read from above as a sequence of colors; pairs
+/// of colors that belong to a beacon, and single ones that belong to a goal, are combined over neighboring
+/// lines.
 ///
-/// Looks at a few thousand pixels only and needs no regions. Keeps its memory; one thread at a time.
+/// It reads only a few thousand pixels and needs no regions. Buffers are reused; one thread at a time.
 class HorizonLandmarkFinder {
  public:
   struct Options {
-    int spacing = 2;  ///< pixels between scan lines
-    int above = 70;   ///< pixels from the horizon that a line begins
+    /// Distance between scan lines, pixels.
+    int spacing = 2;
+    /// Where a line begins, pixels above the horizon.
+    int above = 70;
+    // Where it ends, pixels below.
     int below = 60;
-    int minimumRun = 2;  ///< pixels of one colour
+    /// Minimum length of a run of one color, pixels.
+    int minimumRun = 2;
     int minimumGoalLines = 4;
     LandmarkGeometry::Options geometry;
   };
@@ -27,31 +32,38 @@ class HorizonLandmarkFinder {
                         colortool::ColorTable table, const Options& options);
 
   const std::vector<FieldLandmark>& landmarks() const { return landmarks_; }
-  /// `image` must be kYuyv. At most one observation of each landmark, in the landmarks' order.
+  /// `image` must be kYuyv. At most one observation per landmark, in the order of landmarks().
   std::vector<LandmarkObservation> find(const robotlink::ImageView& image, const CameraView& view);
 
  private:
+  /// A run of pixels of one class in a scan line; rows, bottom exclusive.
   struct Run {
     int colorClass, top, bottom;
   };
-  /// Neighbouring lines that show the same landmark.
+  /// Adjacent scan lines that show the same landmark.
   struct Cluster {
     std::size_t landmark;
     int firstColumn, lastColumn, lines;
+    // Sums over the lines, for mean values.
     double topSum, bottomSum;
   };
+  /// Reads the runs of a scan line.
   void scanColumn(const robotlink::ImageView& image, int column, int top, int bottom);
-  /// Whether two runs of a line are the bands of some beacon.
+  /// Whether two runs of a line are the bands of a beacon.
   bool areBands(const Run& top, const Run& bottom) const;
+  /// Assigns the runs of a line to landmarks.
   void readRuns(int column);
+  /// Adds a line to a cluster.
   void add(std::size_t landmark, int column, int top, int bottom);
+  /// Converts the clusters to observations.
   std::vector<LandmarkObservation> measured(const CameraView& view) const;
 
   std::vector<FieldLandmark> landmarks_;
   colortool::ColorTable table_;
   Options options_;
   LandmarkGeometry geometry_;
-  std::vector<bool> wanted_;  ///< by class: a landmark has this colour
+  /// By class: whether a landmark has this color.
+  std::vector<bool> wanted_;
   std::vector<Run> runs_;
   std::vector<Cluster> clusters_;
 };

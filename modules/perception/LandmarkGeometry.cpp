@@ -29,8 +29,7 @@ std::optional<LandmarkObservation> LandmarkGeometry::locate(const FieldLandmark&
   const Vector3 place = camera + view.ray(box.center()) * depth;
   const double heightTolerance = 0.5 * size.height + options_.tiltTolerance * depth;
   if (!cutVertically && std::abs(place.z() - size.middle) > heightTolerance) return std::nullopt;
-  // A beacon is a slim thing: its shape must agree, too. Goals are seen from the side and have posts before
-  // them.
+  // A beacon is slim, so its shape must match, too. Goals are seen at an angle and behind posts.
   const double shape = (box.width() / view.focalX * size.height) / (box.height() / view.focalY * size.width);
   if (landmark.kind == FieldLandmark::Kind::kBeacon && !cutVertically && !cutSideways &&
       (shape < 0.4 || shape > 2.5))

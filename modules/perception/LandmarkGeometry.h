@@ -8,7 +8,7 @@
 
 namespace modules {
 
-/// Pixels; left and top inclusive, right and bottom exclusive.
+/// A box in the image, pixels; left and top are inclusive, right and bottom exclusive.
 struct ImageBox {
   double left = 0, top = 0, right = 0, bottom = 0;
   double width() const { return right - left; }
@@ -16,37 +16,45 @@ struct ImageBox {
   robotlink::Vector2 center() const { return {0.5 * (left + right), 0.5 * (top + bottom)}; }
 };
 
-/// A landmark as one image shows it.
+/// A landmark as seen in one image.
 struct LandmarkObservation {
-  std::size_t landmark = 0;  ///< index into the landmarks that the finder was given
-  double bearing = 0;        ///< rad, from the robot's x-axis, counter-clockwise
-  double distance = 0;       ///< m, on the ground, from the robot's origin
+  /// Index into the finder's landmarks.
+  std::size_t landmark = 0;
+  /// From the robot's x-axis, counter-clockwise, rad.
+  double bearing = 0;
+  /// On the ground, from the robot's origin, m.
+  double distance = 0;
   ImageBox box;
-  double confidence = 0;  ///< 0 to 1
+  /// From 0 to 1.
+  double confidence = 0;
 };
 
-/// From the box of a landmark's colours in the image to its bearing and distance, and whether it can be there
-/// at all.
+/// Computes bearing and distance of a landmark from the box of its colors in the image, and whether it can be
+/// there at all.
 ///
-/// The distance follows from the height of a beacon's two bands or of a goal, or from the width where the
-/// height is cut off by the image's border. The middle must then be at its true height above the ground,
-/// within what a walking body leaves uncertain.
+/// The distance follows from the height of a beacon's two bands or of a goal, or from the width if the height
+/// is cut off by the border of the image. The center must then be at its true height above the ground, within
+/// the uncertainty of a walking body. Immutable; any thread.
 class LandmarkGeometry {
  public:
   struct Options {
-    double minimumHeight = 4;     ///< pixels
-    double maximumDistance = 6;   ///< m
-    double tiltTolerance = 0.09;  ///< rad, of the camera's elevation
+    /// Pixels.
+    double minimumHeight = 4;
+    /// Meters.
+    double maximumDistance = 6;
+    /// Of the camera's elevation, rad.
+    double tiltTolerance = 0.09;
   };
   LandmarkGeometry(const robotlink::FieldDescription& field, const Options& options);
 
-  /// `box` of a beacon: both bands. None if the landmark cannot look so.
+  /// `box` of a beacon contains both bands. Empty if the landmark cannot look like this.
   std::optional<LandmarkObservation> locate(const FieldLandmark& landmark, const ImageBox& box,
                                             const CameraView& view) const;
 
  private:
   struct Size {
-    double width, height, middle;  ///< m; `middle`: height of the box's middle above the ground
+    /// In m; `middle` is the height of the box's center above the ground.
+    double width, height, middle;
   };
   Size sizeOf(FieldLandmark::Kind kind) const {
     return kind == FieldLandmark::Kind::kBeacon ? beacon_ : goal_;

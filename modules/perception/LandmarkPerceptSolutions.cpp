@@ -24,7 +24,7 @@ const DebugKey kLandmarkPlacesKey{
     "landmark-percepts/places", "Where beacons and goals are, seen from the robot (drawn around the robot)"};
 const DebugKey kLandmarkCountKey{"landmark-percepts/count", "How many landmarks were seen"};
 
-/// What both solutions share: the landmarks of the field, the package and what is told of it.
+/// The common part of both solutions: the landmarks of the field, the package, and drawings.
 class LandmarkPerceptor : public robotlink::Solution {
  public:
   explicit LandmarkPerceptor(robotlink::SolutionContext& context)

@@ -10,27 +10,36 @@
 
 namespace modules {
 
-/// Another robot as one image shows it.
+/// Another robot as seen in one image.
 struct RobotObservation {
-  int teamClass = 0;                                                ///< colour class of its team's patches
-  robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();  ///< m
-  double confidence = 0;                                            ///< 0 to 1
-  int area = 0;                                                     ///< pixels of its patches
+  /// Color class of its team's patches.
+  int teamClass = 0;
+  /// Meters.
+  robotlink::Vector2 positionInRobot = robotlink::Vector2::Zero();
+  /// From 0 to 1.
+  double confidence = 0;
+  /// Of its patches, pixels.
+  int area = 0;
 };
 
-/// Finds other robots by the patches of their team's colour.
+/// Finds other robots by the patches of their team's color.
 ///
-/// The distance of a patch follows from the height that patches are at on a body. findPatches() takes every
-/// patch for itself; findClusters() takes patches that are less than a robot's length apart for one robot, at
-/// their mean weighted by area.
+/// The distance of a patch follows from the height of patches on a body. findPatches() takes each patch as a
+/// robot; findClusters() combines patches less than a robot's length apart into one robot, at their mean
+/// position weighted by area. Immutable; any thread.
 class PatchFinder {
  public:
   struct Options {
-    int minimumArea = 12;           ///< pixels, of a patch
-    double patchHeight = 0.13;      ///< m
-    double minimumDistance = 0.25;  ///< m: nearer patches are the robot's own
-    double maximumDistance = 3;     ///< m
-    double robotLength = 0.3;       ///< m
+    /// Minimum size of a patch, pixels.
+    int minimumArea = 12;
+    /// Height above the ground, m.
+    double patchHeight = 0.13;
+    /// Nearer patches are those of the robot itself, m.
+    double minimumDistance = 0.25;
+    /// Meters.
+    double maximumDistance = 3;
+    /// Meters.
+    double robotLength = 0.3;
   };
   explicit PatchFinder(const Options& options) : options_(options) {}
 

@@ -22,28 +22,29 @@ class Lighting;
 
 namespace modules {
 
-// Between the packages of perception and the values that its algorithms calculate with.
+// Converts between the packages of perception and the values that its algorithms use.
 
 CameraView cameraView(const robotcontrol::CameraPose& from);
-/// Sets the place; angles and size as given.
+/// Sets the pose; angles and size are those of `from`.
 void assign(robotcontrol::CameraPose& to, const CameraView& from);
 
 void assign(robotcontrol::ColorRegions& to, const std::vector<colortool::Region>& from,
             const colortool::ColorClasses& classes);
-/// All regions, with the class numbers of `classes` instead of those that the package has.
+/// Reads all regions, with the class numbers of `classes` instead of those in the package.
 void readRegions(const robotcontrol::ColorRegions& from, const colortool::ColorClasses& classes,
                  std::vector<colortool::Region>& to);
-/// Those of one class only.
+/// Reads only the regions of one class.
 void readRegions(const robotcontrol::ColorRegions& from, std::string_view className,
                  std::vector<colortool::Region>& to);
 
-/// The same table with the class numbers of `classes`, by their names; classes of other names are none.
+/// The table with the class numbers of `classes`, matched by name; classes of other names become "none".
 colortool::ColorTable colorTable(const robotcontrol::ColorTable& from,
                                  const colortool::ColorClasses& classes);
-/// None if its values are no numbers.
+/// No correction if its values are not finite.
 colortool::ColorCorrection colorCorrection(const robotcontrol::ColorCorrection& from);
 
 colortool::LightingRange lightingRange(const robotcontrol::Lighting& from);
+/// Unset parameters keep their built-in values.
 BallGeometry::Options ballGeometry(const robotcontrol::BallGeometryParameters& from, double ballRadius);
 LandmarkGeometry::Options landmarkGeometry(const robotcontrol::LandmarkGeometryParameters& from);
 

@@ -10,7 +10,7 @@ namespace {
 using colortool::Region;
 using robotlink::Vector2;
 
-/// Radius of the circle of which a segment of this chord and height is seen.
+/// The radius of a circle of which a segment with this chord and height is visible.
 double radiusOfSegment(double chord, double height) {
   return height >= 0.5 * chord ? 0.5 * chord : (0.25 * chord * chord + height * height) / (2 * height);
 }
@@ -20,7 +20,7 @@ struct Cut {
   int count() const { return left + top + right + bottom; }
 };
 
-/// A disc of which one side is beyond the image's border.
+/// The disc of a region with one side beyond the border of the image.
 BallDisc cutDisc(const Region& region, const Cut& cut) {
   const bool sideways = cut.left || cut.right;
   const double chord = sideways ? region.height() : region.width();
@@ -34,7 +34,7 @@ BallDisc cutDisc(const Region& region, const Cut& cut) {
   return {center, radius, seen >= radius ? 1.0 : 0.35 * radius + 1};
 }
 
-/// A disc cut by two borders or more: only a bound for its size is seen.
+/// A disc cut by two or more borders; only a bound of its size is known.
 BallDisc cornerDisc(const Region& region, const Cut& cut) {
   const double radius = 0.6 * std::max(region.width(), region.height());
   Vector2 center(0.5 * (region.left + region.right), 0.5 * (region.top + region.bottom));
@@ -54,7 +54,7 @@ BallDisc RegionBallFinder::discOf(const Region& region, const CameraView& view) 
   // Noise alone may remove a row of a small region.
   if (larger > options_.maximumStretch * smaller + 1.5) return {};
   const double radius = 0.5 * larger;
-  // Shadow eats the lower side of a ball, never the upper one.
+  // Shadow hides the lower side of a ball, never the upper one.
   const double y =
       region.height() < region.width() ? region.top + radius : 0.5 * (region.top + region.bottom);
   return {Vector2(0.5 * (region.left + region.right), y), radius, 0.5};

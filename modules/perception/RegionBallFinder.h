@@ -9,23 +9,27 @@
 
 namespace modules {
 
-/// Finds the ball among the regions of its colour, by shape, size and place.
+/// Finds the ball among the regions of its color, by shape, size and position.
 ///
-/// Where the image's border cuts a region, the disc follows from the chord and the height of what is seen.
-/// The region whose place, shape and size fit best wins; among equals the largest.
+/// If the border of the image cuts a region, the disc follows from the chord and the height of the visible
+/// part. The region whose position, shape and size fit best wins; among equals the largest. Immutable; any
+/// thread.
 class RegionBallFinder {
  public:
   struct Options {
-    int minimumArea = 6;          ///< pixels
-    double minimumFill = 0.5;     ///< share of the disc that must have the colour
-    double maximumStretch = 1.8;  ///< of width and height, where nothing is cut off
+    /// Pixels.
+    int minimumArea = 6;
+    /// The fraction of the disc that must have the color.
+    double minimumFill = 0.5;
+    /// Ratio of width and height of a region that is not cut off.
+    double maximumStretch = 1.8;
     BallGeometry::Options geometry;
   };
   explicit RegionBallFinder(const Options& options) : options_(options), geometry_(options.geometry) {}
 
   BallObservation find(std::span<const colortool::Region> regions, const CameraView& view) const;
 
-  /// The disc behind a region; radius 0 if its shape is not that of a ball.
+  /// The disc to which a region belongs; its radius is 0 if the shape is not that of a ball.
   BallDisc discOf(const colortool::Region& region, const CameraView& view) const;
 
  private:

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "robot-percepts": other robots, by the patches in their team's colour.
+// The solutions of the task "robot-percepts": other robots, found by the patches in their team's color.
 #include "PerceptionParameters.pb.h"
 #include "modules/perception/FieldLandmarks.h"
 #include "modules/perception/PatchFinder.h"
@@ -18,7 +18,7 @@ const DebugKey kRobotPlacesKey{"robot-percepts/places",
                                "Where other robots are, seen from this one (drawn around the robot)"};
 const DebugKey kRobotCountKey{"robot-percepts/count", "How many other robots were seen"};
 
-/// What both solutions share: the teams' colours, the package and what is told of it.
+/// The common part of both solutions: the teams' colors, the package, and drawings.
 class RobotPerceptor : public robotlink::Solution {
  public:
   explicit RobotPerceptor(robotlink::SolutionContext& context)

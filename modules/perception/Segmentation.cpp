@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The solutions of the task "segmentation": regions of the field's colours from the camera's image.
+// The solutions of the task "segmentation": regions of the field's colors in the camera's image.
 #include <optional>
 
 #include "PerceptionParameters.pb.h"
@@ -23,9 +23,9 @@ const DebugKey kRegionsKey{"segmentation/regions",
                            "The boxes of all regions, in the colours of their classes (drawn in the image)"};
 const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
 
-/// What both solutions share: the colour table, and what they tell. The table is the one that was handed to
-/// the robot's program; without one it is made from the field's colours, anew when the lighting's parameters
-/// change.
+/// The common part of both solutions: the color table and the outputs. The table is the one that was sent to
+/// the robot's program; without one it is computed from the field's colors, and recomputed when the lighting
+/// parameters change.
 class Segmentation : public robotlink::Solution {
  public:
   explicit Segmentation(robotlink::SolutionContext& context)
@@ -96,9 +96,12 @@ class Segmentation : public robotlink::Solution {
   std::shared_ptr<const robotlink::FieldDescription> field_;
   colortool::ColorClasses classes_;
   colortool::ColorTable table_;
-  std::optional<colortool::LightingRange> tableLighting_;  ///< that it was made for; none if it was given
-  bool tableIsNew_ = true;                                 ///< the one that was given was not looked at yet
-  std::optional<colortool::ImageCorrector> corrector_;     ///< as the table that was given asks for
+  // The lighting for which the table was computed; empty if the table was sent.
+  std::optional<colortool::LightingRange> tableLighting_;
+  // The table that was sent has not been evaluated yet.
+  bool tableIsNew_ = true;
+  // As required by the table that was sent.
+  std::optional<colortool::ImageCorrector> corrector_;
   robotlink::Image correctedImage_;
   robotlink::Image classImage_;
   robotlink::Input<foxglove::RawImage> image_;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ClientSession does once the handshake is done.
+// The part of ClientSession that runs after the handshake.
 #include <algorithm>
 
 #include "robotlink/arcos/ClientSession.h"

@@ -10,12 +10,13 @@ namespace {
 
 using State = ClientSession::State;
 
-/// What an owner may leave unwritten before commands are refused.
+/// The limit of unwritten bytes; beyond it commands are refused.
 constexpr std::size_t kMaximumOutgoing = 64U << 10U;
-/// A robot that answers some SYNCs but never all of them is given up after so many times as many tries.
+/// A robot that answers some SYNCs but never completes the handshake is given up after this many times the
+/// number of tries.
 constexpr int kRounds = 4;
 
-/// A controller that restarts says so with packets from this number on.
+/// A restarting controller sends packets with ids from this one on.
 constexpr std::uint8_t kFirstControllerReset = 0xFE;
 
 }  // namespace
@@ -109,7 +110,7 @@ void ClientSession::resynchronize(Instant now) {
   enter(State::kResynchronizing, now);
 }
 
-/// Counts a try that failed. False if it was the last one: then the line is given up.
+/// Counts a failed try. Returns false if it was the last one; the line is then given up.
 bool ClientSession::mayTryAgain(Error why, Instant now) {
   ++tries_;
   ++unanswered_;
@@ -123,8 +124,8 @@ bool ClientSession::mayTryAgain(Error why, Instant now) {
 
 void ClientSession::retry(Error why, Instant now) {
   if (!mayTryAgain(std::move(why), now)) return;
-  // A robot that is silent may be in the connection of somebody who is gone. It is told to close that one
-  // only now and then, because one that awaits SYNC2 takes CLOSE for it: they have the same number.
+  // A silent robot may still be in a connection of a client that is gone. It is sent a CLOSE only now and
+  // then, because a robot that awaits SYNC2 would take it for that: both have the same id.
   if (state_ == State::kSynchronizing && tries_ == 1) {
     sendSync(sync_, now);
   } else if (state_ == State::kSynchronizing && sync_ < 2 && tries_ % 2 == 1) {
@@ -134,7 +135,7 @@ void ClientSession::retry(Error why, Instant now) {
   }
 }
 
-/// The robot's controller restarts: what it says meanwhile means nothing. The line is good, so the handshake
+/// The robot's controller restarts; its packets mean nothing meanwhile. The line is good, so the handshake
 /// begins again on it.
 void ClientSession::restart(Instant now) {
   if (state_ == State::kConnected) {
@@ -185,7 +186,8 @@ void ClientSession::takeInHandshake(const Packet& packet, Instant now) {
     askedAt_.reset();
     enter(State::kOpening, now);
   } else if (packet.id > 2) {
-    // The answer to an earlier SYNC comes late; anything else is from a connection that was never closed.
+    // A late reply to an earlier SYNC is ignored; any other packet belongs to a connection that was never
+    // closed.
     const Error why{"arcos.busy", "the robot is in another connection, and does not close it", {}, {}};
     if (mayTryAgain(why, now)) resynchronize(now);
   }

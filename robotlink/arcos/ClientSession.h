@@ -13,120 +13,164 @@
 
 namespace robotlink::arcos {
 
-/// The client's end of a connection to a robot, without the line: it makes the connection, keeps it alive,
-/// notices when it is lost, and makes it anew.
+/// The client's end of a connection to a robot, without the line itself: it establishes the connection, keeps
+/// it alive, detects its loss, and reconnects. The protocol is described in robotlink/arcos/ARCOS.md.
 ///
-/// A state machine: it does something only in the calls below, which all take the time, and which may come as
-/// often and as rarely as its owner likes (every 20 ms is good). Its owner has the line and a PacketParser:
+/// A state machine: it acts only in the calls below, which all take the time and may come at any rate (every
+/// 20 ms is good). Its owner has the line and a PacketParser:
 ///
 ///   session.open(now);
-///   each turn: if (session.wantsLink() and there is no line) open it, then session.linkOpened(now) or
+///   in a loop: if (session.wantsLink() and there is no line) open it, then session.linkOpened(now) or
 ///              session.linkClosed(error, now); if (not session.wantsLink()) close it;
 ///              session.take(...) what the parser found; session.tick(now); write session.takeOutgoing()
 ///
-/// One thread at a time. Errors' ids begin with "arcos.".
+/// Not thread-safe. Ids of errors begin with "arcos.".
 class ClientSession {
  public:
+  /// The phases of a connection; ARCOS.md has the diagram.
   enum class State {
-    kClosed,           ///< nothing is wanted
-    kPausing,          ///< waits before it tries again
-    kWaitingForLink,   ///< its owner shall open the line
-    kSynchronizing,    ///< SYNC0 to SYNC2
-    kResynchronizing,  ///< lets the robot leave another connection, or restart, before SYNC0
-    kOpening,          ///< waits for the configuration and the first standard information
+    /// No connection is requested.
+    kClosed,
+    /// Waiting before the next attempt.
+    kPausing,
+    /// The owner should open the line.
+    kWaitingForLink,
+    /// Handshake: SYNC0 to SYNC2.
+    kSynchronizing,
+    /// Giving the robot time to leave an old connection, or to restart, before SYNC0.
+    kResynchronizing,
+    /// Waiting for the configuration and the first standard information.
+    kOpening,
+    /// Standard information arrives, commands can be sent.
     kConnected,
-    kFailed,  ///< has given up: see problem()
+    /// Gave up because Options::reconnect is false: see problem().
+    kFailed,
   };
 
+  /// Timing of the protocol. The defaults suit real robots and simulators.
   struct Options {
-    Duration syncTimeout = std::chrono::seconds(1);        ///< of the answer to each SYNC
-    int syncTries = 5;                                     ///< unanswered, until the line is given up
-    Duration closePause = std::chrono::milliseconds(300);  ///< after a robot was told to close, before SYNC0
-    Duration openDelay = std::chrono::milliseconds(100);   ///< from the handshake to OPEN
+    /// For the reply to each SYNC.
+    Duration syncTimeout = std::chrono::seconds(1);
+    /// Unanswered SYNCs in a row before the line is given up.
+    int syncTries = 5;
+    /// After a CLOSE to an old connection, before SYNC0.
+    Duration closePause = std::chrono::milliseconds(300);
+    /// From the handshake to OPEN.
+    Duration openDelay = std::chrono::milliseconds(100);
+    /// Between requests for the configuration while there is no reply.
     Duration configInterval = std::chrono::milliseconds(200);
-    Duration configTimeout = std::chrono::seconds(1);         ///< then it goes on without
-    Duration openTimeout = std::chrono::seconds(3);           ///< of the first standard information
-    Duration pulseInterval = std::chrono::milliseconds(500);  ///< of silence, until a PULSE is sent
-    Duration linkTimeout = std::chrono::seconds(8);  ///< without packet or without standard information
-    /// CONFIG is asked for again so often, to measure the round trip; 0: never.
+    /// After this time the connection counts as open without a configuration.
+    Duration configTimeout = std::chrono::seconds(1);
+    /// For the first standard information.
+    Duration openTimeout = std::chrono::seconds(3);
+    /// Silence on our side before a PULSE is sent; keeps the robot's watchdog from stopping it.
+    Duration pulseInterval = std::chrono::milliseconds(500);
+    /// Without any packet, or without standard information, before the connection counts as lost.
+    Duration linkTimeout = std::chrono::seconds(8);
+    /// Interval of requests for the configuration that measure the round trip; 0 means never.
     Duration roundTripInterval = std::chrono::seconds(10);
+    /// Whether to try again after a failure.
     bool reconnect = true;
-    Duration firstPause = std::chrono::seconds(1);  ///< before connecting again; doubled each time
+    /// Pause before the first new attempt; doubled after each failure.
+    Duration firstPause = std::chrono::seconds(1);
     Duration longestPause = std::chrono::seconds(30);
   };
 
+  /// Counters since construction, and measurements.
   struct Statistics {
-    std::uint64_t packets = 0;      ///< of any kind, while there was a line
-    std::uint64_t information = 0;  ///< standard information
-    std::uint64_t undecodable = 0;  ///< whole packets that do not hold what their number promises
+    /// Packets of any kind received while a connection was being made or open.
+    std::uint64_t packets = 0;
+    /// Standard information packets.
+    std::uint64_t information = 0;
+    /// Complete packets whose contents do not fit their id.
+    std::uint64_t undecodable = 0;
+    // Complete laser scans, and scans that lacked a part.
     std::uint64_t scans = 0;
     std::uint64_t incompleteScans = 0;
-    std::uint64_t connections = 0;  ///< how often the robot was connected
-    std::uint64_t losses = 0;       ///< how often a connection was lost
-    Duration roundTrip{};           ///< of the last CONFIG that was answered; 0: none was
-    Duration longestGap{};          ///< between two standard informations, over the last 5 s
+    /// How often the connection was established.
+    std::uint64_t connections = 0;
+    /// How often an established connection was lost.
+    std::uint64_t losses = 0;
+    /// From the last answered CONFIG to its reply; 0 if there was none.
+    Duration roundTrip{};
+    /// Longest time between two standard informations in the last 5 s.
+    Duration longestGap{};
   };
 
   ClientSession() : ClientSession(Options{}) {}
   explicit ClientSession(const Options& options) : options_(options) {}
 
-  /// A connection is wanted. Does nothing if it is already.
+  /// Requests a connection. No effect if one is requested already.
   void open(Instant now);
-  /// Somebody does not want to wait until it tries again: it does so at once.
+  /// Skips the pause before the next attempt, and starts again after kFailed: for a user's "connect now".
   void connectNow(Instant now);
-  /// No connection is wanted any more. If there is one: motors off and CLOSE; the owner should write
+  /// Ends the connection. If there is one, switches the motors off and sends CLOSE; the owner should write
   /// takeOutgoing() before it closes the line.
   void close(Instant now);
 
-  /// Whether its owner shall have a line open.
+  /// Whether the owner should keep a line open.
   bool wantsLink() const;
+  /// The owner has opened the line; starts the handshake.
   void linkOpened(Instant now);
-  /// The line could not be opened, broke or was closed by the robot, for this reason.
+  /// The line could not be opened, broke, or was closed by the robot, for the given reason.
   void linkClosed(const Error& why, Instant now);
 
+  /// Processes a received packet.
   void take(const Packet& packet, Instant now);
-  /// Damage counts as nothing, but makes its error messages better.
+  /// Damage is otherwise ignored, but improves error messages (wrong baud rate).
   void take(const Damage& damage, Instant now);
+  /// Either of the two, as PacketParser::next() returns it.
   void take(const PacketParser::Found& found, Instant now);
+  /// Handles timeouts, and sends what is due.
   void tick(Instant now);
-  /// What shall be written to the line, in whole packets. Empties itself.
+  /// Removes and returns the bytes to be written to the line, in whole packets.
   Bytes takeOutgoing();
 
-  /// Sends a command. Fails if there is no connection or the argument does not fit.
+  /// Sends a command. Fails if there is no connection, the argument does not fit, or the line is congested.
   Result<void> send(const Command& command, Instant now);
-  /// Sends any packet; fails if there is no connection or it is too long.
+  /// Sends any packet. Fails if there is no connection, the packet is too long, or the line is congested.
   Result<void> send(const Packet& packet, Instant now);
 
   State state() const { return state_; }
   bool isConnected() const { return state_ == State::kConnected; }
-  /// A sentence on what it is doing.
+  /// Describes the current activity to users, in a sentence.
   std::string describe() const;
-  /// Why there is no connection; nothing while there is one, or while none went wrong.
+  /// Why there is no connection; empty while there is one or if nothing has failed.
   const std::optional<Error>& problem() const { return problem_; }
 
-  /// What the robot sent on this connection, or on the last one. Null until it was sent.
+  /// Data of this connection, or of the last one. Null until received.
   const Identity* identity() const { return identity_ ? &*identity_ : nullptr; }
   const Configuration* configuration() const { return configuration_ ? &*configuration_ : nullptr; }
   const StandardInformation* information() const { return information_ ? &*information_ : nullptr; }
+  /// When information() was received.
   Instant informationAt() const { return informationAt_; }
   const LaserScan* laserScan() const { return scan_ ? &*scan_ : nullptr; }
   const Statistics& statistics() const { return statistics_; }
 
  private:
+  /// Switches the state and restarts its timeout.
   void enter(State state, Instant now);
+  /// Appends a packet to the outgoing bytes.
   void post(const Packet& packet, Instant now);
   void post(CommandId id, Instant now);
   void post(CommandId id, int argument, Instant now);
 
+  /// Sends SYNC0, SYNC1 or SYNC2.
   void sendSync(int number, Instant now);
+  /// Sends CLOSE and waits before the next SYNC0.
   void resynchronize(Instant now);
+  /// Counts a failed try; returns false if it was the last one and the line was given up.
   bool mayTryAgain(Error why, Instant now);
   void retry(Error why, Instant now);
   void restart(Instant now);
+  /// Gives up the line after a failure and starts the pause.
   void giveUpLine(Error why, Instant now);
+  /// The same for an established connection, which counts as a loss.
   void lose(Error why, Instant now);
+  /// The error for a timeout, depending on what has been received.
   Error silence() const;
 
+  // Packets by phase and kind.
   void takeInHandshake(const Packet& packet, Instant now);
   void takeInConnection(const Packet& packet, Instant now);
   void takeInformation(const Packet& packet, Instant now);
@@ -140,28 +184,41 @@ class ClientSession {
 
   Options options_;
   State state_ = State::kClosed;
-  int sync_ = 0;        ///< the number that was sent last
-  int tries_ = 0;       ///< that failed, one after the other
-  int unanswered_ = 0;  ///< that failed since the line was opened, or since the last connection
-  int failures_ = 0;    ///< lines that failed since the last connection
-  // Since the line was opened.
-  bool heard_ = false;  ///< any packet
+  /// The number of the last SYNC sent.
+  int sync_ = 0;
+  /// Failed tries in a row.
+  int tries_ = 0;
+  /// Failed tries since the line was opened, or since the last connection.
+  int unanswered_ = 0;
+  /// Failed lines since the last connection.
+  int failures_ = 0;
+  // Since the line was opened:
+  /// Whether any packet has arrived.
+  bool heard_ = false;
   std::uint64_t damages_ = 0;
-  // In this connection.
-  bool opened_ = false;  ///< OPEN was sent
+  // In this connection:
+  /// OPEN was sent.
+  bool opened_ = false;
+  // Configuration and standard information have been received.
   bool configured_ = false;
   bool informed_ = false;
-  bool askedTwice_ = false;         ///< for the configuration, so no telling which is answered
-  std::optional<Instant> askedAt_;  ///< the CONFIG that is not answered yet
+  /// The configuration was requested again before a reply, so the reply cannot be matched to a request.
+  bool askedTwice_ = false;
+  /// When the pending CONFIG was sent.
+  std::optional<Instant> askedAt_;
   Instant lastAsked_{};
 
-  Instant since_{};  ///< when state_ was entered, or its SYNC sent
+  /// When state_ was entered, or its SYNC sent.
+  Instant since_{};
   Duration pause_{};
+  // Times of the last event of each kind.
   Instant openedAt_{};
   Instant openSentAt_{};
   Instant sentAt_{};
   Instant packetAt_{};
+  /// The latest data of the connection.
   Instant informationAt_{};
+  /// Outlives the line: shown until the next connection.
   std::optional<Error> problem_;
   Bytes outgoing_;
 
@@ -170,15 +227,17 @@ class ClientSession {
   std::optional<StandardInformation> information_;
   LaserScanAssembler assembler_;
   std::optional<LaserScan> scan_;
+  /// An interval between two standard informations that ended at `at`.
   struct Gap {
     Instant at;
     Duration length;
   };
-  std::deque<Gap> gaps_;  ///< of the last 5 s, at most kMaximumGaps
+  /// Of the last 5 s, at most kMaximumGaps.
+  std::deque<Gap> gaps_;
   Statistics statistics_;
 };
 
-/// "connected", "synchronizing", ...
+/// The state in words: "connected", "synchronizing", ...
 const char* nameOf(ClientSession::State state);
 
 }  // namespace robotlink::arcos

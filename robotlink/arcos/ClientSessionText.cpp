@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ClientSession says of itself.
+// The texts of ClientSession: names of states, descriptions, reasons of timeouts.
 #include "robotlink/arcos/ClientSession.h"
 
 namespace robotlink::arcos {
@@ -31,7 +31,7 @@ const char* nameOf(State state) {
   return "";
 }
 
-/// Why nothing comes that was waited for.
+/// The reason for a timeout, as far as the received bytes allow to tell.
 Error ClientSession::silence() const {
   if (damages_ > 0 && !heard_) {
     return {

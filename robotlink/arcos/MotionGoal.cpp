@@ -8,7 +8,8 @@ namespace {
 
 constexpr double kArrivedSpeed = 0.005;             // m/s
 constexpr double kStandingRotation = radians(1.0);  // rad/s
-constexpr double kLongestStep = 1.0;                // m; more is an odometry that was set anew
+/// In m; a longer step means that the odometry was reset.
+constexpr double kLongestStep = 1.0;
 
 bool stands(const RobotState& state) {
   return !state.moving && std::abs(state.speed) < kArrivedSpeed &&
@@ -38,7 +39,7 @@ std::optional<MotionEnd> MotionGoal::take(const RobotState& state) {
   const Pose2 step = last_.inverse() * state.pose;
   last_ = state.pose;
   if (step.translation().norm() <= kLongestStep) travelled_ += step.x;
-  // What the robot said before it heard the command says nothing of it.
+  // A state from before the command does not show its effect.
   if (state.time < commanded_) return std::nullopt;
   if (state.stalled()) return MotionEnd::kStalled;
   if (!stands(state) || state.time < commanded_ + kStart) return std::nullopt;

@@ -7,30 +7,35 @@
 
 namespace robotlink::arcos {
 
-/// How a move() or a turn() ended.
+/// How a move() or a turn() of PioneerRobot ended.
 enum class MotionEnd {
-  kArrived,  ///< the robot stands where it was sent
-  kStalled,  ///< its wheels are blocked: it has run into something
-  kStopped,  ///< it stands elsewhere: it was stopped, its motors are off, or it did not hear the command
-  kTimeout,  ///< it still moves after the time that was given
+  /// The robot stands at its goal.
+  kArrived,
+  /// Its wheels are blocked: it has hit something.
+  kStalled,
+  /// It stands elsewhere: it was stopped, its motors are off, or it missed the command.
+  kStopped,
+  /// It was still moving when the time limit expired.
+  kTimeout,
 };
 
-/// Where a move or a turn shall end, and whether the robot is there: robots drive so far by themselves, but
-/// do not report that they have arrived. A plain value, fed with the robot's states.
+/// The goal of a move or a turn, and whether the robot has reached it: robots execute such commands by
+/// themselves but do not report arrival. A plain value, fed with the robot's states.
 class MotionGoal {
  public:
-  /// By this much a robot that stands may have missed its goal; more, and something else has stopped it.
+  /// Tolerance for a robot that stands near its goal, m; farther away, something else has stopped it.
   static constexpr double kTolerance = 0.05;  // m
   static constexpr double kTurnTolerance = radians(5.0);
-  /// So long after the command a robot may still stand because it has not begun yet.
+  /// A robot that stands this soon after the command may not have started yet.
   static constexpr Duration kStart = std::chrono::milliseconds(700);
 
-  /// Commanded now, when the robot's state was `state`. `distance`: m, forwards.
+  /// Constructs the goal of a command sent at `now` in state `state`; `distance` in m, forwards.
   static MotionGoal move(const RobotState& state, Instant now, double distance);
-  /// `heading`: in the frame of the odometry.
+  /// The same for a turn; `heading` is in the odometry frame, rad.
   static MotionGoal turn(const RobotState& state, Instant now, double heading);
 
-  /// The robot's next state. None as long as it is on its way.
+  /// Processes the next state; returns nothing while the robot is on its way. States older than the command
+  /// do not end it.
   std::optional<MotionEnd> take(const RobotState& state);
 
  private:
@@ -38,8 +43,11 @@ class MotionGoal {
   bool isReached(const RobotState& state) const;
 
   Instant commanded_;
+  /// The last pose, for measuring travelled_.
   Pose2 last_;
-  double travelled_ = 0;  // m, forwards less backwards
+  /// Distance traveled since the command, forwards minus backwards, m.
+  double travelled_ = 0;
+  /// One of the two is set.
   std::optional<double> distance_, heading_;
 };
 

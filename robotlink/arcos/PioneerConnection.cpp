@@ -9,17 +9,17 @@ namespace {
 
 using namespace std::chrono_literals;
 
-// How often the session is asked whether it has something to say, while waiting for bytes.
+// How often the session gets a chance to act while waiting for bytes.
 constexpr Duration kTurn = 20ms;
-// A packet whose rest does not come for so long never gets it.
+// A packet whose rest has not come after this time never will.
 constexpr Duration kPartialTime = 100ms;
-// Bytes taken at once; and how often, before a read() returns although there is more: a line that floods
-// shall not keep it.
+// The number of bytes read at once, and the number of such reads before read() returns, so that a line that
+// floods cannot block it.
 constexpr std::size_t kPiece = 4096;
 constexpr int kMostPieces = 64;
 
-// A robot that was lost is not sought again behind the back of a program that may not expect it to stand
-// elsewhere, with its motors off: begin() is the program's word for it.
+// No automatic reconnection: the program may not expect the robot to stand elsewhere with its motors off. It
+// calls begin() when it is ready.
 ClientSession::Options sessionOptions() {
   ClientSession::Options options;
   options.reconnect = false;
@@ -51,7 +51,7 @@ std::shared_ptr<ByteStream> PioneerConnection::stream() const {
   return stream_;
 }
 
-/// Nothing happens if another line has taken this one's place meanwhile.
+/// No effect if another line has replaced this one meanwhile.
 tl::unexpected<Error> PioneerConnection::lose(const ByteStream& line, const Error& why) {
   const std::lock_guard lock(mutex_);
   if (stream_.get() == &line) {
@@ -118,7 +118,7 @@ Result<void> PioneerConnection::greet(const ByteStream& line, Duration timeLimit
   return {};
 }
 
-/// A robot serves one program: a simulator hangs up on the second, without a word.
+/// A robot serves one program; a simulator hangs up on a second one without explanation.
 tl::unexpected<Error> PioneerConnection::refused(Error why) {
   why.id = "pioneer.refused";
   why.text += ". It hung up before it greeted: does another program drive this robot?";
@@ -133,7 +133,8 @@ void PioneerConnection::end() {
     if (!stream_) return;
     session_.close(clock_->now());
   }
-  flush();  // if the farewell does not reach the robot, its watchdog stops it
+  // If this does not reach the robot, its watchdog stops it.
+  flush();
   const std::lock_guard lock(mutex_);
   if (stream_) stream_->close();
   stream_.reset();
@@ -169,7 +170,7 @@ Result<MotionEnd> PioneerConnection::waitForMotion(Duration timeLimit) {
   }
 }
 
-/// All that is there already.
+/// Processes everything that has already arrived.
 Result<void> PioneerConnection::drain() {
   for (int piece = 0; piece < kMostPieces; ++piece) {
     const auto pumped = pump(Duration::zero());
@@ -179,8 +180,8 @@ Result<void> PioneerConnection::drain() {
   return {};
 }
 
-/// One turn: what comes within `timeout` goes to the session, what it has to say goes out. The caller holds
-/// reading_.
+/// One turn: passes the bytes that arrive within `timeout` to the session and writes what the session sends.
+/// The caller holds reading_.
 Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
   const auto line = stream();
   if (!line) {
@@ -203,7 +204,7 @@ Result<PioneerConnection::Line> PioneerConnection::pump(Duration timeout) {
 void PioneerConnection::takeBytes(std::span<const std::uint8_t> bytes, Duration waited) {
   const std::lock_guard lock(mutex_);
   const Instant now = clock_->now();
-  // Only time spent waiting counts: bytes may have lain there while the program did something else.
+  // Only time spent waiting counts: the bytes may have been there while the program did something else.
   silence_ = bytes.empty() ? silence_ + waited : Duration::zero();
   if (parser_.isPartial() && silence_ >= kPartialTime) parser_.dropPartial();
   parser_.push(bytes);

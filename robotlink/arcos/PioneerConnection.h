@@ -13,24 +13,27 @@
 
 namespace robotlink::arcos {
 
-/// What is behind a PioneerRobot: the line, the session on it, and what it told; locked as is fit.
-/// Thread-safe.
+/// The implementation of PioneerRobot: the line, the session on it, and the received data. Thread-safe.
 ///
-/// Locks are taken in the order of their declaration. Nobody waits for bytes, or for a line to take bytes,
-/// while he holds `mutex_`, so that getters return at once.
+/// The mutexes are locked in the order of their declaration. No thread blocks on the line while it holds
+/// `mutex_`, so getters return immediately.
 class PioneerConnection {
  public:
+  /// `clock` must advance while the line waits for bytes.
   PioneerConnection(StreamOpener opener, std::shared_ptr<const Clock> clock);
   ~PioneerConnection() { end(); }
   PioneerConnection(const PioneerConnection&) = delete;
   PioneerConnection& operator=(const PioneerConnection&) = delete;
 
+  /// Opens the line and performs the handshake; replaces an existing connection.
   Result<void> begin(Duration timeLimit);
+  /// Says goodbye to the robot and closes the line.
   void end();
+  /// Processes what has arrived; waits at most `timeout` for a new state. Returns true if there is one.
   Result<bool> read(Duration timeout);
 
-  /// Sends a Command or a Packet. The session's time does not go on: while nobody reads it would take the
-  /// robot for lost.
+  /// Sends a Command or a Packet. Does not advance the session's time: after a pause without read(), the
+  /// session would take the robot for lost.
   template <typename Message>
   Result<void> send(const Message& message) {
     {
@@ -39,8 +42,9 @@ class PioneerConnection {
     }
     return flush();
   }
+  /// Sends SETO and prepares the decoder for the jump.
   Result<void> resetOdometry();
-  /// Sends a command whose end waitForMotion() waits for; `goalFor` says where it shall end.
+  /// Sends a command whose end waitForMotion() detects; `goalFor(state, now)` returns its goal.
   template <typename GoalFor>
   Result<void> beginMotion(const Command& command, GoalFor goalFor) {
     {
@@ -50,10 +54,12 @@ class PioneerConnection {
     }
     return send(command);
   }
+  /// Reads until the goal of beginMotion() is decided.
   Result<MotionEnd> waitForMotion(Duration timeLimit);
+  /// Drops the last scan when the laser is switched off.
   void forgetScan();
 
-  /// What `get` returns, who sees nothing change meanwhile.
+  /// Returns get(*this) under the lock, so that nothing changes meanwhile.
   template <typename Get>
   auto inspect(Get get) const {
     const std::lock_guard lock(mutex_);
@@ -68,34 +74,50 @@ class PioneerConnection {
   const std::string& problem() const { return problem_; }
 
  private:
+  /// Whether the last pump() received bytes.
   enum class Line { kSilent, kBusy };
+  /// Reads once, processes the bytes, writes what the session wants to send. The caller holds reading_.
   Result<Line> pump(Duration timeout);
+  /// Processes everything that has already arrived.
   Result<void> drain();
   void takeBytes(std::span<const std::uint8_t> bytes, Duration waited);
   void takeFound(const PacketParser::Found& found, Instant now);
+  /// Writes the session's outgoing bytes.
   Result<void> flush();
+  /// Pumps until the session is connected.
   Result<void> greet(const ByteStream& line, Duration timeLimit);
   std::shared_ptr<ByteStream> stream() const;
+  /// Closes the line because of an error, unless another one has replaced it.
   tl::unexpected<Error> lose(const ByteStream& line, const Error& why);
+  /// The error for a robot that hung up before the handshake.
   tl::unexpected<Error> refused(Error why);
   tl::unexpected<Error> notSent(const Error& why) const;
 
   const StreamOpener opener_;
   const std::shared_ptr<const Clock> clock_;
 
-  std::mutex reading_;        // held by who takes bytes from the line, or opens it
-  std::mutex writing_;        // held by who sends, so that packets stay whole and in their order
-  mutable std::mutex mutex_;  // protects all that follows
+  /// Held while bytes are read from the line or a line is opened.
+  std::mutex reading_;
+  /// Held while bytes are written, so that packets stay whole and in order.
+  std::mutex writing_;
+  /// Protects everything below.
+  mutable std::mutex mutex_;
   std::shared_ptr<ByteStream> stream_;
   PacketParser parser_;
   ClientSession session_;
   StateDecoder decoder_;
   std::optional<RangeScan> scan_;
-  std::map<std::uint8_t, Packet> latest_;  // by number, of which there are 256
-  bool fresh_ = false;                     // there is a state that no read() has told of
-  Duration silence_{};                     // how long nothing came although one waited
-  std::optional<MotionGoal> goal_;         // of the latest command that ends by itself
+  /// By packet id, at most 256.
+  std::map<std::uint8_t, Packet> latest_;
+  /// There is a state that no read() has reported yet.
+  bool fresh_ = false;
+  /// How long no bytes came while waiting for them.
+  Duration silence_{};
+  /// Goal of the latest command that ends by itself.
+  std::optional<MotionGoal> goal_;
+  /// How it ended; empty while it is on its way.
   std::optional<MotionEnd> ended_;
+  /// The last error for users; empty if there is none.
   std::string problem_;
 };
 

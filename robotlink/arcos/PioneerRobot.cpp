@@ -19,7 +19,7 @@ int inDegrees(double angle) {
   return static_cast<int>(std::lround(degrees(angle)));
 }
 
-/// Both or the first error.
+/// Success, or the first error of the two.
 Result<void> both(Result<void> first, Result<void> second) {
   return first ? second : first;
 }
@@ -156,7 +156,7 @@ Result<void> PioneerRobot::setLaser(bool on) {
     connection_->forgetScan();
     return write(command(CommandId::kSimLaserEnable, 0));
   }
-  // 181 readings of a degree each; 2 asks for the packets that tell where a scan begins.
+  // 181 readings, one degree apart; 2 requests extended packets.
   for (const auto& [id, argument] : {std::pair(CommandId::kSimLaserStart, -90),
                                      {CommandId::kSimLaserEnd, 90},
                                      {CommandId::kSimLaserResolution, 100},

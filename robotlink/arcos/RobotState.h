@@ -10,48 +10,63 @@
 
 namespace robotlink::arcos {
 
-/// The latest range that one sonar measured.
+/// The latest range measured by one sonar.
 struct SonarReading {
   Pose2 sensorInRobot;
-  double range =
-      0;  // m along the sensor's x-axis; the sonars' maximum if there was no echo, or it has not measured yet
-  bool echo = false;  // something is there
-  Instant time;       // when the packet with it came
-  Pose2 robot;        // by odometry, then
+  /// In m along the sensor's x-axis; the sonars' maximum if there was no echo or no measurement yet.
+  double range = 0;
+  /// Whether the sonar saw something.
+  bool echo = false;
+  /// When its packet arrived.
+  Instant time;
+  /// The robot's pose by odometry at that time.
+  Pose2 robot;
 
-  /// Where the echo came from, if it was on the sensor's axis; in the frame of the robot as it stood then.
+  /// The position of the echo, assuming it was on the sensor's axis, in the robot's frame at that time.
   Vector2 pointInRobot() const { return sensorInRobot * Vector2(range, 0); }
   bool operator==(const SonarReading&) const = default;
 };
 
-/// What a Pioneer says of itself, each 100 ms. SI units and radians; a plain value.
+/// The state that a Pioneer sends every 100 ms, in SI units and radians. A plain value.
 struct RobotState {
-  Instant time;  // when its packet came, by the clock of the one who reads
+  /// When its packet arrived, by the client's clock.
+  Instant time;
 
-  /// By the robot's odometry: since it was switched on, connected to, or set to 0. Never wraps.
-  /// Its heading is rough: wheels that skid are no compass.
+  /// The pose by odometry, whose origin is where the robot was switched on, connected or reset. x and y do
+  /// not wrap; the heading is in (-pi, pi]. The heading is inaccurate because the wheels slip.
   Pose2 pose;
-  double speed = 0;                      // m/s, forwards
-  double rotation = 0;                   // rad/s, counter-clockwise
-  double leftSpeed = 0, rightSpeed = 0;  // m/s of the wheels' rims
+  /// Forwards, m/s.
+  double speed = 0;
+  /// Counter-clockwise, rad/s; from a gyroscope if the robot sends its rate.
+  double rotation = 0;
+  /// Speeds of the wheels' rims, m/s.
+  double leftSpeed = 0, rightSpeed = 0;
 
   bool moving = false;
   bool motorsOn = false;
   bool sonarOn = false;
-  bool emergencyStop = false;  // its button is pressed
+  /// The emergency stop button is pressed.
+  bool emergencyStop = false;
   bool leftStalled = false, rightStalled = false;
-  std::uint8_t frontBumpers = 0, rearBumpers = 0;  // bit i: segment i is pressed; all 0 where there are none
+  /// Bit i: bumper segment i is pressed; 0 if there are no bumpers.
+  std::uint8_t frontBumpers = 0, rearBumpers = 0;
 
-  double battery = 0;                   // V
-  std::optional<double> stateOfCharge;  // 0 to 1
+  /// Voltage, V.
+  double battery = 0;
+  /// From 0 to 1. Empty optionals were not sent by the robot.
+  std::optional<double> stateOfCharge;
   std::optional<bool> charging;
-  std::optional<double> temperature;  // degC
+  /// Degrees Celsius.
+  std::optional<double> temperature;
 
   std::uint8_t digitalIn = 0, digitalOut = 0;
-  std::uint8_t analogIn = 0;                // 0 to 255 for 0 to 5 V, of the port chosen by ADSEL
-  std::uint16_t flags = 0, faultFlags = 0;  // as in the packet: see StandardInformation.h
+  /// The port selected by ADSEL; 0 to 255 for 0 to 5 V.
+  std::uint8_t analogIn = 0;
+  /// As in the packet: see StandardInformation.h.
+  std::uint16_t flags = 0, faultFlags = 0;
 
-  std::vector<SonarReading> sonars;  // by number; each the latest there is
+  /// By number; for each sonar the latest reading.
+  std::vector<SonarReading> sonars;
 
   bool stalled() const { return leftStalled || rightStalled; }
   bool bumped() const { return frontBumpers != 0 || rearBumpers != 0; }

@@ -4,7 +4,7 @@
 namespace robotlink::arcos {
 namespace {
 
-/// Sixteen in two arrays: 0 to 7 look to the front, from left to right, 8 to 15 to the rear, from right to
+/// Sixteen sonars in two arrays: 0 to 7 point forwards, from left to right, 8 to 15 backwards, from right to
 /// left.
 std::vector<Pose2> sonarsOfP3at() {
   return {{0.147, 0.136, radians(90)},     {0.193, 0.119, radians(50)},     {0.227, 0.079, radians(30)},
@@ -21,7 +21,8 @@ RobotType robotType(const std::string& subclass) {
   RobotType type;
   type.subclass = subclass;
   type.sonarsInRobot = sonarsOfP3at();
-  if (subclass == "p3at") type.distance = 0.000465;  // those with an older controller
+  // Robots with an older controller.
+  if (subclass == "p3at") type.distance = 0.000465;
   return type;
 }
 

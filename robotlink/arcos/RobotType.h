@@ -8,25 +8,36 @@
 
 namespace robotlink::arcos {
 
-/// What a client must know of a kind of robot to understand it: the factors that turn the numbers of its
-/// packets into SI, and where its sensors are. Poses are in the robot's frame: its origin on the ground at
-/// the centre it turns about, x to the front.
+/// The parameters of a kind of robot that a client needs: the factors that convert the numbers in packets to
+/// SI units, and the poses of its sensors. Poses are in the robot's frame: origin on the ground at its center
+/// of rotation, x to the front. A plain value.
 struct RobotType {
-  std::string subclass;           // as the robot tells it in the handshake: "p3at-sh"
-  double distance = 0.001;        // m in a unit of the odometry
-  double angle = 2 * kPi / 4096;  // rad in a unit of the heading
-  double speed = 0.001;           // m/s in a unit of the wheels' speeds
-  double range = 0.001;           // m in a unit of a sonar's range
-  double track = 0.588;  // m: how far apart two wheels without slip would be that turn it as its wheels do
-  double wheelSpeedStep = 0.02;          // m/s in a unit of VEL2
-  double length = 0.626, width = 0.505;  // m
+  /// The subclass in the robot's handshake: "p3at-sh".
+  std::string subclass;
+  /// m per unit of the odometry.
+  double distance = 0.001;
+  /// rad per unit of the heading.
+  double angle = 2 * kPi / 4096;
+  /// m/s per unit of the wheels' speeds.
+  double speed = 0.001;
+  /// m per unit of a sonar's range.
+  double range = 0.001;
+  /// Effective distance of the wheels, m: what wheels without slip would need to turn as these do.
+  double track = 0.588;
+  /// m/s per unit of VEL2.
+  double wheelSpeedStep = 0.02;
+  /// Size of the body, m.
+  double length = 0.626, width = 0.505;
+  /// By the sonars' numbers; each measures along its x-axis.
   std::vector<Pose2> sonarsInRobot;
-  double sonarMaximum = 5.0;                 // m; what no echo reads
-  double sonarOpeningAngle = radians(30.0);  // of the whole cone
+  /// In m; the reading if there is no echo.
+  double sonarMaximum = 5.0;
+  /// The full cone, rad.
+  double sonarOpeningAngle = radians(30.0);
   Pose2 laserInRobot = {0.125, 0, 0};
 };
 
-/// The type of a subclass; one that is not known is taken for a p3at-sh, which all robots of this firmware
+/// The parameters of a subclass; for an unknown one those of the p3at-sh, which all robots with this firmware
 /// resemble.
 RobotType robotType(const std::string& subclass);
 

@@ -7,10 +7,10 @@
 namespace robotlink::arcos {
 namespace {
 
-// Some controllers wrap at 2^15, others at 2^16: what is right for the first is for both, as no robot goes 16
-// m in a cycle.
+// Some controllers wrap at 2^15, others at 2^16. Unwrapping at 2^15 is right for both, because no robot
+// drives 16 m in a cycle.
 constexpr int kWrap = 1 << 15;
-// A robot that is this near the origin while a reset is expected has done it. It may have gone on since.
+// If a reset is expected, a robot this near the origin has done it. It may have moved on since.
 constexpr double kNearOrigin = 0.2;  // m
 
 int difference(int now, int before) {
@@ -43,7 +43,8 @@ void StateDecoder::followOdometry(const StandardInformation& information, Instan
 
 void StateDecoder::takeSonars(const StandardInformation& information, Instant now) {
   for (const StandardInformation::Sonar& sonar : information.sonars) {
-    if (sonar.number >= state_.sonars.size()) continue;  // of an array that this type of robot has not
+    // A sonar of an array that this type of robot does not have.
+    if (sonar.number >= state_.sonars.size()) continue;
     SonarReading& reading = state_.sonars[sonar.number];
     reading.range = std::min(type_.range * sonar.rangeMm, type_.sonarMaximum);
     reading.echo = reading.range < type_.sonarMaximum;

@@ -9,14 +9,15 @@
 
 namespace robotlink::arcos {
 
-/// Makes the state of a robot of its information packets: SI units, an odometry that does not wrap, the
-/// latest range of every sonar although a packet brings only some. One connection, one thread.
+/// Converts a robot's information packets to its state: SI units, an odometry that does not wrap, and the
+/// latest range of every sonar although each packet contains only some. For one connection; not thread-safe.
 class StateDecoder {
  public:
   explicit StateDecoder(RobotType type);
 
+  /// Updates the state with a packet that arrived at `now`.
   void take(const StandardInformation& information, Instant now);
-  /// The robot was told to set its odometry to 0 at `now`: it will jump, within half a second.
+  /// Prepares for a reset of the robot's odometry commanded at `now`: it will jump within half a second.
   void expectReset(Instant now) { resetUntil_ = now + kResetTime; }
 
   const RobotState& state() const { return state_; }
@@ -30,10 +31,13 @@ class StateDecoder {
 
   RobotType type_;
   RobotState state_;
+  /// Position in units of the wire.
   struct Counts {
     int x = 0, y = 0;
   };
-  std::optional<Counts> last_;  // of the last packet, as they were there
+  /// As in the last packet, before unwrapping.
+  std::optional<Counts> last_;
+  /// Until then a position near the origin counts as the reset.
   std::optional<Instant> resetUntil_;
 };
 

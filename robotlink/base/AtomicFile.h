@@ -9,12 +9,14 @@
 
 namespace robotlink {
 
-/// Writes a file so that it is there as a whole or not at all: to a temporary neighbour, flushed to the disk,
-/// then renamed. A full disk, a missing right or a signal that ends the program leaves the old file as it
-/// was. Where `path` is a symbolic link, the file that it points to is written.
+/// Writes a file as a whole or not at all. The contents go to a temporary file beside the target, are flushed
+/// to the disk and then renamed, so that a full disk, missing permissions or a signal that ends the program
+/// leave the old file as it was. Missing parent folders are created. If `path` is a symbolic link, the file
+/// that it points to is written. Errors: file.io.
 Result<void> writeFileAtomically(const std::filesystem::path& path, std::string_view contents);
 
-/// A whole file; fails if it cannot be read or is larger than `maxBytes`.
+/// Reads a whole file. Fails if it cannot be opened or read (file.io), is a directory (file.directory), or is
+/// larger than `maxBytes` (file.too-large).
 Result<std::string> readFile(const std::filesystem::path& path, std::size_t maxBytes = 64U << 20U);
 
 }  // namespace robotlink

@@ -8,14 +8,16 @@
 
 namespace robotlink {
 
-/// A queue between threads that never blocks its producers: when it is full, what is pushed is dropped
-/// and counted. The consumer drains it whole. Thread-safe.
+/// A queue between threads that never blocks its producers: when it is full, a pushed value is dropped and
+/// counted. The consumer drains the whole queue at once. Thread-safe. Nothing is signaled; the consumer
+/// polls, as the GUI does in its 30 Hz tick.
 template <typename T>
 class BoundedQueue {
  public:
+  /// The capacity is the number of values, whatever their size.
   explicit BoundedQueue(std::size_t capacity) : capacity_(capacity) {}
 
-  /// False if the queue was full and `value` was dropped.
+  /// Returns false if the queue was full and `value` was dropped.
   bool push(T value) {
     const std::lock_guard lock(mutex_);
     if (values_.size() >= capacity_) {
@@ -26,13 +28,13 @@ class BoundedQueue {
     return true;
   }
 
-  /// Everything that is queued, oldest first.
+  /// Removes and returns all queued values, oldest first.
   std::vector<T> drain() {
     const std::lock_guard lock(mutex_);
     return std::exchange(values_, {});
   }
 
-  /// How many were dropped since the queue was made.
+  /// The number of values dropped since the queue was created.
   std::size_t dropped() const {
     const std::lock_guard lock(mutex_);
     return dropped_;
@@ -40,7 +42,8 @@ class BoundedQueue {
 
  private:
   const std::size_t capacity_;
-  mutable std::mutex mutex_;  // protects values_ and dropped_
+  /// Protects values_ and dropped_.
+  mutable std::mutex mutex_;
   std::vector<T> values_;
   std::size_t dropped_ = 0;
 };

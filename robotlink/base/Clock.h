@@ -6,10 +6,12 @@
 
 namespace robotlink {
 
+/// The unit of all durations in packages, logs and code: nanoseconds, signed.
 using Duration = std::chrono::nanoseconds;
 
-/// The clock of a platform: simulated, logged or real time. It starts wherever the platform says
-/// (a simulation at 0); instants of different platforms must not be compared.
+/// The clock type of a platform's time: simulated, logged or real. The platform chooses the zero (a
+/// simulation starts at 0), so instants of different platforms must not be compared. Current time comes from
+/// a Clock; there is no static now().
 struct PlatformTime {
   using duration = Duration;
   using rep = duration::rep;
@@ -17,26 +19,32 @@ struct PlatformTime {
   using time_point = std::chrono::time_point<PlatformTime>;
   static constexpr bool is_steady = false;  // NOLINT(readability-identifier-naming): std::chrono wants it
 };
+/// An instant of a platform's time.
 using Instant = PlatformTime::time_point;
 
+/// Converts a duration to seconds, with the precision of a double.
 inline double seconds(Duration d) {
   return std::chrono::duration<double>(d).count();
 }
+/// The seconds since the platform's zero.
 inline double seconds(Instant t) {
   return seconds(t.time_since_epoch());
 }
+/// Converts seconds to a duration, truncated to whole nanoseconds; `s` must be finite and within some 292
+/// years.
 inline Duration fromSeconds(double s) {
   return std::chrono::duration_cast<Duration>(std::chrono::duration<double>(s));
 }
 
-/// Tells what time it is on a platform. Any thread may ask.
+/// Gives a platform's current time. Any thread may call now().
 class Clock {
  public:
   virtual ~Clock() = default;
+  /// Instants of one clock do not decrease, unless the platform was reset.
   virtual Instant now() const = 0;
 };
 
-/// A clock that somebody else turns: simulations, logs and tests. Thread-safe.
+/// A clock that its owner sets: for simulations, logs and tests. It may be set back. Thread-safe.
 class ManualClock final : public Clock {
  public:
   Instant now() const override { return Instant(Duration(now_.load(std::memory_order_acquire))); }
@@ -47,7 +55,7 @@ class ManualClock final : public Clock {
   std::atomic<Duration::rep> now_{0};
 };
 
-/// Real time since this clock was made. Thread-safe.
+/// Real time since this object was constructed. Never goes back. Thread-safe.
 class SteadyClock final : public Clock {
  public:
   Instant now() const override {

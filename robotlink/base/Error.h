@@ -7,7 +7,7 @@
 
 namespace robotlink {
 
-/// Where in a text file something is wrong. Lines and columns count from 1; 0 means unknown.
+/// A position in a text file. Lines and columns count from 1; 0 means unknown.
 struct FilePosition {
   std::string file;
   int line = 0;
@@ -15,31 +15,34 @@ struct FilePosition {
   bool operator==(const FilePosition&) const = default;
 };
 
-/// An expected failure: a file that does not parse, a request that is refused. A plain value.
-///
-/// `id` is stable and machine-readable ("layout.unknown-task"), so that a window can translate by it;
-/// `text` is the English sentence that says what is wrong and what to do; `arguments` are what the
-/// sentence names, in its order.
+/// An expected failure, such as a file that does not parse or a request that is refused. A plain value.
 struct Error {
+  /// Stable and machine-readable ("layout.unknown-task"), so that a user interface can translate by it.
   std::string id;
+  /// An English sentence that says what is wrong and what to do.
   std::string text;
+  /// The names and values that `text` mentions, in its order.
   std::vector<std::string> arguments;
+  /// The place in a file, if there is one; otherwise empty.
   FilePosition where;
 
-  /// "file:line:column: text", leaving out what is unknown.
+  /// Returns "file:line:column: text", without the parts that are unknown.
   std::string describe() const;
   bool operator==(const Error&) const = default;
 };
 
+/// A value, or the reason why there is none.
 template <typename T>
 using Result = tl::expected<T, Error>;
 
-/// Several errors of one file, all of them reported at once.
+/// All errors of one file, so that a reader can report them at once rather than only the first.
 using Errors = std::vector<Error>;
 
-/// One `describe()` a line.
+/// Returns one `describe()` a line.
 std::string describe(const Errors& errors);
 
+/// Builds the error that a function with a Result returns: `return failure("file.io", "cannot open it",
+/// {path})`.
 inline tl::unexpected<Error> failure(std::string id, std::string text, FilePosition where = {},
                                      std::vector<std::string> arguments = {}) {
   return tl::unexpected<Error>(Error{std::move(id), std::move(text), std::move(arguments), std::move(where)});

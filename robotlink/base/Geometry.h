@@ -8,9 +8,11 @@
 
 namespace robotlink {
 
+/// Points and directions in a plane, in meters unless said otherwise.
 using Vector2 = Eigen::Vector2d;
+/// Points and directions in space, in meters unless said otherwise.
 using Vector3 = Eigen::Vector3d;
-/// A rigid transform; name it target-in-frame: cameraInField = robotInField * cameraInRobot.
+/// A rigid transform in space. Poses are named target-in-frame: cameraInField = robotInField * cameraInRobot.
 using Pose3 = Eigen::Isometry3d;
 
 inline constexpr double kPi = std::numbers::pi;
@@ -21,29 +23,35 @@ constexpr double degrees(double radians) {
   return radians * (180.0 / kPi);
 }
 
-/// The same angle in (-pi, pi].
+/// Returns the same angle in (-pi, pi].
 inline double normalizedAngle(double angle) {
   angle = std::remainder(angle, 2 * kPi);
   return angle <= -kPi ? angle + 2 * kPi : angle;
 }
 
-/// A pose on the ground: metres and radians, x to the front, y to the left, heading counter-clockwise.
+/// A pose on the ground, in meters and radians: x points to the front, y to the left, and the heading counts
+/// counter-clockwise. A plain value; it may also be read as the transform from its own frame to the parent
+/// frame.
 struct Pose2 {
   double x = 0;
   double y = 0;
+  /// Not necessarily normalized; the operators below normalize their results.
   double heading = 0;
 
   Vector2 translation() const { return {x, y}; }
-  /// `*this` is a frame, `inner` a pose in it; the result is that pose in the frame's parent.
+  /// Composes two transforms: `*this` is a frame and `inner` a pose in it; the result is that pose in the
+  /// parent of the frame. The heading of the result is in (-pi, pi].
   Pose2 operator*(const Pose2& inner) const {
     const double c = std::cos(heading), s = std::sin(heading);
     return {x + c * inner.x - s * inner.y, y + s * inner.x + c * inner.y,
             normalizedAngle(heading + inner.heading)};
   }
+  /// Transforms a point of this frame into the parent frame.
   Vector2 operator*(const Vector2& point) const {
     const double c = std::cos(heading), s = std::sin(heading);
     return {x + c * point.x() - s * point.y(), y + s * point.x() + c * point.y()};
   }
+  /// The parent frame's pose in this frame.
   Pose2 inverse() const {
     const double c = std::cos(heading), s = std::sin(heading);
     return {-c * x - s * y, s * x - c * y, normalizedAngle(-heading)};
@@ -51,7 +59,8 @@ struct Pose2 {
   bool operator==(const Pose2&) const = default;
 };
 
-/// The pose of a body projected to the ground; heading is the direction of its x-axis.
+/// The pose of a body projected onto the ground; its heading is the direction of the body's x-axis.
+/// Meaningless if that axis is vertical.
 inline Pose2 groundPose(const Pose3& pose) {
   return {pose.translation().x(), pose.translation().y(),
           std::atan2(pose.linear()(1, 0), pose.linear()(0, 0))};

@@ -10,13 +10,14 @@ namespace {
 constexpr double kEquator = 6378137.0, kFlattening = 1 / 298.257223563;
 constexpr double kEccentricity2 = kFlattening * (2 - kFlattening);
 
-/// From the Earth's surface to its axis, along the vertical.
+/// Distance from the surface to the Earth's axis along the vertical, m (the prime vertical radius of
+/// curvature).
 double verticalRadius(double latitude) {
   const double sine = std::sin(latitude);
   return kEquator / std::sqrt(1 - kEccentricity2 * sine * sine);
 }
 
-/// In the frame of the Earth's center: x through latitude and longitude 0, z through the north pole.
+/// A position in the Earth-centered frame: x through latitude and longitude 0, z through the north pole.
 Vector3 centered(double latitude, double longitude, double altitude) {
   const double radius = verticalRadius(latitude);
   const double toAxis = (radius + altitude) * std::cos(latitude);
@@ -34,12 +35,12 @@ GlobalPosition globalPosition(const GlobalPosition& origin, const Vector3& eastN
   const Vector3 north = up.cross(east);
   const Vector3 place = centered(latitude, longitude, origin.altitude) + east * eastNorthUp.x() +
                         north * eastNorthUp.y() + up * eastNorthUp.z();
-  // Near the ground this settles to less than a micrometer in three rounds.
+  // Fixed-point iteration; near the ground it converges to less than a micrometer in three rounds.
   const double toAxis = place.head<2>().norm();
   double found = latitude;
   for (int round = 0; round < 6; ++round)
     found = std::atan2(place.z() + kEccentricity2 * verticalRadius(found) * std::sin(found), toAxis);
-  // The difference along the vertical, which is well defined at the poles, too.
+  // Measured along the vertical, which is well defined at the poles, too.
   const double foundLongitude = toAxis > 0 ? std::atan2(place.y(), place.x()) : longitude;
   const Vector3 vertical(std::cos(found) * std::cos(foundLongitude),
                          std::cos(found) * std::sin(foundLongitude), std::sin(found));

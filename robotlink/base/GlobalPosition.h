@@ -5,15 +5,17 @@
 
 namespace robotlink {
 
-/// A place on Earth, as GPS receivers report it (WGS 84).
+/// A position on Earth as GPS receivers report it, on the ellipsoid of WGS 84.
 struct GlobalPosition {
-  double latitude = 0, longitude = 0;  ///< degrees, north and east positive
-  double altitude = 0;                 ///< m above the ellipsoid
+  /// Degrees, north and east positive.
+  double latitude = 0, longitude = 0;
+  /// Meters above the ellipsoid.
+  double altitude = 0;
   bool operator==(const GlobalPosition&) const = default;
 };
 
-/// Where a point is on Earth that lies so many m to the east, to the north and above `origin`, measured along
-/// the plane that touches the Earth there.
+/// Converts a position in the local east-north-up frame at `origin` (meters, along the tangent plane) to a
+/// position on Earth. Well defined at the poles, too.
 GlobalPosition globalPosition(const GlobalPosition& origin, const Vector3& eastNorthUp);
 
 }  // namespace robotlink

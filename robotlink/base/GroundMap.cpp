@@ -15,12 +15,13 @@ namespace robotlink {
 namespace {
 
 constexpr std::size_t kMaxFileBytes = 64U << 20U;
-// More than any building has; what is read stays below a hundred megabytes.
+// No building has more; a map within these limits takes less than 100 MB.
 constexpr std::size_t kMaxPoints = 4'000'000, kMaxLines = 1'000'000, kMaxPlaces = 100'000;
 constexpr std::size_t kMaxErrors = 20, kMaxNotes = 50, kMaxKeyLength = 40;
 constexpr double kFarthestMm = 1e7;
-// All lines together. Everything that is made of a map, for the simulation and for robots, takes time and
-// memory in proportion to it; the walls of the largest buildings are some hundred kilometres long.
+// The total length of all lines. Everything that is computed from a map, for the simulation and for robots,
+// takes time and memory in proportion to it; the walls of the largest buildings are some hundred kilometers
+// long.
 constexpr double kLongestMm = 2e9;
 constexpr double kFinestMm = 1, kCoarsestMm = 1000;  // resolutions that a map may have
 
@@ -46,7 +47,7 @@ std::optional<double> numberOf(std::string_view word) {
   return value;
 }
 
-/// Names as UTF-8; those of old files are in Latin-1.
+/// Returns names as UTF-8; those of old files are in Latin-1.
 std::string utf8(std::string_view text) {
   if (std::string asIs(text); validUtf8(asIs) == asIs) return asIs;
   std::string result;
@@ -68,8 +69,8 @@ GroundMap::Place::Kind kindOf(std::string_view type) {
   return Kind::kOther;
 }
 
-/// Header entries that say nothing which the file's data does not say better. Those of further sensors have
-/// the sensor's name in front.
+/// Whether a header entry says nothing that the data does not say more reliably. Entries of further sensors
+/// begin with the sensor's name.
 bool isRedundant(std::string_view key) {
   constexpr std::string_view kEnds[] = {"MinPos", "MaxPos", "AreSorted"};
   return std::ranges::any_of(kEnds, [&](std::string_view end) { return key.ends_with(end); });
@@ -122,9 +123,9 @@ class Parser {
     if (map_.notes.size() < kMaxNotes) map_.notes.push_back(file_ + ":" + std::to_string(line) + ": " + text);
   }
 
-  /// What the header says of how many there are, all sensors together.
+  /// The count that the header promises, summed over all sensors.
   struct Promise {
-    int line = 0;  ///< 0: it says nothing
+    int line = 0;  ///< 0: the header has no count
     double count = 0;
   };
 
@@ -172,7 +173,8 @@ class Parser {
          "this is no map of the kinds 2D-Map to 2D-Map-Ex4: its first line must say which of them it is");
   }
 
-  /// The numbers of a line of data; false, with an error noted, if there are others than `count`.
+  /// Reads the numbers of a data line; returns false, after adding an error, unless there are exactly
+  /// `count`.
   template <std::size_t count>
   bool readNumbers(std::string_view line, std::array<double, count>& numbers) {
     const char* at = line.data();
@@ -227,7 +229,8 @@ class Parser {
          "coordinates are not in mm");
   }
 
-  /// Words, or what stands in quotes; false, with an error noted, if a quote is not closed.
+  /// Splits a line into words and quoted texts; returns false, after adding an error, if a quote is not
+  /// closed.
   bool readTokens(std::string_view line, std::vector<Token>& tokens) {
     for (std::size_t at = 0; at < line.size();) {
       const bool quoted = line[at] == '"';
@@ -273,7 +276,7 @@ class Parser {
     }
   }
 
-  /// Latitude and longitude in degrees, and the altitude in m.
+  /// Reads latitude and longitude in degrees, and the altitude in m.
   void parseOrigin(std::string_view text) {
     std::vector<Token> tokens;
     std::optional<double> numbers[3];
@@ -296,7 +299,7 @@ class Parser {
     }
   }
 
-  /// Type x y heading "" ICON "name", and for lines and areas x1 y1 x2 y2; mm and degrees.
+  /// Reads a Cairn: type x y heading "" ICON "name", and for lines and areas x1 y1 x2 y2; mm and degrees.
   void parsePlace(const std::vector<Token>& tokens) {
     constexpr std::size_t kFirstNumber = 1, kName = 6, kFirstExtent = 7, kAll = 11;
     if (tokens.size() <= 3)
@@ -329,7 +332,7 @@ class Parser {
     map_.places.push_back(std::move(place));
   }
 
-  std::string_view text_;  // what is left of it
+  std::string_view text_;  // the part that is not parsed yet
   const std::string& file_;
   int line_ = 0, column_ = 1;
   Section section_ = Section::kIntro;

@@ -13,51 +13,67 @@
 
 namespace robotlink {
 
-/// A map of a building's floor: what blocks the way and the beams, as lines and points, and places with
-/// names. Metres and radians, in the map's own frame, which is the frame "field" of a world that is made from
-/// it. A plain value, once it is read.
+/// The map of a building's floor: lines and points that block the way and the beams of range sensors, and
+/// named places. Meters and radians in the map's own frame, which becomes the frame "field" of a world that
+/// is built from it. A plain value; immutable by convention once it is read.
 struct GroundMap {
+  /// A wall or another straight obstacle.
   struct Line {
     Vector2 from = Vector2::Zero(), to = Vector2::Zero();
     bool operator==(const Line&) const = default;
   };
+  /// A named place of the map, a "Cairn" of the file format.
   struct Place {
+    /// Which of the format's types it is; kOther are types that the program does not use.
     enum class Kind { kGoal, kHome, kDock, kForbiddenLine, kForbiddenArea, kOther };
     Kind kind = Kind::kOther;
-    std::string type;  ///< as the file has it: "GoalWithHeading"
-    std::string name;  ///< may be empty
+    /// The type as spelled in the file: "GoalWithHeading".
+    std::string type;
+    /// May be empty.
+    std::string name;
+    /// Its position; the heading counts only if hasHeading.
     Pose2 pose;
+    /// False for a plain "Goal", for lines and for areas.
     bool hasHeading = false;
-    /// The ends of a line; for an area, two opposite corners in a frame that is turned by pose.heading about
-    /// the map's origin.
+    /// The two ends of a line, or two opposite corners of an area in a frame that is rotated by pose.heading
+    /// about the map's origin.
     Line extent;
     bool operator==(const Place&) const = default;
   };
+  /// An axis-aligned rectangle.
   struct Bounds {
     Vector2 low = Vector2::Zero(), high = Vector2::Zero();
   };
 
-  std::string name;  ///< "office"
+  /// The stem of the file's name: "office".
+  std::string name;
+  /// Walls and other straight obstacles: the sections LINES of the file.
   std::vector<Line> lines;
+  /// Single points of obstacles, such as hits of a laser: the sections DATA of the file.
   std::vector<Vector2> points;
-  double resolution = 0.02;  ///< how far apart neighbouring points of a wall are, m
+  /// Distance between neighboring points of a wall, m.
+  double resolution = 0.02;
   std::vector<Place> places;
-  std::optional<GlobalPosition> origin;  ///< of maps that are georeferenced: x points east, y north
-  /// What the file has and this reader left out, and what it lacks although its header promises it, each with
-  /// its line.
+  /// Where the map's origin is on Earth, for maps that are georeferenced: x points east, y north.
+  std::optional<GlobalPosition> origin;
+  /// Notes for the user, each with its line: entries of the file that this reader skipped, and data that the
+  /// header promises and the file lacks.
   std::vector<std::string> notes;
-  bool incomplete = false;  ///< it has fewer lines or points than its header promises
+  /// True if there are fewer lines or points than the header promises, so the file may have been cut off.
+  bool incomplete = false;
 
-  /// The bounds of all lines and points; of the places if there are neither. Zero if the map is empty.
+  /// The bounds of all lines and points, or of the places if there are neither. Zero if the map is empty.
   Bounds bounds() const;
-  const Place* find(Place::Kind kind) const;            ///< the first of its kind; null: none
-  const Place* find(std::string_view placeName) const;  ///< null: none
+  /// The first place of this kind; null if there is none.
+  const Place* find(Place::Kind kind) const;
+  /// The first place of this name; null if there is none.
+  const Place* find(std::string_view placeName) const;
 
-  /// A file of the "2D-Map" family, as ARIA and MobileSim have them. The counts in its header are not
-  /// trusted; what is wrong is reported with file and line. Refused are maps with more lines, or longer ones,
-  /// than any building has.
+  /// Reads a file of the "2D-Map" family, the format of ARIA and MobileSim (2D-Map to 2D-Map-Ex4). The counts
+  /// in its header are not trusted. Every problem is reported with file and line. Maps with more than a
+  /// million lines, four million points or 2000 km of walls are refused: no building has so many.
   static tl::expected<GroundMap, Errors> load(const std::filesystem::path& file);
-  /// `file` is the name that errors carry; the map is called by its stem.
+  /// The same for a text. `file` is the name that errors carry; its stem becomes the map's name.
   static tl::expected<GroundMap, Errors> parse(std::string_view text, const std::string& file);
 };
 

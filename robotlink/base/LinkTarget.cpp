@@ -6,13 +6,13 @@
 namespace robotlink {
 
 std::filesystem::path linkTarget(std::filesystem::path path) {
-  constexpr int kMaxLinks = 40;  // as many as the system follows
+  constexpr int kMaxLinks = 40;  // as many as the system follows itself
   for (int i = 0; i < kMaxLinks; ++i) {
     std::error_code error;
     if (!std::filesystem::is_symlink(path, error)) break;
     const std::filesystem::path next = std::filesystem::read_symlink(path, error);
     if (error) break;
-    path = path.parent_path() / next;  // one that is absolute takes the place of all
+    path = path.parent_path() / next;  // an absolute one replaces the whole path
   }
   return path;
 }

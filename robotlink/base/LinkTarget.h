@@ -5,8 +5,9 @@
 
 namespace robotlink {
 
-/// The file that is written where `path` is named: `path` itself, or what it points to as a symbolic link,
-/// over other links, also if that is not there yet. Of links in a circle one of them.
+/// Returns the file that is written if `path` is opened: `path` itself or, if it is a symbolic link, what it
+/// points to over any number of links, even if that does not exist yet. For links in a circle it returns one
+/// of them.
 std::filesystem::path linkTarget(std::filesystem::path path);
 
 }  // namespace robotlink

@@ -7,19 +7,19 @@
 
 namespace robotlink {
 
-/// The folder `resources` of this installation: ROBOTCONTROL_RESOURCES if set, else found from the running
-/// program: a `resources` folder in or above the program's folder (a build tree), or ../share/robotcontrol
-/// (an installed one). An empty path if there is none.
+/// The folder `resources` of this installation: $ROBOTCONTROL_RESOURCES if it is set; otherwise a `resources`
+/// folder in or above the program's folder (a build tree), or ../share/robotcontrol (an installation). An
+/// empty path if there is none.
 std::filesystem::path resourceDirectory();
 
-/// Fails where resourceDirectory() is none, with a sentence that says what was looked for and how to name it.
+/// Fails if resourceDirectory() is not usable; the error says where it was searched and how to set it.
 Result<void> checkResources();
 
-/// `relative` below resourceDirectory(); it need not exist.
+/// The path of a file below resourceDirectory(); the file need not exist.
 std::filesystem::path resource(const std::filesystem::path& relative);
 
-/// Where the user's own files (window layouts, presets) are kept: $XDG_CONFIG_HOME/robotcontrol, else
-/// ~/.config/robotcontrol.
+/// The folder of the user's own files (window layouts, presets): $XDG_CONFIG_HOME/robotcontrol, otherwise
+/// ~/.config/robotcontrol, otherwise a folder below the system's temporary one. It is not created.
 std::filesystem::path userDirectory();
 
 }  // namespace robotlink

@@ -11,12 +11,12 @@
 namespace robotlink {
 namespace {
 
-/// A signal concerns the whole program, so there is one list of it.
+/// The list is global because a signal ends the whole program.
 struct UnfinishedFiles {
   std::mutex mutex;  // protects `paths`
   std::multiset<std::filesystem::path> paths;
 
-  /// Never destroyed: whoever ends the program may do so while others are being destroyed.
+  /// Never destroyed: endProgram() may run while other statics are being destroyed.
   static UnfinishedFiles& all() {
     static auto* const files = new UnfinishedFiles;
     return *files;
@@ -42,7 +42,7 @@ UnfinishedFile::~UnfinishedFile() {
 
 void endProgram(int status) {
   UnfinishedFiles& files = UnfinishedFiles::all();
-  // Not released: nobody begins another file while the program ends.
+  // Never unlocked: no file may be begun while the program ends.
   files.mutex.lock();
   std::error_code ignored;
   for (const auto& path : files.paths) std::filesystem::remove_all(path, ignored);

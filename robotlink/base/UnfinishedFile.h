@@ -5,9 +5,9 @@
 
 namespace robotlink {
 
-/// Says that a file or folder must not outlive the program as it is: it is being written under a temporary
-/// name, say. The owner removes or renames it before this is destroyed. Only if a signal ends the program
-/// does endProgram() remove it instead. The file need not exist yet. Any thread.
+/// Marks a file or folder that must not outlive the program in its present state, for example one that is
+/// being written under a temporary name. The owner removes or renames it before this object is destroyed. If
+/// a signal ends the program first, endProgram() removes it. The file need not exist yet. Any thread.
 class UnfinishedFile {
  public:
   explicit UnfinishedFile(std::filesystem::path path);
@@ -16,11 +16,12 @@ class UnfinishedFile {
   UnfinishedFile& operator=(UnfinishedFile&&) = delete;
 
  private:
-  std::filesystem::path path_;  // empty: moved away
+  /// Empty if moved from.
+  std::filesystem::path path_;
 };
 
 /// Removes all unfinished files and ends the program at once, without destructors. Any thread, but not a
-/// signal handler.
+/// signal handler: it locks a mutex.
 [[noreturn]] void endProgram(int status);
 
 }  // namespace robotlink

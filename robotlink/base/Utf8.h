@@ -5,8 +5,8 @@
 
 namespace robotlink {
 
-/// The text with every byte that is not part of well-formed UTF-8 replaced by '?': strings of packages must
-/// be UTF-8, or who receives the package cannot read any of it.
+/// Returns the text with every byte that is not part of well-formed UTF-8 replaced by '?'. Strings of
+/// packages must be UTF-8; otherwise receivers cannot parse the package at all.
 std::string validUtf8(std::string text);
 
 }  // namespace robotlink

@@ -10,7 +10,7 @@
 namespace robotlink {
 namespace {
 
-/// Lengths on a field lie between a millimetre and a hundred metres.
+/// Reads a length on a field: between a millimeter and a hundred meters.
 double lengthOf(const YamlNode& node, std::string_view key) {
   return node.numberIn(key, 0.001, 100);
 }
@@ -29,7 +29,7 @@ void readPalette(const YamlNode& node, FieldDescription& field) {
   }
 }
 
-/// A required name of a palette's colour.
+/// Reads the required name of a color, which must be in the palette.
 std::string colorOf(const YamlNode& node, std::string_view key, const FieldDescription& field) {
   const YamlNode child = node.child(key);
   auto name = child.as<std::string>();

@@ -13,65 +13,83 @@
 
 namespace robotlink {
 
-/// A field of play, as a file like resources/fields/2002.yaml describes it: the one source of its geometry
-/// and colours for the simulator, the robot program and the views. Metres; the origin is the field's centre,
-/// +x points to the opponent goal of the red team, +y to the left. A plain value. Colours are names of the
-/// palette. What a field does not have is 0, empty or without a colour.
+/// A soccer field as read from a file like resources/fields/2002.yaml: the only source of its geometry and
+/// colors for the simulator, the robot program and the views. Meters and radians; the origin is the center of
+/// the field, +x points to the goal that the red team attacks, +y to the left. Colors are names in the
+/// palette. Lengths of things that a field lacks are 0, their colors and lists empty. A plain value.
 struct FieldDescription {
+  /// A goal; goals share width, depth and height (see goalWidth).
   struct Goal {
     std::string name;
-    double x = 0;  ///< of the goal line; the goal lies beyond it
+    /// The goal line's x; the goal extends from there away from the center.
+    double x = 0;
     std::string color;
   };
+  /// A colored pole beside the field that robots localize by: a base and two colored bands.
   struct Beacon {
     std::string name;
+    /// On the ground.
     Vector2 position = Vector2::Zero();
     std::string topColor;
     std::string bottomColor;
   };
+  /// A named color of the file's palette.
   struct PaletteColor {
     std::string name;
     Rgb rgb;
   };
 
   std::string name;
-  double length = 0, width = 0;  ///< of the surface inside the walls: -length/2 <= x <= length/2
+  /// The surface inside the walls: -length/2 <= x <= length/2, -width/2 <= y <= width/2.
+  double length = 0, width = 0;
   std::string surfaceColor;
+  /// Coulomb's friction coefficient.
   double surfaceFriction = 1;
-  double surroundingsMargin = 0;  ///< how far the ground goes on beyond the walls
+  /// How far the ground extends beyond the walls.
+  double surroundingsMargin = 0;
   std::string surroundingsColor;
+  /// The walls around the surface; 0 if there are none.
   double wallHeight = 0, wallThickness = 0;
   std::string wallColor;
+  /// The sides along the walls of the ramps in the four corners; 0 if there are none.
   double cornerTriangleSide = 0;
   double lineWidth = 0, centerCircleDiameter = 0;
-  /// The size of the rectangle of lines around the field of play, or of the surface if there are no such
-  /// lines.
+  /// The rectangle of lines around the field of play; 0 if the field has no such lines, and then the surface
+  /// is the field of play.
   double boundaryLength = 0, boundaryWidth = 0;
+  /// The length is along x, the width along y.
   double penaltyAreaLength = 0, penaltyAreaWidth = 0;
   std::string lineColor;
+  /// The opening is goalWidth wide and goalHeight high.
   double goalWidth = 0, goalDepth = 0, goalHeight = 0;
   std::vector<Goal> goals;
+  /// A beacon is a base and two bands of equal height.
   double beaconRadius = 0, beaconBaseHeight = 0, beaconBandHeight = 0;
   std::string beaconBaseColor;
   std::vector<Beacon> beacons;
-  /// Where the robots of the team that plays towards +x stand at the kick-off; the other team stands
-  /// opposite.
+  /// Kick-off positions of the team that plays towards +x, all in its own half (x < 0); the other team stands
+  /// at the points mirrored through the center.
   std::vector<Pose2> kickOff;
+  /// In m and kg.
   double ballRadius = 0, ballMass = 0;
   std::string ballColor;
-  std::vector<PaletteColor> palette;  ///< in the file's order
+  /// In the file's order.
+  std::vector<PaletteColor> palette;
 
   bool hasBoundary() const { return boundaryLength > 0; }
-  /// How far from the centre the field of play goes.
+  /// Half the length of the field of play.
   double goalLineX() const { return 0.5 * (hasBoundary() ? boundaryLength : length); }
+  /// Half the width of the field of play.
   double touchLineY() const { return 0.5 * (hasBoundary() ? boundaryWidth : width); }
-  /// Height of the middle of a beacon's lower and upper band.
+  /// The height of the center of a beacon's lower band above the ground.
   double beaconBottomBandHeight() const { return beaconBaseHeight + 0.5 * beaconBandHeight; }
   double beaconTopBandHeight() const { return beaconBaseHeight + 1.5 * beaconBandHeight; }
-  /// A colour of the palette, or null.
+  /// The palette's color of this name; null if there is none.
   const Rgb* color(std::string_view colorName) const;
 
+  /// Reads a file. Every problem is reported with its line; ids begin with "field.", "yaml." or "file.".
   static tl::expected<FieldDescription, Errors> load(const std::filesystem::path& file);
+  /// The same for a text; `file` is the name that errors carry.
   static tl::expected<FieldDescription, Errors> parse(std::string_view text, std::string file);
 };
 

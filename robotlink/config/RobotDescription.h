@@ -11,58 +11,85 @@
 
 namespace robotlink {
 
-/// What resources/robots/<name>.yaml says of a kind of robot that programs and the workbench need to know. A
+/// A kind of robot as resources/robots/<name>.yaml describes it: what robot programs and the workbench need
+/// to know. Everything is in the frame of the robot: x to the front, y to the left, meters and radians. A
 /// plain value.
 struct RobotDescription {
+  /// A joint that the program commands.
   struct Joint {
     std::string name;
-    double minimum = 0;  ///< rad, the software limit
+    /// Lower software limit, rad.
+    double minimum = 0;
+    /// Upper software limit, rad.
     double maximum = 0;
     double maximumSpeed = 0;  ///< rad/s
-    double stance = 0;        ///< rad, where it is when the robot stands
+    /// Its angle when the robot stands, rad.
+    double stance = 0;
   };
-  /// Wheels on two sides.
+  /// A differential drive: one or more wheels on each side, and the body around them.
   struct Drive {
-    double length = 0, width = 0;  ///< m, of the body, its centre in the middle
-    double radius = 0;             ///< m, of the circle about the robot that nothing may come into
-    double wheelRadius = 0;        ///< m
-    double track =
-        0;  ///< m, what turns by (right - left) / track; of skid steering more than between the wheels
-    double maximumSpeed = 0, maximumRotation = 0;       ///< m/s, rad/s
-    double acceleration = 0, rotationAcceleration = 0;  ///< m/s^2, rad/s^2
+    /// Size of the body, m; its center is the origin.
+    double length = 0, width = 0;
+    /// Radius of the circle around the robot that must stay free of obstacles, m.
+    double radius = 0;
+    double wheelRadius = 0;  ///< m
+    /// The effective distance between the two sides, m: the robot turns by (right - left) / track. For skid
+    /// steering it is larger than the distance between the wheels.
+    double track = 0;
+    /// m/s and rad/s.
+    double maximumSpeed = 0, maximumRotation = 0;
+    /// m/s^2 and rad/s^2.
+    double acceleration = 0, rotationAcceleration = 0;
   };
+  /// A single ultrasonic sensor.
   struct Sonar {
-    Pose2 inRobot;  ///< it measures along its x-axis
+    /// It measures along its x-axis.
+    Pose2 inRobot;
   };
+  /// The ring of sonars.
   struct Sonars {
-    std::vector<Sonar> sensors;  ///< by their numbers
-    double openingAngle = 0;     ///< rad, of the whole cone
-    double maximum = 0;          ///< m
+    /// Ordered by their numbers in packages.
+    std::vector<Sonar> sensors;
+    /// The full opening angle of a sonar's cone, rad.
+    double openingAngle = 0;
+    /// The range of the sensors, m.
+    double maximum = 0;
   };
+  /// A laser range finder that scans a plane.
   struct Laser {
     Pose2 inRobot;
-    double startAngle = 0, endAngle = 0;  ///< rad, of the first and the last reading, counter-clockwise
+    /// The angles of the first and the last reading, rad, counter-clockwise in its own frame.
+    double startAngle = 0, endAngle = 0;
     int readings = 0;
-    double maximum = 0;  ///< m
+    /// The range, m.
+    double maximum = 0;
   };
-  std::string name;   ///< "ers210"
-  std::string title;  ///< "Sony Aibo ERS-210"
-  std::string layout =
-      "compact";  ///< name of the shipped process layout that its program has unless another one is chosen
-  std::vector<Joint> joints;  ///< in the order of JointRequest.positions
-  std::vector<std::string>
-      offers;  ///< packages that its platforms send, the simulated one's oracle among them
-  std::vector<std::string> simulatedOnly;  ///< those of `offers` that only a simulator has
-  std::optional<Drive> drive;              ///< robots on wheels
+  /// The identifier in scenes and packages: "ers210".
+  std::string name;
+  /// The name that users see: "Sony Aibo ERS-210".
+  std::string title;
+  /// The shipped process layout that the robot's program uses unless another one is chosen.
+  std::string layout = "compact";
+  /// In the order of JointRequest.positions.
+  std::vector<Joint> joints;
+  /// Packages that its platforms send, including the simulated platform's oracle.
+  std::vector<std::string> offers;
+  /// Those of `offers` that only a simulator has, such as the oracle.
+  std::vector<std::string> simulatedOnly;
+  /// Only of robots on wheels.
+  std::optional<Drive> drive;
   std::optional<Sonars> sonars;
   std::optional<Laser> laser;
-  std::vector<std::string> takes;  ///< packages that its platforms receive
+  /// Packages that its platforms receive.
+  std::vector<std::string> takes;
 
-  int jointIndex(const std::string& joint) const;  ///< -1 if there is none
+  /// -1 if there is no such joint.
+  int jointIndex(const std::string& joint) const;
 };
 
+/// Reads a description; all problems are reported, each with its line.
 tl::expected<RobotDescription, Errors> readRobotDescription(const std::filesystem::path& file);
-/// `file` is the name that errors carry.
+/// The same for a text; `file` is the name that errors carry.
 tl::expected<RobotDescription, Errors> parseRobotDescription(const std::string& text,
                                                              const std::string& file);
 

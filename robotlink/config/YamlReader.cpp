@@ -15,7 +15,7 @@
 
 namespace robotlink {
 
-/// A copy of what yaml-cpp read, so that its header stays in this file.
+/// A copy of the parsed tree, so that yaml-cpp's header stays in this file.
 struct YamlValue {
   enum class Kind : std::uint8_t { kNull, kScalar, kList, kMap };
   struct Entry;
@@ -32,7 +32,8 @@ struct YamlValue::Entry {
   std::string key;
   FilePosition where;
   YamlValue value;
-  mutable bool known = false;  ///< somebody asked for it
+  // The key has been looked up; unknown keys are errors.
+  mutable bool known = false;
 };
 
 struct YamlDocument {
@@ -44,7 +45,7 @@ namespace {
 
 using Kind = YamlValue::Kind;
 
-// Aliases are copied where they are used, so a small file can stand for a huge tree.
+// Aliases are copied where they are used, so a small file can expand to a huge tree.
 constexpr int kMaxValues = 200'000;
 constexpr int kMaxDepth = 100;
 
@@ -80,7 +81,7 @@ struct Converter {
     return value;
   }
 
-  // No node: a key that stands in the map for the second time.
+  // An empty `node` means that the key occurs in the map for the second time.
   void convertEntry(YamlValue& map, const YAML::Node& key, const std::optional<YAML::Node>& node, int depth) {
     const FilePosition where = position(key.Mark());
     if (!key.IsScalar()) {
@@ -116,7 +117,7 @@ std::optional<Number> parseNumber(std::string_view text) {
   return number;
 }
 
-// One overload of scalar() per type: the value, or nothing, with what was expected in `expected`.
+// Scalar<T>::read() returns the value, or nothing; kExpected names the type in the error message.
 template <typename T>
 struct Scalar;
 

@@ -16,13 +16,13 @@ namespace robotlink {
 struct YamlDocument;
 struct YamlValue;
 
-/// A place in a YAML document that is being read: a scalar, a list, a map, or nothing (after a failed or
-/// optional look-up; reading it yields defaults and no further error). Every failed read is noted in the
-/// document with file, line and column, and yields T{} or an empty list; so a reader runs to its end and
-/// reports all errors at once.
+/// A node of a YAML document: a scalar, a list, a map, or nothing (the result of a failed or optional
+/// look-up; reading it yields defaults and no further error). A failed read is recorded in the document with
+/// file, line and column and yields T{} or an empty list, so that a reader runs to its end and reports all
+/// errors at once.
 ///
-/// T is one of std::string, double, int, std::int64_t, bool, and std::vector of the first three. Numbers are
-/// finite. A handle of two pointers; the YamlReader must outlive it.
+/// T is std::string, double, int, std::int64_t, bool, or std::vector of the first three. Numbers are finite.
+/// It is a handle of two pointers; the YamlReader must outlive it.
 class YamlNode {
  public:
   YamlNode() = default;
@@ -31,17 +31,22 @@ class YamlNode {
   bool empty() const { return value_ == nullptr; }
   bool isMap() const;
   bool isList() const;
+  /// The place of the value in the file; of an empty node the unknown place.
   FilePosition where() const;
 
-  /// The value of a key that must be there. Asking for a key makes it a known one.
+  /// The value of a required key; an error is recorded if it is missing. Looking a key up makes it a known
+  /// one.
   YamlNode child(std::string_view key) const;
-  /// The value of a key, or nothing.
+  /// The value of a key, or an empty node.
   YamlNode optionalChild(std::string_view key) const;
-  /// All entries of a map whose keys are data, in the file's order; all its keys become known.
+  /// All entries of a map whose keys are data rather than fixed words, in the file's order. All of them
+  /// become known.
   std::vector<std::pair<std::string, YamlNode>> entries() const;
-  /// The elements of a list.
+  /// The elements of a list; anything else is an error.
   std::vector<YamlNode> items() const;
 
+  /// Converts the node; T{} for an empty node and, after recording an error, for a value of another type.
+  /// Quoted scalars are texts, never numbers or bools.
   template <typename T>
   T as() const;
   template <typename T>
@@ -53,32 +58,38 @@ class YamlNode {
     const YamlNode node = optionalChild(key);
     return node.empty() ? fallback : node.as<T>();
   }
-  /// A required number within [minimum, maximum].
+  /// A required number in [minimum, maximum]; `minimum` if it is outside, which is an error.
   double numberIn(std::string_view key, double minimum, double maximum) const;
-  /// Exactly `count` numbers.
+  /// A list of exactly `count` numbers, filled with 0 where there are fewer, which is an error.
   std::vector<double> numbers(std::string_view key, std::size_t count) const;
 
-  /// Notes that what stands here is wrong, for a reason that only the caller knows.
+  /// Records that this value is wrong, for a reason that only the caller knows. An empty node records
+  /// nothing.
   void fail(std::string id, std::string text, std::vector<std::string> arguments = {}) const;
 
  private:
+  /// Null for an empty node.
   YamlDocument* document_ = nullptr;
   const YamlValue* value_ = nullptr;
 };
 
-/// Reads a YAML 1.2 file with checks: what is missing, of another type, unknown or double is an error with
-/// its place. Read everything through root(), then call finish(). Not thread-safe.
+/// Reads a YAML 1.2 file strictly: a missing key, a wrong type, an unknown or repeated key is an error with
+/// its place. Read everything through root(), then call finish(). Not thread-safe. Nodes stay valid when a
+/// reader is moved.
 class YamlReader {
  public:
-  /// `file` is the name that errors carry. Fails only if the text is no YAML at all.
+  /// Fails only if the text is not YAML at all, or is too large or nested too deeply. `file` is the name that
+  /// errors carry.
   static Result<YamlReader> parse(std::string_view text, std::string file);
+  /// The same for a file; fails also if it cannot be read.
   static Result<YamlReader> load(const std::filesystem::path& file);
   ~YamlReader();
   YamlReader(YamlReader&&) noexcept;
   YamlReader& operator=(YamlReader&&) noexcept;
 
   YamlNode root() const;
-  /// What was wrong, in the file's order: noted errors, and every key that nobody asked for.
+  /// Returns all errors in the file's order: the recorded ones, and one for every key that was never looked
+  /// up. Call it once, at the end.
   tl::expected<void, Errors> finish();
 
  private:

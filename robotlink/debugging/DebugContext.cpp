@@ -42,13 +42,15 @@ foxglove::Log::Level logLevel(Level level) {
 struct DebugContext::Frame {
   Instant now;
   std::uint64_t number = 0;
-  Messages messages;  // of the frame that is not complete yet
+  // Messages of the current frame, which is not complete yet.
+  Messages messages;
   struct Begun {
     const char* stream;
     int key;
     DebugMessage* message;
   };
-  std::vector<Begun> begun;  // its drawings and images
+  // Its drawings and images; one message per stream and key.
+  std::vector<Begun> begun;
   std::deque<CompleteFrame> complete;
   std::size_t completeBytes = 0;
 };
@@ -78,7 +80,7 @@ bool DebugContext::dueNow(int key) {
       state.count = 0;
       return true;
     case KeyMode::EVERY_MS: {
-      // Time that went back (a simulation was reset) counts as long ago.
+      // After the time has gone back (a simulation was reset), the last use counts as long ago.
       const Duration since = frame_->now - state.last;
       if (state.count > 0 && since >= Duration::zero() && since < std::chrono::milliseconds(state.n))
         return false;

@@ -26,22 +26,24 @@ class KeyMode;
 
 namespace robotlink {
 
+/// Severity of a text, as in foxglove.Log.
 enum class Level : std::uint8_t { kDebug, kInfo, kWarning, kError };
 
-/// The debugging state of one process: modes and counters of the debug keys, and what the process has told
-/// since its queue was last taken. Handed to the constructors of solutions; used by its process's thread
-/// only.
+/// The debugging state of one process: modes and counters of the debug keys, and the messages that the
+/// process has sent since its queue was last taken. Passed to the constructors of solutions; only for the
+/// process's thread.
 ///
-/// Usage, so that nothing is computed unless somebody asked:
+/// Usage, so that nothing is computed unless someone requested it:
 ///
 ///     if (debug.on(kCircleKey)) debug.imageDrawing(kCircleKey).circle(center, radius, colors::kOrange, 1);
 ///
-/// What a frame tells is handed over whole at its end, a FrameInfo last. The queue is bounded; what does not
-/// fit is dropped, oldest whole frames first, and its messages are counted. What is told outside frames
-/// belongs to the next. A drawing that is begun is sent even if nothing is drawn, so that the one before it
-/// disappears.
+/// The messages of a frame are enqueued as a whole at its end, with a FrameInfo last. The queue is bounded:
+/// when it is full, the oldest whole frames are dropped and their messages counted. Messages sent between
+/// frames belong to the next frame. A drawing that was begun is sent even if it is empty, so that the
+/// previous one disappears.
 class DebugContext {
  public:
+  /// The queue's limit.
   struct Options {
     std::size_t maxQueueBytes = 8U << 20U;
   };
@@ -50,65 +52,76 @@ class DebugContext {
   DebugContext(const DebugContext&) = delete;
   DebugContext& operator=(const DebugContext&) = delete;
 
-  /// Whether a key's code shall run now. Counts: n times is true n times and then turns off; every n is true
-  /// at each n-th call; every n ms at the first call and then at least n ms apart, by the times of the
-  /// frames. A key that is off costs one branch.
+  /// Whether the code of a key shall run now. Each call counts: "n times" is true for n calls and then
+  /// switches itself off; "every n" is true at each n-th call; "every n ms" at the first call and then at
+  /// least n ms apart in frame time. A key that is off costs one branch.
   bool on(const DebugKey& key) {
     const State& state = states_[static_cast<std::size_t>(key.index())];
     return state.kind != 0 && dueNow(key.index());
   }
 
-  // What follows goes to the stream of the key: call it only where on() was true for this key in this frame.
-  /// Coordinates in pixels of the image the frame works on.
+  // These publish to the stream of a key: call them only if on() returned true for the key in this frame.
+  /// Coordinates in pixels of the image that the frame processes.
   ImageDrawing imageDrawing(const DebugKey& key);
-  /// Coordinates in metres in the field's frame.
+  /// Coordinates in meters in the field frame.
   SceneDrawing fieldDrawing(const DebugKey& key);
-  /// Coordinates in metres in the robot's frame (on the ground, x to the front).
+  /// Coordinates in meters in the robot's frame (origin on the ground, x to the front).
   SceneDrawing robotDrawing(const DebugKey& key);
-  /// One image a frame and key: the last.
+  /// Publishes an image; of several in a frame only the last is sent. Empty images are ignored.
   void image(const DebugKey& key, const ImageView& image);
+  /// Publishes a value of a curve, at the time of the frame.
   void plot(const DebugKey& key, double value, const char* unit = "");
-  /// Several curves under one key: "ball-model/position" with the curve "x".
+  /// The same for one of several curves of a key: key "ball-model/position", curve "x".
   void plot(const DebugKey& key, const char* curve, double value, const char* unit = "");
 
-  /// A text from `source` ("ball-percept"); always sent.
+  /// Logs a text from `source` ("ball-percept"); needs no key. Bytes that are not UTF-8 are replaced.
   void text(Level level, std::string_view source, std::string text);
-  /// A package under the key's stream, serialised.
+  /// Adds a serialized copy of a package with the given path; returns the message for further changes.
   robotcontrol::DebugMessage& package(const std::string& path, const google::protobuf::Message& package);
 
   // The rest is for the process that owns the context.
+  /// The name of the robot is the frame of robotDrawing() and image().
   void setRobot(std::string robot) { robot_ = std::move(robot); }
-  /// Starts counting anew. Unknown keys and kinds are ignored.
+  /// Sets a key's mode and resets its counter. Unknown keys and modes are ignored.
   void setMode(int key, const robotcontrol::KeyMode& mode);
-  /// A key whose n times are over is OFF, but keeps its n; one that was switched off has n = 0.
+  /// A key that has used up its n times is OFF but keeps its n; one that was switched off has n = 0.
   robotcontrol::KeyMode mode(int key) const;
+  /// Sets the timestamp and number of the messages that follow.
   void beginFrame(Instant now, std::uint64_t number);
-  /// Completes the frame; its messages can be taken from now on.
+  /// Completes the frame with its FrameInfo and enqueues its messages.
   void endFrame();
+  /// Adds an empty message with the time of the frame; the caller fills in the contents.
   robotcontrol::DebugMessage& add(const std::string& path);
+  /// Whether a complete frame is queued.
   bool hasQueue() const;
-  /// All complete frames' messages since the last call.
+  /// Removes and returns the messages of all complete frames since the last call.
   std::shared_ptr<robotcontrol::DebugQueue> takeQueue();
+  /// How many messages were dropped in total because the queue was full.
   std::uint64_t dropped() const { return dropped_; }
 
  private:
+  /// The mode of a key and its counter.
   struct State {
-    std::uint8_t kind = 0;  // KeyMode.Kind
+    /// A robotcontrol::KeyMode::Kind; 0 is OFF.
+    std::uint8_t kind = 0;
     std::uint32_t n = 0;
     std::uint32_t count = 0;
+    /// The time of the last use, for EVERY_MS.
     Instant last;
   };
   struct Frame;
   bool dueNow(int key);
-  /// The message of this frame for a key in a stream, a new one if there is none.
+  /// The message of the current frame for a key in a stream; added if there is none yet.
   robotcontrol::DebugMessage& messageFor(const char* stream, const DebugKey& key);
+  /// The entity of a scene drawing of the current frame.
   foxglove::SceneEntity& entityFor(const char* stream, const DebugKey& key, const std::string& frame);
 
   std::string process_;
   std::string robot_;
   const Clock& clock_;
   Options options_;
-  std::vector<State> states_;  // by key index
+  /// By index of the key.
+  std::vector<State> states_;
   std::unique_ptr<Frame> frame_;
   std::uint64_t dropped_ = 0;
 };

@@ -10,8 +10,8 @@
 namespace robotlink {
 namespace {
 
-// Filled before main() starts, by one thread; made when the first key asks, so that no order of
-// initialisation matters.
+// Filled before main() starts, by one thread; constructed by the first key, so that the order in which files
+// are initialized does not matter.
 struct Registry {
   std::vector<DebugKey::Entry> entries;
   std::map<std::string, int> indices;

@@ -48,8 +48,8 @@ struct DebugProcess::Implementation {
   void takeQueues();
   void takeRequested();
   void joinOwnKeys();
-  /// Who does what is asked of a process or for its task or package; a name that is empty or of no process:
-  /// nobody.
+  /// The process that handles a request, and the task, key or package that it is about. An empty or unknown
+  /// process means that none handles it.
   struct Target {
     std::string process;
     std::string what;
@@ -65,7 +65,7 @@ struct DebugProcess::Implementation {
   std::string whyNotBy(const Target& target) const;
   std::string whyNobodyHas(const std::string& what) const;
   void sendToAll(const Request& request);
-  /// `taken`: the checksum of what was handed over.
+  /// `taken` is the checksum of the value that was passed on.
   void answer(const Request& request, const std::string& refusal, std::uint64_t taken = 0);
   void noticeStopped();
   void sendTables();
@@ -85,7 +85,8 @@ struct DebugProcess::Implementation {
   std::vector<std::string> names;
   std::vector<std::unique_ptr<ProcessChannel>> channels;
   std::vector<const Process*> watched;
-  std::set<std::string> known;  // processes whose end was noticed
+  // Processes that are known to have stopped.
+  std::set<std::string> known;
   std::map<std::string, std::uint64_t> dropped;
   JoinedTables tables;
   std::optional<Instant> processTableDue;
@@ -235,7 +236,7 @@ void DebugProcess::Implementation::route(const Request& request) {
   }
 }
 
-/// Nothing: this process does it itself.
+/// Returns nothing if the debug process itself handles the request.
 std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation::targetOf(
     const Request& request) const {
   const auto ofTask = [&](const std::string& task) { return Target{routes.processOf(task), task}; };
@@ -257,7 +258,7 @@ std::optional<DebugProcess::Implementation::Target> DebugProcess::Implementation
   }
 }
 
-/// Empty: it is done, or handed to the one who does it.
+/// Empty if the request will be done here or forwarded.
 std::string DebugProcess::Implementation::refusal(const Request& request) const {
   if (std::string wrong = wrongWith(request); !wrong.empty()) return wrong;
   if (const auto target = targetOf(request)) return whyNotBy(*target);
@@ -294,7 +295,7 @@ void DebugProcess::Implementation::sendMotion(const Request& request) {
   answer(request, "");
 }
 
-/// A table without cells takes back the one that was set.
+/// A table without cells removes the one that was set.
 void DebugProcess::Implementation::sendColorTable(const Request& request) {
   const robotcontrol::ColorTable& table = request.set_color_table().table();
   useColorTable(std::make_shared<robotcontrol::ColorTable>(table));
@@ -358,7 +359,7 @@ std::string DebugProcess::Implementation::stoppedText(const Process& stopped) co
   return "process " + stopped.name() + (failure.empty() ? " has stopped" : " has failed: " + failure);
 }
 
-/// Tells a process's end once, and answers for what it will never do.
+/// Logs the end of a process once, and answers the requests that it will never process.
 void DebugProcess::Implementation::noticeStopped() {
   for (const Process* watchedOne : watched) {
     if (!watchedOne->stopped() || !known.insert(watchedOne->name()).second) continue;

@@ -26,10 +26,10 @@ namespace robotlink {
 
 class AnySender;
 
-/// The process of a layout that is linked to all others: collects their debug queues and hands requests out
-/// to them. Offers the packages "remote/motion", "remote/goal" and "colors/table". What it collects goes to
-/// its listener as whole queues, unchanged, in the process's thread; the listener (a session, a network link)
-/// must not block.
+/// The process of a layout that is linked to all others: it collects their debug queues and distributes
+/// requests to them. It sends the packages "remote/motion", "remote/goal" and "colors/table" on behalf of the
+/// user. The queues go to its listener unchanged, as a whole, in the process's thread; the listener (a
+/// session, a network link) must not block.
 ///
 /// Each request is answered exactly once, by a RequestResult: by the process that owns the task or package,
 /// or, for debug keys, motions, tables, and whatever cannot be delivered, by this process itself. It joins
@@ -38,34 +38,35 @@ class AnySender;
 /// A process that failed is told as an error, once.
 class DebugProcess final : public Process {
  public:
+  /// Called with each debug queue, in this process's thread.
   using Listener = std::function<void(std::shared_ptr<const robotcontrol::DebugQueue>)>;
 
   DebugProcess(std::string name, const Clock& clock, const DebugRoutes& routes);
   ~DebugProcess() override;
 
-  /// Before it runs.
+  /// Call it before the process runs.
   void setListener(Listener listener);
-  /// A process for the table, in this program: itself, a task process, the platform. It must outlive this
-  /// one. Before it runs.
+  /// Adds a process of this program (itself, a task process, the platform) to the table of processes. It must
+  /// outlive this object. Call it before the process runs.
   void watch(const Process& process);
-  /// A package of the platform that is made only while somebody receives it: this process does while its key
-  /// is on. The sender must outlive this. Before it runs.
+  /// Adds a package that the platform produces only while it is received; this process receives it while its
+  /// key is on. The sender must outlive this object. Call it before the process runs.
   void showOnRequest(AnySender& sender);
-  /// Before it runs: sends one of the packages that it offers, so that it is there in the first frame. Others
-  /// are ignored.
+  /// Sends one of the packages that this process offers, so that it is there in the first frame. Other
+  /// packages and invalid color tables are ignored. Call it before the process runs.
   void offer(const PackagePtr& package);
-  /// Hands a request in; any thread. False: too many wait, this one was dropped.
+  /// Enqueues a request; any thread. Returns false if the queue is full and the request was dropped.
   bool request(const robotcontrol::Request& request);
 
-  // What it would say if it ran now. Only while no process of the program runs.
-  /// Why it would not do what is asked, or not hand it on; empty if it would. Whoever it is handed to may
-  /// refuse it still.
+  // Previews. Only while no process of the program runs.
+  /// The reason why this process would refuse a request or could not forward it; empty if it would not. The
+  /// process that gets it may still refuse it.
   std::string refusal(const robotcontrol::Request& request) const;
-  /// The process that is asked; empty: this one.
+  /// The process that a request would be forwarded to; empty if this one handles it.
   std::string processAsked(const robotcontrol::Request& request) const;
-  /// The tables of the whole program, joined from those of its other processes: their names with their
-  /// tables.
+  /// Tables by process.
   using Tables = std::map<std::string, std::pair<robotcontrol::KeyTable, robotcontrol::SolutionTable>>;
+  /// The tables of the whole program, merged from those of the other processes.
   void describe(const Tables& ofProcesses, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions, robotcontrol::ProcessTable& processes) const;
   /// Without its cells (ColorTableInUse.h); none: no task of the program uses one.

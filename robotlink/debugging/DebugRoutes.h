@@ -9,27 +9,32 @@
 
 namespace robotlink {
 
-/// Which process of a layout answers for what: where requests go. A plain value, derived from a layout.
+/// For each task and package, the process that handles requests about it. A plain value derived from a
+/// layout.
 struct DebugRoutes {
+  /// A process and its tasks.
   struct TaskList {
     std::string process;
     std::vector<std::string> tasks;
   };
-  std::vector<TaskList> processes;              ///< without the debug process, in the layout's order
-  std::vector<Layout::Absence> absent;          ///< tasks that no process does
-  std::map<std::string, std::string> packages;  ///< package: the process that shows it on request
+  /// All processes but the debug process, in the layout's order.
+  std::vector<TaskList> processes;
+  /// Tasks that no process runs.
+  std::vector<Layout::Absence> absent;
+  /// Package to the process that publishes it on request.
+  std::map<std::string, std::string> packages;
 
-  /// The process that does a task; empty if none does.
+  /// The process that runs a task; empty if none does.
   std::string processOf(const std::string& task) const;
 };
 
-/// A package is shown on request by the process that yields it; one of the platform or of the debug process
-/// by the first process that receives it.
+/// A package is published on request by the process that yields it; a package of the platform or of the debug
+/// process by the first process that receives it.
 DebugRoutes debugRoutes(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
-/// The key by which a package is asked for: "package/camera/image".
+/// The debug key by which a package is requested: "package/camera/image".
 std::string packageKey(const std::string& package);
-/// The package that a key asks for; empty if it is no such key.
+/// The package that a key requests; empty if the key is not for a package.
 std::string packageOfKey(const std::string& key);
 
 }  // namespace robotlink

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// ImageDrawing of Drawings.h: shapes as foxglove.ImageAnnotations.
 #include <google/protobuf/timestamp.pb.h>
 #include <array>
 
@@ -21,7 +22,8 @@ PointsAnnotation& addPoints(foxglove::ImageAnnotations& to, Instant time, Points
   return points;
 }
 
-// The last annotation if it looks the same, else a new one: a thousand dots of one colour are one annotation.
+// Returns the last annotation if it has the same style, otherwise a new one, so that a thousand dots of one
+// color become one annotation.
 PointsAnnotation& points(foxglove::ImageAnnotations& to, Instant time, PointsAnnotation::Type type,
                          Color color, double width) {
   if (to.points_size() > 0) {

@@ -9,28 +9,30 @@
 
 namespace robotlink {
 
-/// The tables of all processes, joined: one of keys, one of solutions. A key of several processes is in use
-/// if one of them uses it, and has the mode that is still on in one of them. Used by the debug process; only
-/// for this folder.
+/// The merged tables of all processes: one of keys, one of solutions. A key is in use if any process uses it;
+/// of several modes one that is on wins. Used by the debug process; internal to this folder.
 class JoinedTables {
  public:
-  /// Looks for the tables of a process in its queue.
+  /// Takes over the tables in a process's queue, if there are any.
   void notice(const robotcontrol::DebugQueue& queue);
-  /// The keys of one process, known otherwise. Told with the next change.
+  /// Sets a process's keys without marking the table as changed.
   void setKeys(const std::string& process, robotcontrol::KeyTable keys) { keys_[process] = std::move(keys); }
   void setSolutions(const std::string& process, robotcontrol::SolutionTable solutions) {
     solutions_[process] = std::move(solutions);
   }
+  /// Marks the table of keys as changed.
   void tellKeys() { keysChanged_ = true; }
+  /// Returns whether the table has changed since the last call.
   bool takeKeysChanged() { return std::exchange(keysChanged_, false); }
   bool takeSolutionsChanged() { return std::exchange(solutionsChanged_, false); }
-  /// By name.
+  /// Sorted by name.
   void fillKeys(robotcontrol::KeyTable& to) const;
-  /// Processes and their tasks in the order given.
+  /// Processes and their tasks in the given order.
   void fillSolutions(const std::vector<std::string>& processes, robotcontrol::SolutionTable& to) const;
 
  private:
-  std::map<std::string, robotcontrol::KeyTable> keys_;            // by process
+  /// By process, as is solutions_.
+  std::map<std::string, robotcontrol::KeyTable> keys_;
   std::map<std::string, robotcontrol::SolutionTable> solutions_;  // by process
   bool keysChanged_ = false;
   bool solutionsChanged_ = false;

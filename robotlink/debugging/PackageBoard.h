@@ -14,43 +14,54 @@ namespace robotlink {
 
 class DebugContext;
 
-/// The packages that the tasks of one process read and yield: what came from other processes, what the tasks
-/// sent, and which of them somebody wants to see. Used by the process's thread; only for this folder.
+/// The packages that the tasks of one process read and yield: those received from other processes, those its
+/// tasks sent, and which of them are to be published. Used by the process's thread; internal to this folder.
 class PackageBoard {
  public:
+  /// A package with its ends, as far as the process has them.
   struct Entry {
     std::string name;
-    PackagePtr value;            // null before the first
-    std::uint64_t arrivals = 0;  // how many packages there were
+    /// The newest package; null before the first.
+    PackagePtr value;
+    /// The number of packages so far; a change means that value is new.
+    std::uint64_t arrivals = 0;
+    /// Null unless another process or the platform sends the package.
     std::unique_ptr<AnyReceiver> receiver;
+    /// Null unless a task of this process yields the package.
     std::unique_ptr<AnySender> sender;
-    bool shown = false;  // this process shows it on request
+    /// Whether this process publishes the package on request.
+    bool shown = false;
+    /// When it is published on request.
     ModeCounter mode;
-    bool recorded = false;  // told whatever the mode
+    /// Published for the recorder in every frame, whatever the mode.
+    bool recorded = false;
   };
 
   PackageBoard(Process& process, DebugContext& debug) : process_(process), debug_(debug) {}
 
-  /// A new one if there is none; its address stays the same.
+  /// The entry of a package, created if there is none; its address never changes.
   Entry& entry(const std::string& package);
+  /// Before the process runs.
   void addReceiver(const std::string& package, Blocking blocking);
   void addSender(const std::string& package);
 
-  /// Puts what the receivers took for this frame on the board.
+  /// Copies the packages that the receivers took for this frame to the board.
   void beginFrame();
+  /// Puts a package of a task on the board, publishes it if requested, and sends it to other processes.
   void send(Entry& entry, const PackagePtr& package);
 
-  /// False if this process does not show the package.
+  /// Sets when a package is published; returns false if this process does not publish it.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
-  /// From now on these of the shown packages are told whatever their modes, and no others.
+  /// From now on publishes exactly these packages for the recorder, if this process is responsible for them.
   void record(const std::set<std::string>& packages);
-  /// What this process shows on request, by name.
+  /// The packages that this process publishes on request, sorted by name.
   std::vector<const Entry*> shown() const;
-  /// Whether a mode of a package has run out since the last call.
+  /// Returns whether a package's mode has run out since the last call.
   bool takeModeChange();
 
  private:
   void put(Entry& entry, PackagePtr package);
+  /// Whether the package is to be published in this frame; counts a use of its mode.
   bool askedFor(Entry& entry);
 
   Process& process_;

@@ -12,9 +12,9 @@
 
 namespace robotlink {
 
-/// The debug process's two links to one process: its debug queues in, requests out. Packages may replace each
-/// other on their way, so queues are acknowledged, and requests are repeated until they are done. Used by the
-/// debug process's thread; only for this folder.
+/// The debug process's two links to one process: debug queues come in, requests go out. A newer package may
+/// replace an older one on a link, so queues are acknowledged and requests are repeated until they are done.
+/// Used by the debug process's thread; internal to this folder.
 class ProcessChannel {
  public:
   ProcessChannel(Process& debugProcess, const std::string& process)
@@ -23,22 +23,28 @@ class ProcessChannel {
         requests_(debugProcess, "debug/requests/" + process, Blocking::kNo) {}
 
   const std::string& process() const { return process_; }
-  /// What came for this frame; null if nothing did.
+  /// The queue that arrived for this frame; null if none did. Removes the requests that it confirms.
   std::shared_ptr<const robotcontrol::DebugQueue> takeQueue();
+  /// Enqueues a request; send() sends it.
   void add(const robotcontrol::Request& request) { pending_.push_back(request); }
-  /// What was never done.
+  /// Removes and returns the requests that were never done.
   std::vector<robotcontrol::Request> takePending();
-  /// Sends requests and acknowledgements if there are new ones.
+  /// Sends pending requests and acknowledgments, if anything is new.
   void send();
 
  private:
   std::string process_;
   Receiver<robotcontrol::DebugQueue> queue_;
   Sender<robotcontrol::RequestQueue> requests_;
-  std::deque<robotcontrol::Request> pending_;  // not yet done
-  std::uint64_t done_ = 0;                     // the number of the last request that is
-  std::uint64_t sent_ = 0;                     // the number of the last request that was sent
-  std::uint64_t taken_ = 0;                    // the number of the last queue
+  /// Not yet confirmed by the process.
+  std::deque<robotcontrol::Request> pending_;
+  /// Number of the last confirmed request; requests count from 1.
+  std::uint64_t done_ = 0;
+  /// Number of the last request sent.
+  std::uint64_t sent_ = 0;
+  /// Number of the last queue received.
+  std::uint64_t taken_ = 0;
+  /// Number of the last queue acknowledged.
   std::uint64_t acknowledged_ = 0;
 };
 

@@ -7,7 +7,8 @@ namespace robotlink {
 
 class Process;
 
-/// Writes what a process does and how its ends fare, but not its tasks, which it does not know. Any thread.
+/// Describes a process's state and its senders and receivers, but not its tasks, which it does not know. Any
+/// thread.
 void describe(const Process& process, robotcontrol::ProcessTable::Process& to);
 
 }  // namespace robotlink

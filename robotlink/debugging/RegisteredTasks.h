@@ -15,8 +15,8 @@ namespace robotlink {
 /// The catalog of all registered solutions, for layout checks.
 TaskCatalog registeredTasks();
 
-/// The packages of all registered solutions with their types, for those who make packages otherwise, from a
-/// log.
+/// The message types of the packages of all registered solutions, for code that creates packages from other
+/// sources, such as a log.
 std::map<std::string, const google::protobuf::Descriptor*> packageTypes();
 
 }  // namespace robotlink

@@ -72,7 +72,7 @@ std::string RequestPreview::setParameters(const TaskProcess& process,
   return reasonOf(entry->second.set(wish.value()));
 }
 
-/// The one that is meant, the task's active one if it is empty.
+/// The solution that is meant: the task's active one if `solution` is empty.
 std::string RequestPreview::solutionOf(const TaskProcess& process, const std::string& task,
                                        const std::string& solution) const {
   if (!solution.empty()) return solution;

@@ -19,31 +19,33 @@ namespace robotlink {
 class RobotProgram;
 class TaskProcess;
 
-/// The answers to requests that wait for a program's next frames, found without running or changing it: a
-/// simulation that is paused makes no frames, and who asks it for something need not wait until it goes on.
-/// When the frames come, the requests are done, and answered, as if nobody had looked, so that a run is the
-/// same with and without a preview.
+/// The results of requests that a program will process in its next frames, found without running or changing
+/// it: a paused simulation runs no frames, and the user should not have to wait until it continues. When the
+/// frames run, the requests are processed as if there had been no preview, so a run is the same with and
+/// without one.
 ///
-/// Made anew whenever the program has run; requests are added in the order in which the program was given
-/// them, and each sees what those before it will have changed. Only while no process of the program runs; the
-/// program must outlive it.
+/// Construct a new one whenever the program has run. Add requests in the order in which the program got them;
+/// each sees the changes of those before it. Only while no process of the program runs; the program must
+/// outlive it.
 class RequestPreview {
  public:
   explicit RequestPreview(RobotProgram& program) : program_(program) {}
 
-  /// Why the program will refuse it; empty if it will not.
+  /// The reason why the program will refuse a request; empty if it will not.
   std::string add(const robotcontrol::Request& request);
-  /// The same, with the answer in the queue; whether the program will do it.
+  /// The same, with the result in the queue; returns whether the program will do it.
   bool answer(const robotcontrol::Request& request);
-  /// The answers, the parameters that were asked for, and the tables if they are other ones; null: nothing.
+  /// The results, the requested parameters, and the tables if they have changed; null if there is nothing.
   std::shared_ptr<const robotcontrol::DebugQueue> takeQueue(Instant now);
 
  private:
   using TaskSolution = std::pair<std::string, std::string>;
+  /// The task process that a request goes to; null if the debug process handles it.
   const TaskProcess* processOf(const robotcontrol::Request& request) const;
   std::string addTo(const TaskProcess& process, const robotcontrol::Request& request);
   std::string selectSolution(const TaskProcess& process, const robotcontrol::SelectSolution& wish);
   std::string setParameters(const TaskProcess& process, const robotcontrol::SetParameters& wish);
+  /// The solution that a request means: `solution`, or the task's active one if it is empty.
   std::string solutionOf(const TaskProcess& process, const std::string& task,
                          const std::string& solution) const;
   void describeParameters(const robotcontrol::Request& request);
@@ -52,8 +54,11 @@ class RequestPreview {
   robotcontrol::DebugMessage& message(const std::string& path);
 
   RobotProgram& program_;
-  std::map<std::string, std::string> solutions_;           // chosen, by task
-  std::map<TaskSolution, SolutionParameters> parameters_;  // that were set
+  /// Selected by requests so far: task to solution.
+  std::map<std::string, std::string> solutions_;
+  /// Set by requests so far.
+  std::map<TaskSolution, SolutionParameters> parameters_;
+  // Modes set by requests so far, by name.
   std::map<std::string, robotcontrol::KeyMode> keys_;
   std::optional<robotcontrol::ColorTable> colorTable_;  // that was given, without its cells
   bool tablesAsked_ = false;

@@ -45,7 +45,7 @@ bool RequestedPackages::tellNews() {
 void RequestedPackages::tell(const std::string& name, const google::protobuf::Message& package) {
   if (const auto* image = dynamic_cast<const foxglove::RawImage*>(&package)) {
     robotcontrol::DebugMessage& message = debug_.add(name);
-    // It belongs to what was at that time, not to the frame in which it came here.
+    // The image belongs to the time at which it was taken, not to the frame in which it arrived here.
     *message.mutable_timestamp() = image->timestamp();
     *message.mutable_image() = *image;
   } else {

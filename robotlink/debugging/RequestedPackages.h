@@ -12,19 +12,22 @@ namespace robotlink {
 
 class DebugContext;
 
-/// The packages that a platform makes only while somebody receives them (Platform::onRequest()): received and
-/// told while their keys are on, and else not linked at all. Used by the debug process; only for this folder.
+/// The packages that a platform produces only while they are received (Platform::onRequest()): received and
+/// published while their keys are on, otherwise not linked at all. Used by the debug process; internal to
+/// this folder.
 class RequestedPackages {
  public:
   RequestedPackages(Process& process, DebugContext& debug) : process_(process), debug_(debug) {}
 
-  /// The sender must outlive this. Before the process runs.
+  /// The sender must outlive this object. Before the process runs.
   void add(AnySender& sender);
   bool has(const std::string& package) const { return packages_.contains(package); }
-  /// False if there is none of that name.
+  /// Sets when a package is published; returns false if there is none of that name.
   bool show(const std::string& package, const robotcontrol::KeyMode& mode);
-  /// Tells what came for this frame, with the times that images have. Whether a mode has run out.
+  /// Publishes the packages that arrived for this frame, images with their own timestamps. Returns whether a
+  /// mode has run out.
   bool tellNews();
+  /// Adds the keys of the packages to a table.
   void fillKeys(robotcontrol::KeyTable& to) const;
 
  private:
@@ -33,7 +36,9 @@ class RequestedPackages {
     std::unique_ptr<AnyReceiver> receiver;
     ModeCounter mode;
 
+    // True while its key is on.
     bool wanted() const { return mode.mode().kind() != robotcontrol::KeyMode::OFF; }
+    /// Connects or disconnects the receiver according to the mode.
     void link() const;
   };
   void tell(const std::string& name, const google::protobuf::Message& package);

@@ -72,12 +72,13 @@ tl::expected<std::unique_ptr<RobotProgram>, Errors> RobotProgram::create(RobotSe
   Errors errors = checkLayout(made.layout, made.catalog, packages);
   if (errors.empty()) errors = made.build(packages, platform.clock(), parameters);
   if (!errors.empty()) return tl::unexpected(std::move(errors));
-  // Nothing has touched the platform so far, so that another program on it goes on if this one is refused.
+  // The platform is untouched so far, so a program that already runs on it keeps running if this one is
+  // refused.
   made.connectPackages(platform, packages);
   made.connectDebugging();
   for (const Process* process : made.processes) made.debugProcess->watch(*process);
   made.debugProcess->watch(platform);
-  // What a task receives has its key in that task's process.
+  // The key of a package that a task receives belongs to that task's process.
   const auto links = layoutLinks(made.layout, made.catalog, packages);
   for (AnySender* sender : platform.onRequest()) {
     const auto isOfTask = [&](const LayoutLink& link) {

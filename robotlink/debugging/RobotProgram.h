@@ -13,19 +13,21 @@
 
 namespace robotlink {
 
-/// A process layout put on a platform: all of its processes, linked with each other and with the platform. An
-/// executor runs them.
+/// A process layout running on a platform: all of its processes, linked with each other and with the
+/// platform. An executor runs them.
 ///
-/// Built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys, solutions,
-/// processes) are sent to the debug listener after a SendTables request and whenever they change; STOP never
-/// passes through here.
+/// It is built as a whole or refused with all reasons. The platform must outlive it. Its tables (keys,
+/// solutions, processes) go to the debug listener after a SendTables request and whenever they change. STOP
+/// acts on the platform and does not depend on the program.
 ///
-/// create() touches the platform only when nothing can be refused any more, so that a program that runs on it
-/// goes on; from then on the platform obeys the new one. Executors must have let go of the processes
-/// (clear(), ThreadExecutor::stop()) before a program is destroyed; the platform may go on meanwhile, in
-/// another thread.
+/// create() touches the platform only when nothing can fail any more, so a program that already runs on it
+/// keeps running after a failure; on success, the platform's links change to the new program. Executors must
+/// have released the processes (clear(), ThreadExecutor::stop()) before a program is destroyed; the platform
+/// may keep running meanwhile, in another thread.
 class RobotProgram {
  public:
+  /// Fails with the errors of the layout, of parameter files and of solutions' constructors. `parameters` is
+  /// only used during the call.
   static tl::expected<std::unique_ptr<RobotProgram>, Errors> create(RobotSetup robot, Layout layout,
                                                                     Platform& platform,
                                                                     const ParameterSource& parameters);
@@ -33,20 +35,21 @@ class RobotProgram {
 
   const RobotSetup& robot() const;
   const Layout& layout() const;
-  /// In the order of the layout, the debug process among them.
+  /// In the order of the layout, including the debug process.
   const std::vector<Process*>& processes() const;
   DebugProcess& debugProcess();
 
-  /// The packages that its tasks yield: those of the platform and of the debug process are told by these.
+  /// All packages that its tasks yield, but not those of the platform or the debug process. Sorted.
   std::vector<std::string> yieldedPackages() const;
-  /// Before it runs: as if all processes had been asked by RecordPackages, from the first frame on.
+  /// Has the same effect as a RecordPackages request to all processes before the first frame. Before it runs.
   void recordPackages(const std::set<std::string>& packages);
-  /// Before it runs: modes of debug keys, of packages too, from the first frame on. Unknown ones are ignored.
+  /// Sets modes of debug keys, including those of packages, before the first frame. Unknown keys are ignored.
+  /// Before it runs.
   void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes);
-  /// What the solutions of all tasks have for parameters. Before it runs.
+  /// The parameters of all solutions of all tasks. Before it runs.
   std::vector<robotcontrol::ParameterValues> parameters() const;
 
-  /// Stops all processes; their links to the platform never hold it back from now on. Idempotent.
+  /// Stops all processes; the platform is never blocked by their links again. Idempotent.
   void stop();
 
  private:
@@ -55,7 +58,7 @@ class RobotProgram {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// The packages that every debug process offers: a person's wishes.
+/// The packages that every debug process sends on behalf of the user.
 std::vector<std::string> debugPackages();
 bool isDebugPackage(const std::string& package);
 

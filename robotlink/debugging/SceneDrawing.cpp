@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// SceneDrawing of Drawings.h: shapes as primitives of a foxglove.SceneEntity.
 #include "foxglove/Scene.pb.h"
 #include "robotlink/debugging/Primitives.h"
 #include "robotlink/debugging/Shapes.h"
@@ -29,8 +30,8 @@ LinePrimitive& addLines(foxglove::SceneEntity& to, LinePrimitive::Type type, Col
   return lines;
 }
 
-// The last list of lines if it looks the same, else a new one: a thousand lines of one colour are one
-// primitive.
+// Returns the last list of lines if it has the same style, otherwise a new one, so that a thousand lines of
+// one color become one primitive.
 LinePrimitive& lineList(foxglove::SceneEntity& to, Color color, double width) {
   if (to.lines_size() > 0) {
     LinePrimitive& last = *to.mutable_lines(to.lines_size() - 1);

@@ -22,7 +22,7 @@ bool inside(const Vector2& point, const Vector2& a, const Vector2& b, const Vect
   return cross(b - a, point - a) >= 0 && cross(c - b, point - b) >= 0 && cross(a - c, point - c) >= 0;
 }
 
-// The corners that are left, counter-clockwise.
+// The remaining corners, counter-clockwise.
 using Ring = std::vector<std::uint32_t>;
 
 bool isEar(std::span<const Vector2> corners, const Ring& ring, std::size_t i) {
@@ -44,7 +44,8 @@ bool isConvex(std::span<const Vector2> corners, const Ring& ring) {
     if (cross(one, next) < 0) return false;
     turned += std::atan2(cross(one, next), one.dot(next));
   }
-  return turned < 3 * kPi;  // once round, not a star
+  // Once around, not a star.
+  return turned < 3 * kPi;
 }
 
 }  // namespace
@@ -77,7 +78,7 @@ std::vector<std::uint32_t> triangulate(std::span<const Vector2> corners) {
   const bool convex = isConvex(corners, ring);
   std::size_t i = 0, misses = 0;
   for (std::size_t n = ring.size(); n > 2; n = ring.size()) {
-    // A polygon that crosses itself may have no ear left; cutting any corner ends it all the same.
+    // A polygon that crosses itself may have no ear left; then any corner is cut, so that the loop ends.
     if (convex || misses >= n || isEar(corners, ring, i % n)) {
       const std::size_t ear = convex ? 1 : i % n;
       triangles.insert(triangles.end(), {ring[(ear + n - 1) % n], ring[ear], ring[(ear + 1) % n]});

@@ -9,20 +9,22 @@
 
 namespace robotlink {
 
-// What drawings of images and of scenes have in common: curves as points, arrow heads, fills as triangles.
+// Geometry shared by drawings in images and in scenes: curves as points, arrow heads, fills as triangles.
 
-/// 32 points of an ellipse, evenly in its parameter. `angle`: of the first axis against the x-axis, towards
-/// the y-axis.
+/// Returns 32 points of an ellipse, evenly spaced in its parameter. `angle` is that of the first axis to the
+/// x-axis, towards the y-axis, rad.
 std::vector<Vector2> ellipsePoints(const Vector2& center, const Vector2& radii, double angle);
 
-/// The ends of the two strokes of an arrow's head at `to`.
+/// The ends of the two strokes of an arrow's head.
 struct ArrowHead {
   Vector2 left, right;
 };
+/// The head of an arrow from `from` to `to`, with strokes of that length.
 ArrowHead arrowHead(const Vector2& from, const Vector2& to, double length);
 
-/// Triangles, as triples of indices into `corners`, that fill a simple polygon of any orientation, convex or
-/// not (ear clipping). What crosses itself is filled somehow. Fewer than three corners have no area.
+/// Fills a simple polygon of either orientation, convex or not, with triangles (ear clipping); returns
+/// triples of indices into `corners`. A polygon that crosses itself is filled in some way. Empty for fewer
+/// than three corners.
 std::vector<std::uint32_t> triangulate(std::span<const Vector2> corners);
 
 }  // namespace robotlink

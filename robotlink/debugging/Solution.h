@@ -22,31 +22,35 @@ namespace robotlink {
 struct FieldDescription;
 struct GroundMap;
 
-/// A package as the tasks of one process see it. Its address stays the same as long as the process lives.
+/// A package as the tasks of a process see it. Its address is valid as long as the process lives.
 struct PackageSlot {
-  PackagePtr value;    ///< null before the first
-  bool isNew = false;  ///< it came in this frame
+  /// Null before the first package.
+  PackagePtr value;
+  /// It arrived since the task last ran.
+  bool isNew = false;
 };
 
-/// What a solution reads.
+/// A package that a solution reads. A handle; valid as long as the process lives.
 template <typename T>
 class Input {
  public:
   explicit Input(const PackageSlot& slot) : slot_(&slot) {}
-  /// Null if nobody has sent one yet.
+  /// Null before the first package. The cast is safe because packages have one type each.
   const T* get() const { return static_cast<const T*>(slot_->value.get()); }
   const T* operator->() const { return get(); }
+  // Only if get() is not null.
   const T& operator*() const { return *get(); }
   explicit operator bool() const { return get() != nullptr; }
-  /// It came in this frame.
+  /// Whether it arrived since the task last ran.
   bool isNew() const { return slot_->isNew; }
 
  private:
   const PackageSlot* slot_;
 };
 
-/// What a solution yields. What it sends is seen by the later tasks of its process at once and by other
-/// processes from then on; what it does not send in a frame stays as it was.
+/// A package that a solution yields. A package that was sent is seen at once by the later tasks of its
+/// process, and by other processes from then on. If nothing is sent in a frame, readers keep the previous
+/// package.
 template <typename T>
 class Output {
  public:
@@ -58,17 +62,19 @@ class Output {
   Send send_;
 };
 
-/// What every solution of a robot's program may know of the robot it runs on. Immutable.
+/// The properties of the robot that every solution may read. Immutable.
 struct RobotSetup {
   std::string name;  ///< "red1"
   std::string team;  ///< "red" or "blue"
   RobotDescription description;
   std::shared_ptr<const FieldDescription> field;
-  std::shared_ptr<const GroundMap> map = {};  ///< of the building that it drives in; null: it knows none
+  /// The map of the building that it drives in; null if it has none.
+  std::shared_ptr<const GroundMap> map = {};
 };
 
-/// What the constructor of a solution is given: its inputs and outputs, its parameters, its process's debug
-/// context.
+/// The environment of a solution, passed to its constructor: inputs and outputs, parameters, and the debug
+/// context of its process. It outlives the solution, which may keep a reference. Only for the process's
+/// thread.
 class SolutionContext {
  public:
   virtual ~SolutionContext() = default;
@@ -76,7 +82,7 @@ class SolutionContext {
   virtual const Clock& clock() const = 0;
   virtual DebugContext& debug() = 0;
 
-  /// Only packages that the solution's description names; anything else is a programming error.
+  /// Only packages that the solution's registration declares; any other throws std::logic_error.
   template <typename T>
   Input<T> input(Package<T> package) {
     return Input<T>(inputSlot(package.name));
@@ -85,7 +91,7 @@ class SolutionContext {
   Output<T> output(Package<T> package) {
     return Output<T>(outputSend(package.name));
   }
-  /// The solution's parameters; the reference stays valid and its contents change only between frames.
+  /// The solution's parameters. The reference stays valid; the contents change only between frames.
   template <typename P>
   const P& parameters() {
     return static_cast<const P&>(parameterMessage());
@@ -97,30 +103,38 @@ class SolutionContext {
   virtual const google::protobuf::Message& parameterMessage() = 0;
 };
 
-/// One way to do a task. Constructed when it is switched on, destroyed when it is switched off, so that it
-/// always starts from the same state. Runs in its process's thread. What it throws stops its process.
+/// One way to do a task. Constructed when it is selected and destroyed when another one is, so it always
+/// starts in the same state. Runs in its process's thread. An exception stops the process. Constructors must
+/// be free of side effects: they also run to check whether a solution can be selected.
 class Solution {
  public:
   virtual ~Solution() = default;
+  /// Called once a frame.
   virtual void execute() = 0;
 };
 
-/// What is known of a solution without running it.
+/// The registered properties of a solution, known without running it.
 struct SolutionDescription {
   std::string task;
   std::string name;
-  std::string help;  ///< a sentence: what it does and how
+  /// A sentence for users: what it does and how.
+  std::string help;
+  // Packages without which it cannot run.
   std::vector<std::string> required;
+  // Packages that it uses if they are offered.
   std::vector<std::string> optional;
+  // Packages that it may send.
   std::vector<std::string> outputs;
-  /// The types of all these packages, as functions: descriptors exist only after main() has started.
+  /// The types of all these packages, as functions because descriptors exist only after main() has started.
   std::map<std::string, const google::protobuf::Descriptor* (*)()> types;
-  std::vector<int> keys;                                  ///< indices of its debug keys
-  const google::protobuf::Message* parameters = nullptr;  ///< prototype; null if it has none
+  /// Indices of its debug keys.
+  std::vector<int> keys;
+  /// The prototype of its parameter message; null if it has none.
+  const google::protobuf::Message* parameters = nullptr;
   std::function<std::unique_ptr<Solution>(SolutionContext&)> create;
 };
 
-/// Registers a solution: one line beside its class, at namespace scope.
+/// Describes a solution for registration, one statement next to its class at namespace scope.
 ///
 ///     const SolutionRegistration kRegistration =
 ///         SolutionBuilder<ScanLineBallPerceptor>("ball-percept", "scan-lines", "Fits a circle to the ball's
@@ -138,28 +152,33 @@ class SolutionBuilder {
       return std::make_unique<S>(context);
     };
   }
+  /// Declares a package without which the solution cannot run.
   template <typename T>
   SolutionBuilder& needs(Package<T> package) {
     description_.required.emplace_back(package.name);
     description_.types[package.name] = &T::descriptor;
     return *this;
   }
+  /// Declares a package that the solution reads if it is offered.
   template <typename T>
   SolutionBuilder& uses(Package<T> package) {
     description_.optional.emplace_back(package.name);
     description_.types[package.name] = &T::descriptor;
     return *this;
   }
+  /// Declares a package that the solution sends.
   template <typename T>
   SolutionBuilder& yields(Package<T> package) {
     description_.outputs.emplace_back(package.name);
     description_.types[package.name] = &T::descriptor;
     return *this;
   }
+  /// Declares the debug keys of the solution; they must be constructed before, in the same file.
   SolutionBuilder& keys(std::initializer_list<const DebugKey*> keys) {
     for (const DebugKey* key : keys) description_.keys.push_back(key->index());
     return *this;
   }
+  /// Declares the message type of the solution's parameters.
   template <typename P>
   SolutionBuilder& parameters() {
     description_.parameters = &P::default_instance();
@@ -171,16 +190,17 @@ class SolutionBuilder {
   SolutionDescription description_;
 };
 
-/// All solutions of this program. Filled before main() starts, read-only after.
+/// All solutions of this program, sorted by task and name. Filled before main() starts, read-only afterwards.
 class SolutionRegistry {
  public:
   static const std::vector<SolutionDescription>& all();
+  /// Null if there is none.
   static const SolutionDescription* find(const std::string& task, const std::string& solution);
 };
 
-/// Registers a solution when it is constructed, at namespace scope. One that is registered twice, or that
-/// names keys of another file, which may not be constructed yet, ends the program at its start with a text
-/// that says so.
+/// Registers a solution when it is constructed, at namespace scope. A solution that is registered twice, or
+/// that names keys of another file (which may not be constructed yet), aborts the program at its start with a
+/// message.
 class SolutionRegistration {
  public:
   SolutionRegistration(SolutionDescription description);  // NOLINT: reads like a declaration
@@ -189,15 +209,16 @@ class SolutionRegistration {
       : SolutionRegistration(SolutionDescription(builder)) {}
 };
 
-/// What a task is for, in a sentence; one line in the file that lists the program's tasks.
+/// The purpose of a task in a sentence for users; all are listed in one file of the program.
 struct TaskDescription {
   std::string task;
   std::string help;
 };
 
-/// The tasks that were described, by name. Filled before main() starts, read-only after.
+/// The described tasks, sorted by name. Filled before main() starts, read-only afterwards.
 const std::vector<TaskDescription>& describedTasks();
 
+/// Registers a description when it is constructed, at namespace scope.
 class TaskRegistration {
  public:
   TaskRegistration(std::string task, std::string help);

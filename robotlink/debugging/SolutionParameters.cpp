@@ -36,8 +36,8 @@ class Collector final : public pb::io::ErrorCollector {
 
 bool isSound(const pb::Message& message, const pb::FieldDescriptor& field);
 
-/// The name of the first number that is infinite or none at all, or text that is not UTF-8; empty if there is
-/// none.
+/// Returns the name of the first field with a number that is not finite or with a text that is not UTF-8;
+/// empty if there is none.
 std::string firstUnsound(const pb::Message& message) {
   std::vector<const pb::FieldDescriptor*> fields;
   message.GetReflection()->ListFields(message, &fields);

@@ -13,20 +13,21 @@ namespace robotlink {
 
 struct SolutionDescription;
 
-/// Where the parameters of a program come from: files <task>.<solution>.textproto of a folder
-/// (resources/parameters/<robot>; it may be missing), and over them what was recorded.
+/// The sources of a program's parameters: files <task>.<solution>.textproto of a folder
+/// (resources/parameters/<robot>; it may be missing), overridden by recorded values.
 struct ParameterSource {
   std::filesystem::path folder = {};
-  std::vector<robotcontrol::ParameterValues> recorded = {};  ///< of solutions that are unknown: ignored
+  /// From a log; values of unknown solutions are ignored.
+  std::vector<robotcontrol::ParameterValues> recorded = {};
 };
 
 /// The parameters of one solution on one robot: the defaults of its message type, overwritten by a file in
-/// protobuf's text format if there is one. They are kept while the solution is switched off. The message's
-/// address never changes.
+/// protobuf's text format if there is one. They persist while another solution is active. The message's
+/// address never changes, even when this object is moved.
 class SolutionParameters {
  public:
-  /// `folder` may lack the file <task>.<solution>.textproto, or be missing itself. Fails with every error of
-  /// the file, each with its line and column.
+  /// The file <task>.<solution>.textproto or the whole folder may be missing. Fails with all errors of the
+  /// file, each with its line and column.
   static tl::expected<SolutionParameters, Errors> load(const SolutionDescription& solution,
                                                        const std::filesystem::path& folder);
   SolutionParameters(SolutionParameters&&) noexcept;
@@ -34,17 +35,19 @@ class SolutionParameters {
   ~SolutionParameters();
   SolutionParameters clone() const;
 
-  /// Null if the solution has none.
+  /// Null if the solution has no parameters.
   const google::protobuf::Message* message() const { return message_.get(); }
-  /// Fails, and changes nothing, if it has none, or if the value is of another type, damaged, or not finite.
+  /// Replaces the parameters. Fails without changing anything if there are none, or if the value has another
+  /// type, is damaged, or contains a number that is not finite or a text that is not UTF-8.
   Result<void> set(const robotcontrol::PackageCopy& value);
-  /// The value with its type's description, and what it was when it was loaded as the default.
+  /// Writes the current value, its schema, and as the default the value when it was loaded.
   void describe(robotcontrol::ParameterValues& to) const;
 
  private:
   explicit SolutionParameters(std::unique_ptr<google::protobuf::Message> message);
   std::unique_ptr<google::protobuf::Message> message_;
-  std::string defaults_;  // serialised
+  /// The value when it was loaded, serialized.
+  std::string defaults_;
 };
 
 }  // namespace robotlink

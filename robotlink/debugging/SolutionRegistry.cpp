@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// SolutionRegistry and SolutionRegistration of Solution.h.
 #include <algorithm>
 #include <cstdio>
 #include <cstdlib>

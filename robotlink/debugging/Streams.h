@@ -3,9 +3,8 @@
 
 namespace robotlink::streams {
 
-// Where what a robot tells goes, below the robot's name: the values of DebugMessage.path. All of them, their
-// types and who sends them stand in robotlink/session/STREAMS.md. A package that is asked for goes where its
-// name says.
+// The paths of a robot's messages, below its name: the values of DebugMessage.path. All streams with their
+// types and sources are listed in robotlink/session/STREAMS.md. The path of a requested package is its name.
 
 inline constexpr char kLog[] = "log";                        ///< foxglove.Log, of all processes
 inline constexpr char kKeys[] = "tables/keys";               ///< KeyTable, of all processes together
@@ -20,16 +19,16 @@ inline constexpr char kParameters[] = "parameters/";         ///< + task/solutio
 inline constexpr char kImages[] = "images/";                 ///< + key: foxglove.RawImage
 inline constexpr char kPlots[] = "plots/";                   ///< + key or key/curve: PlotValue
 inline constexpr char kImageDrawings[] = "drawings/image/";  ///< + key: foxglove.ImageAnnotations
-inline constexpr char kFieldDrawings[] =
-    "drawings/field/";  ///< + key: foxglove.SceneUpdate in the frame "field"
-inline constexpr char kRobotDrawings[] =
-    "drawings/robot/";                           ///< + key: foxglove.SceneUpdate in the robot's frame
+/// + key: foxglove.SceneUpdate in the frame "field"
+inline constexpr char kFieldDrawings[] = "drawings/field/";
+/// + key: foxglove.SceneUpdate in the robot's frame
+inline constexpr char kRobotDrawings[] = "drawings/robot/";
 inline constexpr char kProgram[] = "program";    ///< ProgramSetup
-inline constexpr char kRequests[] = "requests";  ///< Request, as it was handed in
-/// + package: as it was logged, where it is recomputed from a log
+inline constexpr char kRequests[] = "requests";  ///< Request, as it was enqueued
+/// + package: the logged version of a package that is recomputed from a log
 inline constexpr char kLogged[] = "logged/";
 
-// What belongs to the whole world, with no robot before it.
+// Streams of the whole world, without a robot's name.
 inline constexpr char kScene[] = "scene";            ///< foxglove.SceneUpdate
 inline constexpr char kTransforms[] = "transforms";  ///< foxglove.FrameTransforms
 inline constexpr char kSimulation[] = "simulation";  ///< SimulationStatus

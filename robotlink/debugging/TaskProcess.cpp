@@ -19,7 +19,7 @@ using robotcontrol::RequestQueue;
 
 namespace {
 
-// The only real time in a process: how long its tasks take.
+// The only real time in a process, for measuring its tasks.
 using Stopwatch = std::chrono::steady_clock;
 
 void addTime(robotcontrol::StopwatchTimes& times, const std::string& task, const std::string& solution,
@@ -75,15 +75,17 @@ struct TaskProcess::Implementation {
   AnyReceiver requests;
   AnySender queue;
   TaskRunners tasks;
-  std::uint64_t requestsDone = 0;  // the number of the last
+  // The number of the last one.
+  std::uint64_t requestsDone = 0;
   std::uint64_t queuesSent = 0;
   std::uint64_t queuesTaken = 0;
   bool keysChanged = true;
   bool solutionsChanged = true;
-  std::vector<int> limitedKeys;  // keys that are on for n times
+  // Keys that are on for n times.
+  std::vector<int> limitedKeys;
 };
 
-// ---- Making it
+// ---- Construction
 
 TaskProcess::TaskProcess(const Setup& setup, const Clock& clock)
     : Process(setup.process.name, clock),
@@ -193,7 +195,8 @@ void TaskProcess::execute() {
   try {
     self.runTasks();
   } catch (...) {
-    self.debug.endFrame();  // What the frame told before it failed helps to find out why.
+    // Messages sent before the failure help to find its cause.
+    self.debug.endFrame();
     self.sendQueue();
     throw;
   }
@@ -238,7 +241,7 @@ void TaskProcess::Implementation::sendTables() {
   }
 }
 
-/// Only after the last one arrived: a newer package would replace it.
+/// Sends a queue only after the previous one was acknowledged, because a newer package would replace it.
 void TaskProcess::Implementation::sendQueue() {
   if (queuesSent != queuesTaken || !debug.hasQueue() || !queue.connected()) return;
   const std::shared_ptr<DebugQueue> taken = debug.takeQueue();
@@ -255,7 +258,8 @@ void TaskProcess::Implementation::takeRequests() {
   queuesTaken = package.queues_taken();
   for (int i = 0; i < package.requests_size(); ++i) {
     const std::uint64_t number = package.first_number() + static_cast<std::uint64_t>(i);
-    if (number <= requestsDone) continue;  // It was in an earlier queue, too.
+    // It was in an earlier package, too.
+    if (number <= requestsDone) continue;
     handle(package.requests(i));
     requestsDone = number;
   }
@@ -280,12 +284,13 @@ void TaskProcess::Implementation::handle(const Request& request) {
       keysChanged = solutionsChanged = true;
       return;
     default:
-      return;  // The debug process sends no others.
+      // The debug process sends no other requests.
+      return;
   }
 }
 
-/// Keys of the code belong to all processes, so the debug process answers for them; a package's belongs to
-/// this one.
+/// Keys of the code belong to all processes, so the debug process answers for them; the key of a package
+/// belongs to the process that publishes it.
 void TaskProcess::Implementation::setKey(const Request& request) {
   const robotcontrol::SetKey& wish = request.set_key();
   keysChanged = true;
@@ -375,7 +380,8 @@ Result<void> TaskProcess::Implementation::setParameters(const robotcontrol::SetP
   const auto found = parametersOf(wish.task(), wish.solution());
   if (!found) return tl::unexpected(found.error());
   if (auto set = found->second->set(wish.value()); !set) return set;
-  return getParameters(wish.task(), wish.solution());  // Whoever shows them sees the new values.
+  // The new values go to everyone who displays them.
+  return getParameters(wish.task(), wish.solution());
 }
 
 void TaskProcess::Implementation::answer(const Request& request, const Result<void>& result) {

@@ -15,44 +15,49 @@
 
 namespace robotlink {
 
-/// A process of a layout: runs its tasks in order, each by the solution that is chosen for it.
+/// A process of a layout that runs its tasks in order, each with the solution that is selected for it.
 ///
-/// Requests (debug keys, solutions, parameters) arrive with the package "debug/requests/<process>" and take
-/// effect at the start of a frame, all at once; refusals name their reason. What the process tells leaves it
-/// as "debug/queue/<process>" whenever the last queue was taken. The setup must outlive it.
+/// Requests (debug keys, solutions, parameters) arrive with the package "debug/requests/<process>" and are
+/// applied together at the start of a frame; a refusal contains the reason. Debug messages leave it with the
+/// package "debug/queue/<process>" whenever the previous queue was acknowledged. The robot setup and the
+/// layout must outlive it.
 class TaskProcess final : public Process {
  public:
+  /// The arguments of create().
   struct Setup {
     const RobotSetup& robot;
     const Layout& layout;
     const Layout::Process& process;
     PlatformPackages platform;
-    const ParameterSource& parameters;  ///< looked at only while it is made
+    /// Only used during create().
+    const ParameterSource& parameters;
   };
 
-  /// Creates the default solutions of its tasks; fails if one cannot be created or its parameters cannot be
-  /// read.
+  /// Constructs the initial solutions of its tasks; fails if one cannot be constructed or its parameters
+  /// cannot be read.
   static tl::expected<std::unique_ptr<TaskProcess>, Errors> create(const Setup& setup, const Clock& clock);
   ~TaskProcess() override;
 
   DebugContext& debug();
-  /// Before it runs: as if it had been asked by RecordPackages, from the first frame on.
+  /// Has the same effect as a RecordPackages request before the first frame. Before it runs.
   void recordPackages(const std::set<std::string>& packages);
-  /// Before it runs: modes of debug keys, of packages too, from the first frame on. Unknown ones are ignored.
+  /// Sets modes of debug keys, including those of packages, before the first frame. Unknown keys are ignored.
+  /// Before it runs.
   void setKeys(const std::map<std::string, robotcontrol::KeyMode>& modes);
-  /// What all of its solutions have for parameters. Before it runs.
+  /// The parameters of all solutions of its tasks. Before it runs.
   std::vector<robotcontrol::ParameterValues> parameters() const;
-  /// Which solution a task uses now. Only while the process does not run, or from its own thread.
+  /// The solution that a task uses now. Only while the process does not run, or from its own thread.
   std::string activeSolution(const std::string& task) const;
 
-  // What it would do if it were asked, for those who must know before its next frame. Only while the process
-  // does not run.
-  /// Why a solution could not be switched to; nothing is switched.
+  // Previews of requests, for results that are needed before the next frame. Only while the process does not
+  // run.
+  /// Whether a solution can be selected; the error says why not. Constructs and destroys one, but changes
+  /// nothing.
   Result<void> trySolution(const std::string& task, const std::string& solution) const;
-  /// The parameters of a solution; of the active one if `solution` is empty. Null if there is no such task or
-  /// solution.
+  /// The parameters of a solution, or of the active one if `solution` is empty. Null if there is no such task
+  /// or solution.
   const SolutionParameters* solutionParameters(const std::string& task, const std::string& solution) const;
-  /// Its tables of keys and solutions, if tasks used these solutions instead of theirs.
+  /// The tables of keys and solutions as they would be if the solutions in `chosen` (by task) were active.
   void describe(const std::map<std::string, std::string>& chosen, robotcontrol::KeyTable& keys,
                 robotcontrol::SolutionTable& solutions) const;
 

@@ -22,8 +22,8 @@ bool contains(const std::vector<std::string>& list, const std::string& item) {
 
 }  // namespace
 
-/// What one solution's constructor is given. One that is only made to see whether it can be tells its debug
-/// texts to a context of its own and sends nothing.
+/// The context that is passed to a solution's constructor. A trial solution gets a debug context of its own
+/// and sends nothing.
 class TaskRunner::Context final : public SolutionContext {
  public:
   enum class Use { kRun, kTrial };
@@ -100,7 +100,7 @@ Errors TaskRunner::loadParameters(const ParameterSource& source) {
   return errors;
 }
 
-/// What a log holds of solutions or types that are gone does not matter any more.
+/// Recorded values of solutions or types that no longer exist are ignored.
 void TaskRunner::takeRecorded(const ParameterSource& source) {
   for (const robotcontrol::ParameterValues& values : source.recorded) {
     SolutionParameters* known = values.task() == task_ ? parameters(values.solution()) : nullptr;
@@ -108,7 +108,7 @@ void TaskRunner::takeRecorded(const ParameterSource& source) {
   }
 }
 
-/// A misspelt file would else never be read.
+/// Without this check, a file with a misspelled name would be ignored silently.
 Errors TaskRunner::filesOfNoSolution(const std::filesystem::path& folder) const {
   std::vector<std::string> known;
   for (const SolutionDescription* solution : solutions_) known.push_back(solution->name);

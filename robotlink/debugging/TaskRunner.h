@@ -13,16 +13,18 @@
 
 namespace robotlink {
 
-/// One task of a process: its solutions with their parameters, and the one that runs. A task sees a package
-/// as new if it came since the task ran last. Used by the process's thread; only for this folder.
+/// One task of a process: its solutions with their parameters, and the active one. A package is new to a task
+/// if it arrived since the task last ran. Used by the process's thread; internal to this folder.
 class TaskRunner {
  public:
+  /// The task's surroundings; everything referred to must outlive it.
   struct Environment {
     const RobotSetup& robot;
     const Clock& clock;
     DebugContext& debug;
     PackageBoard& board;
-    const std::set<std::string>& withheld;  // packages that its solutions keep to themselves
+    /// Packages that its solutions do not send to others.
+    const std::set<std::string>& withheld;
   };
 
   TaskRunner(std::string task, const Environment& environment);
@@ -37,19 +39,22 @@ class TaskRunner {
   SolutionParameters* parameters(const std::string& solution);
   const SolutionParameters* parameters(const std::string& solution) const;
 
+  /// Loads the parameters of all solutions. A file of an unknown solution is an error, too.
   Errors loadParameters(const ParameterSource& source);
-  /// Makes a new object of the solution and only then destroys the one before; if its constructor throws,
-  /// nothing changes.
+  /// Constructs the solution and only then destroys the previous one; if the constructor throws, nothing
+  /// changes.
   Result<void> select(const std::string& solution);
-  /// Whether select() would do it now: makes such an object, and destroys it without anybody having heard of
-  /// it.
+  /// Whether select() would succeed now: constructs a solution whose debug messages and packages go nowhere,
+  /// and destroys it.
   Result<void> trySolution(const std::string& solution) const;
+  /// Runs the active solution once; adds task and solution to the text of its exceptions.
   void execute();
 
  private:
   struct TaskInput {
     PackageBoard::Entry* entry;
-    std::uint64_t seen = 0;  // arrivals when the task ran last
+    /// The value of `arrivals` when the task last ran.
+    std::uint64_t seen = 0;
     PackageSlot slot;
   };
   class Context;
@@ -58,15 +63,19 @@ class TaskRunner {
   Result<std::unique_ptr<Solution>> make(const SolutionDescription& solution, Context& context) const;
   void takeRecorded(const ParameterSource& source);
   void refreshInputs();
+  /// Errors about parameter files whose solution does not exist, probably because of a typing error.
   Errors filesOfNoSolution(const std::filesystem::path& folder) const;
 
   const std::string task_;
   Environment environment_;
   std::vector<const SolutionDescription*> solutions_;
-  std::map<std::string, SolutionParameters> parameters_;  // by solution
-  std::map<std::string, TaskInput> inputs_;               // by package
+  /// By solution.
+  std::map<std::string, SolutionParameters> parameters_;
+  /// By package.
+  std::map<std::string, TaskInput> inputs_;
   std::string active_;
-  std::unique_ptr<Context> context_;  // outlives solution_
+  /// Declared before solution_ so that it outlives it.
+  std::unique_ptr<Context> context_;
   std::unique_ptr<Solution> solution_;
 };
 

@@ -10,7 +10,8 @@ const DebugKey kTimingKey{"timing/tasks", "How long each task took, in real time
 
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen) {
-  std::map<int, robotcontrol::KeyTable::Key> keys;  // by index
+  // By index.
+  std::map<int, robotcontrol::KeyTable::Key> keys;
   keys[kTimingKey.index()].set_in_use(true);
   for (const auto& task : tasks) {
     const auto other = chosen.find(task->task());

@@ -19,24 +19,24 @@ class SolutionTable;
 
 namespace robotlink {
 
-/// The stopwatches of all processes.
+/// The debug key of the stopwatches of all processes.
 extern const DebugKey kTimingKey;
 
 using TaskRunners = std::vector<std::unique_ptr<TaskRunner>>;
 
-/// The keys of all solutions of a process's tasks, those of packages that it shows on request, and the
-/// stopwatches'. `chosen`: solutions that tasks are to use from the next frame on, by task.
+/// Adds the keys of all solutions of a process's tasks, those of the packages that it publishes on request,
+/// and that of the stopwatches. `chosen` overrides the active solutions, by task.
 void fillKeyTable(const TaskRunners& tasks, const PackageBoard& board, const DebugContext& debug,
                   robotcontrol::KeyTable& to, const std::map<std::string, std::string>& chosen = {});
-/// The key of one package that is shown on request.
+/// Describes the key of one package that is published on request.
 void fillPackageKey(const std::string& package, const robotcontrol::KeyMode& mode,
                     robotcontrol::KeyTable_Key& to);
-/// The process's tasks with their solutions.
+/// Adds the process's tasks with their solutions, and why a solution is unavailable.
 void fillSolutionTable(const std::string& process, const TaskRunners& tasks, const Layout& layout,
                        const TaskCatalog& catalog, const PlatformPackages& platform,
                        robotcontrol::SolutionTable& to);
 
-/// Tasks that no process does, with all their solutions and why none can be chosen.
+/// Adds the tasks that no process runs, with all their solutions and why none can be selected.
 void addAbsentTasks(const std::vector<Layout::Absence>& absent, robotcontrol::SolutionTable& to);
 
 }  // namespace robotlink

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// compileMotions() of MotionNet.h: from motion files to a net of nodes.
 #include <algorithm>
 #include <map>
 
@@ -8,7 +9,8 @@
 namespace robotlink {
 namespace {
 
-/// Two passes: the first finds motions and labels and gives nodes their numbers, the second makes the nodes.
+/// Compiles in two passes: the first finds motions and labels and numbers the nodes, the second creates the
+/// nodes.
 class Compiler {
  public:
   Compiler(std::span<const MotionFile> files, const std::vector<std::string>& joints)
@@ -68,7 +70,7 @@ class Compiler {
     }
   }
 
-  /// Column of the file for each joint of the robot, -1 for none.
+  /// For each joint of the robot the column of the file; -1 if there is none.
   std::vector<int> columns(const MotionFile& file) {
     std::vector<int> result(net_->joints.size(), -1);
     for (std::size_t i = 0; i < result.size() && !file.hasJointHeader; ++i) result[i] = static_cast<int>(i);

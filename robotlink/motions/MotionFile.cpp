@@ -31,7 +31,7 @@ class MotionText {
 
  private:
   static std::string number(double value) {
-    // The shortest text that a thousandth of a unit needs; servos resolve far less.
+    // The shortest text that is exact to a thousandth of a unit; servos are far less precise.
     const double rounded = std::round(value * 1e6) / 1e6;
     char buffer[32];
     const auto end = std::to_chars(buffer, buffer + sizeof buffer, rounded == 0 ? 0.0 : rounded).ptr;

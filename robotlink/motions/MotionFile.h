@@ -10,8 +10,7 @@
 
 namespace robotlink {
 
-/// What a key frame says about one joint: an angle, nothing (`*` or `~`), or that it shall be let loose
-/// (`-`).
+/// The entry of a key frame for one joint: an angle, no change (`*` or `~`), or release the joint (`-`).
 struct JointValue {
   enum class Kind { kAngle, kKeep, kRelease };
   Kind kind = Kind::kKeep;
@@ -19,21 +18,21 @@ struct JointValue {
   bool operator==(const JointValue&) const = default;
 };
 
-/// `label NAME`: where transitions lead to.
+/// `label NAME`: a target of transitions.
 struct MotionLabel {
   std::string name;
   bool operator==(const MotionLabel&) const = default;
 };
 
-/// `transition REQUEST MOTION LABEL`: go there if REQUEST is what is wanted ("allMotions": always).
+/// `transition REQUEST MOTION LABEL`: continue at that label if REQUEST is the requested motion
+/// ("allMotions": always).
 struct MotionTransition {
   std::string request, motion, label;
   bool operator==(const MotionTransition&) const = default;
 };
 
-/// A data line: angles to be reached, and in how much time. Interpolation 0 jumps and then holds for the
-/// duration, 1 is linear, 2 and 3 are their de-shaken forms: here an interpolation that starts and ends
-/// softly.
+/// A data line: the joint angles to reach, and how long to take. Interpolation 0 jumps and then holds for the
+/// duration, 1 is linear, 2 and 3 start and end softly (in the original they remove shaking).
 struct KeyFrame {
   std::vector<JointValue> joints;
   int interpolation = 1;
@@ -41,43 +40,51 @@ struct KeyFrame {
   bool operator==(const KeyFrame&) const = default;
 };
 
-/// `hardness V... TIME`: share of the torque of each joint, 0 to 1, nothing for `*` (all of it); it changes
-/// over TIME while the following lines are already played.
+/// `hardness V... TIME`: the share of each joint's torque, 0 to 1; nothing for `*` means full torque. It is
+/// interpolated over TIME while the following lines are already being played.
 struct MotionHardness {
   std::vector<std::optional<double>> shares;
   Duration duration{};
   bool operator==(const MotionHardness&) const = default;
 };
 
-/// An empty line, or one with nothing but a comment.
+/// An empty line, or one that holds only a comment.
 struct MotionRemark {
   bool operator==(const MotionRemark&) const = default;
 };
 
 using MotionStatement = std::variant<MotionRemark, MotionLabel, MotionTransition, KeyFrame, MotionHardness>;
 
+/// One line of a motion file.
 struct MotionLine {
   MotionStatement statement;
-  std::string comment;  ///< from its `"` or `//` on; empty if there is none
-  int number = 0;       ///< in the file, from 1; 0 if it was never in a file
+  /// Includes the leading `"` or `//`; empty if there is none.
+  std::string comment;
+  /// Line number in the file, from 1; 0 if the line was never in a file.
+  int number = 0;
   bool operator==(const MotionLine&) const = default;
 };
 
-/// A key-frame motion as its text (`.mof`) says it, one object a line: what an editor edits and
-/// MotionCompiler compiles.
+/// A key-frame motion as written in its text (`.mof`), one object a line: what an editor edits and what
+/// compileMotions() compiles. See robotlink/motions/MOTIONS.md.
 ///
-/// Angles are rad whatever the text's unit. Values only; knows nothing of other files, so labels are not
-/// checked here. The header (`motion_id`, and our own `joints`, `units`, `time`) is not among the lines.
+/// Angles are in rad whatever the unit in the text. A plain value that knows no other files, so labels are
+/// not checked here. The header lines (`motion_id`, and our own `joints`, `units`, `time`) are not in
+/// `lines`.
 struct MotionFile {
   enum class AngleUnit { kDegrees, kMilliradians };
   enum class TimeUnit { kMilliseconds, kTicks };
 
-  std::string path;  ///< for messages
-  std::string name;  ///< motion_id
-  /// Which joint each column is. Empty: as the caller of the reader said, or merely counted.
+  /// Only for error messages.
+  std::string path;
+  /// From the header line motion_id.
+  std::string name;
+  /// The joint of each column. Empty: the joints given to the reader, or merely counted.
   std::vector<std::string> joints;
+  /// Whether the file itself names the columns, and in which line.
   bool hasJointHeader = false;
   int jointHeaderLine = 0;
+  /// The units of numbers in the text; writeMotion() keeps them.
   AngleUnit angleUnit = AngleUnit::kDegrees;
   TimeUnit timeUnit = TimeUnit::kMilliseconds;
   std::vector<MotionLine> lines;
@@ -85,10 +92,10 @@ struct MotionFile {
   bool operator==(const MotionFile&) const = default;
 };
 
-/// A tick of robots of 2002: one frame of joint angles.
+/// The tick of the robots of 2002: one frame of joint angles.
 inline constexpr Duration kMotionTick = std::chrono::milliseconds(8);
 
-/// The text of a motion; reading it gives the same object, apart from line numbers.
+/// Returns the text of a motion. Reading it yields an equal object, except for line numbers.
 std::string writeMotion(const MotionFile& motion);
 
 }  // namespace robotlink

@@ -14,49 +14,57 @@
 
 namespace robotlink {
 
-/// A transition whose names are resolved.
+/// A transition with its names resolved to indices.
 struct MotionJump {
   static constexpr int kAllMotions = -1;
-  int request = kAllMotions;  ///< index of a motion
-  int target = 0;             ///< index of a node
+  /// Index into MotionNet::motions, or kAllMotions.
+  int request = kAllMotions;
+  /// Index into MotionNet::nodes.
+  int target = 0;
 };
 
-/// All motions of a robot, compiled: labels are node numbers, columns are the robot's joints. What a
-/// MotionPlayer plays.
+/// All motions of a robot, compiled: labels are node numbers, columns are the robot's joints. A MotionPlayer
+/// plays it.
 ///
-/// Made by compileMotions() and immutable after that; any number of players on any threads share one.
-/// The motion "extern" is the entry table: a request is looked up from its label "start" on, and every other
-/// motion comes back to it at its end.
+/// Built by compileMotions() and immutable from then on; any number of players in any threads share one. The
+/// motion "extern" is the entry table: a request is looked up from its label "start" on, and every other
+/// motion returns to it at its end.
 struct MotionNet {
   static constexpr const char* kEntryName = "extern";
 
   using Transition = MotionJump;
   using Step = std::variant<Transition, KeyFrame, MotionHardness>;
+  /// One line of a motion; playing continues with the next node unless a transition is taken.
   struct Node {
     Step step;
-    int motion = 0;  ///< which one it belongs to
-    int line = 0;    ///< of that motion's file
+    /// Index of the motion that the node belongs to.
+    int motion = 0;
+    /// Line in that motion's file.
+    int line = 0;
   };
 
+  /// Names, in the order of angles and shares.
   std::vector<std::string> joints;
+  /// Names, in the order of the files.
   std::vector<std::string> motions;
   std::vector<Node> nodes;
-  int entry = 0;  ///< the node at extern's start
+  /// The node at the label "start" of the motion "extern".
+  int entry = 0;
 
-  /// Index of a motion, or -1.
+  /// The index of a motion; -1 if there is none of that name.
   int find(std::string_view motion) const;
-  /// The motions that can be asked for, those in the entry table, in its order.
+  /// The motions that can be requested: those in the entry table, in its order.
   std::vector<std::string> requestable() const;
 };
 
-/// Compiles files to a net for a robot's joints. Columns that a file names are sought by name, others by
-/// position. Checks what no file alone can: unknown motions, labels and joints, duplicates, lines that can
-/// never be reached, motions that do not end in a transition, a missing extern.mof. All errors are returned,
-/// with file and line.
+/// Compiles files into a net for a robot's joints. Columns that a file names are matched by name, others by
+/// position. Checks what no file alone can: unknown motions, labels and joints, duplicates, unreachable
+/// lines, motions that do not end in a transition, a missing extern.mof. Returns all errors, each with file
+/// and line.
 tl::expected<std::shared_ptr<const MotionNet>, Errors> compileMotions(std::span<const MotionFile> files,
                                                                       const std::vector<std::string>& joints);
 
-/// Reads and compiles every .mof of a folder.
+/// Reads and compiles all .mof files of a folder.
 tl::expected<std::shared_ptr<const MotionNet>, Errors> loadMotions(const std::filesystem::path& folder,
                                                                    const std::vector<std::string>& joints);
 

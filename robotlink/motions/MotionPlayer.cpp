@@ -8,7 +8,7 @@
 namespace robotlink {
 namespace {
 
-/// How much of a key frame's way is done at a share of its time.
+/// The progress of a key frame, 0 to 1, after a fraction of its time.
 double progress(int interpolation, double share) {
   if (interpolation == 0) return 1;
   return interpolation == 1 ? share : 0.5 - 0.5 * std::cos(kPi * share);
@@ -76,7 +76,7 @@ void MotionPlayer::advance(Duration frame) {
   if (!finished_) run();
 }
 
-/// Plays until the frame's time is used up. A ring of transitions without a key frame ends it too.
+/// Plays until the time of the frame is used up. Also ends in a cycle of transitions without a key frame.
 void MotionPlayer::run() {
   for (std::size_t jumps = 0; jumps <= net_->nodes.size();) {
     if (frame_) {
@@ -94,7 +94,7 @@ void MotionPlayer::run() {
   }
 }
 
-/// False if there is nothing more to play.
+/// Returns false if there is nothing more to play.
 bool MotionPlayer::step(const MotionNet::Node& node) {
   if (const auto* transition = std::get_if<MotionNet::Transition>(&node.step)) return take(node, *transition);
   if (const auto* hardness = std::get_if<MotionHardness>(&node.step)) {
@@ -111,7 +111,7 @@ bool MotionPlayer::take(const MotionNet::Node& node, const MotionNet::Transition
   const bool matches = transition.request == requested_;
   const bool taken = matches || transition.request == MotionJump::kAllMotions;
   const bool again = inTable && matches && repeat_ == Repeat::kOnce && played_ == requested_;
-  // The table's last line leads back to its start: nothing that it knows is asked for.
+  // The last line of the table leads back to its start: no motion of the table is requested.
   finished_ = again || (taken && inTable && transition.target == net_->entry);
   if (inTable && matches) played_ = requested_;
   node_ = taken ? static_cast<std::size_t>(transition.target) : node_ + 1;

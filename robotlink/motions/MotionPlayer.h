@@ -7,36 +7,38 @@
 
 namespace robotlink {
 
-/// Plays the motions of a net: a request in, angles and torques of all joints out, one frame at a time.
+/// Plays the motions of a net: a request goes in, and angles and torques of all joints come out, one frame at
+/// a time.
 ///
-/// A request takes effect where the motion that is being played allows it: at its transitions. A motion that
-/// is asked for all the time is played again and again; clear() lets it run to its end, then finished() is
-/// true and the last angles are kept. A pure function of the calls: no clock. One thread at a time. Angles in
-/// rad, in the net's order of joints.
+/// A request takes effect where the motion being played allows it: at its transitions. A requested motion is
+/// repeated until clear() is called or another one is requested, or is played once (Repeat::kOnce). When the
+/// last motion has ended, finished() is true and the last angles are kept. The state depends only on the
+/// calls: there is no clock. One thread at a time. Angles in rad, in the net's order of joints.
 class MotionPlayer {
  public:
   explicit MotionPlayer(std::shared_ptr<const MotionNet> net);
 
-  /// Takes over from somebody else: the joints are at these angles, and nothing is being played.
+  /// Begins at these joint angles, with nothing requested; call it after another source has moved the joints.
   void start(std::span<const double> angles);
-  /// What shall be played. False if the net has no such motion; then nothing changes.
+  /// kOnce plays the motion a single time and then finishes.
   enum class Repeat { kForever, kOnce };
+  /// Requests a motion. Returns false, changing nothing, if the net has no motion of that name.
   bool request(std::string_view motion, Repeat repeat = Repeat::kForever);
-  /// Nothing shall be played any more.
+  /// Withdraws the request: the current motion plays to its end.
   void clear() { requested_ = none_; }
 
-  /// One frame on. Afterwards angles() and shares() are what the servos shall do.
+  /// Advances by one frame. Afterwards angles() and shares() are the commands for the servos.
   void advance(Duration frame);
 
-  /// Whether all that was asked for has been played.
+  /// Whether everything that was requested has been played.
   bool finished() const { return finished_; }
   std::span<const double> angles() const { return angles_; }
-  /// Share of the torque of each joint, 0 to 1; 0 for those that are let loose.
+  /// The share of each joint's torque, 0 to 1; 0 for released joints.
   std::span<const double> shares() const { return shares_; }
-  /// Whether a key frame has said something about a joint since start(); the others are free for somebody
+  /// Whether a key frame has set or released this joint since start(); other joints may be moved by something
   /// else.
   bool moves(std::size_t joint) const { return moved_[joint]; }
-  /// The motion that is being played, "" if none; and the line of its file.
+  /// The motion being played, "" if there is none, and the current line in its file.
   std::string motion() const;
   int line() const;
 
@@ -50,18 +52,25 @@ class MotionPlayer {
   void setShares();
 
   std::shared_ptr<const MotionNet> net_;
-  int none_;  ///< the request for nothing: the entry table itself
+  /// The index of the entry table, which as a request means "nothing".
+  int none_;
   int requested_;
-  int played_;  ///< what the entry table was last left for
+  /// The request for which the entry table was last left.
+  int played_;
   Repeat repeat_ = Repeat::kForever;
   std::size_t node_;
   bool finished_ = true;
-  const KeyFrame* frame_ = nullptr;  ///< of net_; null between frames
+  /// The key frame being played, in net_; null between frames.
+  const KeyFrame* frame_ = nullptr;
   Duration elapsed_{};
-  Duration left_{};  ///< of the time given to advance()
+  /// The part of advance()'s time that is not yet used.
+  Duration left_{};
+  /// Angles at the start of the key frame, and now.
   std::vector<double> from_, angles_;
-  const MotionHardness* hardness_ = nullptr;  ///< of net_
+  /// The last hardness line, in net_; null before the first.
+  const MotionHardness* hardness_ = nullptr;
   Duration hardnessElapsed_{};
+  /// Torque shares at the start of the hardness line, now, and now with released joints at 0.
   std::vector<double> hardnessFrom_, hardnessNow_, shares_;
   std::vector<bool> released_, moved_;
 };

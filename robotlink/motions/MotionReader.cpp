@@ -194,7 +194,7 @@ class Reader {
                             std::string(words[3].text)};
   }
 
-  /// True if a line has one value a joint and `more` numbers after them.
+  /// Whether a line has one value per joint and `more` numbers after them.
   bool checkColumns(const std::vector<Token>& words, std::size_t first, std::size_t more) {
     const std::size_t values = words.size() < first + more ? 0 : words.size() - first - more;
     if (columns_ == 0) columns_ = values;

@@ -9,20 +9,20 @@
 
 namespace robotlink {
 
-/// The limits of the robots' motion compilers.
+/// Limits of the robots' original motion compilers.
 inline constexpr int kMaximumMotionFiles = 500;
 inline constexpr int kMaximumMotionLines = 32000;
 inline constexpr int kMaximumMotionLabels = 5000;
-/// Largest angle of a data line, either way.
+/// The largest angle of a data line in either direction.
 inline constexpr double kMaximumMotionDegrees = 210;
 
-/// Reads the text of a motion (`.mof`): `motion_id = NAME`, `label`, `transition`, `hardness` and data lines,
-/// comments from `"` or `//` to the end of the line.
+/// Reads the text of a motion (`.mof`): `motion_id = NAME`, `label`, `transition`, `hardness` and data lines;
+/// comments extend from `"` or `//` to the end of the line.
 ///
-/// Three more header lines are our own; real files lack them: `joints = NAME...` names the columns, `units =
-/// deg|mrad` and `time = ms|ticks` say what numbers mean (degrees and milliseconds without them). Without
-/// `joints` the columns are `joints` given here, or, if that is empty, as many as the first data line has.
-/// Any text is answered: by a motion, or by all its errors with file, line and column. Ids begin with
+/// Three more header lines are our own and absent from original files: `joints = NAME...` names the columns,
+/// `units = deg|mrad` and `time = ms|ticks` set the units (default: degrees and milliseconds). Without
+/// `joints` the columns are the argument `joints` or, if that is empty, as many as the first data line has.
+/// Never crashes on any text: returns a motion or all errors with file, line and column. Ids begin with
 /// "motion.".
 tl::expected<MotionFile, Errors> readMotion(std::string_view text, const std::string& path,
                                             const std::vector<std::string>& joints = {});

@@ -9,8 +9,9 @@ class MessageLite;
 
 namespace robotlink {
 
-/// Tells whether two programs hold the same value: FNV-1a (64 bits) over the serialised message, never 0. The
-/// same on all machines, as packages have no map fields.
+/// A fingerprint by which two programs can check that they hold the same value: FNV-1a (64 bits) over the
+/// serialized message, never 0. The same on all machines, because packages have no map fields. Cost: one
+/// serialization.
 std::uint64_t checksum(const google::protobuf::MessageLite& message);
 
 }  // namespace robotlink

@@ -20,8 +20,8 @@ void assign(google::protobuf::Timestamp& to, Instant from) {
 }
 
 Instant instant(const google::protobuf::Timestamp& from) {
-  // Less than half of what fits, so that neither this nor the difference of two overflows, whatever a link
-  // delivers.
+  // Less than half of what fits, so that neither the result nor the difference of two results overflows,
+  // whatever a link delivers.
   constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 2 / 1'000'000'000 - 10;
   const std::int64_t whole = std::clamp<std::int64_t>(from.seconds(), -kMaxSeconds, kMaxSeconds);
   return Instant(std::chrono::seconds(whole) + Duration(from.nanos()));

@@ -9,12 +9,12 @@ class GroundMap;
 
 namespace robotlink {
 
-/// Writes everything but resolution, notes and the time, which is the sender's to set. Points become floats,
-/// which keeps a building's to some micrometres.
+/// Writes everything except resolution, notes and the timestamp, which the sender sets. Points become floats,
+/// which is exact to some micrometers within a building.
 void assign(robotcontrol::GroundMap& to, const GroundMap& from);
 
-/// The map of a package, with the default resolution. Whatever a link delivers is a map: a place of a kind
-/// that is not known is one of the kind kOther, half a point is left out, and so is what is not finite.
+/// Reads the map of a package, with the default resolution. It never fails: places of an unknown kind become
+/// kOther; an incomplete point, and lines, points and places that are not finite, are dropped.
 GroundMap groundMap(const robotcontrol::GroundMap& from);
 
 }  // namespace robotlink

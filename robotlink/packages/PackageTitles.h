@@ -5,11 +5,12 @@
 
 namespace robotlink {
 
-/// A package for people who do not know the code: "joint angles (joints/states)"; the name alone of one that
-/// is not known here.
+/// The name of a package for users: "joint angles (joints/states)"; the bare name if the package is unknown
+/// here.
 std::string packageTitle(const std::string& package);
 
-/// Why a task that needs a package cannot run: neither the platform nor another task yields it.
+/// The reason that a task cannot run for lack of a package: neither the platform nor another task provides
+/// it.
 std::string notProvided(const std::string& package);
 
 }  // namespace robotlink

@@ -37,50 +37,78 @@ class SonarReadings;
 
 namespace robotlink {
 
-/// The name of a package with its type. A package's stream in the workbench is robot + "/" + name.
+/// The name of a package together with its message type, so that senders and receivers of a package agree at
+/// compile time. The package's stream in the workbench is robot + "/" + name.
 template <typename T>
 struct Package {
   const char* name;
 };
 
-// What a robot's platform offers...
+// Packages that a robot's platform sends.
+/// Images of the robot's camera, in one of the encodings of PixelFormat.
 inline constexpr Package<foxglove::RawImage> kCameraImage{"camera/image"};
+/// Joint angles in rad, each with the name of its joint.
 inline constexpr Package<foxglove::JointStates> kJointStates{"joints/states"};
+/// Acceleration, distance and paw contacts of a legged robot.
 inline constexpr Package<robotcontrol::BodySensors> kBodySensors{"body/sensors"};
+/// Further readings of the body, each with a name and a unit, such as the battery's level.
 inline constexpr Package<robotcontrol::BodyReadings> kBodyReadings{"body/readings"};
+/// Ground truth of the simulator: robots, ball and other objects in the field frame.
 inline constexpr Package<robotcontrol::OracleWorld> kOracleWorld{"oracle/world"};
-/// What each pixel of camera/image truly shows: mono8, on request only; numbers as in STREAMS.md.
+/// The true color class of each pixel of camera/image: mono8, sent only on request; the numbers are listed in
+/// STREAMS.md.
 inline constexpr Package<foxglove::RawImage> kOracleClasses{"oracle/classes"};
+/// Odometry, speed and state of a robot on wheels.
 inline constexpr Package<robotcontrol::DriveState> kDriveState{"drive/state"};
+/// Ranges of the sonars measured since the last package, m.
 inline constexpr Package<robotcontrol::SonarReadings> kSonar{"range/sonar"};
+/// A scan of the laser range finder.
 inline constexpr Package<foxglove::LaserScan> kLaser{"range/laser"};
-/// How the line to the robot does, and on request what goes over it.
+/// The state of the connection to the robot; link/packets holds its decoded packets, sent only on request.
 inline constexpr Package<robotcontrol::LinkStatus> kLinkStatus{"link/status"};
 inline constexpr Package<robotcontrol::LinkPackets> kLinkPackets{"link/packets"};
-// ...and takes.
+// Packages that a robot's platform receives.
+/// Angles, in rad, and stiffness for the servos.
 inline constexpr Package<robotcontrol::JointRequest> kJointRequest{"joints/request"};
+/// Speeds for the motors, after obstacle avoidance.
 inline constexpr Package<robotcontrol::DriveRequest> kDriveRequest{"drive/request"};
 
-// What the debug process offers: a person's wishes.
+// Packages that the debug process sends on behalf of the user.
+/// A motion that the user requests by manual control.
 inline constexpr Package<robotcontrol::RemoteMotion> kRemoteMotion{"remote/motion"};
+/// A color table that the user has sent; empty cells remove it.
 inline constexpr Package<robotcontrol::ColorTable> kColorTable{"colors/table"};
+/// A pose in the field that the user wants the robot to reach.
 inline constexpr Package<robotcontrol::DriveGoal> kDriveGoal{"remote/goal"};
 
-// What the tasks of the robot program exchange.
+// Packages that tasks of the robot program exchange.
+/// Pose and opening angles of the camera, computed from the joints.
 inline constexpr Package<robotcontrol::CameraPose> kCameraPose{"camera/pose"};
+/// Regions of color classes in an image.
 inline constexpr Package<robotcontrol::ColorRegions> kColorRegions{"percepts/regions"};
+/// Position of the ball as seen in one image.
 inline constexpr Package<robotcontrol::BallPercept> kBallPercept{"percepts/ball"};
+/// Landmarks (beacons, goals) seen in one image.
 inline constexpr Package<robotcontrol::LandmarkPercepts> kLandmarkPercepts{"percepts/landmarks"};
+/// Other robots seen in one image.
 inline constexpr Package<robotcontrol::RobotPercepts> kRobotPercepts{"percepts/robots"};
+/// Filtered position and velocity of the ball.
 inline constexpr Package<robotcontrol::BallModel> kBallModel{"models/ball"};
+/// The estimate of the robot's own pose in the field.
 inline constexpr Package<robotcontrol::RobotPose> kRobotPose{"models/pose"};
+/// Tracked positions of the other robots.
 inline constexpr Package<robotcontrol::PlayersModel> kPlayersModel{"models/players"};
+/// The requested gait, speed or special motion of a legged robot.
 inline constexpr Package<robotcontrol::MotionRequest> kMotionRequest{"behavior/motion"};
+/// What the head shall look at.
 inline constexpr Package<robotcontrol::HeadMode> kHeadMode{"behavior/head"};
+/// Angles for the joints of the head.
 inline constexpr Package<robotcontrol::HeadRequest> kHeadRequest{"motion/head"};
+/// The motion that is being executed, and the odometry.
 inline constexpr Package<robotcontrol::MotionStatus> kMotionStatus{"motion/status"};
+/// The path to the goal that was planned.
 inline constexpr Package<robotcontrol::DrivePath> kDrivePath{"models/path"};
-/// What the behaviour of a robot on wheels would like, before obstacles are avoided.
+/// The speeds that the behavior of a robot on wheels requests, before obstacle avoidance.
 inline constexpr Package<robotcontrol::DriveRequest> kDriveWish{"behavior/drive"};
 
 }  // namespace robotlink

@@ -9,8 +9,8 @@ class Descriptor;
 
 namespace robotlink {
 
-/// What a reader that does not know a type needs to read its messages: a serialised FileDescriptorSet of its
-/// file and all that this imports, imports first.
+/// The schema that a reader without this program's types needs to decode the messages of `type`: a serialized
+/// FileDescriptorSet of its file and everything that it imports, imports first. Log files store it.
 std::string schemaOf(const google::protobuf::Descriptor& type);
 
 }  // namespace robotlink

@@ -9,8 +9,9 @@ namespace robotlink {
 class AnyReceiver;
 class AnySender;
 
-/// What receivers and senders know of the process that owns them: its name, how to wake it, and the lists in
-/// which they enter themselves when they are made. Ends are made before the process runs, by one thread.
+/// The part of a process that its receivers and senders know: its name, how to wake it, and the lists in
+/// which they register themselves when they are constructed. Ends are constructed before the process runs, by
+/// one thread, and live as long as the process.
 class EndOwner {
  public:
   explicit EndOwner(std::string name) : name_(std::move(name)) {}
@@ -19,15 +20,17 @@ class EndOwner {
   EndOwner& operator=(const EndOwner&) = delete;
 
   const std::string& name() const { return name_; }
-  /// Makes it look for new packages. Any thread.
+  /// Makes the process look for new packages. Any thread.
   virtual void wake() = 0;
 
+  /// In the order of construction.
   const std::vector<AnyReceiver*>& receivers() const { return receivers_; }
   const std::vector<AnySender*>& senders() const { return senders_; }
 
  private:
   friend class AnyReceiver;
   friend class AnySender;
+  // Called by the constructors of ends, which are members of the process or of its parts.
   void add(AnyReceiver& receiver) { receivers_.push_back(&receiver); }
   void add(AnySender& sender) { senders_.push_back(&sender); }
 

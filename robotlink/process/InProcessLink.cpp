@@ -24,7 +24,7 @@ PackagePtr InProcessLink::take() {
   inbox_ = nullptr;
   filled_.store(false, std::memory_order_release);
   if (!pending_) return newest;
-  // Having taken the first, the receiver asks, is given the second, and takes that, too.
+  // After taking the first package, the receiver is ready for the second and takes that, too.
   newest = std::move(pending_);
   pending_ = nullptr;
   kept_.store(false, std::memory_order_release);

@@ -9,8 +9,9 @@
 
 namespace robotlink {
 
-/// A link between two processes of one program. Hands the pointer over; never copies the package.
-/// Until close() has returned both processes must live; after that it is only a place where nothing arrives.
+/// A link between two processes of one program. It passes the pointer on and never copies the package. Both
+/// processes must live until close() has returned; after that the link is inert. Thread-safe as Link
+/// requires; take() costs one atomic read when nothing has arrived.
 class InProcessLink final : public Link {
  public:
   InProcessLink(EndOwner& sender, EndOwner& receiver) : sender_(sender), receiver_(receiver) {}
@@ -25,13 +26,19 @@ class InProcessLink final : public Link {
  private:
   EndOwner& sender_;
   EndOwner& receiver_;
-  // Protects inbox_, pending_ and closed_, and is held while a process is woken: close() waits for that.
+  // Protects inbox_, pending_ and closed_. Held while a process is woken, so that close() waits for that.
   std::mutex mutex_;
-  PackagePtr inbox_;    // delivered, not yet taken
-  PackagePtr pending_;  // told to send, not yet asked for
+  /// Delivered and not yet taken.
+  PackagePtr inbox_;
+  /// Offered while inbox_ was full; replaced by newer packages.
+  PackagePtr pending_;
+  // The atomics mirror the state for readers without the lock.
   std::atomic<bool> closed_{false};
-  std::atomic<bool> kept_{false};    // pending_ is not null
-  std::atomic<bool> filled_{false};  // inbox_ is not null
+  /// Whether pending_ is not null.
+  std::atomic<bool> kept_{false};
+  /// Whether inbox_ is not null.
+  std::atomic<bool> filled_{false};
+  /// How often a newer package replaced one that was never taken.
   std::atomic<std::uint64_t> missed_{0};
 };
 

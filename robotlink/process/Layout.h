@@ -12,94 +12,112 @@
 
 namespace robotlink {
 
-/// A process layout as its file says: which process does which tasks, by which solution at the start. A plain
-/// value; every part knows its place in the file, for errors. The format is described in
+/// A process layout as read from its file: which process runs which tasks, with which solution at the start.
+/// A plain value; every part knows its position in the file for error messages. The format is described in
 /// robotlink/process/LAYOUTS.md.
 struct Layout {
+  /// A task of a process.
   struct Task {
     std::string task;
-    std::string solution;  ///< at the start
+    /// The solution at the start.
+    std::string solution;
     FilePosition where;
-    std::string ownSolution = {};  ///< not in files: the layout's, if another one was chosen instead
+    /// The solution in the file, if another one was chosen in its place; otherwise empty. Not in files.
+    std::string ownSolution = {};
 
-    /// Starts with another solution than the layout's own.
+    /// Makes the task start with another solution than the file's.
     void choose(const std::string& chosen) {
       if (ownSolution.empty()) ownSolution = solution;
       solution = chosen;
     }
   };
+  /// A package that a process waits for.
   struct Input {
     std::string package;
     FilePosition where;
-    bool paceOnly = false;  ///< none of its tasks needs to read it: it only says when to run
+    /// None of the process's tasks needs to read it; it only triggers the process.
+    bool paceOnly = false;
   };
+  /// A process of the robot program: a loop that runs its tasks in order.
   struct Process {
     std::string name;
-    int priority = 0;             ///< nice value, -20 to 19
-    Duration period{0};           ///< 0: event-driven
-    bool debug = false;           ///< collects all debug queues and hands requests out; has no tasks
-    std::vector<Task> tasks;      ///< in the order of their execution
-    std::vector<Input> blocking;  ///< packages from other processes that it waits for
+    /// Nice value, -20 (most urgent) to 19.
+    int priority = 0;
+    /// Minimal time from frame to frame; 0 means event-driven.
+    Duration period{0};
+    /// The debug process: it collects all debug queues, distributes requests and has no tasks.
+    bool debug = false;
+    /// In the order of execution.
+    std::vector<Task> tasks;
+    /// No frame starts without a new one of each of these packages of other processes.
+    std::vector<Input> blocking;
     FilePosition where;
   };
-  /// A task that does not run although whoever made the layout has it, for people to see.
+  /// A task that the layout has but that cannot run here; kept so that users can see why.
   struct Absence {
     std::string process;
     std::string task;
-    std::string reason;  ///< "nobody offers joints/states"
+    /// A text such as "nobody offers joints/states".
+    std::string reason;
   };
   std::string name;
   std::string help;
   std::string file;
-  std::vector<Process> processes;  ///< in the order of their execution in lockstep
+  /// In lockstep they run in this order.
+  std::vector<Process> processes;
 
-  // Not in files: what remains of a layout that is put on less than it was made for, such as a log.
+  // Not in files: set when the layout is applied to a platform with fewer packages, such as a log.
   std::vector<Absence> absent;
-  /// Packages that its tasks keep to themselves, because something else offers them.
+  /// Packages that its tasks do not send to other processes, because another source offers them.
   std::set<std::string> withheld;
 };
 
-/// What the layout is put on: the packages that the platform offers and takes
-/// (resources/robots/<robot>.yaml), and those that the debug process offers (a person's wishes:
-/// remote/motion).
+/// The packages available to a layout from outside: those that the platform offers and takes
+/// (resources/robots/<robot>.yaml), and those that the debug process offers on behalf of the user
+/// (remote/motion).
 struct PlatformPackages {
   std::vector<std::string> offers;
   std::vector<std::string> takes;
   std::vector<std::string> debugOffers;
 };
 
-/// Reads a file's form only; every problem found is reported, each with its place.
+/// Reads a layout and checks only its form, not its tasks; reports every problem with its position.
 tl::expected<Layout, Errors> readLayout(const std::filesystem::path& file);
+/// The same for a text; `file` is the name that errors carry.
 tl::expected<Layout, Errors> parseLayout(const std::string& text, const std::string& file);
 
-/// One link that follows from inputs and outputs. An empty process name is the platform.
+/// A link between two processes, derived from their inputs and outputs. An empty process name is the
+/// platform.
 struct LayoutLink {
   std::string package;
   std::string from;
   std::string to;
+  /// The receiving process waits for the package.
   bool blocking = false;
+  /// No solution requires the package.
   bool optional = false;
   bool operator==(const LayoutLink&) const = default;
 };
 
-/// Everything that makes a layout unusable, each with its place and what to do about it: unknown or repeated
-/// task, solution or name; a default solution that is unavailable; an input that nobody produces; an output
-/// produced twice; a cycle inside a process; a cycle of blocking inputs between processes; a process with
-/// neither a blocking input nor a period; a blocking input that no task of the process uses. Empty: it can be
-/// run.
+/// Returns everything that makes a layout unusable, each with its position and what to do about it: an
+/// unknown or repeated task, solution or name; a default solution that is unavailable; an input that nothing
+/// produces; an output produced twice; a cycle inside a process; a cycle of blocking inputs between
+/// processes; a process with neither a blocking input nor a period; a blocking input that no task of the
+/// process uses. Empty: the layout can run. The ids are listed in LAYOUTS.md.
 Errors checkLayout(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
-/// Why a solution cannot run in a layout that checkLayout() accepted; empty if it can. "unavailable because
-/// nobody offers oracle/world".
+/// The reason why a solution cannot run in a layout that checkLayout() accepted, "unavailable because nobody
+/// offers oracle/world"; empty if it can run.
 std::string unavailability(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform,
                            const std::string& task, const std::string& solution);
 
-/// The links between processes, for all solutions of the layout's tasks (so that a solution can be switched
-/// without relinking), in the order of the layout. Packages that stay inside a process are not in it.
+/// The links between processes, in the order of the layout. They cover all solutions of its tasks, not only
+/// the chosen ones, so that a solution can be switched without relinking. Packages that stay inside a process
+/// have no link.
 std::vector<LayoutLink> layoutLinks(const Layout& layout, const TaskCatalog& catalog,
                                     const PlatformPackages& platform);
 
-/// The graph of processes (with their tasks) and packages as Graphviz text.
+/// The graph of processes (with their tasks) and packages as text for Graphviz.
 std::string layoutGraph(const Layout& layout, const TaskCatalog& catalog, const PlatformPackages& platform);
 
 }  // namespace robotlink

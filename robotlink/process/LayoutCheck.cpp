@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// checkLayout() of Layout.h: everything that makes a layout unusable.
 #include <algorithm>
 
 #include "robotlink/base/Spelling.h"
@@ -204,8 +205,8 @@ void Checker::reportLater(const Place& place, const Place& later, const std::str
       {task, package, from});
 }
 
-/// Whether a task needs, by way of other tasks of its process, what another one yields. Default solutions
-/// count.
+/// Whether a task needs, directly or through other tasks of its process, what another one yields. Only
+/// default solutions are considered.
 bool Checker::dependsOn(const Place& place, const Place& on, std::vector<const Place*>& seen) const {
   if (std::find(seen.begin(), seen.end(), &place) != seen.end()) return false;
   seen.push_back(&place);
@@ -238,7 +239,8 @@ void Checker::checkBlocking(const Layout::Process& process, const Layout::Input&
   };
   const Place* from = index_.producer(input.package);
   if (&*first != &input) return complain("blocking-twice", " twice");
-  if (process.debug) return;  // reported with the process
+  // Reported with the process.
+  if (process.debug) return;
   if (!input.paceOnly && !isRead(process, input.package))
     return complain("blocking-unused", ", which none of its tasks uses");
   if (from != nullptr && from->process == &process)

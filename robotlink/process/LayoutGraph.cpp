@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// layoutGraph() of Layout.h: a layout as text for Graphviz.
 #include <map>
 #include <sstream>
 #include <tuple>
@@ -8,7 +9,7 @@
 namespace robotlink {
 namespace {
 
-// A double-quoted string of the DOT language; in records, "{}|<>" have a meaning of their own.
+// Quotes a string for the DOT language; in records, "{}|<>" have a meaning of their own.
 std::string quoted(const std::string& text) {
   std::string result = "\"";
   for (const char c : text) {

@@ -27,8 +27,8 @@ LayoutIndex::LayoutIndex(const Layout& layout, const TaskCatalog& catalog, const
   findOffers();
 }
 
-/// The largest set of solutions that can all have their inputs: take all, then take away those that cannot
-/// until nothing changes. (Two processes may need each other's packages; that is no obstacle.)
+/// Finds the largest set of solutions that can all have their inputs: starts with all and removes those that
+/// cannot until nothing changes. (Two processes may need each other's packages; that is no obstacle.)
 void LayoutIndex::findOffers() {
   std::size_t before = 0;
   for (const auto& [package, place] : producers_) yielded_.insert(package);

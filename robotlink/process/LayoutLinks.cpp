@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// layoutLinks() and unavailability() of Layout.h: the links that follow from inputs and outputs.
 #include <algorithm>
 
 #include "robotlink/process/LayoutIndex.h"
@@ -6,7 +7,8 @@
 namespace robotlink {
 namespace {
 
-/// What the tasks of a process read, in their order, and what only sets its pace; true where it is required.
+/// The packages that the tasks of a process read, in their order, and those that only trigger it; the bool is
+/// true where a solution requires the package.
 std::vector<std::pair<std::string, bool>> packagesRead(const LayoutIndex& index,
                                                        const Layout::Process& process) {
   std::vector<std::pair<std::string, bool>> read;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readLayout() and parseLayout() of Layout.h: the form of layout files.
 #include <algorithm>
 #include <cmath>
 

@@ -10,33 +10,35 @@ class Message;
 
 namespace robotlink {
 
-/// A package on its way: immutable and shared, so that it is never copied inside a process of the operating
+/// A package in transit: immutable and shared, so that it is never copied within a process of the operating
 /// system.
 using PackagePtr = std::shared_ptr<const google::protobuf::Message>;
 
-/// The way from one sender to one receiver. It holds at most two packages: one that was delivered and not yet
-/// taken, and one that the sender was told to send and that the receiver has not yet asked for; a newer one
-/// replaces the latter. A receiver asks again by taking.
+/// The connection from one sender to one receiver. It holds at most two packages: one that was delivered and
+/// not yet taken, and one that was offered while the first was still there; a newer package replaces the
+/// second one. Taking a package requests the next one.
 ///
-/// Every transport (in a process, between processes, between machines) implements this and passes the same
-/// conformance tests. offer() and delivered() are called by the sender's thread, take() by the receiver's;
-/// implementations wake the process at the other end (Process::wake()) when its situation changes.
+/// Every transport (in a process, between processes, between machines) implements this interface and passes
+/// the same conformance tests. offer() and delivered() are called by the sender's thread, take() by the
+/// receiver's; implementations wake the process at the other end (EndOwner::wake()) when its situation
+/// changes.
 class Link {
  public:
   virtual ~Link() = default;
 
-  /// Delivers the package if the receiver has asked for one, or keeps it until it does.
+  /// Delivers the package if the receiver is ready for one; otherwise keeps it, in place of an older one,
+  /// until it is.
   virtual void offer(PackagePtr package) = 0;
-  /// No package is kept: all that was offered was delivered or replaced.
+  /// True if no package is kept: all that were offered have been delivered or replaced.
   virtual bool delivered() const = 0;
-  /// The newest package that is available, or null. Asks for the next one.
+  /// The newest package available, or null. Requests the next one.
   virtual PackagePtr take() = 0;
-  /// An end was stopped: nothing is kept or delivered from now on, what was delivered can still be taken.
-  /// When it returns, the link touches neither process any more, so both may be destroyed. Idempotent; any
-  /// thread.
+  /// Called when an end was stopped: nothing is kept or delivered from now on, but what was delivered can
+  /// still be taken. After it returns, the link touches neither process, so both may be destroyed.
+  /// Idempotent; any thread.
   virtual void close() = 0;
   virtual bool closed() const = 0;
-  /// How many packages a newer one has replaced.
+  /// How many packages were replaced by newer ones before they were taken. Any thread.
   virtual std::uint64_t missed() const = 0;
 };
 

@@ -41,7 +41,8 @@ void LockstepExecutor::runUntilNoneCan(Instant now) {
 
 void LockstepExecutor::stepPlatforms() {
   for (Entry& entry : platforms_) {
-    entry.process->tryBeginFrame();  // Takes what is there; platforms step satisfied or not.
+    // Takes what has arrived; platforms step whether they are satisfied or not.
+    entry.process->tryBeginFrame();
     if (!entry.process->stopped()) entry.process->guard([&entry] { entry.platform->actuate(); });
   }
   if (options_.advance) options_.advance();

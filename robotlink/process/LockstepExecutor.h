@@ -10,43 +10,50 @@
 
 namespace robotlink {
 
-/// Runs processes and their platforms in turn, in the caller's thread: time is the platforms', and the same
-/// inputs give the same bytes at any speed.
+/// Runs processes and their platforms in turn in the caller's thread. Time is the platforms' time, so the
+/// same inputs give the same bytes at any speed.
 ///
-/// A step: in order, every process that may enter phase 2 runs, at most once an instant, until none can; then
-/// the platforms step: all actuate, the world that they share moves its clock on, all send their sensors. A
-/// process that has not run for `starvation` of the platform's time beyond its period is reported with what
-/// it waits for, once until it runs again. The first platform's clock counts. Processes and platforms must
-/// outlive the executor or be cleared; one thread at a time.
+/// In a step, every process that may enter phase 2 runs, in the order of add(), at most once per instant,
+/// until none can. Then the platforms step: all actuate, the world that they share advances its clock, all
+/// send their sensor data. The clock of the first platform counts; without a platform no process runs. A
+/// process that has not run for `starvation` plus its period is reported once, with what it waits for, until
+/// it runs again. Processes and platforms must outlive the executor or be removed with clear(). One thread at
+/// a time.
 class LockstepExecutor {
  public:
   struct Options {
+    /// How long a process may wait, in the platform's time, before it is reported.
     Duration starvation = std::chrono::seconds(2);
-    /// Moves the platforms' world and its clock.
+    /// Advances the platforms' world and its clock; may be empty.
     std::function<void()> advance;
-    /// "X waits for Y"; called by step().
+    /// Called by step() with a text such as "package camera/image of simulation".
     std::function<void(const Process&, const std::string&)> onStarved;
-    /// A process or a platform threw and was stopped; called by step().
+    /// Called by step() when a process or platform has thrown and was stopped.
     std::function<void(const Process&)> onFailed;
   };
 
   explicit LockstepExecutor(Options options);
   void add(Process& process) { processes_.push_back({.process = &process}); }
   void add(Platform& platform) { platforms_.push_back({.process = &platform, .platform = &platform}); }
+  /// Removes all processes and platforms.
   void clear();
 
+  /// runProcesses(), then stepPlatforms().
   void step();
-  /// The first half of a step: processes, until none can run.
+  /// The first half of a step: runs processes until none can run.
   void runProcesses();
-  /// The second half. Whoever begins with it, as a log does, sees what the processes made of the new instant.
+  /// The second half of a step. A caller that begins with this half, such as a log player, sees what the
+  /// processes compute from the new instant.
   void stepPlatforms();
 
  private:
+  /// A process with its state in the lockstep; `platform` is null for ordinary processes.
   struct Entry {
     Process* process;
     Platform* platform = nullptr;
     std::optional<Instant> lastRun = std::nullopt;
-    std::optional<Instant> waitsSince = std::nullopt;  // it can run, but did not since then
+    /// The instant since which it could have run but did not.
+    std::optional<Instant> waitsSince = std::nullopt;
     bool starvationReported = false;
     bool failureReported = false;
   };

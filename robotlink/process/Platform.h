@@ -14,9 +14,9 @@ class ControlDrive;
 
 namespace robotlink {
 
-/// Where a robot program's sensor readings come from and its actuator commands go to. For the program it is
-/// an ordinary process; beyond that it owns the clock that all of the program's processes go by, and STOP
-/// acts on it.
+/// The source of a robot program's sensor data and the receiver of its actuator commands: a simulated robot,
+/// a real one or a log. For the program it is an ordinary process; beyond that it owns the clock of all of
+/// the program's processes, and STOP acts on it.
 class Platform : public Process {
  public:
   using Process::Process;
@@ -29,7 +29,7 @@ class Platform : public Process {
   /// Gives the actuators what the receivers hold; called before the world moves. execute(), called after,
   /// sends the sensors.
   virtual void actuate() = 0;
-  /// While engaged, the robot is held safe by the platform, whatever the program asks for. Any thread.
+  /// While engaged, the platform holds the robot in a safe state, whatever the program requests. Any thread.
   virtual void engageStop(bool engaged) = 0;
   virtual bool stopEngaged() const { return false; }
   /// Does what a person asks of the robot's base rather than of its program. Refused where it has no wheels.

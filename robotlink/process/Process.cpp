@@ -22,7 +22,7 @@ std::optional<Instant> Process::due() const {
 Duration Process::untilDue() const {
   const auto dueAt = due();
   const Instant now = clock_.now();
-  // A clock that was set back (a simulation was reset) starts the periods anew.
+  // If the clock was set back (a simulation was reset), periods start afresh.
   return !dueAt || now < frameTime_ ? Duration::zero() : *dueAt - now;
 }
 
@@ -35,8 +35,8 @@ bool Process::tryBeginFrame() {
 void Process::startPeriod(Instant now) {
   if (period_ <= Duration::zero()) return;
   if (now < frameTime_) due_.reset();
-  // From due to due, not from now: lateness of one frame does not delay all later ones. Unless a whole period
-  // was lost.
+  // Counted from the due time rather than from now, so that a late frame does not delay all later ones,
+  // unless a whole period was lost.
   due_ = due_.value_or(now) + period_;
   if (*due_ <= now) due_ = now + period_;
 }
@@ -46,7 +46,7 @@ void Process::runFrame() {
   startPeriod(now);
   frameTime_ = now;
   for (AnyReceiver* receiver : receivers()) receiver->beginFrame();
-  // Phase 3 needs no code: links deliver what they keep when the receivers ask.
+  // Phase 3 needs no code: links deliver what they keep when the receivers take.
   if (guard([this] { execute(); })) frames_.fetch_add(1, std::memory_order_relaxed);
 }
 

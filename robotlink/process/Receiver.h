@@ -16,14 +16,14 @@ class Descriptor;
 
 namespace robotlink {
 
-/// Whether an end of a link holds its process back from phase 2.
+/// Whether an end of a link keeps its process from entering phase 2.
 enum class Blocking : bool { kNo, kYes };
 
-/// The receiving end of a link, whatever the package's type. It owns one package: the newest that was taken.
+/// The receiving end of a link, whatever the package's type. It holds one package: the newest that was taken.
 ///
-/// A blocking receiver is satisfied by a package that came since the last phase 2. A non-blocking one keeps
-/// its package and knows whether it is new. Lives as long as its process and is used by its process's thread;
-/// may be connected, also anew, by any thread at any time, and tells its names and counters to any.
+/// A blocking receiver is satisfied by a package that arrived since the last phase 2. A non-blocking one
+/// keeps its package and knows whether it is new. It lives as long as its process and is used by the
+/// process's thread; any thread may connect it, even repeatedly, and read its names and counters.
 class AnyReceiver {
  public:
   AnyReceiver(EndOwner& process, std::string package, Blocking blocking);
@@ -35,25 +35,29 @@ class AnyReceiver {
   EndOwner& process() const { return process_; }
   bool blocking() const { return blocking_ == Blocking::kYes; }
   bool connected() const;
-  /// The process that sends; empty if there is none.
+  /// The name of the sending process; empty if there is none.
   std::string peer() const;
-  /// The type of the packages that came, "robotcontrol.BallModel"; empty before the first.
+  /// The type of the received packages, "robotcontrol.BallModel"; empty before the first.
   std::string typeName() const;
 
-  /// Closes the link that there was; the value stays. Null: there is none from now on.
+  /// Replaces the link and closes the old one; the last package stays. Null disconnects.
   void connect(std::shared_ptr<Link> link, std::string peer);
-  /// The newest package; null before the first.
+  /// The newest package; null before the first. It stays valid until the next frame begins.
   const PackagePtr& value() const { return value_; }
-  /// value() came for this frame.
+  /// Whether value() arrived for the current frame.
   bool isNew() const { return isNew_; }
 
+  /// The number of packages received.
   std::uint64_t taken() const { return taken_.load(std::memory_order_relaxed); }
+  /// The number of packages lost: replaced by newer ones on the link, or before a phase 2 saw them.
   std::uint64_t missed() const;
 
  private:
   friend class Process;
-  void take();        // phase 1
-  void beginFrame();  // start of phase 2
+  /// Phase 1: takes packages from the link.
+  void take();
+  /// At the start of phase 2: sets isNew().
+  void beginFrame();
   bool satisfied() const { return !blocking() || arrived_; }
   void close();
   std::string waitsFor() const;
@@ -61,16 +65,21 @@ class AnyReceiver {
   EndOwner& process_;
   std::string package_;
   Blocking blocking_;
-  mutable std::mutex mutex_;  // protects peer_, link_ and missedBefore_
+  /// Protects peer_, link_ and missedBefore_.
+  mutable std::mutex mutex_;
   std::string peer_;
   std::shared_ptr<Link> link_;
-  std::uint64_t missedBefore_ = 0;  // on links that were replaced
+  /// Packages missed on links that were replaced.
+  std::uint64_t missedBefore_ = 0;
+  // The following are used only by the process's thread, except for the atomics.
   PackagePtr value_;
   std::atomic<const google::protobuf::Descriptor*> type_{nullptr};
+  /// A package arrived since the last phase 2.
   bool arrived_ = false;
   bool isNew_ = false;
   std::atomic<std::uint64_t> taken_{0};
-  std::atomic<std::uint64_t> unused_{0};  // taken, but replaced before phase 2
+  /// Taken, but replaced before phase 2.
+  std::atomic<std::uint64_t> unused_{0};
 };
 
 /// A receiver of packages of type T.
@@ -78,7 +87,7 @@ template <typename T>
 class Receiver : public AnyReceiver {
  public:
   using AnyReceiver::AnyReceiver;
-  /// Null before the first package. Links are made between ends of one type, which is why the cast holds.
+  /// Null before the first package. The cast is safe because connect() links only ends of the same type.
   const T* get() const { return static_cast<const T*>(value().get()); }
 };
 

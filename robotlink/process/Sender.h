@@ -13,16 +13,15 @@
 
 namespace robotlink {
 
-/// The sending end of links, whatever the package's type. It owns one package at a time: told to send, it
-/// delivers to each receiver as soon as that has asked for one; a newer package replaces one that was not
-/// delivered.
+/// The sending end of links, whatever the package's type. Each link holds the packages that its receiver has
+/// not taken yet; a newer package replaces one that was not delivered.
 ///
-/// A blocking sender is unsatisfied only while a package that it was told to send is undelivered to any
-/// connected receiver. Taps see every package, at once, in the sender's thread, and never hold anything back;
-/// they must not connect or tap. Lives as long as its process and is used by its process's thread; may be
-/// connected and tapped by any thread at any time.
+/// A blocking sender is unsatisfied while a package is undelivered to a connected receiver. Taps see every
+/// package immediately, in the sender's thread, and never block; they must not connect or tap. It lives as
+/// long as its process and is used by the process's thread; any thread may connect and tap it at any time.
 class AnySender {
  public:
+  /// A function that sees each package that is sent; for debugging and recording.
   using Tap = std::function<void(const PackagePtr&)>;
 
   AnySender(EndOwner& process, std::string package, Blocking blocking);
@@ -33,19 +32,19 @@ class AnySender {
   const std::string& package() const { return package_; }
   EndOwner& process() const { return process_; }
   bool blocking() const { return blocking_ == Blocking::kYes; }
-  /// Somebody receives it.
+  /// Whether at least one link is open.
   bool connected() const;
-  /// The type of the packages that were sent, "robotcontrol.BallModel"; empty before the first.
+  /// The type of the sent packages, "robotcontrol.BallModel"; empty before the first.
   std::string typeName() const;
 
-  /// Forgets links that were closed.
+  /// Adds a link; drops links that were closed.
   void connect(std::shared_ptr<Link> link);
   void addTap(Tap tap);
 
-  /// May be called more than once a frame, at any time in phase 2; what is not delivered is, later, when
-  /// receivers ask.
+  /// May be called more than once a frame, at any time in phase 2. What cannot be delivered now is delivered
+  /// later, when receivers are ready.
   void send(const PackagePtr& package);
-  /// Nothing that was told to send is undelivered: each receiver has got the last package.
+  /// True if every receiver has got the last package.
   bool delivered() const;
 
   std::uint64_t sent() const { return sent_.load(std::memory_order_relaxed); }
@@ -58,7 +57,8 @@ class AnySender {
   EndOwner& process_;
   std::string package_;
   Blocking blocking_;
-  mutable std::mutex mutex_;  // protects links_ and taps_
+  /// Protects links_ and taps_.
+  mutable std::mutex mutex_;
   std::vector<std::shared_ptr<Link>> links_;
   std::vector<Tap> taps_;
   std::atomic<const google::protobuf::Descriptor*> type_{nullptr};
@@ -73,10 +73,10 @@ class Sender : public AnySender {
   void send(std::shared_ptr<const T> package) { AnySender::send(PackagePtr(std::move(package))); }
 };
 
-/// Links two ends in one program; one line a link. The names of both packages are free, their types agree.
+/// Links two ends of one program. The names of their packages may differ; the types must agree.
 template <typename T>
 void connect(Sender<T>& sender, Receiver<T>& receiver);
-/// The same for ends whose types were checked otherwise.
+/// The same for ends whose types were checked in another way.
 void connectUnchecked(AnySender& sender, AnyReceiver& receiver);
 
 template <typename T>

@@ -7,14 +7,17 @@
 
 namespace robotlink {
 
-/// What a layout may name: the tasks, their solutions, and what each solution needs and yields. Plain data,
-/// filled from the registry of solutions (robotlink/debugging) or by a test.
+/// The tasks and solutions that a layout may name, and the packages that each solution needs and yields.
+/// Plain data, filled from the registry of solutions (robotlink/debugging) or by a test.
+// Names are those of layout files: "ball-percept", "region".
 struct TaskCatalog {
   struct Solution {
     std::string name;
     std::string help;
-    std::vector<std::string> required;  ///< packages without which it cannot run
-    std::vector<std::string> optional;  ///< packages that it uses if somebody offers them
+    /// Packages without which it cannot run.
+    std::vector<std::string> required;
+    /// Packages that it uses if they are offered.
+    std::vector<std::string> optional;
     std::vector<std::string> outputs;
   };
   struct Task {
@@ -24,6 +27,7 @@ struct TaskCatalog {
   };
   std::map<std::string, Task> tasks;  ///< by name
 
+  /// Null if there is no such task or solution.
   const Task* find(const std::string& task) const;
   const Solution* find(const std::string& task, const std::string& solution) const;
 };

@@ -11,7 +11,7 @@
 namespace robotlink {
 namespace {
 
-/// Empty if it worked.
+/// Returns the reason for a failure; empty on success.
 std::string setNiceOfThisThread(int nice) {
   if (nice == 0) return {};
   const auto thread = static_cast<id_t>(::syscall(SYS_gettid));

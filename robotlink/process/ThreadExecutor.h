@@ -9,15 +9,15 @@
 
 namespace robotlink {
 
-/// Runs each process in a thread of its own, as real robots do. Processes must outlive it. Platforms are not
-/// added here: whoever owns one paces it and calls clockAdvanced() after it has moved a clock that is not
-/// real time.
+/// Runs each process in a thread of its own, as on real robots. Processes must outlive it. Platforms are not
+/// added: their owner drives them, and calls clockAdvanced() after it has advanced a clock that is not real
+/// time. add(), start() and stop() are called by one thread.
 class ThreadExecutor {
  public:
   struct Options {
-    /// A process threw and was stopped. Called in that process's thread.
+    /// Called in the thread of a process that has thrown and was stopped.
     std::function<void(const Process&)> onFailed;
-    /// A priority could not be set, and why. Called in that process's thread.
+    /// Called in the process's thread if its priority could not be set, with the reason.
     std::function<void(const Process&, const std::string&)> onPriorityRefused;
   };
 
@@ -28,9 +28,11 @@ class ThreadExecutor {
   ThreadExecutor& operator=(const ThreadExecutor&) = delete;
 
   void add(Process& process) { processes_.push_back(&process); }
+  /// Starts one thread a process.
   void start();
-  /// Lets processes look at the clock again; any thread.
+  /// Makes periodic processes look at the clock again. Any thread.
   void clockAdvanced();
+  /// Stops all processes and joins their threads. Processes cannot be started again.
   void stop();
 
  private:

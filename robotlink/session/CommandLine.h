@@ -8,13 +8,13 @@
 
 namespace robotlink {
 
-/// The words of a line of a script, separated by spaces or tabs. A word or a part of one may be quoted: in
-/// '...' everything stands for itself; in "..." a backslash takes the next character as it is (\n is a line
-/// feed). Outside quotes a backslash stands for itself; a # at the start of a word begins a comment. Fails if
-/// a quote is not closed.
+/// Splits a line of a script into words, separated by spaces or tabs. A word or a part of one may be quoted:
+/// in '...' every character stands for itself; in "..." a backslash escapes the next character (
+///  is a line feed). Outside quotes a backslash is an ordinary character; a # at the start of a word begins a
+///  comment. Fails if a quote is not closed.
 Result<std::vector<std::string>> splitCommandLine(const std::string& line);
 
-/// The word so that splitCommandLine() gives it back: quoted if it needs to be.
+/// Quotes a word where necessary, so that splitCommandLine() returns it unchanged.
 std::string quotedWord(const std::string& word);
 
 }  // namespace robotlink

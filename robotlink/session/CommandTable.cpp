@@ -28,7 +28,7 @@ Type typeOf(const Value& value) {
   return static_cast<Type>(value.index());
 }
 
-// "simulation.speed <factor: number, times real time>"
+// The usage of a command for error messages: "simulation.speed <factor: number, times real time>".
 std::string usage(const CommandTable::Command& command) {
   std::string result = command.name;
   for (const Argument& argument : command.arguments) {

@@ -12,8 +12,8 @@
 
 namespace robotlink {
 
-/// One table of all that can be done, behind menus, toolbars, shortcuts, scripts and tests: what a button can
-/// do, a script can. The GUI's thread only. Errors say what the command takes.
+/// The table of all commands, behind menus, toolbars, shortcuts, scripts and tests: whatever a button can do,
+/// a script can. Only in the GUI's thread. Error messages name the arguments that a command takes.
 class CommandTable {
  public:
   using Value = std::variant<bool, double, std::string>;
@@ -30,12 +30,13 @@ class CommandTable {
     std::function<Result<void>(const std::vector<Value>&)> run;
   };
 
-  /// The name must be new: one that is not ends the program with a text that says so.
+  /// The name must be new; a duplicate ends the program with a message.
   void add(Command command);
   const Command* find(const std::string& name) const;
   const std::map<std::string, Command>& all() const { return commands_; }
 
-  /// Fails if there is no such command or the arguments' number or types are not its own.
+  /// Fails if there is no such command or if number or types of the arguments do not match; otherwise returns
+  /// the command's own result.
   Result<void> run(const std::string& name, const std::vector<Value>& arguments = {}) const;
   /// Runs one line: `simulation.speed 2`, `robot.solution ball-percept "scan-lines"`. Texts may be quoted
   /// (see CommandLine.h); bools are on/off, true/false, yes/no or 1/0; an empty line or a # comment does

@@ -13,7 +13,7 @@ using robotcontrol::FrameInfo;
 using robotcontrol::KeyMode;
 using robotcontrol::KeyTable;
 
-// The table of that time; before the first one, the first one.
+// The key table of that time; before the first table, the first one.
 const KeyTable* keyTable(const StreamStore& store, const std::string& robot, Instant time) {
   const std::string path = robot + "/" + streams::kKeys;
   if (const auto* table = store.latestAs<KeyTable>(path, time)) return table;
@@ -29,12 +29,12 @@ const KeyMode* modeOf(const KeyTable* table, const std::string& key) {
   return found == table->keys().end() ? nullptr : &found->mode();
 }
 
-// What a key's mode says of its last drawing.
+// How long the last drawing of a key is shown, according to the key's mode.
 enum class Stay { kUntilNextFrame, kUntilNextDrawing, kNotAtAll };
 
 Stay stayOf(const KeyMode* mode) {
   if (!mode || mode->kind() == KeyMode::ALWAYS) return Stay::kUntilNextFrame;
-  // Off with a number: its n times are over (see DebugContext::mode).
+  // Off with a number means that its n times have been used up (see DebugContext::mode).
   if (mode->kind() == KeyMode::OFF && mode->n() == 0) return Stay::kNotAtAll;
   return Stay::kUntilNextDrawing;
 }

@@ -11,16 +11,16 @@
 
 namespace robotlink {
 
-/// Whether what a stream says holds until it is told anew, however long ago that was and even if the
-/// platform's clock was set back: tables, parameters, colour tables, set-ups of programs, and the scene.
-/// Whoever begins in the middle (a log file, a cut, a view after a jump) needs the newest of each.
-/// `type` is the full name of the messages' type.
+/// Whether a message of this path and type is latched: it stays valid until the next one of its stream,
+/// however old it is and even if the platform's clock was set back. Latched are tables, parameters, color
+/// tables, program set-ups, the map and the scene. A reader that begins in the middle (a log file, a cut, a
+/// view after a jump) needs the newest of each. `type` is the full name of the message type.
 bool holdsUntilToldAnew(std::string_view path, std::string_view type);
 bool holdsUntilToldAnew(const StreamMessage& message);
 
-/// The newest message of each stream and process that holds until told anew. Keeps copies, so that a table
-/// does not keep the debug queue alive in which it came. Streams that somebody makes up are not taken past a
-/// limit. One thread at a time.
+/// A cache of the latched messages: the newest of each stream and process. It stores copies, so that a table
+/// does not keep the debug queue alive in which it arrived. Streams beyond kMaxStreams are ignored, in case a
+/// robot makes up paths. One thread at a time.
 class HeldMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;
@@ -30,11 +30,12 @@ class HeldMessages {
   /// Nothing that a robot told holds any more: its program starts anew.
   void forget(const std::string& robot);
   void clear() { messages_.clear(); }
-  /// By path.
+  /// Returns the messages sorted by path, then process.
   std::vector<StreamMessage> all() const;
 
  private:
-  std::map<std::pair<std::string, std::string>, StreamMessage> messages_;  // by path and process
+  /// Key: path and process.
+  std::map<std::pair<std::string, std::string>, StreamMessage> messages_;
 };
 
 }  // namespace robotlink

@@ -13,19 +13,20 @@ class KeyTable;
 
 namespace robotlink {
 
-/// Sets of modes of debug keys under names that users give them, one text file each
-/// (<folder>/<name>.keys.json, with a version), written whole or not at all. A preset is a KeyTable of which
-/// only names and modes count; keys that are off are not saved, so whoever applies one switches all others
-/// off. Keys that the program does not know (any more) are kept.
+/// Named sets of modes of debug keys that users save, one text file each (<folder>/<name>.keys.json, with a
+/// version), written as a whole or not at all. A preset is a KeyTable of which only names and modes count.
+/// Keys that are off are not saved, so applying a preset switches all other keys off. Keys that the program
+/// does not know (any more) are kept. One thread at a time.
 class KeyPresets {
  public:
   explicit KeyPresets(std::filesystem::path folder) : folder_(std::move(folder)) {}
 
-  /// In order; empty if the folder does not exist.
+  /// Sorted; empty if the folder does not exist.
   std::vector<std::string> names() const;
-  /// Fails if there is none of that name, or with the place of what is wrong in its file.
+  /// Fails if there is no such preset, or with the position of the error in its file.
   Result<robotcontrol::KeyTable> load(const std::string& name) const;
-  /// Replaces one of that name. Names are of letters, digits, spaces, '-' and '_', 60 at most.
+  /// Replaces a preset of the same name. Names consist of letters, digits, spaces, '-' and '_', at most 60
+  /// characters.
   Result<void> save(const std::string& name, const robotcontrol::KeyTable& keys) const;
   Result<void> remove(const std::string& name) const;
 

@@ -40,7 +40,7 @@ const FieldDescriptor* nameField(const Descriptor& type) {
   return isText ? field : nullptr;
 }
 
-// The element's name where it has one that a path can hold, else its index.
+// The name of an element if it has one that a path can contain, otherwise its index.
 std::string elementKey(const Message& element, int index) {
   const FieldDescriptor* field = nameField(*element.GetDescriptor());
   const std::string name = field ? element.GetReflection()->GetString(element, field) : std::string();
@@ -145,13 +145,14 @@ std::optional<double> repeated(const Message& message, const FieldDescriptor& fi
   return std::nullopt;
 }
 
-// One step of a path: "joints[3]" or "joints[head/pan]" or "position".
+// A step of a path: "joints[3]", "joints[head/pan]" or "position".
 struct Step {
   std::string name;
   std::optional<std::string_view> element;
 };
 
-// Takes the first step off the path; nothing if the path is malformed. A name in brackets may hold dots.
+// Removes the first step from the path and returns it; empty if the path is malformed. A name in brackets may
+// contain dots.
 std::optional<Step> takeStep(std::string_view& path) {
   const std::size_t end = std::min(path.find_first_of(".["), path.size());
   Step step{std::string(path.substr(0, end)), std::nullopt};
@@ -168,7 +169,7 @@ std::optional<Step> takeStep(std::string_view& path) {
   return step;
 }
 
-// The index of the element of that number or name; -1 if there is none.
+// The index of an element with this number or name; -1 if there is none.
 int elementIndex(const Message& message, const FieldDescriptor& field, std::string_view key) {
   const Reflection& reflection = *message.GetReflection();
   const int size = reflection.FieldSize(message, &field);

@@ -19,7 +19,7 @@ using QueuePtr = std::shared_ptr<const DebugQueue>;
 
 constexpr std::size_t kMaxPath = 512;
 
-// Null unless the seconds fit into an instant, with room for sums of two.
+// The time of a message; empty unless it fits into an instant, with room for the sum of two.
 std::optional<Instant> timeOf(const DebugMessage& message) {
   constexpr std::int64_t kMaxSeconds = std::numeric_limits<std::int64_t>::max() / 2 / 1'000'000'000 - 10;
   if (!message.has_timestamp()) return std::nullopt;
@@ -29,7 +29,7 @@ std::optional<Instant> timeOf(const DebugMessage& message) {
   return instant(stamp);
 }
 
-// A package as the type it was; as it came if that is not known here or its bytes do not make one.
+// Parses a package into its type; returns the copy itself if the type is unknown or the bytes do not fit.
 template <typename Part>
 PackagePtr unpacked(const robotcontrol::PackageCopy& copy, const Part& part) {
   const auto* descriptor =
@@ -43,7 +43,7 @@ PackagePtr unpacked(const robotcontrol::PackageCopy& copy, const Part& part) {
   return part(copy);
 }
 
-// `shares`: nothing is copied, and the queue stays as long as what it holds.
+// With `shares` nothing is copied, and the queue lives as long as the result.
 PackagePtr contents(const QueuePtr& queue, const DebugMessage& message, bool shares) {
   const auto part = [&](const Message& value) {
     if (shares) return PackagePtr(queue, &value);
@@ -83,7 +83,7 @@ PackagePtr contents(const QueuePtr& queue, const DebugMessage& message, bool sha
   return nullptr;
 }
 
-// Whether what a reader keeps of a queue is so much of it that it may keep it as a whole.
+// Whether a reader keeps so much of a queue that it may keep the queue as a whole.
 bool isWorthKeeping(const DebugQueue& queue, QueueReader reader) {
   constexpr std::size_t kLittle = 2048;
   std::size_t bytes = 0, useless = 0;
@@ -100,7 +100,7 @@ bool isWorthKeeping(const DebugQueue& queue, QueueReader reader) {
 
 QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instant lastTime,
                          QueueReader reader) {
-  // The place of a message in the queue: its object, its path, its time.
+  // The overhead of a message in the queue: its object, path and timestamp.
   constexpr std::size_t kPlace = 192;
   const bool shares = isWorthKeeping(*queue, reader);
   QueueMessages result;
@@ -124,7 +124,7 @@ QueueMessages messagesOf(const std::string& robot, const QueuePtr& queue, Instan
         StreamMessage{robot + "/" + message.path(), lastTime, std::move(value), queue->process()});
     added.bytes = sizeOf(added) + (shares ? kPlace : 0);
     if (!message.has_frame()) continue;
-    // It ends its frame: all since the last one belong to it.
+    // The end of a frame: all messages since the previous one belong to it.
     for (; frameBegin < result.messages.size(); ++frameBegin) {
       result.messages[frameBegin].frame = message.frame().number();
     }

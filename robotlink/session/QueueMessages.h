@@ -14,28 +14,30 @@ class RequestResult;
 
 namespace robotlink {
 
-/// What a debug queue says, taken apart: messages of streams, and answers to requests. They share the queue's
-/// memory, unless much of it is of no more use (packages that were read into their types, what only recorders
-/// want): whoever keeps a text must not keep the image with it. StreamMessage::bytes says what each takes,
-/// what it shares included once.
+/// The contents of a debug queue: messages of streams and results of requests. The messages share the queue's
+/// memory, unless much of it is of no further use (packages that were parsed into their types, messages that
+/// only recorders want): keeping a text must not keep an image alive. StreamMessage::bytes is the memory that
+/// each message holds, shared memory counted once.
 ///
-/// A queue may come over a link from anywhere: messages without a path or contents are counted and left out,
-/// paths are bounded, times that cannot be are replaced by those of their neighbours.
+/// A queue may come over a link from anywhere: messages without a path or contents are dropped and counted,
+/// the length of paths is limited, and invalid timestamps are replaced by those of their neighbors.
 struct QueueMessages {
   std::vector<StreamMessage> messages;
   std::vector<std::shared_ptr<const robotcontrol::RequestResult>> results;
+  /// The number of messages that were dropped because they had no usable path or contents.
   std::uint64_t senseless = 0;
 };
 
-/// Who reads a queue: a recorder is told more than anybody asked to see.
+/// The reader of a queue: a recorder also gets messages that nobody asked to see.
 enum class QueueReader : bool { kViews, kRecorder };
 
-/// `lastTime`: what messages before the first valid time in the queue have.
+/// `lastTime` is the timestamp of messages before the first valid one in the queue.
 QueueMessages messagesOf(const std::string& robot,
                          const std::shared_ptr<const robotcontrol::DebugQueue>& queue, Instant lastTime,
                          QueueReader reader = QueueReader::kViews);
 
-/// The messages of a queue frame by frame: each ends with its FrameInfo, but for the last if that lacks one.
+/// Splits a queue's messages into frames; each ends with its FrameInfo, except for the last if that is
+/// incomplete.
 std::vector<std::vector<StreamMessage>> framesOf(std::vector<StreamMessage> messages);
 
 }  // namespace robotlink

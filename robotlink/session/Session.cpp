@@ -20,7 +20,7 @@ namespace {
 using robotcontrol::RequestResult;
 using ResultPtr = std::shared_ptr<const RequestResult>;
 
-// What came at once and is dropped at once.
+// Messages that were pushed together and are dropped together.
 struct Batch {
   std::vector<StreamMessage> messages;
   std::size_t bytes = 0;
@@ -40,7 +40,7 @@ constexpr std::size_t kMaxPending = 10'000;
 struct Session::Inbox {
   explicit Inbox(InboxLimits inboxLimits) : limits(inboxLimits) {}
 
-  // With the mutex held.
+  // Call it with the mutex locked.
   void add(Batch batch) {
     messageCount += batch.messages.size();
     bytes += batch.bytes;
@@ -69,24 +69,29 @@ struct Session::Inbox {
   void countDropped(const std::string& process, std::uint64_t count) {
     if (robotDropped.size() >= kMaxProcesses && !robotDropped.contains(process)) return;
     auto& [before, since] = robotDropped[process];
-    if (count < since) before += since;  // the process was started anew
+    // The process was restarted.
+    if (count < since) before += since;
     since = count;
   }
 
   const InboxLimits limits;
-  mutable std::mutex mutex;  // protects all that follows
+  // Protects everything below.
+  mutable std::mutex mutex;
   std::deque<Batch> batches;
   HeldMessages latched;  // of dropped batches
   std::size_t messageCount = 0;
   std::size_t bytes = 0;
   std::uint64_t dropped = 0;
   Instant lastTime;
-  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>>
-      robotDropped;                 // by process: before restarts, since
-  std::set<std::uint64_t> awaited;  // ids of requests
+  // By process: before its restarts, and since the last one.
+  std::map<std::string, std::pair<std::uint64_t, std::uint64_t>> robotDropped;
+  // Ids of requests without a result.
+  std::set<std::uint64_t> awaited;
   std::vector<ResultPtr> results;
-  bool restarted = false;  // the history is older than what waits here, and is to be forgotten
-  bool held = false;       // what waits here is not yet complete
+  // restart() was called: the history is older than the inbox and must be cleared.
+  bool restarted = false;
+  // The inbox is not complete yet; tick() leaves it alone.
+  bool held = false;
 };
 
 struct Session::Pending {
@@ -133,7 +138,7 @@ void Session::pushQueue(const std::string& robot,
     const std::lock_guard lock(inbox_->mutex);
     lastTime = inbox_->lastTime;
   }
-  // Not under the lock: other producers need not wait while packages are read.
+  // Not under the lock, so that other producers need not wait while packages are parsed.
   QueueMessages parts = messagesOf(robot, queue, lastTime);
   for (const ResultPtr& result : parts.results) pushResult(*result);
   Batch batch;
@@ -147,7 +152,8 @@ void Session::pushQueue(const std::string& robot,
 
 void Session::pushResult(const RequestResult& result) {
   const std::lock_guard lock(inbox_->mutex);
-  // Only the first answer to what was asked, so that what waits here is bounded by what was asked.
+  // Only the first result of a known request, so that the number of waiting results is bounded by that of
+  // requests.
   if (inbox_->awaited.erase(result.id()) > 0)
     inbox_->results.push_back(std::make_shared<RequestResult>(result));
 }
@@ -159,7 +165,7 @@ void Session::tick() {
   bool restarted = false;
   {
     const std::lock_guard lock(inbox_->mutex);
-    // Answers wait, too: who gets one sees what came of the request.
+    // Results wait, too, so that a handler sees the effect of its request.
     if (!inbox_->held) {
       results.swap(inbox_->results);
       batches.swap(inbox_->batches);

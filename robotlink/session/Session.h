@@ -18,31 +18,33 @@ class RequestResult;
 
 namespace robotlink {
 
-/// What one window is about: robots on platforms with one clock, the history of what they told, and the way
-/// to ask them for something. Views know only this; whether a robot is simulated, real or logged cannot be
-/// told from it.
+/// The data behind one window: robots on platforms with one clock, the history of their messages, and the way
+/// to send them requests. Views know only this; they cannot tell whether a robot is simulated, real or
+/// logged.
 ///
-/// Streams: what is said under a robot is "<robot>/<path>" (DebugMessage.path); what belongs to the whole
-/// world is "scene" (SceneUpdate), "transforms" (FrameTransforms), "simulation" (SimulationStatus). See
+/// Streams of a robot are "<robot>/<path>" (DebugMessage.path); those of the whole world are "scene"
+/// (SceneUpdate), "transforms" (FrameTransforms), "simulation" (SimulationStatus). See
 /// robotlink/session/STREAMS.md.
 ///
-/// push...() may be called from any thread and never blocks on the GUI; all else from the thread that calls
-/// tick().
+/// push...() may be called from any thread and never blocks on the GUI; everything else only from the thread
+/// that calls tick().
 ///
-/// What is pushed waits in an inbox that is bounded. When nobody ticks, what was pushed first is dropped
-/// first, whole queues at a time, so that a frame's messages stay together; of tables, which are sent only
-/// when they change, the newest stay.
+/// Pushed messages wait in a bounded inbox. If tick() is not called, the oldest are dropped first, whole
+/// queues at a time, so that the messages of a frame stay together; of tables, which are sent only when they
+/// change, the newest are kept.
 class Session {
  public:
+  /// Limits of the inbox between two ticks.
   struct InboxLimits {
     std::size_t messages = 50'000;
     std::size_t bytes = 128U << 20U;
   };
-  /// Takes requests to whoever can fulfil them. Called in the thread of the one who asks; must not block.
-  /// Results come back as messages.
+  /// Forwards requests to the platform or program that can fulfil them. Called in the thread that calls
+  /// request(); must not block. Results come back through pushResult() or pushQueue().
   using RequestSink = std::function<void(const robotcontrol::Request&)>;
+  /// Called once with the result of a request, from tick().
   using ResultHandler = std::function<void(const robotcontrol::RequestResult&)>;
-  /// What was asked ("set key of red1"), and why it was refused.
+  /// The refused request in words ("set key of red1"), and the reason.
   using RefusalHandler = std::function<void(const std::string& what, const std::string& reason)>;
 
   explicit Session(StreamStore::Limits limits = {});
@@ -51,44 +53,50 @@ class Session {
   Session(const Session&) = delete;
   Session& operator=(const Session&) = delete;
 
-  // Producers, any thread.
+  // For producers, any thread.
+  /// Enqueues a message; ignored if it has no value or no path.
   void push(StreamMessage message);
-  /// Messages that belong together, such as those of a logged frame: they are kept or dropped as a whole.
+  /// Enqueues messages that belong together, such as those of a logged frame: they are kept or dropped as a
+  /// whole.
   void push(std::vector<StreamMessage> messages);
-  /// Its messages become messages of streams without being copied; copies of packages are read into the types
-  /// they have. What makes no sense (no path, no contents) is dropped and counted; what has no valid time has
-  /// that of its neighbours.
+  /// Enqueues the contents of a debug queue without copying them; package copies are parsed into their types.
+  /// Messages without a path or contents are dropped and counted; an invalid timestamp is replaced by that of
+  /// a neighbor.
   void pushQueue(const std::string& robot, const std::shared_ptr<const robotcontrol::DebugQueue>& queue);
+  /// Enqueues the result of a request; results of unknown or already answered requests are ignored.
   void pushResult(const robotcontrol::RequestResult& result);
-  /// Forgets what was told, also what still waits: what is pushed from now on is a new telling, of another
-  /// platform or from another place of a log. The timeline goes live. Answers to requests are not touched.
+  /// Drops the whole history, including what is still in the inbox, because the messages pushed from now on
+  /// come from another platform or from another place in a log. The timeline goes live. Results of requests
+  /// are not affected.
   ///
-  /// What is pushed while `tell` runs is taken in by one tick as a whole, and until then the history stays as
-  /// it was, so that no view ever sees half of it. One thread at a time.
+  /// What is pushed while `tell` runs is applied by one tick as a whole; until then the history stays as it
+  /// was, so that no view sees half of it. One thread at a time.
   void restart(const std::function<void()>& tell = {});
 
-  // The GUI's thread.
-  /// Takes what was pushed into the history and moves the timeline; then calls the result handlers. Called at
-  /// 30 Hz.
+  // Only in the GUI's thread.
+  /// Moves the inbox into the history, updates the timeline, then calls the result handlers. Called at 30 Hz.
   void tick();
   StreamStore& store() { return store_; }
   Timeline& timeline() { return timeline_; }
-  /// Messages that were dropped because nobody ticked or that made no sense, plus those that the robots' own
-  /// queues dropped.
+  /// The number of messages that were dropped because tick() was late or because they were invalid, plus
+  /// those that the robots' own queues and the store dropped.
   std::uint64_t dropped() const;
 
+  /// Replaces the list of robots; if the selected one is gone, the first one is selected.
   void setRobots(std::vector<std::string> robots);
   const std::vector<std::string>& robots() const { return robots_; }
-  /// The robot that toolbars and views without one of their own talk about; empty if there is none.
+  /// The robot that toolbars, and views without a robot of their own, refer to; empty if there is none.
   const std::string& selectedRobot() const { return selectedRobot_; }
-  /// Ignores robots that are not there.
+  /// Ignores unknown robots.
   void selectRobot(const std::string& robot);
 
+  /// An empty sink disconnects: requests are then refused.
   void setRequestSink(RequestSink sink);
-  /// Called from tick() for what was refused and for whose answer nobody waits, so that no refusal is lost.
+  /// Called from tick() for refusals of requests that had no result handler, so that none goes unnoticed.
   void setRefusalHandler(RefusalHandler handler);
-  /// Sends a request; its id is filled in and returned. `onResult` is called once, from tick(), if an answer
-  /// comes; the oldest of very many unanswered ones are given up. Without a sink the answer is a refusal.
+  /// Sends a request and returns its id, which is filled in here. `onResult` is called once, from tick(), if
+  /// a result arrives; beyond ten thousand pending requests the oldest are abandoned. Without a sink the
+  /// result is a refusal.
   std::uint64_t request(robotcontrol::Request request, ResultHandler onResult = {});
 
  private:
@@ -97,8 +105,11 @@ class Session {
   void await(std::uint64_t id, ResultHandler onResult);
 
   StreamStore store_;
+  // Shared with producers; its own mutex protects it. Everything else belongs to the GUI's thread.
   Timeline timeline_;
+  /// What was pushed since the last tick.
   std::unique_ptr<Inbox> inbox_;
+  /// Result handlers of requests that have no result yet.
   std::unique_ptr<Pending> pending_;
   RequestSink sink_;
   RefusalHandler refused_;

@@ -13,24 +13,25 @@
 
 namespace robotlink {
 
-/// What views and windows remember from one start to the next: values under names like "views/image-1/zoom".
-/// A text file with a version (JSON), written whole or not at all. Values of another type than asked for
-/// count as absent.
+/// What views and windows remember between runs: values under names such as "views/image-1/zoom". A JSON text
+/// file with a version, written as a whole or not at all. A value of another type than requested counts as
+/// absent.
 ///
-/// A file that cannot be read is kept aside as <file>.broken, so that nothing a user made is lost, and
-/// everything has its default. One thread.
+/// A file that cannot be read is renamed to <file>.broken, so that nothing a user made is lost, and
+/// everything has its default value. One thread.
 class Settings {
  public:
   using Value = std::variant<bool, double, std::string, std::vector<std::string>>;
 
   explicit Settings(std::filesystem::path file) : file_(std::move(file)) {}
 
-  /// Reads the file; fails, with the reason and where the file went, if there is one that cannot be used.
-  /// None: empty.
+  /// Reads the file. A missing file means no settings. Fails if the file cannot be used; the error says why
+  /// and where the file was moved.
   Result<void> load();
-  /// Nothing is written if nothing has changed since load() or save().
+  /// Writes the file if something has changed since load() or save().
   Result<void> save();
 
+  /// `fallback` is returned if the name is absent or has another type.
   bool flag(const std::string& name, bool fallback) const;
   double number(const std::string& name, double fallback) const;
   std::string text(const std::string& name, const std::string& fallback) const;
@@ -38,7 +39,7 @@ class Settings {
 
   void set(const std::string& name, Value value);
   void set(const std::string& name, const char* text) { set(name, Value(std::string(text))); }
-  /// Numbers that are not finite are forgotten instead.
+  /// A number that is not finite removes the setting.
   template <typename T>
   requires std::is_arithmetic_v<T>
   void set(const std::string& name, T value) {
@@ -48,7 +49,7 @@ class Settings {
       setNumber(name, static_cast<double>(value));
     }
   }
-  /// Forgets a name and all below it ("views/image-1" and "views/image-1/...").
+  /// Removes a name and all names below it ("views/image-1" and "views/image-1/...").
   void remove(const std::string& name);
   const std::map<std::string, Value>& all() const { return values_; }
   const std::filesystem::path& file() const { return file_; }
@@ -60,6 +61,7 @@ class Settings {
 
   std::filesystem::path file_;
   std::map<std::string, Value> values_;
+  /// Set by set() and remove(), reset by load() and save().
   bool changed_ = false;
 };
 

@@ -9,18 +9,22 @@
 
 namespace robotlink {
 
-/// One message of a stream. Its value is immutable and shared: history, views and recorders never copy it.
+/// A message of a stream. Its value is immutable and shared: history, views and recorders never copy it.
 struct StreamMessage {
   std::string path;  ///< "red1/camera/image"
-  Instant time;      ///< of the robot's platform
+  /// In the time of the robot's platform.
+  Instant time;
   PackagePtr value;
-  std::string process = {};  ///< that told it; empty if it was none of a robot's processes
-  std::uint64_t frame = 0;   ///< of that process, FrameInfo.number; 0 if it is not known
-  std::size_t bytes = 0;     ///< about what it occupies; 0: not yet known
+  /// The process that sent it; empty if it was not one of a robot's processes.
+  std::string process = {};
+  /// The process's frame (FrameInfo.number); 0 if unknown.
+  std::uint64_t frame = 0;
+  /// Approximate memory that it holds; 0 if not yet computed.
+  std::size_t bytes = 0;
 };
 
-/// About how much memory a message keeps from being freed: the fields of its value and the cost of keeping
-/// it.
+/// Approximately how much memory is freed when the message is dropped: the fields of its value and the
+/// overhead of storing it.
 std::size_t sizeOf(const StreamMessage& message);
 
 }  // namespace robotlink

@@ -35,11 +35,11 @@ double rateOf(const StreamStore::Stream& stream, Instant now) {
 }  // namespace
 
 std::size_t sizeOf(const StreamMessage& message) {
-  // The message object, its place in the history, its path.
+  // The message object, its place in the history, and its path.
   constexpr std::size_t kOverhead = 256;
   if (!message.value) return kOverhead;
-  // In memory, not on the wire: a drawing of points takes some times the bytes that it is sent as. What it is
-  // larger in memory it has in parts of its own, of which the heap takes about a third more.
+  // The size in memory, not on the wire: a drawing of points takes several times the bytes that it is sent
+  // as. The excess is in separate allocations, for which the heap needs about a third more.
   const std::size_t inMemory = message.value->SpaceUsedLong(), onWire = message.value->ByteSizeLong();
   return kOverhead + inMemory + (inMemory > onWire ? (inMemory - onWire) / 3 : 0);
 }
@@ -108,14 +108,15 @@ void StreamStore::forgetAfter(Instant time) {
     for (auto& [process, newest] : stream.newestOf) newest = std::min(newest, time);
     if (!kept.value) continue;
     kept.time = time;
-    --stream.count;  // it is not received anew
+    // The message was not received again.
+    --stream.count;
     insert(stream, std::move(kept));
   }
   newest_ = swept_ = time;
 }
 
 void StreamStore::forgetOld() {
-  // Often enough for rates; every stream is looked at, also those that have fallen silent.
+  // Often enough for rates; all streams are checked, even those without new messages.
   if (newest_ - swept_ >= kSweepPeriod || newest_ < swept_) sweep();
   while (bytes_ > limits_.bytes) {
     Stream* oldest = nullptr;

@@ -11,72 +11,88 @@
 
 namespace robotlink {
 
-/// The bounded history of all streams of a session. A message that is kept is never copied: views share it.
-/// The newest message of a stream is always kept, so that what changes rarely (tables, transforms) is never
-/// lost.
+/// The bounded history of all streams of a session. Messages are never copied: views share them. The newest
+/// message of each stream is always kept, so that what changes rarely (tables, transforms) is never lost.
 ///
-/// Used by one thread, the GUI's: producers hand messages to Session. What one process tells in one stream
-/// comes in order of time (several may tell in one, as in the log: their messages are put in order here); a
-/// message that goes back in time (the simulation was reset) forgets what is later in all streams of that
-/// session. Only what holds until it is told anew - tables, the scene - stays, as if told then.
+/// Used by one thread, the GUI's; producers push to Session. The messages of one process in one stream arrive
+/// in order of time (several processes may write to one stream, such as the log; their messages are merged by
+/// time here). A message that is older than its predecessor means that the simulation was reset: all later
+/// messages of all streams are dropped. Only latched messages (tables, the scene; see HeldMessages.h) stay,
+/// with that time.
 ///
-/// Streams that nobody expects (a robot that makes up paths) are refused past a limit, and counted. Pointers
-/// to messages and streams are valid until the next add() or clear().
+/// The number of streams is limited, in case a robot makes up paths; messages of further streams are refused
+/// and counted. Pointers to messages and streams are valid until the next add() or clear().
 class StreamStore {
  public:
+  /// What is older or exceeds these limits is dropped, oldest first.
   struct Limits {
+    // In the platform's time, before the newest message.
     Duration age = std::chrono::seconds(60);
     std::size_t bytes = 512U << 20U;
+    // How many paths may exist at once.
     std::size_t streams = 10'000;
   };
   struct Stream {
     std::string path;
-    std::string type;                    ///< full name of the message type
-    std::deque<StreamMessage> messages;  ///< oldest first
-    std::uint64_t generation = 0;        ///< of the store when this stream came into it
-    std::uint64_t count = 0;             ///< received since then
-    std::uint64_t bytes = 0;             ///< kept
-    double rate = 0;  ///< Hz, over the last second of the platform's time; renewed ten times in each
-    Instant since;    ///< the first message after the start or a reset
-    std::map<std::string, Instant> newestOf = {};  ///< by process
+    /// Full name of the message type.
+    std::string type;
+    /// In order of time, oldest first.
+    std::deque<StreamMessage> messages;
+    /// The store's generation() when the stream appeared.
+    std::uint64_t generation = 0;
+    /// Messages received since it appeared.
+    std::uint64_t count = 0;
+    /// Memory held by `messages`.
+    std::uint64_t bytes = 0;
+    /// Messages per second, over the last second of the platform's time; updated every 0.1 s of it.
+    double rate = 0;
+    /// Time of the first message after the start or a reset.
+    Instant since;
+    /// Time of the newest message of each process.
+    std::map<std::string, Instant> newestOf = {};
   };
 
   explicit StreamStore(Limits limits);
+  /// Stores a message; one without a value is ignored. Drops what exceeds the limits.
   void add(StreamMessage message);
+  /// Drops everything and increments generation().
   void clear();
 
-  /// Grows with every clear(): what was read before is no longer true.
+  /// Increases with every clear(): values derived from an earlier generation are obsolete.
   std::uint64_t generation() const { return generation_; }
 
-  /// Null if it has never been seen.
+  /// Null if the stream does not exist.
   const Stream* find(const std::string& path) const;
-  /// All streams whose path starts with `prefix`, by path.
+  /// All streams whose path starts with `prefix`, sorted by path.
   std::vector<const Stream*> streams(const std::string& prefix = {}) const;
-  /// The newest message not later than `time`; null if there is none.
+  /// The newest message not later than `time`; null if there is none. Logarithmic in the length of the
+  /// stream.
   const StreamMessage* latest(const std::string& path, Instant time) const;
-  /// The same as its type; null if it is of another.
+  /// The same as a T; null if there is none or if it is of another type.
   template <typename T>
   const T* latestAs(const std::string& path, Instant time) const {
     const StreamMessage* message = latest(path, time);
     return message ? dynamic_cast<const T*>(message->value.get()) : nullptr;
   }
-  /// Grows with every change of the list of streams, so that a view need not compare lists.
+  /// Increases with every change to the list of streams or their types, so that views need not compare lists.
   std::uint64_t listVersion() const { return listVersion_; }
   std::size_t bytes() const { return bytes_; }
-  /// The latest time of all messages; the start of time if there are none.
+  /// The latest time of all messages; the clock's zero if there are none.
   Instant newest() const { return newest_; }
-  /// How far back the history reaches: what is kept only because it is the newest of its stream does not
-  /// count.
+  /// How far back the history reaches, not counting messages that are kept only because they are the newest
+  /// of their stream.
   Instant oldest() const;
-  /// Messages that were not taken because there are too many streams.
+  /// The number of messages dropped because there were too many streams.
   std::uint64_t refused() const { return refused_; }
 
  private:
   Stream* streamFor(const StreamMessage& message);
   void insert(Stream& stream, StreamMessage message);
   void popFront(Stream& stream);
+  /// Drops messages later than `time` after the platform's clock was set back.
   void forgetAfter(Instant time);
   void forgetOld();
+  /// Drops old messages and updates the rates of all streams.
   void sweep();
 
   Limits limits_;
@@ -86,6 +102,7 @@ class StreamStore {
   std::uint64_t generation_ = 0;
   std::uint64_t refused_ = 0;
   Instant newest_;
+  /// When sweep() last ran, in the platform's time.
   Instant swept_;
 };
 

@@ -18,7 +18,7 @@ FilePosition positionOf(const std::filesystem::path& file, const std::string& te
   return {file.string(), static_cast<int>(line), static_cast<int>(before.size() - lineStart) + 1};
 }
 
-// Deeper nesting than any of these files has would only cost stack.
+// None of these files nests deeper; more would only use up the stack.
 Result<json> parse(const std::filesystem::path& file, const std::string& text) {
   constexpr int kMaxDepth = 32;
   bool tooDeep = false;
@@ -69,7 +69,7 @@ Result<void> writeVersioned(const std::filesystem::path& file, const VersionedFo
                             const json& contents) {
   const nlohmann::ordered_json document{
       {"format", format.format}, {"version", format.version}, {format.member, contents}};
-  // Texts that are not UTF-8 are written with their bytes replaced rather than not at all.
+  // Invalid UTF-8 is replaced, so that the file can be written.
   return writeFileAtomically(file, document.dump(2, ' ', false, json::error_handler_t::replace) + "\n");
 }
 

@@ -15,10 +15,11 @@ using robotlink::GroundMap;
 using robotlink::Vector2;
 
 constexpr double kWallHeight = 1;
-constexpr double kFloorMargin = 1;  // m of floor around everything
+/// Width of the floor around everything, m.
+constexpr double kFloorMargin = 1;
 constexpr double kWallFriction = 0.4;
-constexpr double kTileSize =
-    8;  // what is drawn of the walls is cut into tiles, so that cameras skip what they do not see
+/// The drawn walls are split into tiles of this size, so that cameras skip those out of view.
+constexpr double kTileSize = 8;
 constexpr std::size_t kMostPieces = 100'000;
 constexpr std::size_t kMostPoints = 2'000'000;
 
@@ -35,7 +36,7 @@ Shape shapeOf(const WallBox& box) {
   return shape;
 }
 
-/// Adds a box's sides and its top, but not what stands on the floor.
+/// Adds the sides and the top of a box, but not its bottom, which stands on the floor.
 void append(Mesh& mesh, const WallBox& box) {
   const Pose3 pose = poseOf(box);
   const auto addFace = [&](const Vector3& middle, const Vector3& right, const Vector3& up) {
@@ -130,7 +131,7 @@ robotlink::Result<WorldDescription> mapWorld(const GroundMap& map, const std::st
   world.name = map.name;
   world.ambient = 0.6F;
   world.background = kSkyColor;
-  // Like the sun: so high that the whole building is lit alike, and not from straight above.
+  // Like the sun: so high that the whole building is lit evenly, and not vertically.
   const Vector2 middle = (bounds.low + bounds.high) / 2;
   const double height = 20 + (bounds.high - bounds.low).norm();
   Lamp lamp;

@@ -7,8 +7,9 @@
 
 namespace simcore {
 
-/// A map as a world: a floor, and its lines and points as walls of 1 m height, all of them one static model
-/// "walls". The world's frame is the map's. Fails if there is more to it than can be simulated.
+/// Builds a world from a map: a floor, and the map's lines and points as walls 1 m high, all in one static
+/// model "walls". The world's frame is the map's. Fails if the map is too large to be simulated. `file` is
+/// the name that errors carry.
 robotlink::Result<WorldDescription> mapWorld(const robotlink::GroundMap& map, const std::string& file);
 
 }  // namespace simcore

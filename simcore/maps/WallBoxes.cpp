@@ -14,15 +14,16 @@ using robotlink::GroundMap;
 using robotlink::Vector2;
 
 constexpr double kLineThickness = 0.01;
-constexpr double kTolerance = 0.02;  // by how much a surface may move
-// Cells finer than this would be many, and nobody sees them.
+/// By how much a surface may move, m.
+constexpr double kTolerance = 0.02;
+// Finer cells would be too many, and nobody could see the difference.
 constexpr double kFinestCell = 0.01;
-// Walls of all buildings are shorter; points beside lines past it stay pieces of their own.
+// Longer than the walls of any building; points beside lines beyond this length keep boxes of their own.
 constexpr double kLongestMarked = 100'000;
 
 WallBox boxOf(const GroundMap::Line& line) {
   const Vector2 along = line.to - line.from;
-  // Its ends reach as far as its sides, so that corners are closed.
+  // Its ends extend as far as its sides, so that corners are closed.
   return {(line.from + line.to) / 2,
           {along.norm() + kLineThickness, kLineThickness},
           std::atan2(along.y(), along.x())};
@@ -32,12 +33,12 @@ struct Cell {
   int x = 0, y = 0;
 };
 
-/// Both ends included.
+/// Both ends are inclusive.
 struct CellRectangle {
   int left = 0, right = 0, bottom = 0, top = 0;
 };
 
-/// Gathers cells into rectangles. A rectangle may cover empty cells that are near enough to a wall.
+/// Merges cells into rectangles. A rectangle may cover empty cells that are close enough to a wall.
 class CellGatherer {
  public:
   CellGatherer(std::vector<Cell> cells, int reach) : cells_(std::move(cells)) {
@@ -66,13 +67,13 @@ class CellGatherer {
   }
 
  private:
-  /// A rectangle, no larger than it must be for the waiting cells in it.
+  /// A rectangle that is no larger than the remaining cells in it require.
   struct Grown {
     CellRectangle rectangle;
     int gathered = 0;
   };
 
-  // Walls of a building are shorter; what grows past it goes on in the next rectangle.
+  // Longer than walls of buildings; what grows beyond it continues in the next rectangle.
   static constexpr int kLongest = 2000;
 
   bool isColumnAllowed(int x, const CellRectangle& r) const {
@@ -123,7 +124,7 @@ class CellGatherer {
   CellSet waiting_, allowed_;
 };
 
-/// Marks the cells whose centres are so near to a line that its box stands for them.
+/// Marks the cells whose centers are so close to a line that its box covers them.
 void markNear(const GroundMap::Line& line, double cell, double distance, CellSet& near) {
   const Vector2 along = line.to - line.from;
   const double length = along.norm();
@@ -147,7 +148,7 @@ void markNear(const GroundMap::Line& line, double cell, double distance, CellSet
 std::vector<WallBox> wallBoxes(const GroundMap& map) {
   std::vector<WallBox> boxes;
   const double cell = std::max(map.resolution, kFinestCell);
-  // The corner of a square at this distance from the line is as far from the box as may be.
+  // At this distance from the line, the corner of a square is as far from the box as allowed.
   const double covered = kLineThickness / 2 + kTolerance - cell * std::numbers::sqrt2 / 2;
   CellSet near;
   double marked = 0;

@@ -14,7 +14,9 @@ constexpr int kMaxContacts = 4;
 constexpr double kContactErrorReduction = 0.3;
 constexpr double kContactSoftness = 1e-5;
 constexpr double kMinBounceVelocity = 0.05;  // m/s
-constexpr double kFloor = 0.7;  // upward share of the normal of what is a floor or a ramp, not an obstacle
+/// The upward component of a contact's normal from which the other solid is a floor or a ramp rather than an
+/// obstacle.
+constexpr double kFloor = 0.7;
 
 dGeomID asGeom(dSpaceID space) {
   return reinterpret_cast<dGeomID>(space);
@@ -24,12 +26,12 @@ OdeModel& modelOf(OdeWorld& ode, const OdeGeom& geom) {
   return ode.models[static_cast<std::size_t>(geom.model)];
 }
 
-/// The body that a contact moves; null if none.
+/// The body that a contact moves; null if there is none.
 dBodyID movedBody(OdeWorld& ode, const OdeGeom& geom) {
   return modelOf(ode, geom).kinematic ? nullptr : dGeomGetBody(geom.id);
 }
 
-/// Whether no force can move what is in a space: its data is its OdeModel; statics have none.
+/// Whether no force can move the solids in a space. Its data is its OdeModel; the space of statics has none.
 bool isUnmoved(dGeomID space) {
   const auto* model = static_cast<const OdeModel*>(dGeomGetData(space));
   return model == nullptr || model->kinematic;
@@ -45,7 +47,7 @@ void noteTouch(OdeWorld& ode, OdeGeom& a, OdeGeom& b, double upward) {
   if (bothMove || std::abs(upward) < kFloor) first.touchesObstacle = second.touchesObstacle = true;
 }
 
-/// A wheel's part of addContacts().
+/// The part of addContacts() for wheels.
 void addRolling(OdeWorld& ode, OdeGeom& wheel, OdeGeom& other) {
   dContactGeom contact;
   if (dCollide(wheel.id, other.id, 1, &contact, sizeof contact) == 0 || isFlank(ode, wheel, contact)) return;
@@ -79,13 +81,13 @@ void addContacts(void* data, dGeomID a, dGeomID b) {
   }
 }
 
-/// Whether a geom is a wheel that stands on the ground there, or has its flank there.
+/// Whether a contact of a geom is that of a wheel with the ground, or with the wheel's flank.
 bool isOnlyRolling(const OdeWorld& ode, const OdeGeom& geom, const dContactGeom& contact) {
   return geom.wheel >= 0 && (std::abs(contact.normal[2]) > kFloor || isFlank(ode, geom, contact));
 }
 
-/// Whether a geom is a wheel that need not be looked at: a model that no force moves does not stand on it,
-/// and its other solids are as wide.
+/// Whether a geom is a wheel that need not be compared: a kinematic model does not stand on it, and its other
+/// solids are as wide.
 bool isHiddenWheel(OdeWorld& ode, const OdeGeom& geom) {
   return geom.wheel >= 0 && modelOf(ode, geom).kinematic;
 }
@@ -146,7 +148,7 @@ Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note) {
   if (own == nullptr) return query.found;
   const OdePlace& place = *std::ranges::find(ode.places, model, &OdePlace::model);
   for (const OdePlace& other : ode.places) {
-    // Not by ODE's bounds: to ask for them would have it look at all solids of everything that moves.
+    // ODE's bounds are not used: asking for them makes ODE update all solids of everything that moves.
     if (other.model == model || !mayMeet(ode, place, other)) continue;
     const OdeModel& otherModel = ode.models[static_cast<std::size_t>(other.model)];
     dSpaceCollide2(asGeom(own), asGeom(otherModel.space), &query, &compareDepth);

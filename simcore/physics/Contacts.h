@@ -5,20 +5,22 @@
 
 namespace simcore {
 
-/// Finds what touches now, notes it in geoms, models and `touches`, and makes contact joints of it for ODE's
-/// next step. What no force can move (static models, and models that are moved by their odometry) is not
-/// compared with its like.
+/// Finds all contacts, records them in geoms, models and `touches`, and creates contact joints for ODE's next
+/// step. Pairs that no force can move (static models, models that follow their odometry) are not compared.
 void findContacts(OdeWorld& ode);
 
-/// How deep a model sinks into others, floors under its wheels apart.
+/// How deep a model overlaps others, not counting the floor under its wheels.
 struct Overlap {
-  double depth = 0;  ///< m, of the deepest contact; 0 if there is none
-  int model = -1;    ///< the one that it sinks into; -1 if there is none
+  /// The deepest contact, m; 0 if there is none.
+  double depth = 0;
+  /// The model that it overlaps; -1 if there is none.
+  int model = -1;
 };
+/// Whether a query records the contacts it finds.
 enum class NoteTouches : std::uint8_t { kNo, kYes };
 
-/// Compares a moving model with everything static near it, and with all other moving models whose bounds meet
-/// its own. With kYes, what touches is noted as findContacts() does.
+/// Compares a moving model with the static geoms near it and with all other moving models whose bounds meet
+/// its own. With kYes, contacts are recorded as by findContacts(), but get no joints.
 Overlap deepestOverlap(OdeWorld& ode, int model, NoteTouches note = NoteTouches::kNo);
 
 }  // namespace simcore

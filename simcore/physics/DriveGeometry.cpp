@@ -28,7 +28,7 @@ Vector3 mean(const std::vector<Vector3>& places) {
   return sum / static_cast<double>(places.size());
 }
 
-/// How far solids reach in a direction from a point. Wheels count if `withWheels`.
+/// How far solids extend from a point in a direction; wheels count if `withWheels`.
 double reachOf(const ModelDescription& model, const Vector3& from, const Vector3& direction,
                bool withWheels) {
   const std::vector<Pose3> links = linksAtStart(model);
@@ -55,7 +55,8 @@ DriveGeometry driveGeometry(const ModelDescription& model) {
   if (apart < 0) result.toLeft = -result.toLeft;
   wheels.insert(wheels.end(), right.begin(), right.end());
   result.center = mean(wheels);
-  double along = 0, across = 0;  // of the wheels' distances from the middle: sum of squares, and plain sum
+  // Over the wheels' distances from the middle: the sum of squares along, and the plain sum across.
+  double along = 0, across = 0;
   for (const Vector3& wheel : wheels) {
     const Vector3 place = wheel - result.center;
     const double sideways = std::abs(place.dot(result.toLeft));
@@ -81,7 +82,7 @@ DriveGeometry driveGeometry(const ModelDescription& model) {
     const Vector3 direction = std::cos(angle) * forward + std::sin(angle) * result.toLeft;
     result.radius = std::max(result.radius, reachOf(model, result.center, direction, true));
   }
-  // What lies between two directions reaches a little farther.
+  // Between two of the directions, solids may extend a little farther.
   result.radius /= std::cos(robotlink::kPi / kDirections);
   return result;
 }

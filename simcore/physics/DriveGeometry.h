@@ -6,19 +6,25 @@
 
 namespace simcore {
 
-/// What follows from where a drive's wheels are, in the model's frame.
+/// Quantities that follow from the positions of a drive's wheels, in the model's frame.
 struct DriveGeometry {
-  Vector3 center = Vector3::Zero();   ///< between the wheels
-  Vector3 toLeft = Vector3::UnitY();  ///< unit, along the axles
-  double slipRatio = 1;               ///< see OdeWheels.h
-  Footprint footprint;                ///< of all solids but the wheels, seen from the centre, x to the front
-  double radius = 0;                  ///< of a circle about the centre that holds all solids, seen from above
+  /// The middle between the wheels.
+  Vector3 center = Vector3::Zero();
+  /// Unit vector along the axles.
+  Vector3 toLeft = Vector3::UnitY();
+  /// See OdeWheels.h.
+  double slipRatio = 1;
+  /// Of all solids but the wheels, relative to the center, x to the front.
+  Footprint footprint;
+  /// Of the circle around the center that contains all solids, seen from above.
+  double radius = 0;
 };
 
-/// The geometry of a model that has a drive.
+/// Computes the geometry of a model with a drive, with its joints at their initial angles.
 DriveGeometry driveGeometry(const ModelDescription& model);
 
-/// The ratio of slips that makes wheels at (+-a, +-b) turn about a track; 1 if they stand on one axle.
+/// The ratio of slips with which wheels at (+-a, +-b) turn as if they had this track; 1 if they are on one
+/// axle.
 double slipRatioFor(double track, double a, double b);
 
 }  // namespace simcore

@@ -7,7 +7,7 @@
 
 namespace simcore {
 
-// Two rectangles are apart if they are so along one of their four edges' directions.
+// Two rectangles are disjoint if they are separated along one of their edges' directions.
 bool meet(const Footprint& a, const Footprint& b) {
   const robotlink::Vector2 way = b.center - a.center;
   const double cosine = std::abs(a.along.dot(b.along));

@@ -7,17 +7,18 @@ struct dxGeom;
 
 namespace simcore {
 
-/// A rectangle on the ground that holds a solid or a model, seen from above.
+/// A rectangle on the ground that contains a solid or a model, seen from above.
 struct Footprint {
   robotlink::Vector2 center = {0, 0};
-  robotlink::Vector2 along = {1, 0};  ///< unit
+  /// Unit vector.
+  robotlink::Vector2 along = {1, 0};
   double halfLength = 0, halfWidth = 0;
 
-  /// Whether two have a point in common; exact.
+  /// Whether two rectangles have a point in common; exact (separating axes).
   friend bool meet(const Footprint& a, const Footprint& b);
 };
 
-/// The footprint of a solid of finite size: exact for an upright box, the bounds of others.
+/// The footprint of a finite solid: exact for an upright box, otherwise its bounding box.
 Footprint footprintOf(dxGeom* geom);
 
 }  // namespace simcore

@@ -15,7 +15,8 @@ namespace {
 
 constexpr double kPositionTolerance = 0.0005;  // m; sinking in less than that is only touching
 constexpr int kHalvings = 6;
-constexpr double kClearance = 1;  // m; farther away nobody looks for obstacles
+/// In m; obstacles farther away are not searched.
+constexpr double kClearance = 1;
 
 struct BodyPose {
   Vector3 position;
@@ -34,7 +35,7 @@ void setPose(dBodyID body, const BodyPose& pose) {
   dBodySetQuaternion(body, rotation);
 }
 
-/// Where a drive is and where it looks to, both in the plane.
+/// The position and direction of a drive in the plane.
 struct PlanePose {
   Vector2 center, forward;
 };
@@ -66,7 +67,7 @@ void updateFootprint(OdeWorld& ode, const OdeDrive& drive) {
   place.hasFootprint = true;
 }
 
-/// One drive in one step.
+/// Moves one drive by one step.
 class Mover {
  public:
   Mover(OdeWorld& ode, std::size_t index)
@@ -76,7 +77,7 @@ class Mover {
         right_(ode.wheelSides[2 * index + 1]),
         body_(ode.bodies[drive_.body].id) {}
 
-  /// False if it was told to stand.
+  /// Returns false if the drive was requested to stand.
   bool move() {
     const double left = left_.on ? left_.target : 0, right = right_.on ? right_.target : 0;
     const bool moves = left != 0 || right != 0;
@@ -84,7 +85,7 @@ class Mover {
     if (!moves || !possible) setVelocity(Vector3::Zero(), 0);
     settle(left_, possible ? left : 0, !possible && left != 0);
     settle(right_, possible ? right : 0, !possible && right != 0);
-    // What it leans on stays touched while it stands.
+    // A model that leans on something keeps touching it while it stands.
     if (!moves && drive_.touches) depthNow(NoteTouches::kYes);
     return moves;
   }
@@ -120,8 +121,8 @@ class Mover {
     dBodySetAngularVel(body_, 0, 0, rate);
   }
 
-  /// Whether it may stay where it was put, so as not to sink in deeper than it does. If not, it goes as far
-  /// as it can. What it touches in the end is noted.
+  /// Whether the model may stay at its new pose because it does not overlap anything deeper than before. If
+  /// not, it moves as far as it can. Final contacts are recorded.
   bool fits(const BodyPose& before, const BodyPose& after) {
     const double depth = depthNow();
     drive_.touches = depth > 0;
@@ -138,7 +139,7 @@ class Mover {
     return true;
   }
 
-  /// Goes the greatest part of a way that lets it touch but not sink in.
+  /// Moves by the largest fraction of a step at which the model touches but does not overlap.
   void approach(const BodyPose& before, const BodyPose& after) {
     double free = 0, blocked = 1;
     const auto partly = [&](double share) {
@@ -158,8 +159,8 @@ class Mover {
     return deepestOverlap(ode_, drive_.model, note).depth;
   }
 
-  /// Whether nothing touches it, as far as can be told from above. Statics are looked for only when it has
-  /// come as far as was free of them.
+  /// Whether nothing touches the model, judged from above. Static geoms are searched only when the model has
+  /// moved as far as was known to be free of them.
   bool isAlone(const PlanePose& pose) {
     if (ode_.hasSteepPlanes) return false;
     const Footprint own = footprintAt(drive_, pose);

@@ -5,9 +5,10 @@
 
 namespace simcore {
 
-/// Moves all kinematic models on by one step, in order: each as its rims' speeds and its track say, in the
-/// plane. A move that would let it sink into something, or deeper than it does, is not made: it stays, its
-/// wheels are blocked, and what it touches is noted. Where nothing is near, no solids are compared.
+/// Advances all kinematic models by one step, in their order, in the plane, by the speeds of their rims and
+/// their track. A move that would make a model overlap something, or overlap it deeper, is not made: the
+/// model stops in front of it, its wheels are blocked, and the contact is recorded. Where nothing is near, no
+/// solids are compared.
 void moveKinematicModels(OdeWorld& ode);
 
 }  // namespace simcore

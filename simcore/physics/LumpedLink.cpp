@@ -6,7 +6,7 @@
 namespace simcore {
 namespace {
 
-/// Inertia of a mass about a point that lies `offset` from its centre.
+/// The inertia of a mass about a point at `offset` from its center of mass.
 Eigen::Matrix3d shiftedInertia(const Eigen::Matrix3d& inertia, double mass, const Vector3& offset) {
   return inertia + mass * (offset.squaredNorm() * Eigen::Matrix3d::Identity() - offset * offset.transpose());
 }
@@ -23,7 +23,8 @@ LinkDescription withWheelsLumped(const ModelDescription& model, int link) {
   const LinkDescription own = result;
   struct Piece {
     double mass;
-    Vector3 center;  // in the link
+    // In the link's frame.
+    Vector3 center;
     Eigen::Matrix3d inertia;
   };
   std::vector<Piece> pieces = {{own.mass, own.centerOfMass, own.inertia}};

@@ -8,8 +8,9 @@ namespace simcore {
 /// Whether a link of a model is a wheel of its drive.
 bool isWheel(const ModelDescription& model, int link);
 
-/// A link with the wheels that it carries in one rigid piece: their masses added, its solids its own. A link
-/// without wheels is given back as it is. Wheels that turn keep their inertia about any axis but their own.
+/// Combines a link with the wheels that it carries into one rigid piece: the wheels' masses are added, the
+/// solids are those of the link. A link without wheels is returned unchanged. Rotating wheels keep only their
+/// inertia about other axes than their own.
 LinkDescription withWheelsLumped(const ModelDescription& model, int link);
 
 }  // namespace simcore

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Drives and their wheels as OdeWorld holds them; OdeWheels.h says how they move.
+// Drives and wheels as OdeWorld stores them; OdeWheels.h describes how they work.
 #pragma once
 
 #include <ode/ode.h>
@@ -9,54 +9,85 @@
 
 namespace simcore {
 
-/// The wheels on one side of a drive: belts let them turn alike.
+/// The wheels on one side of a drive; they have the same speed, as if coupled by belts.
 struct OdeWheelSide {
-  std::size_t firstWheel = 0, wheelCount = 0;  ///< of OdeWorld::wheels
-  double maximumForce = 0, idleForce = 0;      ///< N, of all its rims
-  double target = 0;                           ///< m/s
+  /// A range of OdeWorld::wheels.
+  std::size_t firstWheel = 0, wheelCount = 0;
+  /// Of all its rims together with and without power, N.
+  double maximumForce = 0, idleForce = 0;
+  /// Requested speed of the rims, m/s.
+  double target = 0;
+  /// Whether the motors have power.
   bool on = true;
-  double speed = 0, travel = 0;  ///< of the rims, m/s and m
-  int blockedSteps = 0;          ///< for how many steps it has been at its limit and hardly turned
+  /// Of the rims, m/s and m.
+  double speed = 0, travel = 0;
+  /// For how many steps it has been at its force limit and has hardly turned.
+  int blockedSteps = 0;
 };
 
+/// A driven wheel. It has no ODE body of its own.
 struct OdeWheel {
-  std::size_t body = 0;                   ///< that carries it, of OdeWorld::bodies
-  std::size_t side = 0;                   ///< of OdeWorld::wheelSides
-  Pose3 linkInBody = Pose3::Identity();   ///< at angle 0; in ODE's body, whose origin is its centre of mass
-  Vector3 axisInBody = Vector3::UnitY();  ///< forwards is right-handed about it
+  /// The body that carries it, an index of OdeWorld::bodies.
+  std::size_t body = 0;
+  /// An index of OdeWorld::wheelSides.
+  std::size_t side = 0;
+  /// The wheel's link at angle 0, relative to ODE's body, whose origin is its center of mass.
+  Pose3 linkInBody = Pose3::Identity();
+  /// A right-handed rotation about it drives forwards.
+  Vector3 axisInBody = Vector3::UnitY();
+  /// The same axis in the wheel's link.
   Vector3 axisInLink = Vector3::UnitY();
   Vector3 centerInLink = Vector3::Zero();  ///< of its cylinder, about which the link turns
   double radius = 0;
-  double slipRatio = 1;  ///< of slip along to slip across at equal force
-  double restLoad = 0;   ///< N that it carries if all wheels carry alike
-  double load = 0;       ///< N that it carries
+  /// Slip along the rolling direction divided by slip across it at equal force.
+  double slipRatio = 1;
+  /// Its share of the weight if all wheels carry equally, N.
+  double restLoad = 0;
+  /// Its present load, N.
+  double load = 0;
 };
 
-/// Where a wheel touched in this step.
+/// The contact of a wheel in this step.
 struct OdeWheelContact {
   std::size_t wheel = 0;
+  /// The body that it touches; null if that is static.
   dBodyID other = nullptr;
+  /// In the world; `forward` is the rolling direction.
   Vector3 point, normal, forward;
-  double slipPerForce = 0;  ///< m/s per N, along
-  double traction = 0;      ///< N, what the ground would take
-  double limit = 0;         ///< N, what the motors give it
+  /// Slip along the rolling direction, m/s per N.
+  double slipPerForce = 0;
+  /// The most that the ground can transmit, N.
+  double traction = 0;
+  /// The most that the motors can exert, N.
+  double limit = 0;
+  /// ODE writes the forces of the contact here.
   dJointFeedback feedback{};
 };
 
-/// Wheels on two sides of a model.
+/// A drive: the wheels on the two sides of a model.
 struct OdeDrive {
   int model = 0;
-  std::size_t body = 0;  ///< that carries the wheels, of OdeWorld::bodies
+  /// The body that carries the wheels, an index of OdeWorld::bodies.
+  std::size_t body = 0;
+  /// Meters.
   double track = 0;
-  Vector3 centerInBody = Vector3::Zero();  ///< between the wheels
-  Vector3 axisInBody = Vector3::UnitY();   ///< of the axles, to the left
-  double radius = 0;  ///< of a circle about the centre that holds the model, seen from above
-  // For a model that is moved by its odometry:
-  std::size_t place = 0;               ///< of OdeWorld::places
-  Footprint footprint;                 ///< seen from its centre, x to the front
-  bool touches = false;                ///< something, where it is
-  robotlink::Vector2 freeAt = {0, 0};  ///< where it was last looked how far away obstacles are
-  double freeWay = 0;                  ///< and how far it can go from there
+  /// The middle between the wheels.
+  Vector3 centerInBody = Vector3::Zero();
+  /// The axles' direction, to the left.
+  Vector3 axisInBody = Vector3::UnitY();
+  /// Of the circle around the center that contains the model, seen from above.
+  double radius = 0;
+  // Only for a model that follows its odometry:
+  /// An index of OdeWorld::places.
+  std::size_t place = 0;
+  /// Relative to its center, x to the front.
+  Footprint footprint;
+  /// Whether it touches something at its present pose.
+  bool touches = false;
+  /// Where the distance of obstacles was last computed...
+  robotlink::Vector2 freeAt = {0, 0};
+  /// ...and how far the model can move from there without meeting a static obstacle.
+  double freeWay = 0;
 };
 
 }  // namespace simcore

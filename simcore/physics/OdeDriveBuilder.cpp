@@ -35,7 +35,7 @@ void addWheel(OdeWorld& ode, const ModelDescription& type, const JointDescriptio
   ode.wheels.push_back(wheel);
 }
 
-/// What follows from all wheels of a drive, from `first` on.
+/// Computes what depends on all wheels of a drive, which begin at `first`.
 void settle(OdeWorld& ode, const ModelInstance& model, int index, std::size_t first) {
   const OdeModel& added = ode.models[static_cast<std::size_t>(index)];
   const DriveGeometry geometry = driveGeometry(*model.type);
@@ -49,7 +49,7 @@ void settle(OdeWorld& ode, const ModelInstance& model, int index, std::size_t fi
     wheel.slipRatio = geometry.slipRatio;
     wheel.restLoad = mass.mass * ode.description.gravity.norm() / static_cast<double>(wheels.size());
     wheel.load = wheel.restLoad;
-    // Forwards is the same way for all, whichever way their joints' axes look.
+    // All wheels drive forwards in the same direction, whatever the direction of their joints' axes.
     if ((bodyInModel.linear() * wheel.axisInBody).dot(geometry.toLeft) > 0) continue;
     wheel.axisInBody = -wheel.axisInBody;
     wheel.axisInLink = -wheel.axisInLink;

@@ -5,8 +5,8 @@
 
 namespace simcore {
 
-/// Makes the drive of a model, whose bodies but the wheels stand in its place: sides, wheels, and their
-/// solids.
+/// Creates the drive of a model: its sides, wheels, and their solids. The bodies of all other links must
+/// exist.
 void addDrive(OdeWorld& ode, const ModelInstance& model, int index);
 
 }  // namespace simcore

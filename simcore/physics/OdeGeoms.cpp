@@ -15,7 +15,8 @@ dGeomID createGeom(dSpaceID space, const Shape& shape, const Pose3& pose) {
     case Shape::Kind::kCapsule:
       return dCreateCapsule(space, shape.radius, shape.length);
     case Shape::Kind::kPlane:
-    case Shape::Kind::kMesh:  // never a solid
+    // Never a solid.
+    case Shape::Kind::kMesh:
       break;
   }
   const Vector3 normal = pose.linear().col(2);

@@ -5,11 +5,11 @@
 
 namespace simcore {
 
-/// Makes a solid of a model, in a space if that is not null. `pose` (world) is needed for planes alone, which
-/// ODE cannot move.
+/// Creates a solid of a model, in a space unless that is null. `pose` (in the world) is used only for planes,
+/// which ODE cannot move.
 dGeomID addGeom(OdeWorld& ode, dSpaceID space, const CollisionDescription& collision, int model,
                 const Pose3& pose);
-/// Makes a solid that moves with a body.
+/// Creates a solid that moves with a body.
 void addBodyGeom(OdeWorld& ode, const OdeBody& body, const CollisionDescription& collision, int model,
                  dSpaceID space);
 

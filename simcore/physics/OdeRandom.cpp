@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ODE shuffles its constraints by random numbers from one seed for the whole program, so simulations on
-// several threads would disturb each other. The functions here stand in for those of its shared library (the
-// dynamic linker takes the program's own definitions first), with one seed per thread, which Physics sets
-// before each step.
+// ODE shuffles its constraints with random numbers from one seed for the whole program, so simulations in
+// several threads would disturb each other. The functions here replace those of its shared library (the
+// dynamic linker prefers the program's own definitions), with one seed per thread, which Physics sets before
+// each step.
 #include "simcore/physics/OdeRandom.h"
 
 #include <ode/ode.h>
@@ -23,8 +23,8 @@ void seedOdeRandom(std::uint64_t bits) {
 
 extern "C" {
 
-// The generator is that of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table
-// 1, line 15).
+// The generator of ODE's misc.cpp, a linear congruential one (Knuth, volume 2, section 3.3.4, table 1, line
+// 15).
 unsigned long dRand(void) {
   threadSeed = 1664525U * threadSeed + 1013904223U;
   return threadSeed;
@@ -39,7 +39,7 @@ void dRandSetSeed(unsigned long seed) {
 }
 
 int dRandInt(int n) {
-  // The high bits of such a generator are the better ones.
+  // The high bits of such a generator are the more random ones.
   return n <= 0
              ? 0
              : static_cast<int>((static_cast<std::uint64_t>(dRand()) * static_cast<std::uint64_t>(n)) >> 32);

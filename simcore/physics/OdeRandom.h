@@ -5,7 +5,7 @@
 
 namespace simcore {
 
-/// Seeds ODE's random numbers for the calling thread.
+/// Seeds the calling thread's random numbers of ODE.
 void seedOdeRandom(std::uint64_t bits);
 
 }  // namespace simcore

@@ -9,17 +9,20 @@
 namespace simcore {
 namespace {
 
-// A tyre of about 40 kN/m that swings hardly. Being soft, it also shares the load between four wheels evenly.
+// A tire with about 40 kN/m that hardly oscillates. Because it is soft, four wheels share the load evenly.
 constexpr double kTyreErrorReduction = 0.25;
 constexpr double kTyreSoftness = 1.5e-3;
-// Slower slip than this grips without sliding: a robot creeps down a slope by less than that. m/s
+// Slip slower than this, in m/s, is grip without sliding: a robot creeps down a slope more slowly than that.
 constexpr double kCreep = 0.0005;
 constexpr double kLoadSmoothing = 0.5;
-constexpr double kLeastLoad = 0.1;  // share of the load at rest: what is about to land grips a little
-// A flank touches where the normal is this far along the axle.
+/// As a fraction of the load at rest: a wheel that is about to land grips a little.
+constexpr double kLeastLoad = 0.1;
+// A contact is with the flank if the axial component of its normal is larger than this.
 constexpr double kFlank = 0.6;
-constexpr double kAtLimit = 0.98;     // share of the motors' force
-constexpr double kHardlyTurns = 0.3;  // share of the speed that was asked for
+/// Fraction of the motors' maximum force.
+constexpr double kAtLimit = 0.98;
+/// Fraction of the requested speed.
+constexpr double kHardlyTurns = 0.3;
 
 Vector3 toEigen(const dReal* v) {
   return {v[0], v[1], v[2]};
@@ -48,10 +51,11 @@ double loadOf(const OdeWorld& ode, const OdeWheelSide& side) {
   return sum;
 }
 
-/// What one step told of a side's wheels.
+/// The sums over the contacts of a side's wheels in one step.
 struct SideForces {
   double force = 0, limit = 0, traction = 0;
-  double treadSpeed = 0;  ///< sum over the contacts
+  // The sum over the contacts.
+  double treadSpeed = 0;
   int contacts = 0;
 };
 

@@ -1,21 +1,21 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Driven wheels in ODE; for Physics and what belongs to it only.
+// Driven wheels in ODE; only for Physics and its parts.
 //
-// A wheel is no body of its own. Its mass is lumped into the body that carries it, and where it touches, the
-// contact itself drives: the tread moves with the wheels' speed along the rolling direction, with a force
-// that the side's motors limit. So a robot with four wheels is one body with four contacts instead of five
-// bodies with four hinges, which costs a third and needs fewer iterations.
+// A wheel has no body of its own. Its mass is lumped into the body that carries it, and the contact itself
+// drives: the tread moves with the wheel's speed along the rolling direction, with a force limited by the
+// motors of its side. So a robot with four wheels is one body with four contacts instead of five bodies with
+// four hinges, which costs a third and needs fewer iterations of the solver.
 //
-// Grip is Coulomb's: a tyre that slides is pulled against the direction in which it slides, by friction times
-// load. ODE's own friction limits the two directions apart; with it, wheels that turn on the spot would roll
-// without sliding and scrub sideways, and the robot would turn about the distance of its wheels. Here each
-// direction's force is proportional to its share of the slip, by a factor that the slip of the last step
-// gives (ODE's force-dependent slip, solved implicitly).
+// Grip follows Coulomb's law: a sliding tire is pulled against its direction of sliding by friction times
+// load. ODE's own friction limits the two directions separately; with it, wheels that turn on the spot would
+// roll without sliding and scrub sideways, and the robot would turn as if its track were the distance of its
+// wheels. Here the force in each direction is proportional to its share of the slip, with a factor computed
+// from the slip of the last step (ODE's force-dependent slip, solved implicitly).
 //
-// What a skid-steered robot turns about follows. Let its wheels be at (+-a, +-b), s the slip of their treads
-// and k the ratio of slip along to slip across at equal force. Turning on the spot at w, tyres slide by w a
-// across and s along; the forces balance if s b = k w a^2, so rims run at w b + s, and the track is 2 (b + k
-// a^2 / b). k is chosen so that this is the model's track.
+// The track of a skid-steered robot follows from this. Let its wheels be at (+-a, +-b), s the slip of their
+// treads, and k the ratio of slip along to slip across at equal force. Turning on the spot at rate w, tires
+// slide by w a across and by s along; the forces balance if s b = k w a^2, so the rims run at w b + s, and
+// the track is 2 (b + k a^2 / b). k is chosen to give the model's track.
 #pragma once
 
 #include <ode/ode.h>
@@ -24,10 +24,10 @@
 
 namespace simcore {
 
-/// Whether it is only its flank by which a wheel touches something: a wheel is a sphere to ODE.
+/// Whether a wheel touches something only with its flank (to ODE, a wheel is a sphere).
 bool isFlank(const OdeWorld& ode, const OdeGeom& wheel, const dContactGeom& contact);
-/// Adds the contact of a wheel's geom with another one, to which its flank is not turned.
+/// Adds the contact joint of a wheel's geom with another geom that its tread touches.
 void addWheelContact(OdeWorld& ode, const OdeGeom& wheel, const OdeGeom& other, const dContactGeom& contact);
-/// After ODE's step: loads, speeds and travels of all wheels by what their contacts carried.
+/// After ODE's step: updates loads, speeds and travel of all wheels from the forces of their contacts.
 void settleWheels(OdeWorld& ode);
 }  // namespace simcore

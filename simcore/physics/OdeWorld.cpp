@@ -6,12 +6,13 @@
 namespace simcore {
 namespace {
 
-// Measured for robots of this size: fewer iterations or longer steps let them fall, more cost time for
-// nothing.
+// Tuned for robots of this size: with fewer iterations or longer steps they fall; more cost time without
+// benefit.
 constexpr int kIterations = 20;
 constexpr double kErrorReduction = 0.3;
 constexpr double kConstraintForceMixing = 1e-7;
-constexpr double kMaxCorrectingVelocity = 1;  // m/s; keeps bodies that overlap from being catapulted
+/// In m/s; keeps overlapping bodies from being catapulted apart.
+constexpr double kMaxCorrectingVelocity = 1;
 
 }  // namespace
 
@@ -31,7 +32,7 @@ OdeWorld::OdeWorld(const WorldDescription& worldDescription) : description(world
   dWorldSetQuickStepNumIterations(world, kIterations);
   dWorldSetContactMaxCorrectingVel(world, kMaxCorrectingVelocity);
   dWorldSetContactSurfaceLayer(world, 0.0005);
-  // The threading that worlds share by default is not safe when two of them step at once.
+  // The threading that worlds share by default is not safe when two of them step at the same time.
   threading = dThreadingAllocateSelfThreadedImplementation();
   dWorldSetStepThreadingImplementation(world, dThreadingImplementationGetFunctions(threading), threading);
   top = dSimpleSpaceCreate(nullptr);

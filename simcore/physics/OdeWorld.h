@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// ODE's view of a world; for Physics and its benchmark only. ODE is private to simcore.
+// ODE's representation of a world; only for Physics and its benchmark. ODE is private to simcore.
 #pragma once
 
 #include <ode/ode.h>
@@ -13,43 +13,56 @@
 
 namespace simcore {
 
-/// What a geom's data points to.
+/// The data attached to each ODE geom.
 struct OdeGeom {
   dGeomID id = nullptr;
   int model = 0;
+  // Coulomb's friction coefficient, and restitution, 0 to 1.
   double friction = 1;
   double restitution = 0;
-  int wheel = -1;  ///< of OdeWorld::wheels; -1: no wheel
+  /// An index of OdeWorld::wheels; -1 if it is not a wheel.
+  int wheel = -1;
+  /// In the last step, by anything.
   bool touched = false;
 };
 
+/// A link of a moving model.
 struct OdeBody {
-  dBodyID id = nullptr;  ///< of a wheel: that of the body that carries it
-  int wheel = -1;        ///< of OdeWorld::wheels; -1: no wheel
+  /// For a wheel, the body that carries it.
+  dBodyID id = nullptr;
+  /// An index of OdeWorld::wheels; -1 if it is not a wheel.
+  int wheel = -1;
+  /// The center of mass, which is ODE's origin of the body.
   Vector3 centerInLink = Vector3::Zero();
-  std::size_t firstGeom = 0;  ///< of its geoms, which follow each other
+  /// Its geoms are consecutive in OdeWorld::geoms.
+  std::size_t firstGeom = 0;
 };
 
-/// What a space's data points to, but for that of statics.
+/// The data attached to the space of each moving model.
 struct OdeModel {
-  dSpaceID space = nullptr;  ///< null: static
+  /// Null for a static model.
+  dSpaceID space = nullptr;
+  // A range of OdeWorld::bodies.
   std::size_t firstBody = 0, bodyCount = 0;
-  bool kinematic = false;        ///< moved by its odometry, not by forces
-  bool touchesObstacle = false;  ///< anything but a floor, in the last step
+  /// Follows its odometry instead of forces.
+  bool kinematic = false;
+  /// Whether it touched anything but a floor in the last step.
+  bool touchesObstacle = false;
 };
 
-/// Where a moving model is at most, seen from above: in a circle about its first body; one with a drive also
-/// in a rectangle.
+/// Bounds of a moving model seen from above: a circle around its first body; for one with a drive also a
+/// rectangle.
 struct OdePlace {
   int model = 0;
+  // Center and radius of the circle, m.
   double x = 0, y = 0, radius = 0;
   bool hasFootprint = false;
   Footprint footprint = {};
 };
 
-/// Owns everything that ODE made for one world.
+/// All ODE objects of one world; it owns them. One thread at a time.
 struct OdeWorld {
-  /// An empty world: see buildOdeWorld().
+  /// Creates an empty world; buildOdeWorld() fills it. The description must outlive it.
   explicit OdeWorld(const WorldDescription& description);
   ~OdeWorld();
   OdeWorld(const OdeWorld&) = delete;
@@ -57,43 +70,65 @@ struct OdeWorld {
 
   const WorldDescription& description;
   dWorldID world = nullptr;
+  /// The space that contains all others.
   dSpaceID top = nullptr;
-  dSpaceID statics = nullptr;  ///< of a world with a grid, only what has no end
-  StaticGrid grid;             ///< of all static geoms
-  bool usesGrid = false;       ///< there are so many of them that contacts are found by the grid
+  /// All static geoms; if the grid is used, only unbounded ones.
+  dSpaceID statics = nullptr;
+  /// All static geoms.
+  StaticGrid grid;
+  /// Whether there are so many static geoms that contacts are found by the grid.
+  bool usesGrid = false;
+  /// Whether a static plane is steeper than a floor; then the drives cannot use their footprints.
   bool hasSteepPlanes = false;
+  /// The contact joints of a step.
   dJointGroupID contacts = nullptr;
-  dGeomID ray = nullptr;  ///< in no space
+  /// Used for distance sensors; in no space.
+  dGeomID ray = nullptr;
+  /// ODE's threading of this world: none.
   dThreadingImplementationID threading = nullptr;
-  std::deque<OdeGeom> geoms;  ///< a deque: ODE keeps pointers to its elements
+  /// A deque because ODE keeps pointers to its elements.
+  std::deque<OdeGeom> geoms;
+  /// Links of all moving models, in order.
   std::vector<OdeBody> bodies;
+  /// Hinges of all moving models, in order.
   std::vector<dJointID> hinges;
   std::vector<OdeModel> models;
-  std::vector<OdePlace> places;  ///< of all moving models; where they are is looked up where it is needed
-  bool hasKinematic = false, hasDynamic = false;  ///< models
-  std::vector<OdeDrive> drives;                   ///< the i-th has the wheelSides 2 i (left) and 2 i + 1
+  /// Of all moving models; positions are updated only when they are needed.
+  std::vector<OdePlace> places;
+  /// Whether there are models of either kind.
+  bool hasKinematic = false, hasDynamic = false;
+  /// Drive i has the wheelSides 2 i (left) and 2 i + 1 (right).
+  std::vector<OdeDrive> drives;
   std::vector<OdeWheel> wheels;
   std::vector<OdeWheelSide> wheelSides;
-  std::deque<OdeWheelContact> wheelContacts;  ///< those of this step come first; a deque: ODE keeps pointers
+  /// A deque because ODE keeps pointers to its elements; those of this step come first.
+  std::deque<OdeWheelContact> wheelContacts;
   std::size_t wheelContactCount = 0;
-  std::vector<std::pair<int, int>> touches;  ///< pairs of moving models, lower index first, of the last step
+  /// Pairs of moving models that touched in the last step, lower index first.
+  std::vector<std::pair<int, int>> touches;
 
-  std::vector<OdeGeom*> touchedGeoms;  ///< in the last step
-  std::vector<dGeomID> nearby;         ///< reused by whoever asks the grid
+  /// In the last step.
+  std::vector<OdeGeom*> touchedGeoms;
+  /// A buffer for queries of the grid.
+  std::vector<dGeomID> nearby;
 
+  /// Records that a geom touched something in this step.
   void touch(OdeGeom& geom) {
     if (!geom.touched) touchedGeoms.push_back(&geom);
     geom.touched = true;
   }
+  /// A contact of this step, reused from an earlier one if possible.
   OdeWheelContact& nextWheelContact();
+  /// The pose of a link in the world.
   Pose3 linkPose(std::size_t body) const;
-  /// The link of a wheel that has rolled as far as its side has.
+  /// The pose of a wheel's link, rotated by the travel of its side.
   Pose3 wheelLinkPose(const OdeWheel& wheel) const;
 };
 
-/// Makes ODE ready to be used by the calling thread.
+/// Prepares ODE for use by the calling thread; cheap after the first call.
 void prepareOdeForThread();
 
+/// Converts a position and a rotation matrix of ODE.
 Pose3 poseOf(const dReal* position, const dReal* rotation);
 
 }  // namespace simcore

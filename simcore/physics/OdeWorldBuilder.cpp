@@ -12,10 +12,12 @@
 namespace simcore {
 namespace {
 
-// From so many static geoms on the grid is faster than ODE's comparing them one by one.
+// From this number of static geoms on, the grid is faster than ODE's comparing them one by one.
 constexpr std::size_t kGridFrom = 64;
-constexpr double kSteep = 0.7;  // upward share of a plane's normal
-constexpr double kReach = 0.3;  // m; how much farther than at first the limbs of a robot may reach
+/// The upward component of a plane's normal.
+constexpr double kSteep = 0.7;
+/// In m; how much farther than initially a robot's limbs may reach.
+constexpr double kReach = 0.3;
 
 /// Fills an OdeWorld from its description.
 class WorldBuilder {
@@ -23,7 +25,8 @@ class WorldBuilder {
   WorldBuilder(OdeWorld& ode, bool kinematicDrives) : ode_(ode), kinematicDrives_(kinematicDrives) {}
 
   void build() {
-    ode_.models.reserve(ode_.description.models.size());  // spaces point to them
+    // The spaces point to its elements.
+    ode_.models.reserve(ode_.description.models.size());
     for (const ModelInstance& model : ode_.description.models) {
       const int index = static_cast<int>(ode_.models.size());
       OdeModel& added = ode_.models.emplace_back();
@@ -65,7 +68,8 @@ class WorldBuilder {
   void addMoving(const ModelInstance& model, int index, OdeModel& added) {
     added.space = dSimpleSpaceCreate(ode_.top);
     dSpaceSetCleanup(added.space, 0);
-    // A higher level than the static space's: the model as a whole is compared with static geoms first.
+    // A higher level than that of the static space, so that the model's bounds are compared with static geoms
+    // first.
     dSpaceSetSublevel(added.space, 1);
     dGeomSetData(reinterpret_cast<dGeomID>(added.space), &added);
     added.kinematic = kinematicDrives_ && model.type->drive.has_value();
@@ -112,7 +116,7 @@ class WorldBuilder {
     if (link.linearDamping <= 0 && link.angularDamping <= 0) return;
     dBodySetLinearDamping(body, link.linearDamping * kStepSeconds);
     dBodySetAngularDamping(body, link.angularDamping * kStepSeconds);
-    // By default ODE stops damping what moves slowly, and a ball would roll for ever.
+    // By default ODE does not damp slow motion, and a ball would roll forever.
     dBodySetLinearDampingThreshold(body, 0);
     dBodySetAngularDampingThreshold(body, 0);
   }
@@ -134,17 +138,18 @@ class WorldBuilder {
     dJointAttach(id, child, parent);
     dJointSetHingeAnchor(id, anchor.x(), anchor.y(), anchor.z());
     dJointSetHingeAxis(id, axis.x(), axis.y(), axis.z());
-    // Set twice: ODE takes a lower stop only if it lies below the upper one.
+    // Set twice, because ODE ignores a lower stop above the upper one.
     dJointSetHingeParam(id, dParamLoStop, joint.lower);
     dJointSetHingeParam(id, dParamHiStop, joint.upper);
     dJointSetHingeParam(id, dParamLoStop, joint.lower);
     ode_.hinges.push_back(id);
   }
 
-  /// Turns the joints, which were made at angle 0, to their initial angles.
+  /// Turns the joints, which were created at angle 0, to their initial angles.
   void pose(const ModelInstance& model, std::size_t firstBody) {
     const ModelDescription& type = *model.type;
-    std::vector<Pose3> moved(type.links.size(), Pose3::Identity());  // by the joints above, in the model
+    // By the joints above, in the model's frame.
+    std::vector<Pose3> moved(type.links.size(), Pose3::Identity());
     for (const JointDescription& joint : type.joints) {
       const Pose3 above =
           joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];

@@ -7,7 +7,8 @@
 
 namespace simcore {
 
-/// Makes everything of a description in ODE; `description` must outlive it.
+/// Builds a description in ODE. `description` must outlive the result. With `kinematicDrives`, models with a
+/// drive follow their odometry.
 std::unique_ptr<OdeWorld> buildOdeWorld(const WorldDescription& description, bool kinematicDrives = false);
 
 }  // namespace simcore

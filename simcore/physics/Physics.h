@@ -13,65 +13,72 @@ namespace simcore {
 
 struct OdeWorld;
 
-/// The bodies, hinges and contacts of a world in ODE: one world, a collision space for each moving model and
-/// one for all static ones, no collisions inside a model. Steps by dWorldQuickStep without ODE's threads.
+/// The dynamics of a world, computed by ODE: bodies, hinges and contacts. There is a collision space for each
+/// moving model and one for static solids (in large worlds a StaticGrid), and no collisions within a model.
+/// Steps use dWorldQuickStep without ODE's threads.
 ///
-/// Bodies and hinges are numbered through all moving models in order; bodies thus like RenderScene::bodies
-/// less one. One thread at a time may use it; several of them may run on several threads. `world` must
-/// outlive it.
+/// Bodies and hinges are numbered through all moving models in order; RenderScene::bodies has the same order
+/// after its body 0, the world. One thread at a time may use an object; several objects may be used in
+/// several threads. `world` must outlive it. SI units, in the world's frame.
 class Physics {
  public:
-  /// Whether models with a drive are moved by forces, or by their odometry.
+  /// Whether models with a drive are moved by forces or follow their odometry.
   enum class Drives : std::uint8_t { kDynamic, kKinematic };
 
   explicit Physics(const WorldDescription& world, Drives drives = Drives::kDynamic);
   ~Physics();
 
-  /// Moves the world on. `seed` decides in which order the solver takes the constraints.
+  /// Advances by kStepSeconds. `seed` determines the order in which the solver processes constraints.
   void step(std::uint64_t seed);
 
   std::size_t bodyCount() const;
+  /// The pose of a link.
   Pose3 linkInWorld(std::size_t body) const;
-  /// The velocity of a point that is fixed to a body and now at `point` (world).
+  /// The velocity of the point of a body that is now at `point` (in the world).
   Vector3 velocityAt(std::size_t body, const Vector3& point) const;
   Vector3 angularVelocityOf(std::size_t body) const;
 
+  // rad and rad/s
   double angle(std::size_t hinge) const;
   double angularVelocity(std::size_t hinge) const;
-  /// How far a hinge's two anchors lie apart, m: the solver's drift.
+  /// The distance between a hinge's two anchors, m: the drift of the solver.
   double anchorGap(std::size_t hinge) const;
-  /// Lets a hinge turn at `velocity` as far as `maximumTorque` suffices, until told otherwise.
+  /// Makes a hinge turn at `velocity` (rad/s) with at most `maximumTorque` (N m), until it is called again.
   void setMotor(std::size_t hinge, double velocity, double maximumTorque);
 
-  /// Wheels are driven by the sides of drives: side 2 i is the left one of the i-th drive, 2 i + 1 its right
-  /// one. m/s
+  /// Sets the speed of a side's rims, m/s. Side 2 i is the left one of drive i, 2 i + 1 the right one.
   void setRimSpeed(std::size_t side, double speed);
+  /// Switches the power of a side's motors.
   void setSideOn(std::size_t side, bool on);
+  /// The encoders of a side.
   struct SideState {
-    double travel = 0, speed = 0;  ///< m and m/s, of the rims
+    /// Of the rims, m and m/s.
+    double travel = 0, speed = 0;
+    /// At the force limit, hardly turning for at least 0.1 s.
     bool blocked = false;
   };
   SideState sideState(std::size_t side) const;
 
   /// Whether a collision shape of a body touched anything in the last step.
   bool touched(std::size_t body, int collision) const;
-  /// Whether two models touched each other in the last step.
+  /// Whether two moving models touched each other in the last step.
   bool touched(int modelA, int modelB) const;
   /// Whether a model touched anything but a floor in the last step.
   bool touchedObstacle(int model) const;
-  /// How far a ray of unit `direction` goes until it hits anything but `ownModel`; `length` if it hits
-  /// nothing.
+  /// The distance along a ray of unit `direction` to the first solid that is not part of `ownModel`; `length`
+  /// if there is none.
   double castRay(const Vector3& origin, const Vector3& direction, double length, int ownModel) const;
 
-  /// Where a model is: where its first link's frame would be if that link had its place in the model.
+  /// The pose of a model: that of its first link, minus that link's initial pose in the model.
   Pose3 modelInWorld(int model) const;
-  /// Moves all of a model's bodies by a rigid transform and brings them to rest.
+  /// Moves all bodies of a model by a rigid transform and brings them to rest.
   void moveModel(int model, const Pose3& transform);
-  /// The model into which a model sinks more than `tolerance` deep, if any; -1 is none.
+  /// A model that this one overlaps by more than `tolerance`, m; -1 if there is none.
   int overlappedModel(int model, double tolerance) const;
 
-  /// A hash over the poses and velocities of all bodies.
+  /// A hash of the poses and velocities of all bodies.
   std::uint64_t digest() const;
+  /// Only for tests and benchmarks.
   OdeWorld& ode() { return *ode_; }
 
  private:

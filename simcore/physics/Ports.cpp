@@ -4,7 +4,7 @@
 namespace simcore {
 namespace {
 
-/// Adds the ports of one moving model after another, counting bodies and hinges as Physics does.
+/// Adds the ports of one moving model after the other, numbering bodies and hinges as Physics does.
 class Collector {
  public:
   explicit Collector(Ports& ports) : ports_(ports) {}
@@ -95,7 +95,8 @@ class Collector {
     camera.info = port(sensor.name + "/image", "image", {sensor.height, sensor.width, 3}, "");
     camera.model = {sensor.width, sensor.height, sensor.horizontalAngle, sensor.verticalAngle,
                     sensor.vignetting};
-    camera.body = static_cast<int>(body_) + sensor.link + 1;  // body 0 of a RenderScene is the world
+    // Body 0 of a RenderScene is the world.
+    camera.body = static_cast<int>(body_) + sensor.link + 1;
     camera.cameraInBody = sensor.poseInLink;
     camera.period = robotlink::fromSeconds(1 / sensor.rate);
     camera.noise = sensor.noise;
@@ -124,7 +125,8 @@ class Collector {
   }
 
   Ports& ports_;
-  RayCaster::BodyRange bodies_;  // of the model; body 0 of a RenderScene is the world
+  // The bodies of the model; body 0 of a RenderScene is the world.
+  RayCaster::BodyRange bodies_;
   std::string name_;
   int model_ = 0;
   std::size_t body_ = 0, hinge_ = 0;

@@ -16,7 +16,7 @@ struct Span {
   double first = 0, last = -1;  // empty at first
 };
 
-/// Where a rectangle lies in x between two values of y.
+/// The range in x of a rectangle between two values of y.
 Span spanBetween(const Footprint& footprint, double low, double high) {
   const robotlink::Vector2 along = footprint.along * footprint.halfLength;
   const robotlink::Vector2 across =
@@ -65,7 +65,7 @@ void StaticGrid::build() {
   double cell = kCell;
   while ((width / cell + 1) * (height / cell + 1) > kMostGridCells) cell *= 2;
   const std::size_t most = std::max(kMaximumEntries, geoms_.size());
-  // In two rounds: how many are in each cell, then which.
+  // Two passes: the first counts the entries of each cell, the second stores them.
   for (;; cell *= 2) {
     setCellSize(cell, width, height);
     firstInCell_.assign(static_cast<std::size_t>(columns_) * static_cast<std::size_t>(rows_) + 1, 0);
@@ -99,7 +99,7 @@ bool StaticGrid::forEachEntry(Visit visit) const {
     const Bounds& b = bounds_[i];
     const Cells all = cellsOf(b[0], b[1], b[2], b[3]);
     for (int y = all.y0; y <= all.y1; ++y) {
-      // A long wall that stands askew has wide bounds, yet is in few cells of a row.
+      // A long oblique wall has wide bounds but occupies few cells of a row.
       const double low = bottom_ + y * cell_;
       const Span span = spanBetween(footprints_[i], low - kRounding * cell_, low + (1 + kRounding) * cell_);
       const Cells row = cellsOf(span.first - kRounding * cell_, span.last + kRounding * cell_, low, low);
@@ -119,7 +119,7 @@ StaticGrid::Cells StaticGrid::cellsOf(double x0, double x1, double y0, double y1
     return static_cast<int>(
         std::clamp(std::floor((value - origin) / cell_), -1.0, static_cast<double>(count)));
   };
-  // What lies beside the grid altogether gets an empty range.
+  // A rectangle beside the grid gets an empty range.
   return {std::max(0, index(x0, left_, columns_)), std::min(columns_ - 1, index(x1, left_, columns_)),
           std::max(0, index(y0, bottom_, rows_)), std::min(rows_ - 1, index(y1, bottom_, rows_))};
 }

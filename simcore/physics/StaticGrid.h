@@ -11,58 +11,70 @@
 
 namespace simcore {
 
-/// The static geoms of a world in square cells over the ground, to find those near a place without looking at
-/// all of them: maps of buildings have thousands, which ODE's own spaces would compare with each robot one by
-/// one. Built once; geoms without an end (planes) are kept aside. Cheap where little stands: some 50 ns a
-/// query.
+/// A grid over the ground with the static geoms of a world, to find those near a place: maps of buildings
+/// have thousands, which ODE's own spaces would compare with each robot one by one. Built once; unbounded
+/// geoms (planes) are kept separately. A query costs some 50 ns where few geoms are near.
 ///
-/// Memory and the time to build it are bounded, whatever is added: where long walls would be in too many
-/// cells, there are fewer and larger ones.
+/// Memory and the time to build it are bounded: if long walls would occupy too many cells, the cells are made
+/// larger. Queries are const but not thread-safe.
 class StaticGrid {
  public:
-  static constexpr std::size_t kMaximumEntries = std::size_t{1} << 23U;  ///< geoms in cells, or one a geom
+  /// The limit of geoms in all cells together, unless there are more geoms than that.
+  static constexpr std::size_t kMaximumEntries = std::size_t{1} << 23U;
 
-  using Bounds = std::array<dReal, 6>;  ///< least and greatest x, y, z in turn, as ODE has them
+  /// Minimum and maximum of x, y, z in turn, as in ODE.
+  using Bounds = std::array<dReal, 6>;
 
   static bool overlap(const Bounds& a, const Bounds& b) {
     return a[0] <= b[1] && b[0] <= a[1] && a[2] <= b[3] && b[2] <= a[3] && a[4] <= b[5] && b[4] <= a[5];
   }
 
+  /// Adds a geom that will not move; only before build().
   void add(dGeomID geom);
+  /// Sorts the geoms into cells.
   void build();
 
-  /// Sets `found` to the geoms whose bounds meet `bounds`, in an order that depends on both only.
+  /// Sets `found` to the geoms whose bounds meet `bounds`, in an order that depends only on the geoms and the
+  /// bounds.
   void near(const Bounds& bounds, std::vector<dGeomID>& found) const;
-  /// Whether one of them may be within a rectangle, seen from above.
+  /// Whether any geom may overlap a rectangle, seen from above.
   bool meetsAny(const Footprint& footprint) const;
-  /// How far it is at least from a point to the nearest geom, seen from above, if that is less than `most`;
-  /// else `most`.
+  /// A lower bound of the distance from a point to the nearest geom, seen from above; at most `most`.
   double clearance(double x, double y, double most) const;
+  /// The geoms without finite bounds, in the order of add().
   const std::vector<dGeomID>& unbounded() const { return unbounded_; }
+  /// The number of bounded geoms.
   std::size_t size() const { return geoms_.size(); }
-  /// How many geoms are in all cells together.
+  /// The number of entries in all cells together.
   std::size_t entries() const { return inCells_.size(); }
 
  private:
+  /// A range of cells.
   struct Cells {
     int x0, x1, y0, y1;  ///< inclusive
   };
+  /// The cells that a rectangle covers; an empty range if it is outside the grid.
   Cells cellsOf(double x0, double x1, double y0, double y1) const;
   void setCellSize(double cell, double width, double height);
-  /// Calls `visit(cell, geom)` for each geom and each cell that it meets, until `visit` returns false.
+  /// Calls `visit(cell, geom)` for each geom and each cell that it meets, until `visit` returns false;
+  /// returns whether all were visited.
   template <typename Visit>
   bool forEachEntry(Visit visit) const;
+  /// Calls `visit(geom)` for each entry of a range of cells; a geom may occur repeatedly.
   template <typename Visit>
   void forEachIn(const Cells& cells, Visit visit) const;
 
   std::vector<dGeomID> geoms_, unbounded_;
+  // By geom.
   std::vector<Bounds> bounds_;
   std::vector<Footprint> footprints_;
+  // Origin and size of the cells, m.
   double left_ = 0, bottom_ = 0, cell_ = 0.5;
   int columns_ = 0, rows_ = 0;
-  std::vector<std::uint32_t> firstInCell_,
-      inCells_;                                ///< cell i holds inCells_[firstInCell_[i]] to before [i + 1]
-  mutable std::vector<std::uint32_t> seenIn_;  ///< by geom: the last query that met it
+  /// Cell i contains inCells_[firstInCell_[i]] up to inCells_[firstInCell_[i + 1]], exclusive.
+  std::vector<std::uint32_t> firstInCell_, inCells_;
+  /// By geom: the number of the last query that found it.
+  mutable std::vector<std::uint32_t> seenIn_;
   mutable std::uint32_t query_ = 0;
 };
 

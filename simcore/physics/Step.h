@@ -3,7 +3,7 @@
 
 namespace simcore {
 
-/// One step of the physics, s.
+/// One step of the physics, s; the same as Simulation::kStep.
 inline constexpr double kStepSeconds = 0.004;
 
 }  // namespace simcore

@@ -10,7 +10,8 @@ namespace {
 using robotlink::Vector2;
 
 constexpr double kMostCells = 4e6;
-constexpr float kFar = 1e12F;  // a squared distance, in cells; finite, so that differences are numbers
+/// A squared distance in cells; finite, so that differences are numbers.
+constexpr float kFar = 1e12F;
 
 /// The squared distance transform of one row or column (Felzenszwalb and Huttenlocher, "Distance Transforms
 /// of Sampled Functions", 2012): the lower envelope of a parabola at each element.
@@ -45,7 +46,7 @@ class DistanceTransform {
 
  private:
   int place(int k) const { return places_[static_cast<std::size_t>(k)]; }
-  /// Where the parabola of a later element begins to be lower than that of an earlier one.
+  /// The position from which the parabola of a later element is lower than that of an earlier one.
   float crossing(int later, int earlier) const {
     const double a = later, b = earlier;
     const double rise = static_cast<double>(values_[static_cast<std::size_t>(later)]) -
@@ -63,7 +64,7 @@ class DistanceTransform {
 ClearanceGrid::ClearanceGrid(const Vector2& low, const Vector2& high, double cellSize) : low_(low) {
   const Vector2 size = (high - low).cwiseMax(Vector2(cellSize, cellSize));
   cellSize_ = std::max(cellSize, std::sqrt(size.x() * size.y() / kMostCells));
-  // A long and narrow floor.
+  // For a long and narrow floor.
   cellSize_ = std::max(cellSize_, size.maxCoeff() / kMostCells);
   width_ = static_cast<int>(std::ceil(size.x() / cellSize_));
   height_ = static_cast<int>(std::ceil(size.y() / cellSize_));
@@ -85,7 +86,7 @@ void ClearanceGrid::mark(const Cell& cell) {
 }
 
 void ClearanceGrid::markRectangle(const robotlink::Pose2& pose, const Vector2& size) {
-  // Samples half a cell apart meet each cell that the rectangle covers more than a little of.
+  // Samples half a cell apart hit every cell that the rectangle covers by more than a little.
   const Vector2 samples = (2 * size / cellSize_).array().ceil() + 1;
   if (samples.x() * samples.y() > 4.0 * width_ * height_) return markLarge(pose, size);
   const int countX = static_cast<int>(samples.x()), countY = static_cast<int>(samples.y());
@@ -98,7 +99,7 @@ void ClearanceGrid::markRectangle(const robotlink::Pose2& pose, const Vector2& s
   }
 }
 
-/// One that is larger than the grid, perhaps by far.
+/// Marks a rectangle that is larger than the grid, perhaps by far.
 void ClearanceGrid::markLarge(const robotlink::Pose2& pose, const Vector2& size) {
   const robotlink::Pose2 gridInRectangle = pose.inverse();
   const Vector2 half = size / 2 + Vector2(cellSize_, cellSize_) / 2;

@@ -11,10 +11,12 @@ using robotlink::Vector2;
 
 namespace {
 
-constexpr double kFarAhead = 5;  // m; a way that is free for longer is as good as any
+/// In m; longer free ways do not count more.
+constexpr double kFarAhead = 5;
 constexpr int kDirections = 16;
-constexpr int kDraws = 48;  // of which the one farthest from all others is taken
-// A place is inside of something that is seen in this many of eight directions.
+/// The number of random candidates; the one farthest from all others is taken.
+constexpr int kDraws = 48;
+// A position is inside if there is something in this many of eight directions.
 constexpr int kSidesAround = 7;
 
 double distanceToNearest(const Vector2& point, const std::vector<Vector2>& others) {
@@ -25,10 +27,11 @@ double distanceToNearest(const Vector2& point, const std::vector<Vector2>& other
 
 }  // namespace
 
-/// Free cells that hang together.
+/// A connected set of free cells.
 struct FreeSpace::Part {
   std::vector<Cell> cells;
-  bool open = false;  ///< one of them lies at the grid's border
+  // One of its cells is at the border of the grid.
+  bool open = false;
 };
 
 FreeSpace::FreeSpace(const ClearanceGrid& grid, double radius, std::optional<Vector2> start)
@@ -141,7 +144,7 @@ std::optional<Vector2> FreeSpace::pick(const std::vector<Vector2>& taken, double
     farthest = distance;
     best = center;
   }
-  // Nearly full: look everywhere, from somewhere on.
+  // The floor is nearly full: try all cells, beginning at a random one.
   const std::uint64_t first = random.bits() % cells_.size();
   for (std::uint64_t i = 0; !best && i < cells_.size(); ++i) {
     const Vector2 center = centerOf(first + i);

@@ -18,17 +18,21 @@ using robotlink::Vector2;
 using Place = GroundMap::Place;
 
 constexpr double kCellSize = 0.05;
-constexpr double kRoom = 0.1;     // m that a robot wants to have around it
-constexpr double kOpenFloor = 5;  // m around the origin, where nothing bounds the floor
-constexpr double kFlat = 0.02;    // m; robots drive over what is lower
+/// Clearance around a robot, m.
+constexpr double kRoom = 0.1;
+/// Half the side of the floor around the origin if nothing bounds it, m.
+constexpr double kOpenFloor = 5;
+/// Robots drive over what is lower, m.
+constexpr double kFlat = 0.02;
 constexpr double kForbiddenWidth = 0.05;
 constexpr std::uint64_t kPlaceStream = 0x706C616365;
 
-/// A solid of the world as it stands on the floor: seen from above, in a rectangle or a circle.
+/// A solid of the world that stands on the floor: seen from above, a rectangle or a circle.
 struct Footprint {
   Pose2 pose;
   Vector2 size = Vector2::Zero();
-  double radius = 0;  ///< above 0: a circle
+  // Above 0 for a circle.
+  double radius = 0;
   double low = 0, high = 0;
 };
 
@@ -38,7 +42,7 @@ Footprint footprintOf(const Shape& shape, const Pose3& pose) {
   const double up = reach(shape, axes, Vector3::UnitZ()), middle = pose.translation().z();
   result.low = middle - up;
   result.high = middle + up;
-  // A rectangle is tight that lies along the axis that reaches farthest over the floor.
+  // A rectangle along the axis that extends farthest over the floor is tight.
   int longest = 0;
   const auto reachOver = [&](int axis) {
     const Vector3 flat(axes(0, axis), axes(1, axis), 0);
@@ -59,9 +63,10 @@ Footprint footprintOf(const Shape& shape, const Pose3& pose) {
   return result;
 }
 
-/// What robots could stand on, and what stands there already.
+/// The floor and the solids on it.
 struct Surroundings {
-  std::optional<double> floor;  ///< height
+  // Its height.
+  std::optional<double> floor;
   std::vector<Footprint> solids;
 
   explicit Surroundings(const WorldDescription& world) {
@@ -84,7 +89,7 @@ struct Surroundings {
   }
 };
 
-/// The grid of a floor with what robots of an extent cannot pass, above `floor`.
+/// The grid of a floor with the obstacles of robots of an extent, above `floor`.
 ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const GroundMap* map) {
   const double low = *around.floor + kFlat, high = *around.floor + robot.high - robot.low;
   const auto isInTheWay = [&](const Footprint& solid) { return solid.high > low && solid.low < high; };
@@ -93,7 +98,7 @@ ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const
     if (!isInTheWay(solid)) continue;
     const double half = solid.radius > 0 ? solid.radius : solid.size.norm() / 2;
     const Vector2 middle = solid.pose.translation();
-    // Long walls count by their corners, not by the circle around them.
+    // Long walls count by their corners rather than by the circle around them.
     if (solid.radius > 0) {
       bounds.extend(middle - Vector2(half, half)).extend(middle + Vector2(half, half));
       continue;
@@ -103,7 +108,7 @@ ClearanceGrid gridOf(const Surroundings& around, const ModelExtent& robot, const
         bounds.extend(solid.pose * Vector2(x * solid.size.x(), y * solid.size.y()));
     }
   }
-  // What stands on a floor need not surround anything.
+  // Solids on a floor do not necessarily enclose anything.
   if (map == nullptr || bounds.isEmpty())
     bounds.extend(Vector2(-kOpenFloor, -kOpenFloor)).extend(Vector2(kOpenFloor, kOpenFloor));
   ClearanceGrid grid(bounds.min(), bounds.max(), kCellSize);
@@ -129,10 +134,10 @@ void markForbidden(const Place& place, ClearanceGrid& grid) {
   }
 }
 
-/// Where robots stand one after the other.
+/// Chooses positions for one robot after the other.
 class Placer {
  public:
-  /// `start`: a place that all others can be reached from, if there is one.
+  /// `start` is a position from which all others can be reached, if there is one.
   Placer(const ClearanceGrid& grid, const ModelExtent& extent, std::optional<Vector2> start,
          std::uint64_t seed)
       : grid_(grid),
@@ -140,7 +145,7 @@ class Placer {
         space_(grid, radius_, start),
         random_(seed, kPlaceStream) {}
 
-  /// At the first of the homes that is free, else anywhere; homes that were looked at are dropped.
+  /// The first free home, otherwise any free position; homes that were tried are removed.
   std::optional<Pose2> next(std::deque<Pose2>& homes) {
     while (!homes.empty()) {
       const Pose2 home = homes.front();
@@ -153,10 +158,11 @@ class Placer {
   }
 
  private:
-  /// The place itself where a robot fits there, else the free one next to it; none if another stands there.
+  /// The point itself if a robot fits there, otherwise the nearest free position; empty if another robot is
+  /// there.
   std::optional<Vector2> placeAt(const Vector2& point) const {
     const auto cell = grid_.cellAt(point);
-    // A cell's centre, from which clearances count, is up to 0.71 cells away from the point.
+    // Clearances count from the center of a cell, which is up to 0.71 cells away from the point.
     const bool fits = grid_.contains(cell) && grid_.clearance(cell) >= radius_ - kRoom + grid_.cellSize();
     const auto place = fits ? point : space_.nearest(point);
     if (!place) return std::nullopt;
@@ -177,7 +183,7 @@ class Placer {
   std::vector<Vector2> taken_;
 };
 
-/// The home places of a team's robots on a field.
+/// The homes of a team's robots on a field.
 std::deque<Pose2> homesOf(const WorldDescription& world, const std::string& team) {
   std::deque<Pose2> homes;
   for (const ModelInstance& model : world.models) {
@@ -197,10 +203,11 @@ std::deque<Pose2> homesOf(const GroundMap& map) {
   return homes;
 }
 
-/// Robots with something in common: how they are called, what they wear, and where they stand first.
+/// Robots with common properties: the prefix of their names, their color, and their homes.
 struct Group {
   std::string prefix;
-  std::string color;  ///< of the palette; empty: none
+  // In the palette; empty if there is none.
+  std::string color;
   std::deque<Pose2> homes;
   int robots = 0;
   int lastNumber = 0;
@@ -212,7 +219,7 @@ bool wearsTeamColor(const ModelDescription& type) {
   });
 }
 
-/// One for each team, or one for all.
+/// A group for each team, or one for all robots.
 std::vector<Group> groupsOf(const WorldDescription& world, const GroundMap* map, const ModelDescription& type,
                             const RobotsToAdd& robots) {
   std::vector<Group> groups;
@@ -248,7 +255,7 @@ ModelInstance robotAt(const Pose2& place, double height, const std::shared_ptr<c
   return model;
 }
 
-/// In the team's color, if there is a team.
+/// Sets the team's color, if there is a team.
 robotlink::Result<void> dress(ModelInstance& robot, const std::string& color, const Palette& palette) {
   if (color.empty()) return {};
   const auto found = palette.find(color);

@@ -9,8 +9,8 @@
 
 namespace simcore {
 
-/// Puts robots of a type into a world, as Scene::load says; `map` is the one that the world was made from, or
-/// null. `palette` has the teams' colors. `file` is the scene's, which errors carry.
+/// Puts robots of a type into a world, as described for Scene::load(). `map` is the one from which the world
+/// was built, or null. `palette` contains the teams' colors. `file` is the scene's, for error messages.
 robotlink::Result<void> addRobots(WorldDescription& world, const robotlink::GroundMap* map,
                                   const std::shared_ptr<const ModelDescription>& type,
                                   const RobotsToAdd& robots, const Palette& palette, const std::string& file);

@@ -9,13 +9,13 @@
 namespace simcore {
 namespace {
 
-// Rays of a sonar's cone of 30 degrees lie 1.5 degrees apart: a table's leg is not missed within the range in
-// which a robot avoids it.
+// The rays of a sonar's cone of 30 degrees are 1.5 degrees apart, so that the leg of a table is not missed at
+// a distance at which a robot avoids it.
 constexpr double kEchoRaysApart = robotlink::radians(1.5);
 constexpr int kFewestEchoRays = 3, kMostEchoRays = 121;
 
-constexpr std::uint64_t kRangeStream =
-    0x72616E6765;  // keeps these random numbers apart from those of other sensors
+/// Separates these random numbers from those of other sensors.
+constexpr std::uint64_t kRangeStream = 0x72616E6765;
 
 RayFan fanOf(const RangeSensor& sensor) {
   if (sensor.kind == RangeSensor::Kind::kLaser) return {sensor.startAngle, sensor.endAngle, sensor.readings};
@@ -69,7 +69,7 @@ void RangeSensing::measure(std::size_t index, const Noise& noise, std::span<doub
   }
   robotlink::Random random(noise.seed, robotlink::hashBits(kRangeStream, index, noise.step));
   for (double& range : ranges) {
-    // The number is drawn in any case, so that a reading's noise does not depend on the others.
+    // A number is drawn in any case, so that the noise of a reading does not depend on the others.
     const double error = noise.on && sensor.noise > 0 ? sensor.noise * random.normal() : 0;
     if (range < sensor.maximum) range = std::clamp(range + error, sensor.minimum, sensor.maximum);
   }

@@ -8,35 +8,40 @@
 
 namespace simcore {
 
-/// Works out what sonars and lasers measure, with noise that depends on seed, sensor and step only: it does
-/// not matter how often, or whether, readings are asked for. One thread at a time.
+/// Computes the ranges of sonars and lasers. The noise depends only on seed, sensor and step, so it does not
+/// matter how often, or whether, readings are requested. One thread at a time.
 class RangeSensing {
  public:
-  /// `own[i]` are the bodies of the robot that sensors[i] is on, which it does not see. `sensors` must
-  /// outlive it.
+  /// `own[i]` are the bodies of the robot that carries sensors[i], which the sensor does not see. `sensors`
+  /// must outlive it.
   RangeSensing(const std::shared_ptr<const RenderScene>& scene, const std::vector<RangeSensor>& sensors,
                std::vector<RayCaster::BodyRange> own);
 
-  /// Where the bodies are now, by body index of the scene.
+  /// Sets the present poses of the bodies, by body index of the scene. They must stay valid until the last
+  /// measure().
   void setPoses(std::span<const Pose3> bodyInWorld);
 
+  /// Selects the random numbers of a reading.
   struct Noise {
     bool on = true;
     std::uint64_t seed = 0;
     std::uint64_t step = 0;
   };
-  /// Writes the readings of a sensor; ranges.size() is their number.
+  /// Writes the readings of a sensor, m; ranges.size() must be their number.
   void measure(std::size_t sensor, const Noise& noise, std::span<double> ranges);
 
  private:
+  /// The reading of a sonar from the hits of its rays.
   double nearestEcho(const RangeSensor& sensor) const;
 
   const std::vector<RangeSensor>& sensors_;
   std::vector<RayCaster::BodyRange> own_;
   std::vector<RayFan> fans_;
-  std::vector<std::size_t> fanOf_;  // sensors alike share a fan
+  /// Index in fans_; identical sensors share a fan.
+  std::vector<std::size_t> fanOf_;
   RayCaster caster_;
   std::span<const Pose3> poses_;
+  /// A buffer for the rays of one sensor.
   std::vector<FanHit> hits_;
 };
 

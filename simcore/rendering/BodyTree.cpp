@@ -10,7 +10,7 @@ namespace {
 
 using Matrix34 = std::array<float, 12>;
 
-/// Column by column, as Embree takes it.
+/// Column by column, in Embree's order.
 Matrix34 columns(const Pose3& pose) {
   Matrix34 result;
   auto* out = result.begin();
@@ -20,7 +20,7 @@ Matrix34 columns(const Pose3& pose) {
   return result;
 }
 
-/// Attaches a copy of an instance's mesh, in the body's frame.
+/// Attaches a copy of an instance's mesh, transformed to the body's frame.
 void attachMesh(RTCDevice device, RTCScene scene, const Mesh& mesh, const Pose3& meshInBody) {
   if (mesh.triangles.empty()) return;
   const RTCGeometry geometry = rtcNewGeometry(device, RTC_GEOMETRY_TYPE_TRIANGLE);
@@ -44,8 +44,8 @@ void attachMesh(RTCDevice device, RTCScene scene, const Mesh& mesh, const Pose3&
 }  // namespace
 
 RTCDevice newRayDevice() {
-  // The instruction set is fixed because others give other bits for some rays; one thread, as trees are
-  // small.
+  // The instruction set is fixed because others give other bits for some rays. One thread is enough, as the
+  // trees are small.
   return rtcNewDevice("threads=1,set_affinity=0,isa=avx2");
 }
 
@@ -80,7 +80,7 @@ RTCScene BodyTrees::treeOf(int body) {
 
 RTCScene BodyTrees::build(int body) const {
   const RTCScene tree = rtcNewScene(device_);
-  // A measuring ray must not slip through an edge; among the thousands that make a shadow, one may.
+  // A measuring ray must not slip through between two triangles; of the thousands of shadow rays one may.
   if (contents_ == Contents::kEverything) rtcSetSceneFlags(tree, RTC_SCENE_FLAG_ROBUST);
   for (const RenderInstance& instance : scene_.instances) {
     if (!isWanted(instance, body)) continue;

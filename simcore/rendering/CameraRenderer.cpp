@@ -28,7 +28,7 @@ const Kernels& kernelsFor(CameraRenderer::Arithmetic arithmetic) {
   return kPortableKernels;
 }
 
-/// The shares of red, green and blue that a light's warmth leaves.
+/// The fractions of red, green and blue that remain with a light's warmth.
 struct LightColor {
   double red, green, blue;
 
@@ -36,8 +36,8 @@ struct LightColor {
       : red(1 - std::max(-warmth, 0.0)), green(1 - std::abs(warmth) / 2), blue(1 - std::max(warmth, 0.0)) {}
 };
 
-/// A colour under a light in the channels of an image, chroma without its offset; the coefficients are those
-/// of robotlink::toYCbCr.
+/// A color under a light, in the channels of an image, chroma without its offset; with the coefficients of
+/// robotlink::toYCbCr.
 struct Channels {
   float value[3];
 
@@ -69,7 +69,7 @@ int largest(const std::vector<DrawableMesh>& meshes, Count count) {
   return result;
 }
 
-/// The four side planes of a camera's view.
+/// The four side planes of a camera's field of view.
 struct Frustum {
   double sinX, cosX, sinY, cosY;
 
@@ -114,7 +114,7 @@ class CameraRenderer::Implementation {
   void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:
-  /// An instance that may be seen in the last image, and its first triangle's record.
+  /// An instance that may be visible in the last image, with the number of its first triangle's record.
   struct Drawn {
     std::size_t instance;
     std::int32_t firstRecord;
@@ -132,8 +132,10 @@ class CameraRenderer::Implementation {
   FrameMemory memory_;
   std::optional<ShadowCaster> shadows_;
   std::vector<Pose3> bodyInWorld_;
-  std::vector<Pose3> meshInWorld_;              ///< by instance
-  std::vector<Eigen::Vector3d> centerInWorld_;  ///< of the bounding spheres, by instance
+  // By instance.
+  std::vector<Pose3> meshInWorld_;
+  // Centers of the bounding spheres, by instance.
+  std::vector<Eigen::Vector3d> centerInWorld_;
   std::vector<ShadeLamp> lamps_;
   Lighting lighting_;
   bool moved_ = true;
@@ -209,8 +211,8 @@ void CameraRenderer::Implementation::addNoise(const ImageNoise& noise, robotlink
   if (noise.sigma <= 0) return;
   const std::uint64_t bits = robotlink::hashBits(noise.seed, noise.stream, noise.frame);
   const NoiseKey key{static_cast<std::uint32_t>(bits), static_cast<std::uint32_t>(bits >> 32)};
-  // Rounding to whole grey values adds a variance of 1/12 (but for the smallest sigmas); the sum of four
-  // uniform bytes has one of (256^2 - 1) / 3.
+  // Rounding to whole gray values adds a variance of 1/12 (except for the smallest sigmas); the sum of four
+  // uniform bytes has a variance of (256^2 - 1) / 3.
   const double variance = std::max(noise.sigma * noise.sigma - 1.0 / 12, 0.0);
   const double scale = std::sqrt(variance * 3 / 65535);
   kernels_.addNoise(image.data.data(), static_cast<int>(image.data.size()), key, static_cast<float>(scale));
@@ -268,7 +270,7 @@ void CameraRenderer::Implementation::label(std::span<const std::uint8_t> labels,
   image.data.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));
   if (image.data.empty()) return;
   const VisibilityBuffer& buffer = memory_.last();
-  // Record 0 is the background; each instance's are those up to the next one's.
+  // Record 0 is the background; those of an instance extend to the first one of the next instance.
   recordLabels_.assign(static_cast<std::size_t>(buffer.recordCount), background);
   for (std::size_t i = 0; i < drawn_.size(); ++i) {
     if (drawn_[i].instance >= labels.size()) continue;

@@ -10,25 +10,30 @@
 
 namespace simcore {
 
-/// Draws a RenderScene on the CPU: a visibility buffer (AVX2 where the processor has it, the same arithmetic
-/// without), lighting per pixel, shadows by Embree rays. No GPU, no display. The same inputs give the same
-/// bytes.
+/// Renders a RenderScene on the CPU: a visibility buffer (AVX2 if the processor has it, otherwise the same
+/// arithmetic without it), lighting per pixel, shadows by Embree rays. It needs no GPU and no display. The
+/// same inputs give the same bytes.
 ///
-/// Triangles are seen from their outer sides only, so a camera inside of a closed mesh looks out of it. There
-/// is no near plane. Coplanar surfaces of different instances must be 1 mm or more apart. A point on a
-/// triangle that faces away from a lamp is in its own shadow; other casters shade it where they cut the line
-/// to the lamp, up to 0.02 % of its length before the point. Where the shadow rays of four neighbouring
-/// pixels agree, those between take their word, so that a shadow narrower than two pixels may have gaps.
+/// Only the outer sides of triangles are visible, so a camera inside a closed mesh sees through it. There is
+/// no near plane. Coplanar surfaces of different instances must be at least 1 mm apart. A point on a triangle
+/// that faces away from a lamp is in its own shadow; other casters shade it if they cut the line to the lamp,
+/// up to 0.02 % of its length before the point. Where the shadow rays of four neighboring pixels agree, the
+/// pixels between them take their result, so a shadow narrower than two pixels may have gaps.
 ///
-/// One thread at a time may use a renderer; several renderers may share a scene. Nothing is allocated by
-/// render() once it has drawn an image of the same size.
+/// One thread at a time may use a renderer; several renderers may share a scene. render() allocates nothing
+/// once it has drawn an image of the same size.
 class CameraRenderer {
  public:
+  /// Which instructions to use; for tests.
   enum class Arithmetic {
-    kFastest,   ///< the widest instructions that both program and processor know
-    kPortable,  ///< the same without special instructions, and so the same bytes
+    /// The widest instructions that both program and processor support.
+    kFastest,
+    /// No special instructions; gives the same bytes.
+    kPortable,
   };
+  /// Fixed for the life of a renderer.
   struct Options {
+    /// Without shadows, rendering is faster.
     bool shadows = true;
     Arithmetic arithmetic = Arithmetic::kFastest;
   };
@@ -37,24 +42,23 @@ class CameraRenderer {
   CameraRenderer(const CameraRenderer&) = delete;
   CameraRenderer& operator=(const CameraRenderer&) = delete;
 
-  /// Where the bodies are now, by body index; at first all are at the origin. The world, body 0, stays there.
-  /// What follows from the poses is worked out once, by the next render(), for all images until the next
-  /// call.
+  /// Sets the present poses of the bodies by body index; initially all are at the origin. Body 0, the world,
+  /// stays there. Derived data are computed once, by the next render(), for all images until the next call.
   void setPoses(std::span<const Pose3> bodyInWorld);
 
-  /// Another light than the scene's, from the next image on.
+  /// Modifies the scene's light from the next image on.
   void setLighting(const Lighting& lighting);
 
-  /// Draws into `image`, whose size and format (kYuyv or kRgb8) are made those of `camera` and `format`.
-  /// Chroma is the mean of a pair's; a Yuyv image of odd width lacks the last column, as such images have
-  /// none.
+  /// Renders an image from a pose in the world. `image` gets the size of `camera` and the format (kYuyv or
+  /// kRgb8). Chroma is the mean of a pair of pixels; a kYuyv image of odd width lacks the last column,
+  /// because its width must be even.
   void render(const Pose3& cameraInWorld, const CameraModel& camera, robotlink::PixelFormat format,
               const ImageNoise& noise, robotlink::Image& image);
 
-  /// What the last image shows, whatever its light, noise and lens: a kMono8 image of its size with
-  /// labels[i] where the pixel's centre sees instance i of the scene, else `background`. Instances past the
-  /// end of `labels` are background, too. Little work, as nothing is drawn anew; empty before the first
-  /// image.
+  /// Labels the last image: a kMono8 image of its size with labels[i] where the center of a pixel sees
+  /// instance i of the scene, otherwise `background`; also `background` for instances beyond the end of
+  /// `labels`. Light, noise and lens have no influence. Cheap, because nothing is rendered again; empty
+  /// before the first image.
   void label(std::span<const std::uint8_t> labels, std::uint8_t background, robotlink::Image& image);
 
  private:

@@ -15,7 +15,7 @@ std::size_t paddedSize(std::size_t count) {
   return (count + kLanes - 1) / kLanes * kLanes;
 }
 
-/// Not normalised; in double precision, as thin triangles need it.
+/// Not normalized; in double precision, because thin triangles need it.
 Eigen::Vector3d faceNormal(const Mesh& mesh, const std::array<std::uint32_t, 3>& t) {
   const Eigen::Vector3d a = mesh.vertices[t[0]].cast<double>();
   return (mesh.vertices[t[1]].cast<double>() - a).cross(mesh.vertices[t[2]].cast<double>() - a);
@@ -88,7 +88,7 @@ void DrawableMesh::findBounds(const Mesh& mesh) {
     bound_.radius = std::max(bound_.radius, (vertex.cast<double>() - bound_.center).norm());
   }
   bound_.radius *= 1 + 1e-6;
-  // The box around the mesh, cut into about cubic pieces along its longest side.
+  // The bounding box, cut into roughly cubic pieces along its longest side.
   const Eigen::Vector3d size = high - low;
   Eigen::Index longest = 0;
   const double length = size.maxCoeff(&longest);

@@ -8,37 +8,45 @@
 
 namespace simcore::rendering {
 
-/// A sphere in some frame, metres.
+/// A sphere in a given frame, meters.
 struct Sphere {
   Eigen::Vector3d center = Eigen::Vector3d::Zero();
   double radius = 0;
 };
 
-/// A mesh in the form that the kernels read, with what is known about its shape. Immutable; its frame is the
-/// mesh's. Triangles without an area, or with an index past the vertices, are left out.
+/// A mesh in the form that the kernels read, with derived properties of its shape. Immutable; in the frame of
+/// the mesh. Triangles without an area, or with an index beyond the vertices, are dropped.
 class DrawableMesh {
  public:
   explicit DrawableMesh(const Mesh& mesh);
   DrawableMesh(const DrawableMesh&) = delete;
+  /// Moving keeps streams() valid, because the vectors keep their memory.
   DrawableMesh(DrawableMesh&&) = default;
 
   const MeshStreams& streams() const { return streams_; }
-  /// Encloses all vertices.
+  /// A sphere that contains all vertices.
   const Sphere& bound() const { return bound_; }
-  /// A few smaller spheres that together enclose the mesh.
+  /// A few smaller spheres that together contain the mesh.
   const std::vector<Sphere>& cover() const { return cover_; }
-  /// Closed round a convex body, so that no lamp-facing part of it is in its own shadow.
+  /// Whether all vertices are on or behind the plane of every triangle. Then no part of the mesh that faces a
+  /// lamp is in its own shadow. The mesh need not be closed. Very large meshes are not examined and count as
+  /// not convex.
   bool convex() const { return convex_; }
 
  private:
+  // The constructor's steps.
   void fillVertices(const Mesh& mesh);
   void fillTriangles(const Mesh& mesh);
   void findBounds(const Mesh& mesh);
   void findConvexity(const Mesh& mesh);
 
+  /// Points into the vectors below.
   MeshStreams streams_;
+  /// Three positions, three normals, four plane coefficients.
   std::vector<float> floats_[10];
+  /// By corner, then by triangle: indices of vertices.
   std::vector<std::int32_t> indices_[3];
+  /// By triangle: 1 if its vertices share a normal.
   std::vector<std::uint8_t> flat_;
   Sphere bound_;
   std::vector<Sphere> cover_;

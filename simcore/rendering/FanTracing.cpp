@@ -8,14 +8,14 @@ namespace {
 
 constexpr int kPacket = 8;
 
-/// Lets those of up to eight rays from `first` on meet a tree that have not met anything before `nearest`.
+/// Intersects up to eight rays from `first` on with a tree; rays with a hit before `nearest` are skipped.
 void tracePacket(RTCScene tree, const LocalFan& fan, int first, int count, double nearest,
                  std::span<FanHit> hits) {
   alignas(32) int valid[kPacket];
   RTCRayHit8 packet;
   bool any = false;
   for (int lane = 0; lane < kPacket; ++lane) {
-    // Lanes past the last ray repeat it, switched off.
+    // Lanes beyond the last ray repeat it and are switched off.
     const int ray = first + std::min(lane, count - 1);
     const double farthest = hits[static_cast<std::size_t>(ray)].distance;
     const Eigen::Vector3f along = fan.direction(ray).cast<float>();
@@ -64,7 +64,7 @@ FanView::FanView(const RayFan& fan, const Pose3& frameInWorld)
   const Eigen::Vector3d x = frameInWorld.linear().col(0), y = frameInWorld.linear().col(1);
   pastStart_ = -start.y() * x + start.x() * y;
   beforeEnd_ = end.y() * x - end.x() * y;
-  // The edges of half a turn may be rounded to a little more.
+  // The edges of half a turn may be rounded to slightly more.
   narrow_ = fan.step() * static_cast<double>(fan.size() - 1) <= robotlink::kPi + 1e-9;
 }
 

@@ -6,23 +6,31 @@
 #include <immintrin.h>
 #endif
 
-// Eight floats at once, for the kernels only: everything here has internal linkage, because the same code is
+// Eight floats at once, only for the kernels. Everything here has internal linkage, because the same code is
 // compiled once for AVX2 and once for any processor. Only operations that IEEE 754 rounds correctly are used,
-// no fused and no approximate ones, so both give the same bits.
+// no fused or approximate ones, so both give the same bits.
+//
+// Lane i holds the value of the i-th pixel, vertex or triangle of a group. Masks are Int8 with all bits of a
+// lane set or none, so they select with `mask ? a : b` and combine with & | ~.
 namespace simcore::rendering {
 namespace {
 
+// Kernels must be inlined into the functions compiled with the right instructions.
 #define SIMCORE_INLINE inline __attribute__((always_inline, unused))
 
+/// Vectors of the compiler's extension; comparisons give masks with -1 for true.
+// An operation on these compiles to one instruction with AVX2, and to several without.
 using Float8 = float __attribute__((vector_size(32)));
 using Int8 = std::int32_t __attribute__((vector_size(32)));
 using Float4 = float __attribute__((vector_size(16)));
 using Int4 = std::int32_t __attribute__((vector_size(16)));
 
+/// Eight vectors, one a lane.
 struct Vector8 {
   Float8 x, y, z;
 };
 
+/// A value in all lanes.
 SIMCORE_INLINE Float8 splat(float v) {
   return Float8{v, v, v, v, v, v, v, v};
 }
@@ -45,6 +53,7 @@ SIMCORE_INLINE void store(T* to, V v) {
   __builtin_memcpy(to, &v, sizeof(V));
 }
 
+/// Of each lane; b if one of them is NaN.
 SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b) {
   return a < b ? a : b;
 }
@@ -57,10 +66,11 @@ SIMCORE_INLINE Float8 minimum(Float8 a, Float8 b, Float8 c) {
 SIMCORE_INLINE Float8 maximum(Float8 a, Float8 b, Float8 c) {
   return maximum(maximum(a, b), c);
 }
-/// Towards zero.
+/// Conversion to integers, towards zero.
 SIMCORE_INLINE Int8 truncated(Float8 v) {
   return __builtin_convertvector(v, Int8);
 }
+/// Clears the sign bits.
 SIMCORE_INLINE Float8 absolute(Float8 v) {
   return reinterpret_cast<Float8>(reinterpret_cast<Int8>(v) & splatInt(0x7FFFFFFF));
 }
@@ -77,6 +87,7 @@ SIMCORE_INLINE Vector8 cross(const Vector8& a, const Vector8& b) {
   return {a.y * b.z - a.z * b.y, a.z * b.x - a.x * b.z, a.x * b.y - a.y * b.x};
 }
 
+/// Lanes 0 to 3, lanes 4 to 7, and both together.
 SIMCORE_INLINE Float4 lowHalf(Float8 v) {
   return __builtin_shufflevector(v, v, 0, 1, 2, 3);
 }
@@ -87,7 +98,7 @@ SIMCORE_INLINE Float8 joined(Float4 low, Float4 high) {
   return __builtin_shufflevector(low, high, 0, 1, 2, 3, 4, 5, 6, 7);
 }
 
-/// A bit a lane, set where the mask is.
+/// A bit per lane, set where the mask is true.
 SIMCORE_INLINE unsigned bits(Int8 mask) {
 #if defined(__AVX2__)
   return static_cast<unsigned>(_mm256_movemask_ps(reinterpret_cast<__m256>(mask)));
@@ -101,6 +112,7 @@ SIMCORE_INLINE unsigned bits(Int8 mask) {
 #endif
 }
 
+/// Correctly rounded square roots.
 SIMCORE_INLINE Float8 squareRoot(Float8 v) {
 #if defined(__AVX2__)
   return _mm256_sqrt_ps(v);
@@ -112,6 +124,7 @@ SIMCORE_INLINE Float8 squareRoot(Float8 v) {
 #endif
 }
 
+/// Loads from[index] in each lane.
 SIMCORE_INLINE Float8 gathered(const float* from, Int8 index) {
 #if defined(__AVX2__)
   return _mm256_i32gather_ps(from, reinterpret_cast<__m256i>(index), 4);
@@ -122,12 +135,14 @@ SIMCORE_INLINE Float8 gathered(const float* from, Int8 index) {
 #endif
 }
 
-/// Turns four vectors of eight into eight of four, kept in pairs: lane i in the low half, lane i + 4 in the
-/// high half of rows[i]; and back, as it is its own inverse.
+/// Transposes four vectors of eight into eight of four, stored in pairs: lane i in the low half and lane i +
+/// 4 in the high half of rows[i]. It is its own inverse.
 struct Rows4 {
   Float8 rows[4];
 };
 SIMCORE_INLINE Rows4 transposed(Float8 a, Float8 b, Float8 c, Float8 d) {
+  // Interleaves pairs of vectors first, then pairs of pairs. Shuffles within the halves of a vector are the
+  // cheap ones with AVX2.
   const Float8 ab0 = __builtin_shufflevector(a, b, 0, 8, 1, 9, 4, 12, 5, 13);
   const Float8 ab1 = __builtin_shufflevector(a, b, 2, 10, 3, 11, 6, 14, 7, 15);
   const Float8 cd0 = __builtin_shufflevector(c, d, 0, 8, 1, 9, 4, 12, 5, 13);
@@ -138,7 +153,7 @@ SIMCORE_INLINE Rows4 transposed(Float8 a, Float8 b, Float8 c, Float8 d) {
            __builtin_shufflevector(ab1, cd1, 2, 3, 10, 11, 6, 7, 14, 15)}};
 }
 
-/// The four floats at each of eight places: from[i][0..3] becomes lane i of the four vectors.
+/// Loads four floats from each of eight addresses: from[i][0..3] becomes lane i of the four vectors.
 SIMCORE_INLINE Rows4 loadTransposed(const float* const from[8]) {
   return transposed(joined(load<Float4>(from[0]), load<Float4>(from[4])),
                     joined(load<Float4>(from[1]), load<Float4>(from[5])),

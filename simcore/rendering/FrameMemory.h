@@ -8,33 +8,39 @@
 
 namespace simcore::rendering {
 
-/// The memory that drawing an image takes, kept from image to image and grown only when something larger is
-/// drawn. What it hands out points into it and lives until the next begin().
+/// The memory for rendering an image, kept from image to image and reallocated only for another size.
+/// Everything it returns points into it and is valid until the next begin(). One thread at a time.
 class FrameMemory {
  public:
-  /// The largest mesh, the sum of all triangles, and the number of lamps that an image may have.
+  /// Reserves for the largest mesh (vertices and triangles), the sum of all triangles, and the number of
+  /// lamps.
   FrameMemory(int vertices, int meshTriangles, int allTriangles, std::size_t lamps);
 
-  /// An empty image: nothing drawn, the background's colour everywhere.
+  /// Starts an image: nothing is drawn, the background's color is everywhere.
   VisibilityBuffer& begin(const CameraModel& camera, const float (&background)[3]);
-  /// The image that was begun last; empty before the first.
+  /// The image of the last begin(); empty before the first.
   const VisibilityBuffer& last() const { return buffer_; }
-  /// Rows that are lit at a time: so many that they stay in the cache.
+  /// How many rows are lit at a time, such that their data stay in the cache.
   int rowsPerStrip() const { return rowsPerStrip_; }
-  /// A strip without rows yet.
+  /// A strip whose rows the caller sets.
   Strip strip();
-  /// By lamp.
+  /// One list per lamp.
   std::vector<UnsurePixels>& unsure() { return unsure_; }
 
  private:
+  /// Allocates for a new image size.
   void resize(const CameraModel& camera);
 
   VisibilityBuffer buffer_;
+  // The memory to which buffer_ points.
   std::vector<TriangleRecord> records_;
   std::vector<float> positions_, normals_, inverseDepths_, columns_, rows_;
+  /// candidates_ is by triangle of the largest mesh, triangles_ by pixel.
   std::vector<std::int32_t> candidates_, triangles_;
   int rowsPerStrip_ = 1;
+  // The memory of a strip.
   std::vector<float> light_, color_[3];
+  // The memory of the lists of unsure pixels.
   std::vector<UnsurePixels> unsure_;
   std::vector<UnsureGroup> groups_;
   std::vector<float> unsureFloats_;

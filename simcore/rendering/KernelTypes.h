@@ -3,126 +3,164 @@
 
 #include <cstdint>
 
-// What the kernels read and write: plain arrays, without a line of code that could be compiled for two
+// The data that kernels read and write: plain arrays without any code, which could be compiled for two
 // processors.
 //
-// Frames: "camera" is the camera's own, x along the optical axis, y left, z up. A pixel's ray is d = (1,
-// column, row) in it, with column = (centre - x) / focal length; a point at depth t on it is t * d. A
-// function that is linear in camera space, evaluated on d, is linear in the image.
+// Frames: "camera" is the camera's own, x along the optical axis, y to the left, z up. The ray of a pixel is
+// d = (1, column, row) in it, with column = (center - x) / focal length; the point at depth t on it is t * d.
+// A function that is linear in camera space is linear in the image when it is evaluated on d.
 namespace simcore::rendering {
 
-/// A mesh as streams of floats, padded to multiples of eight; the padding is never front-facing.
+/// A mesh as streams of floats, padded to multiples of eight; padding is never front-facing.
 struct MeshStreams {
-  int vertexGroups = 0;    ///< of eight
-  int triangleGroups = 0;  ///< of eight
+  /// Groups of eight vertices.
+  int vertexGroups = 0;
+  /// Groups of eight triangles.
+  int triangleGroups = 0;
+  /// By vertex; components x, y, z.
   const float* position[3] = {};
   const float* normal[3] = {};
-  const float* plane[4] =
-      {};  ///< outward normal and offset: a point sees the front where normal * point > offset
+  /// By triangle, outward normal and offset: a point is on the outer side where normal * point > offset.
+  const float* plane[4] = {};
+  /// By triangle, its three vertices.
   const std::int32_t* index[3] = {};
-  const std::uint8_t* flat = nullptr;  ///< 1 where the three vertices share one normal
+  /// By triangle: 1 if its vertices share a normal.
+  const std::uint8_t* flat = nullptr;
 };
 
-/// One mesh to be drawn.
+/// A mesh to be drawn.
 struct DrawJob {
   const MeshStreams* mesh = nullptr;
+  /// Rotation and translation.
   float meshInCamera[3][4] = {};
   float cameraInMesh[3] = {};
-  float color[3] = {};     ///< in the channels of the image
-  std::int32_t self = -1;  ///< the instance, if it is convex and thus cannot shade itself; else -1
-  bool inFront = false;    ///< entirely in front of the camera
+  /// In the channels of the image: R G B, or Y and chroma without offset.
+  float color[3] = {};
+  /// The instance if it is convex, so that it cannot shade itself; otherwise -1.
+  std::int32_t self = -1;
+  /// Entirely in front of the camera's plane.
+  bool inFront = false;
 };
 
-/// A triangle that has pixels. With d the ray of a pixel: linear[k][0..2] * d[k] summed is the surface's
-/// normal there (of any length, in camera space), linear[k][3] * d[k] summed is 1 / depth. Number 0 is the
-/// background.
+/// A triangle that has visible pixels. With d the ray of a pixel, the sum of linear[k][0..2] * d[k] is the
+/// surface's normal there (of any length, in camera space), and the sum of linear[k][3] * d[k] is 1 / depth.
+/// Number 0 is the background.
 struct alignas(64) TriangleRecord {
   float linear[3][4] = {};
   float color[3] = {};
-  std::int32_t self = -1;  ///< right behind the colour: they are loaded together
+  /// Directly after the color, because they are loaded together.
+  std::int32_t self = -1;
 };
 
-/// The visibility buffer: which triangle is seen at each pixel, and 1 / depth there (0: nothing).
+/// The visibility buffer: for each pixel the number of the visible triangle, and 1 / depth (0: nothing).
 struct VisibilityBuffer {
   int width = 0, height = 0;
-  int stride = 0;  ///< at least 8 more than width: eight lanes may be touched from any pixel on
+  /// At least 8 more than width, because eight lanes may be accessed from any pixel on.
+  int stride = 0;
+  /// By pixel; rows are `stride` apart.
   float* inverseDepth = nullptr;
   std::int32_t* triangle = nullptr;
-  const float* column = nullptr;  ///< d.y by x; `stride` of them
-  const float* row = nullptr;     ///< d.z by y
-  float focalX = 0, focalY = 0;   ///< pixels
+  /// d.y by x; `stride` values.
+  const float* column = nullptr;
+  /// d.z by y.
+  const float* row = nullptr;
+  /// Focal lengths in pixels.
+  float focalX = 0, focalY = 0;
+  /// By number of the triangle.
   TriangleRecord* records = nullptr;
   std::int32_t recordCount = 1;
-  float* positions = nullptr;          ///< scratch, four floats a vertex of the largest mesh
-  float* normals = nullptr;            ///< the same
-  std::int32_t* candidates = nullptr;  ///< scratch, one a triangle of the largest mesh, and eight more
+  /// Buffer with four floats per vertex of the largest mesh.
+  float* positions = nullptr;
+  /// The same for normals.
+  float* normals = nullptr;
+  /// Buffer with one number per triangle of the largest mesh, and eight more.
+  std::int32_t* candidates = nullptr;
 };
 
-/// A direction's cell as a lamp sees it: the nearest caster of shadows in it and the nearest of another
+/// A cell of directions around a lamp: the nearest caster of shadows in it, and the nearest one of another
 /// instance, with lower bounds of their squared distances.
 struct LampCell {
+  /// Square meters.
   float nearest = 0;
   float second = 0;
-  /// The instance of the nearest triangle, in the low half of the third word, and of the second nearest.
-  /// Numbers too large for it are -1, which is never left out.
+  /// The instances of the two; they share the third word, nearestInstance in its low half. Instances whose
+  /// number does not fit are -1, and are then never excluded.
   std::int16_t nearestInstance = -1;
   std::int16_t secondInstance = -1;
 };
 static_assert(sizeof(LampCell) == 12);
 
-/// Eight pixels of a strip's row, some of which see a lamp unless a ray says otherwise.
+/// Eight pixels of a row of a strip; those in `lanes` see a lamp unless a ray finds an obstacle.
 struct UnsureGroup {
-  std::int32_t pixel = 0;  ///< the first; index into the strip
-  std::int32_t row = 0;    ///< of the strip
+  /// The first one, an index of the strip.
+  std::int32_t pixel = 0;
+  /// Of the strip.
+  std::int32_t row = 0;
+  // A bit per pixel.
   std::uint32_t lanes = 0;
 };
 
-/// The unsure pixels of a strip, column of groups by column. What belongs to a pixel is found by its index.
+/// The unsure pixels of a strip for one lamp, one column of groups after the other. The arrays are indexed by
+/// pixel.
 struct UnsurePixels {
   int count = 0;
   UnsureGroup* groups = nullptr;
-  float* light = nullptr;    ///< what the lamp adds if it is seen
-  float* direction[3] = {};  ///< from the lamp to the pixel's point, in the world
-  /// 2 where the pixel is in shadow, 3 where it sees the lamp, 0 where that is unknown; a row and a bit more
-  /// on either side may be read.
+  /// What the lamp adds if it is visible.
+  float* light = nullptr;
+  /// From the lamp to the surface point, in the world.
+  float* direction[3] = {};
+  /// 2 if the pixel is in shadow, 3 if it sees the lamp, 0 if unknown. Up to a row and eight pixels beyond
+  /// either end may be read.
   std::int32_t* seen = nullptr;
 };
 
+/// A lamp as the kernels need it.
 struct ShadeLamp {
   float inCamera[3] = {};
   float intensity = 0, attenuation = 0;
-  const LampCell* cells = nullptr;  ///< six faces of gridSize^2; null: no shadows
+  /// Six faces of gridSize^2 cells; null if there are no shadows.
+  const LampCell* cells = nullptr;
+  /// Where unsure pixels are collected.
   UnsurePixels* unsure = nullptr;
 };
 
-/// Some rows of an image while they are lit; stride as in the buffer, pixel 0 at the first row's start.
+/// Some rows of an image while they are being lit; the stride is that of the buffer, and pixel 0 the start of
+/// the first row.
 struct Strip {
   int firstRow = 0, rows = 0;
+  // By pixel: light, a factor of the color.
   float* light = nullptr;
+  // By pixel: color in the channels of the image.
   float* color[3] = {};
   float ambient = 0;
-  float cameraToWorld[3][3] = {};  ///< rotation
+  /// A rotation.
+  float cameraToWorld[3][3] = {};
   int gridSize = 0;
   int lampCount = 0;
   const ShadeLamp* lamps = nullptr;
 };
 
-/// Two 32-bit keys select a sequence of noise; a byte's place in the image selects the number.
+/// Two 32-bit keys select a sequence of noise, the position of a byte in the image a number in it.
 struct NoiseKey {
   std::uint32_t first = 0, second = 0;
 };
 
+/// The kernels, compiled for one kind of processor.
 struct Kernels {
+  /// Draws a mesh into the buffer.
   void (*draw)(const DrawJob&, VisibilityBuffer&);
+  /// Computes light and color of a strip, and collects unsure pixels.
   void (*shade)(const Strip&, const VisibilityBuffer&);
-  /// Settles those pixels whose neighbours agree, and leaves the others in the groups' lanes.
+  /// Resolves pixels whose neighbors agree; leaves the others in the lanes of the groups.
   void (*settle)(UnsurePixels&, int stride, float* light);
-  /// A row of pixels; the colours are Y, Cb - 128, Cr - 128 or R, G, B.
+  /// Writes a row of pixels; the colors are Y, Cb - 128, Cr - 128 or R, G, B.
   void (*writeYuyv)(const float* light, const float* const color[3], int width, std::uint8_t* out);
   void (*writeRgb)(const float* light, const float* const color[3], int width, std::uint8_t* out);
+  /// Adds noise to every byte.
   void (*addNoise)(std::uint8_t* bytes, int count, NoiseKey key, float scale);
 };
 
+// The two sets; kAvx2Kernels must be used only if the processor supports AVX2.
 extern const Kernels kPortableKernels;
 extern const Kernels kAvx2Kernels;
 

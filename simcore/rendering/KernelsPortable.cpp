@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The kernels compiled for any processor; see KernelTypes.h.
 #include "simcore/rendering/DrawKernel.h"
 #include "simcore/rendering/OutputKernel.h"
 #include "simcore/rendering/ShadeKernel.h"

@@ -14,10 +14,10 @@ namespace {
 constexpr int kSize = LampGrid::kSize;
 constexpr std::size_t kFaceCells = static_cast<std::size_t>(kSize) * kSize;
 
-/// What squared bounds are reduced by: rounding, and the curvature of distance within a cell.
+/// Reduces squared bounds, to allow for rounding and for the curvature of distance within a cell.
 constexpr double kCaution = 1 - 1e-3;
 
-/// The axes of a face's u and v.
+/// The axes of u and v, by the axis of a face.
 constexpr int kU[3] = {1, 0, 0};
 constexpr int kV[3] = {2, 2, 1};
 
@@ -25,8 +25,8 @@ struct Interval {
   double low, high;
 };
 
-/// The slopes of the lines from the origin that meet a circle around (along, across) in the half plane along
-/// > 0, if any lie within [-1, 1].
+/// The slopes of the tangents from the origin to a circle around (along, across) in the half plane along > 0,
+/// clipped to [-1, 1]; returns false if nothing is left.
 bool slopes(double along, double across, double radius, Interval& result) {
   if (along + radius <= 0 || along - std::abs(across) < -1.4143 * radius) return false;
   result = {-1, 1};
@@ -38,7 +38,7 @@ bool slopes(double along, double across, double radius, Interval& result) {
   return result.low <= result.high;
 }
 
-/// The cell of a slope; `margin` cells are added to make up for rounding in the kernel.
+/// The cell of a slope; `margin` (in cells) allows for rounding in the kernel.
 int cellOf(double slope, double margin) {
   return std::clamp(static_cast<int>(std::floor((slope + 1) * kSize / 2 + margin)), 0, kSize - 1);
 }
@@ -62,8 +62,8 @@ void insert(LampCell& cell, std::int16_t instance, float distance) {
   }
 }
 
-/// Squared distances from the lamp to a plane (points p with normal * p = offset) in the directions of a row
-/// of cells' corners, from u0 to u1; infinite where it is not met.
+/// The squared distances from the lamp to a plane (points p with normal * p = offset) in the directions of a
+/// row of cells' corners, from u0 to u1; infinite where the plane is not met.
 void planeDistances(const Eigen::Vector3d& normal, double offset, int face, int u0, int u1, int v,
                     double* distances) {
   const int axis = face / 2;
@@ -121,8 +121,7 @@ void LampGrid::addPiece(const Triangle& t, int instance) {
   Rectangle rectangles[6];
   const std::size_t count = rectanglesAround(center, radius, rectangles);
   for (const Rectangle& r : std::span(rectangles, count)) {
-    // 1 / distance to a plane is linear in the directions, so that a cell's corners tell how near it comes
-    // there.
+    // 1 / distance to a plane is linear in the direction, so its extremes in a cell are at the corners.
     std::array<double, kSize + 1> above{}, below{};
     planeDistances(normal, normal.dot(center), r.face, r.u0, r.u1 + 1, r.v0, below.data());
     for (int v = r.v0; v <= r.v1; ++v) {
@@ -166,7 +165,7 @@ void LampGrid::addMoving(const Sphere& sphereInWorld, int instance) {
   }
 }
 
-/// The cells, at most one rectangle a face, that a sphere is seen in; returns how many rectangles.
+/// The cells in which a sphere is seen, at most one rectangle per face; returns the number of rectangles.
 std::size_t LampGrid::rectanglesAround(const Eigen::Vector3d& center, double radius,
                                        Rectangle (&rectangles)[6]) {
   std::size_t count = 0;

@@ -6,7 +6,7 @@
 namespace simcore::rendering {
 namespace {
 
-// The coefficients are those of robotlink::toYCbCr and back, chroma without its offset.
+// The coefficients of robotlink::toYCbCr and its inverse, chroma without its offset.
 constexpr float kBlueOfYCbCr[3] = {1, 1.772F, 0}, kBlueInYCbCr[3] = {0.114F, 0.5F, -0.081312F};
 constexpr float kBlueOfRgb[3] = {0, 0, 1}, kBlueInRgb[3] = {0, 0, 1};
 
@@ -33,7 +33,7 @@ void LensShading::apply(Strip& strip, int stride) const {
       const float dx = static_cast<float>(x) - centerX_;
       const float r2 = (dx * dx + dy * dy) * inverseSquaredCorner_;
       strip.light[at + x] *= 1 - falloff_ * r2;
-      // What red and green lose: the whole colour loses it, and blue gets its part back.
+      // Red and green lose a fraction: the whole color loses it, and its blue component is added back.
       const float loss = tint_ * r2;
       float* const channel[3] = {strip.color[0] + at + x, strip.color[1] + at + x, strip.color[2] + at + x};
       const float blue = *channel[0] * blueOf_[0] + *channel[1] * blueOf_[1] + *channel[2] * blueOf_[2];

@@ -7,23 +7,28 @@
 
 namespace simcore::rendering {
 
-/// Applies a camera's vignetting to strips that are lit and not yet written: plain code, so that it is the
-/// same whatever the kernels are compiled for. A plain value, for one image.
+/// Applies a camera's vignetting to strips that are lit but not yet written. Plain code, so the result does
+/// not depend on how the kernels are compiled. A plain value for one image.
 class LensShading {
  public:
   LensShading(const CameraModel& camera, robotlink::PixelFormat format);
 
-  /// Whether it changes anything.
+  /// Whether it has any effect.
   bool any() const { return falloff_ != 0 || tint_ != 0; }
+  /// Changes light and color of a strip's pixels.
   void apply(Strip& strip, int stride) const;
 
  private:
   int width_;
-  float centerX_, centerY_;     // pixels, of pixels' centres
-  float inverseSquaredCorner_;  // 1 / squared distance from the centre to a corner
+  /// The image's center, in coordinates of pixels' centers.
+  float centerX_, centerY_;
+  /// 1 / squared distance from the center to a corner.
+  float inverseSquaredCorner_;
   float falloff_, tint_;
-  float blueOf_[3];  // a colour's blue, as a product with its channels
-  float blue_[3];    // the channels of blue alone
+  /// The blue component of a color is its scalar product with this.
+  float blueOf_[3];
+  /// The channels of pure blue.
+  float blue_[3];
 };
 
 }  // namespace simcore::rendering

@@ -12,13 +12,15 @@
 namespace simcore {
 namespace {
 
-/// A body that has something to hit.
+/// A body with at least one triangle.
 struct Target {
   int body = 0;
   RTCScene tree = nullptr;
-  rendering::Sphere bound;  ///< in the body's frame
+  // In the body's frame.
+  rendering::Sphere bound;
   Pose3 pose = Pose3::Identity();
-  Eigen::Vector3d center = Eigen::Vector3d::Zero();  ///< of the bound, in the world
+  // Center of the bound in the world.
+  Eigen::Vector3d center = Eigen::Vector3d::Zero();
 };
 
 rendering::Sphere boundOf(RTCScene tree) {
@@ -106,8 +108,8 @@ class RayCaster::Implementation {
                std::span<FanHit> hits) const {
     std::ranges::fill(hits, FanHit{maximum, 1});
     rendering::FanView view(fan, frameInWorld);
-    // The world comes first, as it hides most of the bodies. Most of them are too far away, and are not
-    // looked up.
+    // The world comes first, because it hides most bodies. Most bodies are too far away and are skipped
+    // quickly.
     for (std::size_t i = 0; i < targets_.size(); ++i) {
       if (!view.mayMeet(reaches_[i], maximum)) continue;
       const Target& target = targets_[i];
@@ -128,7 +130,8 @@ class RayCaster::Implementation {
 
   RTCDevice device_;
   std::vector<Target> targets_;
-  std::vector<rendering::Sphere> reaches_;  // the targets' bounds in the world, close together in memory
+  // The targets' bounds in the world, contiguous in memory.
+  std::vector<rendering::Sphere> reaches_;
 };
 
 RayCaster::RayCaster(const std::shared_ptr<const RenderScene>& scene)

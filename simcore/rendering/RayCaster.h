@@ -10,40 +10,42 @@
 
 namespace simcore {
 
-/// Measures distances in a scene, as a PSD, a sonar, or a laser does: how far it is along a ray to the first
-/// surface, seen from either side, of the drawn triangles (shadow or not). Units are metres, everything is in
-/// the world's frame.
+/// Measures distances in a scene as distance sensors, sonars and lasers do: along a ray to the first surface,
+/// seen from either side, of the drawn triangles (shadow or not). Meters, in the world's frame.
 ///
-/// A few rays cost about a microsecond each, and new poses cost next to nothing: each body has its tree in
-/// its own frame, built once; there is none over the bodies. Any number of threads may ask at once; none may
-/// while setPoses() runs.
+/// A few single rays cost about a microsecond each, and new poses almost nothing: each body has its own tree
+/// in its frame, built once, and there is no tree over the bodies. Any number of threads may measure at the
+/// same time, but not during setPoses().
 class RayCaster {
+  /// What a ray hit.
  public:
   struct Hit {
     double distance = 0;
-    int body = 0;  ///< index in RenderScene::bodies
+    /// Index in RenderScene::bodies.
+    int body = 0;
   };
 
-  /// Copies what it needs of the scene.
+  /// Copies what it needs from the scene.
   explicit RayCaster(const std::shared_ptr<const RenderScene>& scene);
   ~RayCaster();
   RayCaster(const RayCaster&) = delete;
   RayCaster& operator=(const RayCaster&) = delete;
 
-  /// Where the bodies are now, by body index; at first all are at the origin. The world, body 0, stays there.
+  /// Sets the present poses of the bodies by body index; initially all are at the origin. Body 0, the world,
+  /// stays there.
   void setPoses(std::span<const Pose3> bodyInWorld);
 
-  /// The first hit at a distance in (0, maximum]. The direction's length does not matter, but must not be 0.
-  /// Bodies in `excluded` (those of the robot that measures, say) let rays pass.
+  /// The first hit at a distance in (0, maximum]. The direction may have any length but 0. Rays pass through
+  /// the bodies in `excluded` (such as those of the measuring robot).
   std::optional<Hit> firstHit(const Eigen::Vector3d& origin, const Eigen::Vector3d& direction, double maximum,
                               std::span<const int> excluded = {}) const;
 
-  /// The first hits of all rays of a fan in the plane of `frame`'s x and y, from its origin; hits.size() must
-  /// be fan.size(). `excluded` bodies, from the first to before the last, let rays pass. Some 0.1
-  /// microseconds a ray.
+  /// Bodies `first` up to `last`, exclusive.
   struct BodyRange {
     int first = 0, last = 0;
   };
+  /// Computes the first hits of all rays of a fan in the x-y plane of `frameInWorld`, from its origin;
+  /// hits.size() must be fan.size(). Rays pass through the `excluded` bodies. Some 0.1 microseconds per ray.
   void castFan(const RayFan& fan, const Pose3& frameInWorld, double maximum, BodyRange excluded,
                std::span<FanHit> hits) const;
 

@@ -7,16 +7,18 @@
 
 namespace simcore {
 
-/// Rays from one point in a plane, equally far apart in angle.
+/// Rays from one point in a plane, at equal angles. Immutable.
 class RayFan {
  public:
-  /// `count` rays from angle `start` to angle `end`, rad, counter-clockwise; at least one, and at most a full
-  /// turn.
+  /// `count` rays (at least one) from angle `start` to angle `end`, rad, counter-clockwise, over at most a
+  /// full turn.
   RayFan(double start, double end, int count);
 
   std::size_t size() const { return directions_.size(); }
   double start() const { return start_; }
-  double step() const { return step_; }  ///< between two neighbours; 0 if there is one ray alone
+  /// The angle between neighbors; 0 for a single ray.
+  double step() const { return step_; }
+  /// Unit vectors in the fan's plane, in the order of the angles.
   const std::vector<Eigen::Vector2d>& directions() const { return directions_; }
 
  private:
@@ -24,10 +26,12 @@ class RayFan {
   std::vector<Eigen::Vector2d> directions_;
 };
 
-/// What a ray of a fan meets.
+/// The hit of one ray of a fan.
 struct FanHit {
-  double distance = 0;      ///< the maximum if it meets nothing
-  double cosIncidence = 1;  ///< of the angle between the ray and the surface's normal
+  /// The maximum if there is no hit.
+  double distance = 0;
+  /// The cosine of the angle between the ray and the surface's normal.
+  double cosIncidence = 1;
 };
 
 }  // namespace simcore

@@ -4,23 +4,34 @@
 #include "simcore/rendering/Float8.h"
 #include "simcore/rendering/KernelTypes.h"
 
-// Lights the pixels of a visibility buffer, eight at a time.
+// Lights the pixels of a visibility buffer, eight at a time. Included only by the two Kernels*.cpp.
+//
+// For each group of pixels, shade() computes normals and positions from the triangles' records, and adds up
+// ambient light and lamps. A lamp's light on points that a caster might shade (LampGrid) is left out; these
+// pixels are collected as "unsure". ShadowCaster then traces rays for a quarter of them, settle() resolves
+// those whose neighbors agree, and rays are traced for the rest.
 namespace simcore::rendering {
 namespace {
 
-/// What eight pixels see.
+/// The surfaces at eight pixels.
 struct Surface {
-  Vector8 normal;  ///< camera space, any length
-  Vector8 plane;   ///< 1 / depth = plane * d
+  /// In camera space, of any length.
+  Vector8 normal;
+  /// 1 / depth = plane * d.
+  Vector8 plane;
+  // 0 if nothing was drawn; larger is nearer.
   Float8 inverseDepth;
   Vector8 color;
+  /// The instance if it is convex, otherwise -1.
   Int8 self;
 };
 
+/// All eight pixels show the same triangle.
 SIMCORE_INLINE Surface loadOne(const TriangleRecord& record, Float8 column, float row) {
   const auto& a = record.linear[0];
   const auto& b = record.linear[1];
   const auto& c = record.linear[2];
+  // The same order of operations as in loadEight(), so that both give the same bits.
   const auto at = [&](int i) { return splat(a[i] + c[i] * row) + splat(b[i]) * column; };
   return {{at(0), at(1), at(2)},
           {splat(a[3]), splat(b[3]), splat(c[3])},
@@ -29,13 +40,15 @@ SIMCORE_INLINE Surface loadOne(const TriangleRecord& record, Float8 column, floa
           splatInt(record.self)};
 }
 
+/// The pixels show different triangles.
 SIMCORE_INLINE Surface loadEight(const TriangleRecord* records, const std::int32_t* ids, Float8 column,
                                  float row) {
   const float* at[4][8];
   for (int i = 0; i < 8; ++i) {
     const TriangleRecord& record = records[ids[i]];
     for (int k = 0; k < 3; ++k) at[k][i] = record.linear[k];
-    at[3][i] = record.color;  // and self
+    /// Color and self.
+    at[3][i] = record.color;
   }
   const Rows4 a = loadTransposed(at[0]), b = loadTransposed(at[1]), c = loadTransposed(at[2]);
   const auto value = [&](int i) { return (a.rows[i] + c.rows[i] * row) + b.rows[i] * column; };
@@ -47,17 +60,19 @@ SIMCORE_INLINE Surface loadEight(const TriangleRecord* records, const std::int32
           reinterpret_cast<Int8>(color.rows[3])};
 }
 
+/// Rotates a vector.
 SIMCORE_INLINE Vector8 rotated(const float (&m)[3][3], const Vector8& v) {
   return {m[0][0] * v.x + m[0][1] * v.y + m[0][2] * v.z, m[1][0] * v.x + m[1][1] * v.y + m[1][2] * v.z,
           m[2][0] * v.x + m[2][1] * v.y + m[2][2] * v.z};
 }
 
-/// The cell of a lamp's grid that a direction from the lamp passes; LampGrid.h says how the faces lie.
+/// The cell of a lamp's grid in the direction from the lamp; LampGrid.h describes the faces.
 SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
   const Float8 ax = absolute(direction.x), ay = absolute(direction.y), az = absolute(direction.z);
   const Int8 isX = (ax >= ay) & (ax >= az);
   const Int8 isY = ~isX & (ay >= az);
   const Float8 major = isX ? direction.x : isY ? direction.y : direction.z;
+  // Directions of length 0 go to some cell rather than to NaN.
   const Float8 inverse = splat(1) / maximum(absolute(major), splat(1e-30F));
   const Float8 u = (isX ? direction.y : direction.x) * inverse;
   const Float8 v = ((isX | isY) ? direction.z : direction.y) * inverse;
@@ -72,19 +87,24 @@ SIMCORE_INLINE Int8 cellOf(const Vector8& direction, int gridSize) {
   return (face * gridSize + cv) * gridSize + cu;
 }
 
-/// Selects, from some lanes with points at squared distances from a lamp, those that something in their cell
-/// could shade.
+/// Selects, from lanes with points at squared distances from a lamp, those that a caster in their cell might
+/// shade.
 SIMCORE_INLINE Int8 mayBeShaded(const LampCell* cells, Int8 cell, Int8 self, Float8 squaredDistance,
                                 Int8 lanes) {
   const auto* base = reinterpret_cast<const float*>(cells);
+  // Three words per cell.
   const Int8 at = cell * 3;
+  // In front of everything in its cell a point is lit.
   const Int8 behind = lanes & (gathered(base, at) < squaredDistance);
   if (bits(behind) == 0) return behind;
+  // The low half of the third word, with its sign.
   const Int8 nearest = reinterpret_cast<Int8>(gathered(base, at + 2)) << 16 >> 16;
+  // A convex instance does not shade itself, so the second nearest caster counts.
   const Int8 own = (nearest == self) & (self >= splatInt(0));
   return behind & (~own | (gathered(base, at + 1) < squaredDistance));
 }
 
+/// Appends a group to the unsure pixels of a lamp.
 SIMCORE_INLINE void append(UnsurePixels& pixels, const UnsureGroup& group, Float8 light,
                            const Vector8& direction) {
   pixels.groups[pixels.count++] = group;
@@ -94,20 +114,22 @@ SIMCORE_INLINE void append(UnsurePixels& pixels, const UnsureGroup& group, Float
   store(pixels.direction[2] + group.pixel, direction.z);
 }
 
-/// The light of one lamp on eight points, apart from that which depends on rays.
+/// The light of a lamp on eight points, without that which depends on rays.
 SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const Surface& surface,
                                 const Vector8& point, Float8 squaredNormal, Int8 drawn,
                                 std::int32_t firstPixel, std::int32_t row) {
   constexpr float kTiny = 1e-30F;
   const Vector8 position = splatVector(lamp.inCamera);
+  // Lighting is computed in camera space, shadows in the world's axes.
   const Vector8 toLamp = position - point;
   const Float8 squaredDistance = dot(toLamp, toLamp);
   const Float8 cosine =
       dot(surface.normal, toLamp) / squareRoot(maximum(squaredNormal * squaredDistance, splat(kTiny)));
   Float8 light = lamp.intensity * maximum(cosine, splat(0)) / (1.0F + squaredDistance * lamp.attenuation);
   if (lamp.cells == nullptr) return light;
-  // A surface whose triangle faces away from the lamp is shaded by its own body.
+  // A surface whose triangle faces away from the lamp is in the shadow of its own body.
   light = dot(surface.plane, position) < splat(1) ? light : splat(0);
+  // Points without light need no rays.
   const Int8 lit = drawn & (light > splat(0));
   if (bits(lit) == 0) return light;
   const Vector8 direction = rotated(strip.cameraToWorld, {-toLamp.x, -toLamp.y, -toLamp.z});
@@ -115,24 +137,29 @@ SIMCORE_INLINE Float8 lampLight(const Strip& strip, const ShadeLamp& lamp, const
       mayBeShaded(lamp.cells, cellOf(direction, strip.gridSize), surface.self, squaredDistance, lit);
   const unsigned lanes = bits(unsure);
   if (lanes == 0) return light;
+  // Each such lane is lit later, if its ray arrives.
   append(*lamp.unsure, {firstPixel, row, lanes}, light, direction);
   return unsure ? splat(0) : light;
 }
 
+/// Lights eight pixels of a row; `firstPixel` is their index in the strip.
 SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffer, int x, int y,
                                std::int32_t firstPixel) {
   const std::int32_t* ids = buffer.triangle + static_cast<std::ptrdiff_t>(y) * buffer.stride + x;
   const auto column = load<Float8>(buffer.column + x);
   const float row = buffer.row[y];
+  // Large triangles make this the usual case.
   const bool same = bits(load<Int8>(ids) == splatInt(ids[0])) == 0xFF;
   const Surface surface =
       same ? loadOne(buffer.records[ids[0]], column, row) : loadEight(buffer.records, ids, column, row);
   store(strip.color[0] + firstPixel, surface.color.x);
   store(strip.color[1] + firstPixel, surface.color.y);
   store(strip.color[2] + firstPixel, surface.color.z);
+  // Record 0, the background, keeps its color: light 1, no lamps.
   const auto drawn = load<Int8>(ids) != splatInt(0);
   Float8 light = splat(1);
   if (bits(drawn) != 0) {
+    // Avoids dividing by 0 where nothing was drawn.
     const Float8 depth = splat(1) / (drawn ? surface.inverseDepth : splat(1));
     const Vector8 point = {depth, column * depth, row * depth};
     const Float8 squaredNormal = dot(surface.normal, surface.normal);
@@ -146,8 +173,9 @@ SIMCORE_INLINE void shadeEight(const Strip& strip, const VisibilityBuffer& buffe
   store(strip.light + firstPixel, light);
 }
 
+/// Lights a strip.
 void shade(const Strip& strip, const VisibilityBuffer& buffer) {
-  // Column by column, so that rays that follow each other go about the same way.
+  // Column by column, so that consecutive shadow rays take similar paths.
   for (int x = 0; x < buffer.width; x += 8) {
     for (int i = 0; i < strip.rows; ++i) {
       shadeEight(strip, buffer, x, strip.firstRow + i, i * buffer.stride + x);
@@ -155,11 +183,12 @@ void shade(const Strip& strip, const VisibilityBuffer& buffer) {
   }
 }
 
-/// What the traced neighbours of eight pixels say where they agree, else 0. Leaders, which are traced in any
-/// case, are the pixels with even coordinates.
+/// The common result of the traced neighbors of eight pixels, 0 if they disagree. Traced first are the pixels
+/// with even coordinates.
 SIMCORE_INLINE Int8 neighboursSay(const std::int32_t* seen, int stride, bool oddRow) {
   const Int8 zero = splatInt(0);
   if (!oddRow) {
+    // Even rows: the pixels to the left and right were traced.
     const auto left = load<Int8>(seen - 1);
     return left == load<Int8>(seen + 1) ? left : zero;
   }
@@ -169,14 +198,18 @@ SIMCORE_INLINE Int8 neighboursSay(const std::int32_t* seen, int stride, bool odd
   const Int8 vertical = up == load<Int8>(below) ? up : zero;
   const Int8 cornersAgree = (corner == load<Int8>(above + 1)) & (corner == load<Int8>(below - 1)) &
                             (corner == load<Int8>(below + 1));
+  // In odd rows, even columns have traced pixels above and below, odd columns at their four corners.
   const Int8 evenColumn = {-1, 0, -1, 0, -1, 0, -1, 0};
   return evenColumn ? vertical : cornersAgree ? corner : zero;
 }
 
+/// Resolves the pixels that were not traced and whose neighbors agree, and removes them from the groups'
+/// lanes.
 void settle(UnsurePixels& pixels, int stride, float* light) {
   for (int i = 0; i < pixels.count; ++i) {
     UnsureGroup& group = pixels.groups[i];
     const bool oddRow = (group.row & 1) != 0;
+    // Pixels with even coordinates were traced before.
     group.lanes &= oddRow ? 0xFFU : 0xAAU;
     if (group.lanes == 0) continue;
     const Int8 says = neighboursSay(pixels.seen + group.pixel, stride, oddRow);
@@ -185,9 +218,11 @@ void settle(UnsurePixels& pixels, int stride, float* light) {
     if (lanes == 0) continue;
     const Int8 lane = {1, 2, 4, 8, 16, 32, 64, 128};
     const Int8 lit =
+        // Bit 0 of `seen` tells lit (3) from shadow (2).
         ((splatInt(static_cast<std::int32_t>(lanes)) & lane) != splatInt(0)) & ((says & 1) != splatInt(0));
     const Float8 added = lit ? load<Float8>(pixels.light + group.pixel) : splat(0);
     store(light + group.pixel, load<Float8>(light + group.pixel) + added);
+    // What remains in the lanes is traced one by one.
     group.lanes &= ~lanes;
   }
 }

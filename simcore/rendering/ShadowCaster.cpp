@@ -7,12 +7,12 @@ namespace simcore::rendering {
 namespace {
 
 constexpr int kWidth = 8;
-/// Rays end before the surface that they light, so that it does not shade itself by rounding.
+/// Rays end in front of the surface that they light, so that it does not shade itself by rounding errors.
 constexpr float kEnd = 1 - 2e-4F;
 
 }  // namespace
 
-/// Rays on their way from a lamp; they are traced whenever there are eight.
+/// Collects rays from a lamp and traces them whenever there are eight.
 class ShadowCaster::Packet {
  public:
   Packet(RTCScene tree, const Eigen::Vector3f& lamp, const UnsurePixels& pixels, float* light)

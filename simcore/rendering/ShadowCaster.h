@@ -12,21 +12,25 @@
 
 namespace simcore::rendering {
 
-/// What keeps the lamps' light from the pixels: the tree for the rays and, for each lamp, the grid that
-/// spares most of them. One thread at a time; the scene and its drawable meshes must outlive it.
+/// Decides which pixels a lamp's light reaches: it has the tree for shadow rays and, for each lamp, the grid
+/// that makes most of them unnecessary. One thread at a time; the scene and its drawable meshes must outlive
+/// it.
 class ShadowCaster {
  public:
   ShadowCaster(const RenderScene& scene, std::span<const DrawableMesh> meshes, const Kernels& kernels);
 
+  /// Sets the present poses of the bodies, by body index.
   void setPoses(std::span<const Pose3> bodyInWorld);
+  /// The grid of a lamp, for shading.
   const LampCell* cells(std::size_t lamp) const { return grids_[lamp].cells(); }
-  /// Adds the light of those unsure pixels that the lamp sees; `stride` pixels make a row of the strip.
+  /// Adds the light of those unsure pixels that see the lamp; a row of the strip has `stride` pixels.
   ///
-  /// One ray is traced for every four pixels. The other pixels take their neighbors' result where these
-  /// agree, and have their own ray elsewhere: at the edges of shadows.
+  /// One ray is traced for every four pixels. The other pixels take the result of their neighbors if these
+  /// agree, and have their own ray otherwise: at the edges of shadows.
   void addUnshadowed(std::size_t lamp, UnsurePixels& pixels, int stride, float* light);
 
  private:
+  /// Eight rays that are traced together.
   class Packet;
 
   const RenderScene& scene_;
@@ -34,8 +38,8 @@ class ShadowCaster {
   const Kernels& kernels_;
   BodyTree tree_;
   std::vector<LampGrid> grids_;
-  std::vector<std::int32_t>
-      traced_;  ///< as Kernels::settle() takes it, with a row and a bit more on either side
+  /// Not used: FrameMemory provides the buffer for Kernels::settle().
+  std::vector<std::int32_t> traced_;
 };
 
 }  // namespace simcore::rendering

@@ -23,7 +23,7 @@ void fail(Errors& errors, const fs::path& file, int line, std::string id, std::s
   errors.push_back({std::move(id), std::move(text), {}, {file.string(), line, 0}});
 }
 
-/// What is wrong, for people.
+/// The problem in words for users.
 std::string problemOf(tinyxml2::XMLError error) {
   switch (error) {
     case tinyxml2::XML_ERROR_EMPTY_DOCUMENT:
@@ -49,7 +49,7 @@ std::string problemOf(tinyxml2::XMLError error) {
   }
 }
 
-/// A whole file, parsed; false if it cannot be read or is no XML.
+/// Reads and parses a whole file; returns false if it cannot be read or is not XML.
 bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& document, Errors& errors) {
   auto contents = robotlink::readFile(file, kMaxFileBytes);
   if (!contents) {
@@ -65,7 +65,7 @@ bool readXml(const fs::path& file, std::string& text, tinyxml2::XMLDocument& doc
   return true;
 }
 
-/// <robotcontrol:palette> of a world or a model: <robotcontrol:color name="green">0 130
+/// Reads the <robotcontrol:palette> of a world or a model: <robotcontrol:color name="green">0 130
 /// 50</robotcontrol:color> ...
 void readPalette(const XMLElement& parent, const fs::path& file, Palette& palette, Errors& errors) {
   const XMLElement* element = parent.FirstChildElement("robotcontrol:palette");
@@ -90,8 +90,8 @@ std::string childText(const XMLElement& element, const char* name) {
   return child != nullptr && child->GetText() != nullptr ? child->GetText() : "";
 }
 
-/// Where a URI's model file is: model://NAME below the world's folder, its models folder, or the shipped
-/// models.
+/// The model file of a URI: model://NAME below the world's folder, below its models folder, or among the
+/// shipped models.
 std::optional<fs::path> resolve(const std::string& uri, const fs::path& world) {
   const fs::path folder = world.parent_path();
   std::vector<fs::path> candidates;
@@ -141,14 +141,14 @@ std::optional<SceneInclude> readInclude(const XMLElement& element, const fs::pat
   return include;
 }
 
-/// Overwrites what lies between `begin` and `end` by spaces, keeping the lines.
+/// Overwrites the text between `begin` and `end` with spaces, except for line ends.
 void blank(std::string& text, std::size_t begin, std::size_t end) {
   for (std::size_t i = begin; i < end && i < text.size(); ++i) {
     if (text[i] != '\n') text[i] = ' ';
   }
 }
 
-/// Blanks every <include> element of well-formed XML, minding comments and CDATA.
+/// Blanks every <include> element of well-formed XML, with regard to comments and CDATA.
 void blankIncludes(std::string& text) {
   constexpr std::string_view kOpen = "<include", kClose = "</include>";
   std::size_t at = 0;
@@ -170,7 +170,7 @@ void blankIncludes(std::string& text) {
   }
 }
 
-/// Reads and checks a model's file once; collects its colours. `where` is what asks for it.
+/// Reads and checks a model's file once, and collects its colors. `where` is the place that refers to it.
 void readModel(SceneFiles& files, const fs::path& model, const robotlink::FilePosition& where,
                const SdfSpec& spec, Errors& errors) {
   if (files.models.contains(model)) return;
@@ -220,7 +220,7 @@ SceneFiles SceneFiles::read(const fs::path& file, const SdfSpec& spec, Errors& e
 
 std::optional<fs::path> SceneFiles::addModel(const std::string& name, const fs::path& scene,
                                              const SdfSpec& spec, Errors& errors) {
-  // A name, not a path to somewhere else.
+  // Only a name is allowed, not a path to elsewhere.
   const bool isName = !name.empty() && name.find('/') == std::string::npos && name != "." && name != "..";
   const auto model = isName ? resolve("model://" + name, scene) : std::nullopt;
   if (!model) {

@@ -12,31 +12,37 @@
 
 namespace simcore {
 
-/// An <include> of a world: which model file, under which name, where and in which team's colour.
+/// An <include> of a world: the model's file, name, pose and team color.
 struct SceneInclude {
   std::filesystem::path file;
-  std::string name;  ///< empty: the model's own
+  /// Empty: the model's own name.
+  std::string name;
+  /// As in SDFormat: x y z roll pitch yaw, m and rad.
   double pose[6] = {};
   bool isStatic = false;
-  std::string team;  ///< a colour of the palette; empty: none
+  /// A color of the palette; empty if there is no team.
+  std::string team;
+  /// Of the <include>, for error messages.
   int line = 0;
 };
 
-/// A world's text and those of the models that it includes, each read and checked once, as XML with line
-/// numbers. libsdformat would parse an included file again for each <include>, and gives no line for many
-/// errors; so includes are resolved here, and worldText is the world's text with its <include> elements
-/// blanked out, lines kept.
+/// The text of a world and those of the models that it includes, each read and checked once as XML with line
+/// numbers. libsdformat would parse an included file again for each <include>, and reports many errors
+/// without a line. Therefore includes are resolved here, and worldText is the world's text with the <include>
+/// elements blanked out, so that line numbers stay the same.
 struct SceneFiles {
   std::string worldText;
   std::vector<SceneInclude> includes;
-  std::map<std::filesystem::path, std::string> models;  ///< text by file
-  Palette palette;                                      ///< of the world and of all models
+  /// Text by file.
+  std::map<std::filesystem::path, std::string> models;
+  /// Of the world and all models.
+  Palette palette;
 
-  /// Reads `file` and what it includes. What is wrong goes to `errors`.
+  /// Reads `file` and everything that it includes; appends problems to `errors`.
   static SceneFiles read(const std::filesystem::path& file, const SdfSpec& spec, robotlink::Errors& errors);
 
-  /// Reads a model besides, as model://NAME in the world file `scene` would be found. Its file; none, with
-  /// errors noted, if there is no such model.
+  /// Reads a further model, found as model://NAME would be found in the world file `scene`. Returns its file;
+  /// nothing, after adding errors, if there is no such model.
   std::optional<std::filesystem::path> addModel(const std::string& name, const std::filesystem::path& scene,
                                                 const SdfSpec& spec, robotlink::Errors& errors);
 };

@@ -22,7 +22,7 @@ using tinyxml2::XMLElement;
 
 constexpr std::string_view kOwnPrefix = "robotcontrol:";
 
-/// An element of ours: where it may stand, and how many numbers it holds (0: text, or elements).
+/// One of our own elements: where it is allowed, and how many numbers it contains (0: text or elements).
 struct OwnElement {
   std::string_view name;
   std::array<std::string_view, 2> parents;
@@ -53,7 +53,7 @@ constexpr OwnElement kOwnElements[] = {
     {"robotcontrol:idle_torque", {"robotcontrol:drive", ""}, 1},
 };
 
-// libsdformat converts these.
+// Versions that libsdformat converts.
 constexpr std::string_view kOlderVersions[] = {"1.5", "1.6", "1.7", "1.8"};
 
 std::vector<std::string> words(const XMLElement& element) {
@@ -68,14 +68,15 @@ bool isFiniteNumber(const std::string& word) {
   return std::isfinite(std::strtod(word.c_str(), &end)) && end == word.c_str() + word.size();
 }
 
-/// Limits may be infinite: that is how SDFormat says that there is none.
+/// Limits may be infinite: in SDFormat this means that there is none.
 bool isLimitNumber(const std::string& word) {
   return word == "inf" || word == "-inf" || isFiniteNumber(word);
 }
 
 struct ValueType {
   std::string_view name;
-  std::size_t fewest, most;  ///< numbers
+  // Numbers of values.
+  std::size_t fewest, most;
 };
 
 constexpr ValueType kNumberTypes[] = {{"double", 1, 1},       {"float", 1, 1},   {"int", 1, 1},
@@ -86,7 +87,7 @@ class Checker {
  public:
   Checker(const std::string& file, robotlink::Errors& errors) : file_(file), errors_(errors) {}
 
-  /// Checks an element of SDFormat; without a description, only elements of ours below it.
+  /// Checks an element of SDFormat; without a description, only our own elements below it.
   void check(const XMLElement& element, const sdf::ElementPtr& description) {
     if (description) {
       checkAttributes(element, description);
@@ -109,7 +110,8 @@ class Checker {
 
   void checkChild(const XMLElement& child, const XMLElement& parent, const sdf::ElementPtr& description) {
     if (!description) return check(child, nullptr);
-    if (description->GetCopyChildren()) return;  // a plugin's parameters are its own
+    // The parameters of a plugin are arbitrary.
+    if (description->GetCopyChildren()) return;
     if (!description->HasElementDescription(child.Name())) {
       return fail(child, "scene.unknown-element",
                   std::string("SDFormat 1.9 has no <") + child.Name() + "> in <" + parent.Name() + ">");
@@ -152,7 +154,7 @@ class Checker {
                     std::size_t most) {
     const bool isLimit = element.Parent() != nullptr && element.Parent()->ToElement() != nullptr &&
                          std::string_view(element.Parent()->ToElement()->Name()) == "limit";
-    // An empty <pose/> and the like stand for the default.
+    // An empty <pose/> or the like means the default.
     const bool countFits = values.empty() || (values.size() >= fewest && values.size() <= most);
     if (countFits && std::ranges::all_of(values, isLimit ? isLimitNumber : isFiniteNumber)) return;
     const std::string count = fewest == 1 ? "one finite number" : std::to_string(fewest) + " finite numbers";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// SdfContext of SdfConversion.h: errors with line numbers, and checks of numbers.
 #include <algorithm>
 #include <cctype>
 #include <sstream>
@@ -8,7 +9,7 @@
 namespace simcore {
 namespace {
 
-/// The line of an element, or of the nearest one around it that has one; 0 if there is none.
+/// The line of an element, or of the nearest enclosing one with a line; 0 if there is none.
 int lineOf(sdf::ElementPtr element) {
   while (element && !element->LineNumber()) element = element->GetParent();
   return element ? *element->LineNumber() : 0;
@@ -18,7 +19,7 @@ bool isNameCharacter(char c) {
   return std::isalnum(static_cast<unsigned char>(c)) != 0 || c == '_' || c == '-';
 }
 
-/// The line of the first element that a message of libsdformat names; 1 if it names none.
+/// The line of the first element that a message of libsdformat mentions; 1 if it mentions none.
 int lineNamed(const std::string& message, const std::string& source) {
   for (auto begin = message.begin(); begin != message.end();) {
     begin = std::find_if(begin, message.end(), isNameCharacter);
@@ -33,7 +34,7 @@ int lineNamed(const std::string& message, const std::string& source) {
   return 1;
 }
 
-/// "0.001", not "0.001000".
+/// Without trailing zeros: "0.001", not "0.001000".
 std::string shortNumber(double value) {
   std::ostringstream stream;
   stream << value;
@@ -53,7 +54,7 @@ bool SdfContext::take(const sdf::Errors& found, const sdf::ElementPtr& element) 
     int line = error.LineNumber().value_or(lineOf(element));
     if (line <= 0) line = lineNamed(message, source);
     errors.push_back({"scene.sdf", message, {}, {file, line, 0}});
-    // The elements around it follow, each with an error of its own.
+    // The enclosing elements follow, each with an error of its own.
     if (message.starts_with("Error reading element")) break;
   }
   return found.empty();

@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Shared by the two sources that see libsdformat, whose headers take seconds to compile. No other file
-// includes this.
+// Internal to the sources that include libsdformat, whose headers take seconds to compile.
 #pragma once
 
 #include <sdf/sdf.hh>
@@ -12,6 +11,7 @@
 
 namespace simcore {
 
+/// Converts vectors and poses of libsdformat.
 inline Vector3 toEigen(const ignition::math::Vector3d& v) {
   return {v.X(), v.Y(), v.Z()};
 }
@@ -22,33 +22,36 @@ inline Pose3 toEigen(const ignition::math::Pose3d& pose) {
          Eigen::Quaterniond(q.W(), q.X(), q.Y(), q.Z()).normalized();
 }
 
-/// What converting one file needs, and where its errors go.
+/// The environment for converting one file, and where its errors go. A bundle of references.
 struct SdfContext {
   const std::string& file;
-  const std::string& source;  ///< the file's text
+  /// The file's text, for line numbers.
+  const std::string& source;
   const Palette& palette;
   robotlink::Errors& errors;
 
+  /// Adds an error at an element.
   void fail(const sdf::ElementPtr& element, std::string id, std::string text) const;
-  /// Notes what libsdformat found wrong; true if that was nothing.
+  /// Adds the errors of libsdformat; returns true if there are none.
   bool take(const sdf::Errors& found, const sdf::ElementPtr& element) const;
-  /// `value` if it lies within [minimum, maximum]; else notes an error and gives `minimum`. NaN lies nowhere.
+  /// Returns `value` if it is in [minimum, maximum]; otherwise adds an error and returns `minimum`. NaN is
+  /// never in range.
   double within(double value, double minimum, double maximum, const std::string& what,
                 const sdf::ElementPtr& element) const;
 };
 
-/// A pose in its resolved frame, checked to be finite and near.
+/// Resolves a pose to a frame and checks that it is finite and near.
 Pose3 resolvedPose(const sdf::SemanticPose& semantic, const std::string& frame,
                    const sdf::ElementPtr& element, const SdfContext& context);
-/// What a link is made of: mass, solids, pictures.
+/// Reads a link: its mass, solids and visuals.
 LinkDescription readLink(const sdf::Link& link, const SdfContext& context);
-/// All sensors of a link that this simulator knows; others are errors.
+/// Reads the sensors of a link; kinds that this simulator does not know are errors.
 void readSensors(const sdf::Link& link, int linkIndex, ModelDescription& model, const SdfContext& context);
-/// A lidar: a laser, or, of one ray, a sensor of a distance.
+/// Reads a lidar: a laser or, if it has one ray, a distance sensor.
 void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
 void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context);
 
-/// The model's <robotcontrol:drive>, if it has one; its links and joints must have been read.
+/// Reads the model's <robotcontrol:drive>, if it has one; its links and joints must have been read before.
 void readDrive(const sdf::Model& source, ModelDescription& model, const SdfContext& context);
 
 }  // namespace simcore

@@ -6,7 +6,7 @@
 
 namespace simcore {
 
-/// For the sources that see libsdformat only.
+/// Hides the types of libsdformat; only for the sources that include it.
 struct SdfDescription {
   sdf::SDFPtr text;
 };

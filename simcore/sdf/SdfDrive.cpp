@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readDrive() of SdfConversion.h: drives of wheeled models.
 #include <algorithm>
 #include <cmath>
 
@@ -8,7 +9,7 @@
 namespace simcore {
 namespace {
 
-// How unequally tyres may grip along and across.
+// How unequal the grip of tires along and across may be.
 constexpr double kMostSlipRatio = 5;
 
 /// Reads <robotcontrol:drive> of one model.
@@ -62,7 +63,8 @@ class DriveReader {
       if (child->GetName() != key) continue;
       const auto name = child->Get<std::string>();
       const auto found = std::ranges::find(model_.joints, name, &JointDescription::name);
-      if (found == model_.joints.end()) continue;  // checkSdfTree() has told
+      // Reported by checkSdfTree() already.
+      if (found == model_.joints.end()) continue;
       if (const char* reason = unfit(*found); reason != nullptr) {
         context_.fail(child, "scene.drive", "'" + name + "' cannot be a wheel's joint: " + reason);
       } else {
@@ -73,7 +75,7 @@ class DriveReader {
     return joints;
   }
 
-  /// Why a joint cannot turn a wheel; null if it can.
+  /// The reason why a joint cannot drive a wheel; null if it can.
   const char* unfit(const JointDescription& joint) const {
     if (joint.fixed || joint.servo) return "it must turn freely, without a servo";
     if (joint.wheel) return "it is named twice";
@@ -92,14 +94,14 @@ class DriveReader {
     return along && centered ? nullptr : "a wheel's cylinder must lie about the joint's axis";
   }
 
-  /// How a wheel should be as the first one is; null if it is.
+  /// What a wheel should have in common with the first one, but has not; null if they agree.
   const char* unlike(const JointDescription& joint, const JointDescription& first, double radius) const {
     if (std::abs(radius - drive_.wheelRadius) > 1e-6) return "be of one radius";
     if (joint.parent != first.parent) return "be joined to the same link";
     return std::abs(joint.axisInModel.dot(first.axisInModel)) > 0.9999 ? nullptr : "turn about parallel axes";
   }
 
-  /// Speed and force are the least that any of the wheels has.
+  /// Speed and force are the smallest of all wheels.
   bool readJointLimits() {
     drive_.maximumSpeed = drive_.maximumForce = 1e9;
     const JointDescription& first = model_.joints[static_cast<std::size_t>(drive_.left[0])];

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readLink(), readSensors() and resolvedPose() of SdfConversion.h: links with their shapes and sensors.
 #include <algorithm>
 #include <cmath>
 
@@ -50,7 +51,7 @@ Shape readShape(const sdf::Geometry& geometry, const SdfContext& context) {
   return shape;
 }
 
-/// A channel of SDFormat's colours, 0 to 1, as a byte.
+/// Converts a channel of SDFormat's colors, 0 to 1, to a byte.
 std::uint8_t channel(float value) {
   return static_cast<std::uint8_t>(std::lround(std::clamp(value, 0.F, 1.F) * 255));
 }
@@ -87,7 +88,7 @@ VisualDescription readVisual(const sdf::Visual& visual, const SdfContext& contex
   return result;
 }
 
-/// The child of `element` along a path of names, or null.
+/// The descendant of `element` along a path of names; null if there is none.
 sdf::ElementPtr descendant(sdf::ElementPtr element, std::initializer_list<const char*> path) {
   for (const char* name : path) {
     if (!element || !element->HasElement(name)) return nullptr;
@@ -158,7 +159,7 @@ void readCamera(const sdf::Sensor& sensor, SensorDescription& result, const SdfC
   result.vignetting = {share("vignetting"), share("vignetting_tint")};
 }
 
-/// An accelerometer; a gyroscope if only what there is of <angular_velocity> is described.
+/// An accelerometer, or a gyroscope if only <angular_velocity> is described.
 void readImu(const sdf::Sensor& sensor, SensorDescription& result, const SdfContext& context) {
   const sdf::Imu& imu = *sensor.ImuSensor();
   const bool turns = descendant(sensor.Element(), {"imu", "angular_velocity"}) != nullptr &&

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// checkSdfNames() of SdfCheck.h: names, references, masses, sizes and inertias.
 #include <tinyxml2.h>
 
 #include <algorithm>
@@ -39,7 +40,7 @@ class NameChecker {
     if (model.FirstChildElement("link") == nullptr) {
       fail(model, "scene.no-link", "the model '" + nameOf(model) + "' has no <link>");
     }
-    // SDFormat has one scope for all of them.
+    // In SDFormat, all of these share one scope.
     checkUnique(model, {"link", "joint", "frame", "model"});
     std::set<std::string> links, joints;
     for (auto* link = model.FirstChildElement("link"); link != nullptr;

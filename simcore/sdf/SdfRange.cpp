@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// readLidar() and readSonar() of SdfConversion.h: range sensors.
 #include <cmath>
 
 #include "simcore/sdf/SdfConversion.h"
@@ -6,13 +7,15 @@
 namespace simcore {
 namespace {
 
-constexpr double kFarthest = 1000;  // metres
+/// In m.
+constexpr double kFarthest = 1000;
 constexpr int kMostReadings = 10'000;
 
-// What echoes however a wall is turned: of a corner's two faces one is met at less.
+// With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller
+// angle.
 constexpr double kDefaultIncidence = robotlink::radians(55);
 
-/// A number of an element of ours in a sensor, or `otherwise`.
+/// A number in one of our own elements of a sensor, or `otherwise`.
 double ownNumber(const sdf::ElementPtr& sensor, const char* name, double otherwise, double minimum,
                  double maximum, const SdfContext& context) {
   const std::string key = std::string("robotcontrol:") + name;
@@ -20,7 +23,7 @@ double ownNumber(const sdf::ElementPtr& sensor, const char* name, double otherwi
   return context.within(sensor->Get<double>(key), minimum, maximum, name, sensor);
 }
 
-/// How often it measures, Hz; 0 is whenever somebody asks.
+/// The rate of measurements, Hz; 0 means on demand.
 double rateOf(const sdf::Sensor& sensor, const SdfContext& context) {
   return context.within(sensor.UpdateRate(), 0, 250, "an update_rate", sensor.Element());
 }
@@ -67,7 +70,7 @@ void readSonar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
       context.within(sonar->Get<double>("radius"), 1e-3, kFarthest, "a sonar's <radius>", sonar);
   result.range.openingAngle = 2 * std::atan(radius / std::max(result.maximum, 1e-3));
   result.noise = ownNumber(element, "noise", 0, 0, 100, context);
-  // A little more than a right angle, as such angles are rounded in files.
+  // Slightly more than a right angle, because such angles are rounded in files.
   result.range.mostIncidence = ownNumber(element, "most_incidence", kDefaultIncidence, 0, 1.6, context);
   result.rate = rateOf(sensor, context);
 }

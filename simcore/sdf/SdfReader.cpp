@@ -14,13 +14,13 @@ namespace {
 
 sdf::ParserConfig parserConfig() {
   sdf::ParserConfig config;
-  // What is only worth a warning to libsdformat goes to our errors rather than to the terminal.
+  // Warnings of libsdformat become errors here rather than output on the terminal.
   config.SetWarningsPolicy(sdf::EnforcementPolicy::ERR);
   config.SetUnrecognizedElementsPolicy(sdf::EnforcementPolicy::ERR);
   return config;
 }
 
-/// Reads a text into `root`; false, with errors noted, if that fails.
+/// Parses a text into `root`; returns false, after adding errors, if that fails.
 bool load(const std::string& text, const SdfSpec& spec, const SdfContext& context, sdf::Root& root) {
   const auto document = std::make_shared<sdf::SDF>();
   document->Root(spec.description().text->Root()->Clone());
@@ -43,7 +43,7 @@ void readServo(const sdf::JointAxis& axis, const sdf::ElementPtr& element, Joint
                const SdfContext& context) {
   const sdf::ElementPtr servo = element->GetElement("robotcontrol:servo");
   result.servo = true;
-  // Without limits, SDFormat has these infinite, which no servo is.
+  // Without limits, SDFormat has infinite values, which no servo has.
   result.maximumSpeed = context.within(axis.MaxVelocity(), 1e-6, 1000, "a servo's <velocity>", element);
   result.maximumTorque = context.within(axis.Effort(), 1e-9, 1000, "a servo's <effort>", element);
   const auto number = [&](const char* key) { return servo->HasElement(key) ? servo->Get<double>(key) : 0.0; };
@@ -95,8 +95,8 @@ JointDescription readJoint(const sdf::Joint& joint, const ModelDescription& mode
   return result;
 }
 
-/// Joints are posed along the tree from parents to children, so each link has one parent at most and no cycle
-/// closes.
+/// Sorts joints from parents to children, so each link must have at most one parent, and there must be no
+/// cycles.
 void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const SdfContext& context) {
   std::vector<JointDescription> ordered, waiting = std::move(model.joints);
   std::vector<bool> placed(model.links.size(), true);
@@ -121,7 +121,7 @@ void orderJoints(ModelDescription& model, const sdf::ElementPtr& element, const 
   model.joints = std::move(ordered);
 }
 
-/// What a field says of the places where robots start.
+/// Reads the initial positions of robots that a field defines.
 void readHomes(const sdf::ElementPtr& element, ModelDescription& model, const SdfContext& context) {
   for (sdf::ElementPtr child = element->GetFirstElement(); child; child = child->GetNextElement()) {
     if (child->GetName() != "robotcontrol:home") continue;

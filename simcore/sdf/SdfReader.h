@@ -11,18 +11,18 @@ namespace simcore {
 
 class SdfSpec;
 
-/// Turns the text of a model file into a description, by libsdformat. `file` is the name that errors carry.
-/// What the text says must have passed checkSdfTree(): this reader finds what needs frames and units to be
-/// resolved.
+/// Converts the text of a model file to a description, with libsdformat. `file` is the name that errors
+/// carry. The text must have passed checkSdfTree(); this reader reports only problems that appear when frames
+/// and units are resolved. Returns null after adding errors.
 std::shared_ptr<const ModelDescription> readSdfModel(const std::string& text, const std::string& file,
                                                      const Palette& palette, const SdfSpec& spec,
                                                      robotlink::Errors& errors);
 
-/// The same for a world file without its <include> elements: everything but the included models.
+/// The same for a world file without its <include> elements: everything except the included models.
 WorldDescription readSdfWorld(const std::string& text, const std::string& file, const Palette& palette,
                               const SdfSpec& spec, robotlink::Errors& errors);
 
-/// Reads six numbers x y z roll pitch yaw as SDFormat's <pose> has them.
+/// Converts the six numbers of an SDFormat <pose>: x y z roll pitch yaw.
 Pose3 poseFromNumbers(const double (&numbers)[6]);
 
 }  // namespace simcore

@@ -7,8 +7,8 @@ namespace simcore {
 
 struct SdfDescription;
 
-/// What SDFormat 1.9 consists of, as libsdformat describes it: elements, attributes, types of values. Reading
-/// it takes libsdformat longer than reading a model, so a scene reads it once for all its files. Immutable.
+/// The definition of SDFormat 1.9 as libsdformat provides it: elements, attributes, types of values. Loading
+/// it takes libsdformat longer than reading a model, so a scene loads it once for all its files. Immutable.
 class SdfSpec {
  public:
   SdfSpec();
@@ -16,7 +16,7 @@ class SdfSpec {
   SdfSpec(const SdfSpec&) = delete;
   SdfSpec& operator=(const SdfSpec&) = delete;
 
-  /// For the sources that see libsdformat.
+  /// For the sources that include libsdformat.
   const SdfDescription& description() const { return *description_; }
 
  private:

@@ -7,32 +7,39 @@
 
 namespace simcore {
 
-/// What a lens lets through less and less from the image's centre to its corners, as that of a real Aibo
-/// does. With r the distance from the centre, 1 in the corners, all light is multiplied by 1 - falloff * r^2,
-/// and red and green by 1 - tint * r^2 besides, which makes the corners bluish.
+/// The darkening of an image towards its corners by the lens, as by the lens of a real Aibo. With r the
+/// distance from the center (1 in the corners), all light is multiplied by 1 - falloff * r^2, and red and
+/// green also by 1 - tint * r^2, which makes the corners bluish.
 struct Vignetting {
-  double falloff = 0;  ///< 0 to 1
-  double tint = 0;     ///< 0 to 1
+  /// From 0 to 1.
+  double falloff = 0;
+  /// From 0 to 1.
+  double tint = 0;
   bool operator==(const Vignetting&) const = default;
 };
 
-/// A pinhole camera without distortion. It looks along its frame's x-axis; y is to the left, z up. The
-/// optical axis pierces the image at its centre (width / 2, height / 2), with pixel (0, 0) covering [0, 1) x
-/// [0, 1).
+/// A pinhole camera without distortion. It looks along the x-axis of its frame; y points to the left, z up.
+/// The optical axis meets the image at its center (width / 2, height / 2); pixel (0, 0) covers [0, 1) x [0,
+/// 1).
 struct CameraModel {
+  // Pixels.
   int width = 176;
   int height = 144;
-  double horizontalAngle = robotlink::radians(57.6);  ///< opening angle, rad
+  /// Full opening angles, rad.
+  double horizontalAngle = robotlink::radians(57.6);
   double verticalAngle = robotlink::radians(47.8);
   Vignetting vignetting = {};
 };
 
-/// Noise added to every channel of every pixel: counter-based, so the same (seed, stream, frame) gives the
-/// same bytes.
+/// The noise added to every channel of every pixel. It is computed from counters, so the same (seed, stream,
+/// frame) gives the same bytes.
 struct ImageNoise {
-  double sigma = 0;  ///< standard deviation, grey values
+  /// Standard deviation in gray values.
+  double sigma = 0;
   std::uint64_t seed = 0;
-  std::uint64_t stream = 0;  ///< one per camera
+  /// One per camera.
+  std::uint64_t stream = 0;
+  /// Number of the image.
   std::uint64_t frame = 0;
 };
 

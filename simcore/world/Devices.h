@@ -11,31 +11,40 @@
 
 namespace simcore {
 
-/// A sensor that yields numbers. Its reading is that of the last step, noise included.
+/// A sensor that yields numbers. The reading is that of the last step, including noise.
 struct Sensor {
   PortInfo info;
+  /// In the unit and shape of `info`.
   std::vector<double> values;
 };
 
+/// A camera on a robot; its images are rendered by a CameraRenderer.
 struct CameraSensor {
   PortInfo info;
   CameraModel model;
-  int body = 0;  ///< index in RenderScene::bodies
+  /// Index in RenderScene::bodies.
+  int body = 0;
   Pose3 cameraInBody = Pose3::Identity();
-  robotlink::Duration period{};  ///< between images
-  double noise =
-      0;  ///< standard deviation of each channel, grey values; to be applied only if options ask for noise
+  /// Between images.
+  robotlink::Duration period{};
+  /// Standard deviation of each channel in gray values; to be applied only if the simulation's options ask
+  /// for noise.
+  double noise = 0;
 };
 
-/// A joint's servo: it turns towards a requested angle with limited speed and torque.
+/// The servo of a joint: it turns to a requested angle with limited speed and torque.
 struct Servo {
-  PortInfo info;                    ///< "red1/legFL1/request"
-  double minimum = 0, maximum = 0;  ///< rad
-  double maximumSpeed = 0;          ///< rad/s
-  double maximumTorque = 0;         ///< N m
+  /// Such as "red1/legFL1/request".
+  PortInfo info;
+  /// Radians.
+  double minimum = 0, maximum = 0;
+  /// Radians per second.
+  double maximumSpeed = 0;
+  /// Newton meters.
+  double maximumTorque = 0;
 };
 
-/// Driven wheels on a robot's two sides ("skid steering"). A side's wheels are told one speed.
+/// Driven wheels on the two sides of a robot ("skid steering"). The wheels of a side have one speed.
 struct WheelDrive {
   PortInfo info;            ///< "p3at1/drive": the speeds of the left and the right rims, {2}, m/s
   std::string controller;   ///< the protocol of its microcontroller ("arcos"); empty: it has none
@@ -44,12 +53,14 @@ struct WheelDrive {
   double maximumSpeed = 0;  ///< m/s, of the rims
 };
 
-/// What a drive's encoders and motors tell. Travel is that of the rims, mean of a side's wheels, since the
-/// simulation began; it never wraps, and goes on while wheels slip.
+/// The readings of a drive's encoders and motors. Travel is that of the rims, the mean of a side's wheels,
+/// since the simulation began. It never wraps, and counts on while wheels slip.
 struct WheelState {
-  double leftTravel = 0, rightTravel = 0;  ///< m
-  double leftSpeed = 0, rightSpeed = 0;    ///< m/s
-  /// The motors do what they can, yet the wheels hardly turn, for a tenth of a second at least.
+  /// Meters.
+  double leftTravel = 0, rightTravel = 0;
+  /// Meters per second.
+  double leftSpeed = 0, rightSpeed = 0;
+  /// True if for at least 0.1 s the motors have been at their limit and the wheels have hardly turned.
   bool leftBlocked = false, rightBlocked = false;
 };
 

@@ -8,8 +8,9 @@
 namespace simcore {
 
 std::vector<Pose3> linksAtStart(const ModelDescription& model) {
-  std::vector<Pose3> moved(model.links.size(), Pose3::Identity());  // by the joints above, in the model
-  // Parents' joints stand before their children's.
+  // By the joints above, in the model's frame.
+  std::vector<Pose3> moved(model.links.size(), Pose3::Identity());
+  // Joints of parents come before those of their children.
   for (const JointDescription& joint : model.joints) {
     const Pose3 above = joint.parent < 0 ? Pose3::Identity() : moved[static_cast<std::size_t>(joint.parent)];
     const Eigen::Translation3d anchor(joint.anchorInModel);

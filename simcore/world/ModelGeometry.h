@@ -7,18 +7,21 @@
 
 namespace simcore {
 
-/// Where a model's links are in it with all joints at their initial angles, by link.
+/// The poses of a model's links with all joints at their initial angles, by link.
 std::vector<Pose3> linksAtStart(const ModelDescription& model);
 
-/// How far a shape, whose centre is the origin, reaches in a direction of unit length, m: its support
-/// function. Planes and pictures reach nowhere.
+/// The support function of a shape that is centered at the origin: how far it extends in a direction of unit
+/// length, m. Planes and meshes have no extent.
 double reach(const Shape& shape, const Eigen::Matrix3d& shapeInFrame, const Vector3& direction);
 
-/// The upright cylinder about a model's z-axis that holds all its solids at the start.
+/// The upright cylinder around a model's z-axis that contains all its solids, with all joints at their
+/// initial angles.
 struct ModelExtent {
   double radius = 0;
-  double low = 0, high = 0;  ///< in the model
+  /// In the model's frame, m.
+  double low = 0, high = 0;
 };
+/// All zero if the model has no solids.
 ModelExtent extentOf(const ModelDescription& model);
 
 }  // namespace simcore

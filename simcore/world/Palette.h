@@ -8,7 +8,7 @@
 
 namespace simcore {
 
-/// Colors that a scene's files may use by name.
+/// The colors that a scene's files may refer to by name.
 using Palette = std::map<std::string, Rgb>;
 
 }  // namespace simcore

@@ -6,13 +6,18 @@
 
 namespace simcore {
 
-/// What a port carries, so that one generic view can show any of them.
+/// Describes the data of a port, so that one generic view can show any port.
 struct PortInfo {
-  std::string path;        ///< "red1/legFL1/position"
-  std::string robot;       ///< "red1"
-  std::string type;        ///< "angle", "distance", "acceleration", "contact", "image", "range", ...
-  std::vector<int> shape;  ///< {} a scalar, {3} a vector, {height, width, channels} an image
-  std::string unit;        ///< "rad", "m", "m/s^2", "" ...
+  /// Unique name: "red1/legFL1/position".
+  std::string path;
+  /// The model's name: "red1".
+  std::string robot;
+  /// Kind of data: "angle", "distance", "acceleration", "contact", "image", "range", ...
+  std::string type;
+  /// Dimensions: {} for a scalar, {3} for a vector, {height, width, channels} for an image.
+  std::vector<int> shape;
+  /// Such as "rad", "m", "m/s^2"; empty if there is none.
+  std::string unit;
 };
 
 }  // namespace simcore

@@ -7,27 +7,35 @@
 
 namespace simcore {
 
-/// A sensor that measures how far it is to what is drawn (shadow or not), but for its own robot. It measures
-/// along the x-axis of its frame, y to the left, and all its rays lie in the plane of x and y. A plain value:
-/// readings are worked out when they are asked for, by Simulation::measure().
+/// A sensor that measures distances to everything that is drawn, except for its own robot. It measures along
+/// the x-axis of its frame; y points to the left, and all rays lie in the x-y plane. A plain value: readings
+/// are computed on demand by Simulation::measure().
 ///
-/// A sonar yields one reading: the nearest echo in its cone. A surface that a ray meets at more than
-/// `mostIncidence` to its normal reflects the sound away. A laser yields one reading for each of its
-/// directions.
+/// A sonar has one reading: the nearest echo in its cone. A surface that a ray meets at more than
+/// `mostIncidence` to its normal reflects the sound away. A laser has one reading for each of its directions.
 struct RangeSensor {
   enum class Kind : std::uint8_t { kSonar, kLaser };
-  PortInfo info;  ///< "p3at1/sonar3" {}, "p3at1/laser" {181}; type "range", unit "m"
+  /// "p3at1/sonar3" with shape {}, "p3at1/laser" with shape {181}; type "range", unit "m".
+  PortInfo info;
   Kind kind = Kind::kSonar;
-  double minimum = 0;  ///< m; what is nearer is measured as this
-  double maximum = 0;  ///< m; the reading where there is nothing
-  double noise = 0;    ///< standard deviation, m
+  /// In m; smaller distances are reported as this.
+  double minimum = 0;
+  /// In m; the reading if there is nothing.
+  double maximum = 0;
+  /// Standard deviation, m.
+  double noise = 0;
+  /// 1 for a sonar.
   int readings = 1;
-  double startAngle = 0,
-         endAngle = 0;      ///< laser: of its first and last reading, rad, counter-clockwise from the x-axis
-  double openingAngle = 0;  ///< sonar: of its whole cone, rad
-  double mostIncidence = robotlink::kPi / 2;  ///< sonar: rad; pi / 2 is no loss
-  robotlink::Duration period{};               ///< between measurements; 0: whenever somebody asks
-  int body = 0;                               ///< index in RenderScene::bodies
+  /// Laser only: angles of the first and the last reading, rad, counter-clockwise from the x-axis.
+  double startAngle = 0, endAngle = 0;
+  /// Sonar only: the full cone, rad.
+  double openingAngle = 0;
+  /// Sonar only: rad; with pi / 2 every surface gives an echo.
+  double mostIncidence = robotlink::kPi / 2;
+  /// Between measurements; 0: on demand.
+  robotlink::Duration period{};
+  /// Index in RenderScene::bodies.
+  int body = 0;
   robotlink::Pose3 sensorInBody = robotlink::Pose3::Identity();
 };
 

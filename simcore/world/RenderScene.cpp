@@ -8,13 +8,14 @@
 namespace simcore {
 namespace {
 
-/// A point of the outline that is turned around the z-axis, with the outline's normal there.
+/// A point of an outline that is rotated around the z-axis, with the outline's normal there.
 struct OutlinePoint {
   float radius, z;
   float normalRadius, normalZ;
 };
 
-/// Turns an outline, given from bottom to top, around the z-axis. Points on the axis become a single vertex.
+/// Rotates an outline, given from bottom to top, around the z-axis. Points on the axis become a single
+/// vertex.
 class Lathe {
  public:
   explicit Lathe(int sides) : sides_(static_cast<std::uint32_t>(std::max(3, sides))) {}
@@ -35,7 +36,8 @@ class Lathe {
  private:
   struct Ring {
     std::uint32_t first;
-    std::uint32_t count;  ///< 1 for a pole
+    // 1 for a pole.
+    std::uint32_t count;
     std::uint32_t at(std::uint32_t side) const { return first + side % count; }
   };
 
@@ -66,8 +68,8 @@ class Lathe {
   Mesh mesh_;
 };
 
-/// `steps` + 1 points of a circle around (0, z), from latitude `from` to latitude `to`; poles lie exactly on
-/// the axis.
+/// Appends `steps` + 1 points of a circle around (0, z), from latitude `from` to latitude `to`; poles are
+/// exactly on the axis.
 void appendArc(std::vector<OutlinePoint>& outline, float radius, float z, double from, double to, int steps) {
   for (int i = 0; i <= steps; ++i) {
     const double latitude = from + (to - from) * i / steps;
@@ -86,7 +88,7 @@ Mesh boxMesh(const Eigen::Vector3f& size) {
   for (int axis = 0; axis < 3; ++axis) {
     for (const float sign : {-1.0F, 1.0F}) {
       const auto first = static_cast<std::uint32_t>(mesh.vertices.size());
-      // The two other axes, in the order that makes the corners run counter-clockwise seen from outside.
+      // The two other axes, in the order that makes the corners counter-clockwise seen from outside.
       const int u = (axis + (sign > 0 ? 1 : 2)) % 3, v = (axis + (sign > 0 ? 2 : 1)) % 3;
       for (const auto& [a, b] : {std::pair{-1.0F, -1.0F}, {1.0F, -1.0F}, {1.0F, 1.0F}, {-1.0F, 1.0F}}) {
         Eigen::Vector3f corner;

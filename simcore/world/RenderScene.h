@@ -15,50 +15,60 @@ namespace simcore {
 using robotlink::Pose3;
 using robotlink::Rgb;
 
-/// Triangles in a frame of their own, metres; counter-clockwise seen from outside. One normal a vertex, unit
-/// length.
+/// Triangles in a frame of their own, in meters, counter-clockwise seen from outside. One unit normal per
+/// vertex.
 struct Mesh {
   std::vector<Eigen::Vector3f> vertices;
   std::vector<Eigen::Vector3f> normals;
+  // Indices of vertices.
   std::vector<std::array<std::uint32_t, 3>> triangles;
 };
 
-/// A mesh on a body, in one colour.
+/// A mesh on a body, in one color.
 struct RenderInstance {
   int mesh = 0;
-  int body = 0;  ///< index into the poses that a renderer is given; 0 is the world itself
+  /// Index into the poses that are passed to a renderer; 0 is the world.
+  int body = 0;
   Pose3 meshInBody = Pose3::Identity();
   Rgb color;
+  /// For inspection: "red1/head/skin".
   std::string name;
   bool castsShadow = true;
-  std::string colorName = {};  ///< that a palette has for it; empty if it has none
+  /// The color's name in the palette; empty if it has none.
+  std::string colorName = {};
 };
 
-/// A point light. Irradiance on a surface facing it at distance d is `intensity` / (1 + d^2 * attenuation).
+/// A point light. The irradiance of a surface that faces it at distance d is `intensity` / (1 + d^2 *
+/// attenuation).
 struct Lamp {
-  Eigen::Vector3f position = {0, 0, 3};  ///< world, metres
+  /// In the world, m.
+  Eigen::Vector3f position = {0, 0, 3};
   float intensity = 0.6F;
-  float attenuation = 0;  ///< 1/m^2
+  /// Per square meter.
+  float attenuation = 0;
 };
 
-/// Everything that a camera or a viewer needs to draw a world, but for where the bodies are. Built once a
-/// scene, then immutable and shared between threads.
+/// Everything that a camera or a viewer needs to draw a world, except for the poses of the bodies. Built once
+/// per scene, then immutable and shared between threads.
 ///
-/// A pixel's colour is color * min(1, ambient + sum over lamps of visibility * irradiance * max(0,
+/// The color of a pixel is color * min(1, ambient + sum over lamps of visibility * irradiance * max(0,
 /// cos(angle))).
 struct RenderScene {
   std::vector<Mesh> meshes;
   std::vector<RenderInstance> instances;
-  std::vector<std::string> bodies;  ///< names, by body index; bodies[0] is "world"
+  /// Names by body index; bodies[0] is "world".
+  std::vector<std::string> bodies;
   std::vector<Lamp> lamps;
+  /// Fraction of a surface's color that is visible without lamps.
   float ambient = 0.4F;
+  /// The color where there is nothing.
   Rgb background;
 };
 
-/// Meshes of the usual shapes, centred on their frame's origin; cylinders and capsules along z. Round ones
-/// are smooth: their vertices lie on the true surface, with its normals. `length` of a capsule is that of its
-/// cylinder alone, as in SDFormat and ODE; its ends reach `radius` beyond. At least 2 rings and 3 sides are
-/// made.
+/// Meshes of basic shapes, centered at the origin of their frame; cylinders and capsules are along z. Round
+/// shapes are smooth: vertices are on the true surface and have its normals. A capsule's `length` is that of
+/// its cylindrical part, as in SDFormat and ODE; its ends extend `radius` beyond. There are at least 2 rings
+/// and 3 sides.
 Mesh boxMesh(const Eigen::Vector3f& size);
 Mesh sphereMesh(float radius, int rings = 12);
 Mesh cylinderMesh(float radius, float length, int sides = 24);

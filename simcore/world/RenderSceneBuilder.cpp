@@ -7,7 +7,7 @@
 namespace simcore {
 namespace {
 
-/// What a mesh depends on, to share it.
+/// The properties that determine a mesh, so that equal ones are shared.
 using MeshKey = std::tuple<Shape::Kind, double, double, double, double, double, const Mesh*>;
 
 MeshKey keyOf(const Shape& shape) {

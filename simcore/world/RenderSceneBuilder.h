@@ -8,8 +8,8 @@
 
 namespace simcore {
 
-/// What a world looks like. Body 0 is the world with all static models; then each link of each other model in
-/// order, named "red1/head". Equal shapes share one mesh.
+/// Builds what is drawn of a world. Body 0 is the world with all static models, followed by the links of all
+/// other models in order, named "red1/head". Equal shapes share a mesh.
 std::shared_ptr<const RenderScene> buildRenderScene(const WorldDescription& world);
 
 }  // namespace simcore

@@ -7,24 +7,27 @@
 
 namespace simcore {
 
-/// A robot that stands in a world.
+/// A robot in a world.
 struct SceneRobot {
   std::string name;         ///< "red1"
   std::string description;  ///< which resources/robots/<description>.yaml it is: "ers210"
   std::string team = {};    ///< the color of its team in the scene's palette; empty: the scene names none
 };
 
-/// Robots that are put into a world besides those of its file.
+/// Robots to put into a world in addition to those of its file.
 struct RobotsToAdd {
-  /// A folder of resources/scenes/models, or beside the scene's file; empty: more of the kind that the scene
-  /// has, Pioneers where it has no robots.
+  /// The model: a folder of resources/scenes/models or next to the scene's file. Empty: the same as the
+  /// scene's first robot, or Pioneers if it has none.
   std::string model = "p3at";
+  // How many to add.
   int count = 0;
-  std::string namePrefix = {};  ///< "p3at" calls them p3at1, p3at2, ...; empty: the model's name
-  std::uint64_t seed = 1;       ///< decides about the free places
-  /// Teams that robots with a part in their team's color are added to, each to the one with the fewest: the
-  /// name of a team is that of a palette's color, and "red" calls them red1, red2, ... Others ignore it;
-  /// empty: they belong to none.
+  /// With "p3at" they are called p3at1, p3at2, ...; empty: the model's name is the prefix.
+  std::string namePrefix = {};
+  /// For the random choice of free places.
+  std::uint64_t seed = 1;
+  /// Teams for robots that have a part in their team's color; each robot joins the team with the fewest
+  /// members. A team's name is the name of its color in the palette and the prefix of its robots' names:
+  /// "red" gives red1, red2, ... Other robots ignore this. Empty: no teams.
   std::vector<std::string> teams = {};
 };
 

@@ -16,110 +16,151 @@ namespace simcore {
 
 using robotlink::Vector3;
 
-/// A solid, centred on its frame's origin; cylinders and capsules along z. A plane's normal is its frame's
-/// z-axis, and it is solid below. A mesh is where its vertices are, and nothing collides with it.
+/// A shape centered at its frame's origin; cylinders and capsules are along z. A plane's normal is the z-axis
+/// of its frame, and it is solid below. A mesh is located by its vertices and has no collisions.
 struct Shape {
   enum class Kind : std::uint8_t { kBox, kSphere, kCylinder, kCapsule, kPlane, kMesh };
   Kind kind = Kind::kBox;
-  Vector3 size = Vector3::Zero();  ///< box: edges; plane: x and y are those of its picture
+  /// Box: edge lengths; plane: x and y of the visible part.
+  Vector3 size = Vector3::Zero();
+  /// Meters.
   double radius = 0;
-  double length = 0;                      ///< of a cylinder, and of a capsule's cylindrical part
-  std::shared_ptr<const Mesh> mesh = {};  ///< kMesh, which is for visuals only
+  /// Of a cylinder, or of a capsule's cylindrical part.
+  double length = 0;
+  /// Only for kMesh, and only in visuals.
+  std::shared_ptr<const Mesh> mesh = {};
 };
 
+/// A solid of a link, for collisions.
 struct CollisionDescription {
   std::string name;
   Pose3 poseInLink = Pose3::Identity();
   Shape shape;
+  /// Coulomb's friction coefficient; of two touching solids the smaller one counts.
   double friction = 1;
-  double restitution = 0;  ///< 0 (no bounce) to 1
+  /// From 0 (no bounce) to 1.
+  double restitution = 0;
 };
 
-/// A colour is fixed, or that of the robot's team.
+/// A visible part of a link. Its color is fixed, or that of the robot's team.
 struct VisualDescription {
   std::string name;
   Pose3 poseInLink = Pose3::Identity();
   Shape shape;
   Rgb color;
-  std::string colorName;  ///< of a palette; empty: none, or the team's
+  /// In the palette; empty if it has none or if it is the team's.
+  std::string colorName;
   bool teamColor = false;
   bool castsShadow = true;
 };
 
+/// A rigid body of a model.
 struct LinkDescription {
   std::string name;
-  Pose3 poseInModel = Pose3::Identity();  ///< with all joints at 0
+  /// With all joints at 0.
+  Pose3 poseInModel = Pose3::Identity();
+  /// Kilograms.
   double mass = 0;
-  Vector3 centerOfMass = Vector3::Zero();                 ///< in the link
-  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();  ///< about the centre of mass, axes of the link
-  double linearDamping = 0, angularDamping = 0;           ///< share of the velocity lost in a second
+  /// In the link's frame.
+  Vector3 centerOfMass = Vector3::Zero();
+  /// About the center of mass, in the axes of the link, kg m^2.
+  Eigen::Matrix3d inertia = Eigen::Matrix3d::Identity();
+  /// Fraction of the velocity lost per second.
+  double linearDamping = 0, angularDamping = 0;
   std::vector<CollisionDescription> collisions;
   std::vector<VisualDescription> visuals;
 };
 
+/// A joint of a model. Joints are ordered such that those of parents come first.
 struct JointDescription {
   std::string name;
-  bool fixed = false;  ///< else a hinge
-  int parent = -1;     ///< index of a link; -1 is the world
+  /// Otherwise it is a hinge.
+  bool fixed = false;
+  /// Index of a link; -1 is the world.
+  int parent = -1;
   int child = 0;
-  Vector3 anchorInModel = Vector3::Zero();  ///< with all joints at 0
+  /// With all joints at 0.
+  Vector3 anchorInModel = Vector3::Zero();
   Vector3 axisInModel = Vector3::UnitZ();
+  // Limits, rad.
   double lower = 0, upper = 0;
-  bool servo = false;  ///< can be requested; else it turns freely
+  /// Driven by a servo; otherwise it turns freely.
+  bool servo = false;
+  // rad/s and N m, of the servo.
   double maximumSpeed = 0, maximumTorque = 0;
   double initialAngle = 0;
-  double positionNoise = 0;  ///< standard deviation, rad
-  bool wheel = false;        ///< turned by the model's drive
+  /// Standard deviation of its sensor, rad.
+  double positionNoise = 0;
+  /// Driven by the model's drive.
+  bool wheel = false;
 };
 
-/// Wheels on two sides of a model. Each is a joint whose child has one solid, a cylinder about the joint's
-/// axis.
+/// Wheels on the two sides of a model. Each wheel is a joint whose child link has one solid, a cylinder about
+/// the joint's axis.
 struct DriveDescription {
   std::string name = "drive";
   std::string controller;        ///< the protocol of its microcontroller ("arcos"); empty: it has none
   std::vector<int> left, right;  ///< joints
   double wheelRadius = 0;
-  double track = 0;         ///< that the model turns about on firm ground
-  double maximumSpeed = 0;  ///< m/s of the rims
-  double maximumForce = 0;  ///< N at the rim of each wheel
-  double idleForce = 0;     ///< N by which the rim of each wheel resists without power
+  /// The effective track on firm ground, m.
+  double track = 0;
+  /// Of the rims, m/s.
+  double maximumSpeed = 0;
+  /// At the rim of each wheel, N.
+  double maximumForce = 0;
+  /// Resistance at the rim of each wheel without power, N.
+  double idleForce = 0;
 };
 
-/// Where a sonar or a laser measures; see RangeSensor.
+/// The directions in which a sonar or a laser measures; see RangeSensor.
 struct RangeGeometry {
   int readings = 1;
   double startAngle = 0, endAngle = 0;
   double openingAngle = 0, mostIncidence = 0;
 };
 
+/// A sensor of a link.
 struct SensorDescription {
   enum class Kind : std::uint8_t { kCamera, kDistance, kAccelerometer, kGyroscope, kContact, kSonar, kLaser };
   Kind kind = Kind::kCamera;
   std::string name;
   int link = 0;
   Pose3 poseInLink = Pose3::Identity();
-  double noise = 0;                 ///< standard deviation in the reading's unit; cameras: grey values
-  double minimum = 0, maximum = 0;  ///< distance: range, m; imus: range of each axis, m/s^2 or rad/s
-  int collision = 0;                ///< contact: index in the link's collisions
-  int width = 0, height = 0;        ///< camera
-  double horizontalAngle = 0, verticalAngle = 0, rate = 0;  ///< camera; rad, Hz
-  Vignetting vignetting;                                    ///< camera
-  RangeGeometry range;                                      ///< sonar, laser
+  /// Standard deviation in the unit of the reading; for cameras in gray values.
+  double noise = 0;
+  /// Distance and ranges: m; accelerometers and gyroscopes: range of each axis, m/s^2 or rad/s.
+  double minimum = 0, maximum = 0;
+  /// Contact only: index in the link's collisions.
+  int collision = 0;
+  /// Camera only.
+  int width = 0, height = 0;
+  /// Camera only (rate also for range sensors): rad, and Hz.
+  double horizontalAngle = 0, verticalAngle = 0, rate = 0;
+  /// Camera only.
+  Vignetting vignetting;
+  /// Sonar and laser only.
+  RangeGeometry range;
 };
 
-/// Where a robot of a team stands at the start, on a field.
+/// An initial position of a team's robots on a field.
 struct HomeDescription {
-  std::string team;        ///< empty: of any
-  robotlink::Pose2 place;  ///< in the model
+  /// Empty: for any team.
+  std::string team;
+  /// In the model's frame.
+  robotlink::Pose2 place;
 };
 
-/// What a model file describes. Parsed once and shared by all models that include it.
+/// The contents of a model file. Parsed once and shared by all instances of the model.
 struct ModelDescription {
   std::string file;
   std::string name;
-  std::string robot;  ///< which resources/robots/<robot>.yaml; empty if the model is no robot
-  std::string field;  ///< which resources/fields/<field>.yaml the model shows; empty if it is no field
+  /// The kind of robot (resources/robots/<robot>.yaml); empty if it is not a robot.
+  std::string robot;
+  /// The field that it shows (resources/fields/<field>.yaml); empty if it is not a field.
+  std::string field;
+  /// Never moves.
   bool isStatic = false;
+  /// Its contacts with robots are counted.
   bool isBall = false;
   std::vector<LinkDescription> links;
   std::vector<JointDescription> joints;
@@ -128,18 +169,22 @@ struct ModelDescription {
   std::vector<HomeDescription> homes;
 };
 
+/// A model in the world.
 struct ModelInstance {
   std::string name;
   std::shared_ptr<const ModelDescription> type;
   Pose3 poseInWorld = Pose3::Identity();
+  /// Color and name of its team, if it has one.
   std::optional<Rgb> teamColor;
   std::string teamColorName;
-  robotlink::FilePosition where;  ///< its <include> or <model>
+  /// The position of its <include> or <model> in the file.
+  robotlink::FilePosition where;
 };
 
-/// A world, checked: every index is valid, every number finite and of a sensible size. A plain value.
+/// A checked world: every index is valid, every number finite and of a sensible magnitude. A plain value.
 struct WorldDescription {
   std::string name;
+  /// Meters per second squared.
   Vector3 gravity = {0, 0, -9.81};
   float ambient = 0.4F;
   Rgb background;

@@ -9,7 +9,7 @@
 namespace robotlink::arcos {
 namespace {
 
-/// What announces an argument; of integers only the magnitude is sent.
+/// The types of arguments; an integer's magnitude follows.
 constexpr std::uint8_t kPositive = 0x3B;
 constexpr std::uint8_t kNegative = 0x1B;
 constexpr std::uint8_t kString = 0x2B;
@@ -23,7 +23,7 @@ void writeInteger(int value, Bytes& data) {
           static_cast<std::uint8_t>(magnitude >> 8U)};
 }
 
-/// Length, bytes, and a NUL that the length does not count.
+/// Writes the length, the bytes, and a NUL that is not included in the length.
 void writeString(const std::string& text, std::size_t extra, Bytes& data) {
   const std::size_t length = std::min(text.size(), kMaximumString);
   data = {kString, static_cast<std::uint8_t>(length)};
@@ -48,7 +48,7 @@ Result<void> readString(std::span<const std::uint8_t> data, Command& command) {
     text = text.subspan(1, length);
     if (!extra.empty() && extra[0] == 0) extra = extra.subspan(1);
   } else {
-    // Some clients send no length, only a NUL at the end.
+    // Some clients send no length, only a final NUL.
     if (!text.empty() && text.back() == 0) text = text.first(text.size() - 1);
     if (text.size() > kMaximumString) {
       return failure("arcos.long-string",

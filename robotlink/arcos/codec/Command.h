@@ -10,23 +10,26 @@
 
 namespace robotlink::arcos {
 
-/// What a client tells a robot: a number, and an argument or none.
+/// A command from a client to a robot: an id, and optionally an argument.
 ///
-/// An integer goes as its sign and its magnitude, so it may be -65535 to 65535. A string is bytes, NULs
-/// included.
+/// An integer is sent as its sign and its magnitude, so it is in -65535 to 65535. A string is any sequence of
+/// bytes, including NUL.
 struct Command {
   std::uint8_t id = 0;
   std::variant<std::monostate, int, std::string> argument;
-  /// What stands behind the argument (SIM_LRF_ENABLE's laser index); without argument, all of the data, as of
-  /// commands with a form of their own (SimulatorCommands.h).
+  /// Data after the argument (the laser index of SIM_LRF_ENABLE); without an argument, all of the data, as in
+  /// commands with a layout of their own (SimulatorCommands.h).
   Bytes extra = {};
 
   bool operator==(const Command&) const = default;
 };
 
+/// The largest magnitude of an integer argument.
 inline constexpr int kMaximumArgument = 0xFFFF;
+/// The longest string that can be sent, without its type, length and final NUL.
 inline constexpr std::size_t kMaximumSentString = kMaximumSentData - 3;
 
+/// Builds a command without an argument, with an integer, or with a string.
 inline Command command(CommandId id) {
   return {static_cast<std::uint8_t>(id), {}};
 }
@@ -37,29 +40,33 @@ inline Command command(CommandId id, std::string argument) {
   return {static_cast<std::uint8_t>(id), std::move(argument)};
 }
 
-/// The integer argument; without one 0, or what a request means without one (CONFIG, OPEN: 1).
+/// The integer argument; if there is none, `without`, the value that the robot assumes (for CONFIG and OPEN
+/// 1).
 int integerArgument(const Command& command, int without = 0);
-/// The string argument, empty if there is none.
+/// The string argument; empty if there is none.
 std::string stringArgument(const Command& command);
 
-/// The arguments of VEL2, DIGOUT, TIMER and PTUPOS are two bytes in one integer.
+/// The two bytes that VEL2, DIGOUT, TIMER and PTUPOS pass in one integer argument.
 struct BytePair {
-  std::int8_t high = 0;  ///< VEL2: left
-  std::int8_t low = 0;   ///< VEL2: right
+  /// For VEL2 the left wheels.
+  std::int8_t high = 0;
+  /// For VEL2 the right wheels.
+  std::int8_t low = 0;
   bool operator==(const BytePair&) const = default;
 };
+/// Packs the bytes into an integer argument; split() is the inverse.
 int joined(BytePair pair);
 BytePair split(int argument);
 
-/// Whether the command can be sent as it is: integer and string fit. The error says what to do.
+/// Checks that integer and string fit, so that the command can be sent unchanged. The error says what to do.
 Result<void> check(const Command& command);
 
-/// An integer past kMaximumArgument becomes the nearest that fits, a string or extra that no frame holds is
-/// cut: see check().
+/// Encodes a command. An integer beyond kMaximumArgument is clamped, a string or extra data too long for a
+/// frame are truncated; use check() to detect that.
 Packet toPacket(const Command& command);
 
-/// Any packet from a client. Integers that are cut short count as 0 where bytes are missing; strings may come
-/// with or without length and final NUL. Fails only where a string is longer than one that can be sent back.
+/// Decodes any packet from a client. Missing bytes of an integer count as 0; strings are accepted with or
+/// without length and final NUL. Fails only for a string that is too long to be sent again.
 Result<Command> toCommand(const Packet& packet);
 
 }  // namespace robotlink::arcos

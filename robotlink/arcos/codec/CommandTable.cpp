@@ -180,7 +180,7 @@ constexpr CommandInfo kCommands[] = {
     {255, Type::kNone, "MAINTENANCE", "", "Puts the controller into its maintenance mode."},
 };
 
-/// For every number its place in kCommands, or -1.
+/// The index in kCommands for every id, or -1.
 constexpr auto kPlaces = [] {
   std::array<std::int16_t, 256> places{};
   places.fill(-1);

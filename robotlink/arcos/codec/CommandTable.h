@@ -8,23 +8,27 @@
 
 namespace robotlink::arcos {
 
+/// The type of a command's argument; kData is a layout of the command's own.
 enum class ArgumentType { kNone, kUnsigned, kSigned, kBytePair, kString, kData };
 
-/// A command for people: what an inspector and a help text show.
+/// The description of a command for users, as shown by an inspector or a help text.
 struct CommandInfo {
   std::uint8_t id = 0;
   ArgumentType argument = ArgumentType::kNone;
-  const char* name = "";     ///< as the robot's manual has it: "VEL2"
-  const char* unit = "";     ///< of an integer argument: "mm/s"
-  const char* summary = "";  ///< a sentence
+  /// The name in the robot's manual: "VEL2".
+  const char* name = "";
+  /// The unit of an integer argument: "mm/s".
+  const char* unit = "";
+  /// What the command does, in a sentence.
+  const char* summary = "";
 };
 
-/// Every command that is known, by number. Lives as long as the program.
+/// All known commands, sorted by id. Static data.
 std::span<const CommandInfo> commandTable();
-/// Null if the number is unknown.
+/// Null if the command is unknown.
 const CommandInfo* findCommand(std::uint8_t id);
 const CommandInfo* findCommand(std::string_view name);
-/// "VEL2", or "command 111" if the number is unknown.
+/// The command's name: "VEL2", or "command 111" if it is unknown.
 std::string nameOf(std::uint8_t commandId);
 
 }  // namespace robotlink::arcos

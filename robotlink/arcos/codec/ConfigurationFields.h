@@ -3,24 +3,30 @@
 
 #include "robotlink/arcos/codec/Configuration.h"
 
-// The fields of CONFIGpac in the order of the wire; see WireFields.h.
+// The fields of CONFIGpac for readers, writers and descriptions, in the order of the wire; see WireFields.h.
+// Internal to this folder.
 namespace robotlink::arcos {
 
+/// The names of the baud rates' codes, in the form of WireFields.h.
 inline constexpr const char* kBauds =
     "; 0 9600 baud; 1 19200 baud; 2 38400 baud; 3 57600 baud; 4 115200 baud";
 
-/// `C` is Configuration, const or not. `rest` and `fieldCount` are left to the visitor's owner.
+/// Calls v(name, member, unit) for each field. `C` is Configuration, const or not. `rest` and `fieldCount`
+/// are handled by the visitor's owner.
 template <typename C, typename V>
 void visitConfigurationFields(C& c, V& v) {
+  // Identity.
   v("type", c.type);
   v("subtype", c.subtype);
   v("serial number", c.serialNumber);
   v("four motors", c.fourMotors);
+  // Limits that can never be exceeded.
   v("rotation speed, top", c.rotVelTopDegS, "deg/s");
   v("translation speed, top", c.transVelTopMmS, "mm/s");
   v("rotation acceleration, top", c.rotAccTopDegS2, "deg/s2");
   v("translation acceleration, top", c.transAccTopMmS2, "mm/s2");
   v("pwm max", c.pwmMax);
+  // Lines and devices.
   v("name", c.name);
   v("sip cycle", c.sipCycleMs, "ms");
   v("host baud", c.hostBaud, kBauds);
@@ -36,6 +42,7 @@ void visitConfigurationFields(C& c, V& v) {
   v("stall count", c.stallCountMs, "ms");
   v("joy speed", c.joyVelMmS, "mm/s");
   v("joy rot speed", c.joyRotVelDegS, "deg/s");
+  // Present limits, accelerations and gains.
   v("rotation speed, limit", c.rotVelMaxDegS, "deg/s");
   v("translation speed, limit", c.transVelMaxMmS, "mm/s");
   v("rotation acceleration", c.rotAccDegS2, "deg/s2");
@@ -48,6 +55,7 @@ void visitConfigurationFields(C& c, V& v) {
   v("translation gain P", c.transKp);
   v("translation gain V", c.transKv);
   v("translation gain I", c.transKi);
+  // Sensors and electronics.
   v("front bumpers", c.frontBumpers);
   v("rear bumpers", c.rearBumpers);
   v("charger", c.charger);
@@ -63,12 +71,14 @@ void visitConfigurationFields(C& c, V& v) {
   v("gyro cw", c.gyroCw);
   v("gyro ccw", c.gyroCcw);
   v("kinematics delay", c.kinematicsDelayMs, "ms");
+  // Robots that can drive sideways.
   v("lateral speed, top", c.latVelTopMmS, "mm/s");
   v("lateral acceleration, top", c.latAccTopMmS2, "mm/s2");
   v("lateral speed, limit", c.latVelMaxMmS, "mm/s");
   v("lateral acceleration", c.latAccMmS2, "mm/s2");
   v("lateral deceleration", c.latDecelMmS2, "mm/s2");
   v("charge threshold", c.chargeThreshold);
+  // Fields of newer firmware.
   v("pdb port", c.pdbPort);
   v("gyro rate limit", c.gyroRateLimitDegS, "deg/s");
   v("high temperature", c.highTemperatureDegC, "degC");

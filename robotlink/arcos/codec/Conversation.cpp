@@ -19,7 +19,7 @@ constexpr std::string_view kNewConnection = "=== new connection";
 constexpr std::string_view kClosed = "client closed";
 constexpr std::string_view kFromClient = "C>S";
 constexpr std::string_view kFromRobot = "S>C";
-/// A time past this many ms is a mistake; what is before it is exact in ns.
+/// Larger times are errors; smaller ones are exact in ns.
 constexpr double kMaximumMs = 1e12;
 
 std::string_view trimmed(std::string_view text) {
@@ -61,7 +61,7 @@ bool isFrame(const Bytes& bytes) {
   return bytes.size() >= 6 && bytes[0] == kHeader1 && bytes[1] == kHeader2 && bytes[2] + 3U == bytes.size();
 }
 
-/// What stands between direction and bytes: "id=0(0x00) len=3 ck=ok", or "damage=5".
+/// The part of a line between direction and bytes: "id=0(0x00) len=3 ck=ok", or "damage=5".
 std::string wordsOf(const Bytes& bytes) {
   char text[64];
   if (!isFrame(bytes)) {
@@ -75,7 +75,7 @@ std::string wordsOf(const Bytes& bytes) {
   return text;
 }
 
-/// The line's event, or a sentence on what is wrong.
+/// The event of a line, or a sentence about the error.
 tl::expected<Event, std::string> readEvent(std::string_view line) {
   if (line == kNewConnection) return Event{EventKind::kNewConnection, {}, {}, {}};
   const std::string_view time = takeWord(line);

@@ -11,36 +11,43 @@
 
 namespace robotlink::arcos {
 
-/// What a client and a robot said to each other: a `.wire` file. A value.
+/// A recorded conversation of a client and a robot: the contents of a `.wire` file. A plain value.
 ///
-/// The file is text, one event a line (ARCOS.md has the format):
+/// The file is text with one event a line (ARCOS.md describes the format):
 ///
 ///     === new connection
 ///         73.9 C>S id=0(0x00) len=3 ck=ok fafb03000000
 ///       4625.1 client closed
 struct Conversation {
+  /// The type of an event; kClosed means that the client closed the line.
   enum class Kind { kNewConnection, kPacket, kClosed };
+  /// An event with its time.
   struct Event {
     Kind kind = Kind::kPacket;
-    Duration at{};  ///< since the connection began; files keep 0.1 ms; of a new connection 0
-    Direction direction = Direction::kFromClient;  ///< of packets
-    Bytes bytes;  ///< of packets, with their frame: as they went over the line, damaged ones too
+    /// Since the connection began; files have a resolution of 0.1 ms. 0 for a new connection.
+    Duration at{};
+    /// Of packets.
+    Direction direction = Direction::kFromClient;
+    /// Of packets: the bytes of the frame, including damaged ones, as they were on the line.
+    Bytes bytes;
     bool operator==(const Event&) const = default;
   };
   std::vector<Event> events;
   bool operator==(const Conversation&) const = default;
 };
 
-/// A file of at least this size is refused without being read.
+/// Files of this size or larger are refused without being read.
 inline constexpr std::size_t kMaximumConversationBytes = 256U << 20U;
 
-/// Empty lines and those that begin with # are skipped. The first line that is wrong is the error, with file
-/// and line: what it says of its bytes must be so. Ids begin with "arcos.".
+/// Parses a conversation. Empty lines and lines that begin with # are skipped. Fails at the first wrong line
+/// with file and line; the description of the bytes in a line must match them. Ids begin with "arcos.".
 Result<Conversation> readConversation(std::string_view text, const std::string& path);
+/// The same for a file.
 Result<Conversation> readConversationFile(const std::filesystem::path& file);
 
-/// The line of an event, with its end, so that a conversation can be recorded while it goes on.
+/// The line of an event, with its line end, for recording while a conversation is in progress.
 std::string writeEvent(const Conversation::Event& event);
+/// The text of a whole conversation.
 std::string writeConversation(const Conversation& conversation);
 
 }  // namespace robotlink::arcos

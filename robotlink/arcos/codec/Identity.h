@@ -7,12 +7,15 @@
 
 namespace robotlink::arcos {
 
-/// The last answer of the handshake: packet 2.
+/// The robot's reply to SYNC2, the end of the handshake.
 struct Identity {
   static constexpr std::uint8_t kId = 2;
-  std::string name;  ///< given by its owner
+  /// Given by the robot's owner.
+  std::string name;
   std::string robotClass = "Pioneer";
-  std::string subclass;  ///< "p3at-sh"
+  /// The kind of robot: "p3at-sh".
+  std::string subclass;
+  /// Data after the known fields.
   Bytes rest;
   bool operator==(const Identity&) const = default;
 };

@@ -9,34 +9,41 @@
 
 namespace robotlink::arcos {
 
-/// A part of a scan of a simulator's laser: 0x60 (plain) with the robot's pose, or 0x61 (extended) with
-/// reflectances. Reading 0 is where the field of view begins (right), the others follow counter-clockwise; a
-/// scan is complete when first + ranges >= total.
+/// A part of a scan of a simulator's laser: id 0x60 (plain) with the robot's pose, or 0x61 (extended) with
+/// reflectances. Reading 0 is at the right end of the field of view, the others follow counter-clockwise. A
+/// scan is complete when first + readings.size() >= total.
 struct LaserPacket {
   static constexpr std::uint8_t kPlainId = 0x60;
   static constexpr std::uint8_t kExtendedId = 0x61;
+  /// The number of readings in a full packet, which is then shorter than kMaximumSentCount.
   static constexpr std::size_t kMostReadings = 32;
 
+  /// One beam.
   struct Reading {
     std::uint16_t rangeMm = 0;
-    std::uint8_t reflectance = 0;               ///< 0 in plain packets
-    std::array<std::uint8_t, 2> reserved = {};  ///< 0
+    /// In plain packets 0.
+    std::uint8_t reflectance = 0;
+    /// Always 0.
+    std::array<std::uint8_t, 2> reserved = {};
     bool operator==(const Reading&) const = default;
   };
 
   bool extended = true;
+  /// Number of readings in the scan, and index of the first one in this packet.
   std::uint16_t total = 0;
   std::uint16_t first = 0;
   std::vector<Reading> readings;
 
-  // Plain packets only: where the robot was.
+  // Only in plain packets: the robot's pose by odometry.
   std::int16_t xMm = 0;
   std::int16_t yMm = 0;
   std::int16_t headingDeg = 0;
 
-  // Extended packets only.
+  // Only in extended packets.
   std::uint8_t device = 0;
-  std::uint8_t flags = 0;  ///< bit 0: the robot moved
+  /// Bit 0: the robot moved.
+  std::uint8_t flags = 0;
+  /// Data after the known fields.
   Bytes rest;
 
   bool operator==(const LaserPacket&) const = default;

@@ -21,7 +21,8 @@ std::optional<LaserScan> LaserScanAssembler::take(const LaserPacket& part,
       scan_->headingDeg = information->heading4096 * 360.0 / 4096;
     }
   }
-  // Without its beginning nothing can be made of a scan; that was counted when a part was missed.
+  // A part without the beginning of its scan is useless; the scan was counted when its first missing part was
+  // noticed.
   if (!scan_) return std::nullopt;
   const std::size_t have = scan_->rangesMm.size();
   if (part.total != total_ || part.device != scan_->device || part.first > have) {

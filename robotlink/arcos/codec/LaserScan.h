@@ -9,30 +9,35 @@
 
 namespace robotlink::arcos {
 
-/// A whole scan of a simulator's laser. Reading 0 is where its field of view begins (right),
-/// counter-clockwise.
+/// A complete scan of a simulator's laser. Reading 0 is at the right end of the field of view; the others
+/// follow counter-clockwise.
 struct LaserScan {
   std::vector<std::uint16_t> rangesMm;
-  std::vector<std::uint8_t> reflectances;  ///< as many; all 0 if the laser's packets are plain
+  /// One per reading; all 0 if the packets are plain.
+  std::vector<std::uint8_t> reflectances;
   std::uint8_t device = 0;
-  Instant takenAt{};  ///< when its first part came
-  /// Odometry when its first part came: that packet's own, or of the newest standard information.
+  /// When its first part arrived.
+  Instant takenAt{};
+  /// The odometry when the first part arrived: the packet's own, or that of the newest standard information.
   std::int16_t xMm = 0;
   std::int16_t yMm = 0;
   double headingDeg = 0;
   bool operator==(const LaserScan&) const = default;
 };
 
-/// Puts the parts of scans together. A scan that lacks a part is dropped and counted; a part that comes twice
-/// is heeded once. Holds one scan at most. One thread at a time.
+/// Assembles scans from their parts. A scan that lacks a part is dropped and counted; a repeated part is
+/// ignored. Stores at most one scan. Not thread-safe.
 class LaserScanAssembler {
  public:
-  /// The scan that this part completes. `information` is the newest one, null if there is none.
+  /// Processes a part; returns the scan that it completes. `information` is the newest one, null if there is
+  /// none.
   std::optional<LaserScan> take(const LaserPacket& part, const StandardInformation* information, Instant now);
   std::uint64_t incompleteScans() const { return incompleteScans_; }
 
  private:
-  std::optional<LaserScan> scan_;  ///< the one that is being put together
+  /// The scan being assembled.
+  std::optional<LaserScan> scan_;
+  /// The number of its readings.
   std::size_t total_ = 0;
   std::uint64_t incompleteScans_ = 0;
 };

@@ -9,46 +9,48 @@
 
 namespace robotlink::arcos {
 
+/// Data of packets and streams.
 using Bytes = std::vector<std::uint8_t>;
 
-/// The frame of every packet, in either direction: 0xFA 0xFB COUNT ID data... CHECKSUM(high, low). COUNT
-/// counts what follows it: the id, the data, and the checksum's two bytes.
+/// The frame of every packet in both directions: 0xFA 0xFB COUNT ID data... CHECKSUM(high, low). COUNT is the
+/// number of bytes after it: the id, the data, and two bytes of checksum.
 inline constexpr std::uint8_t kHeader1 = 0xFA;
 inline constexpr std::uint8_t kHeader2 = 0xFB;
+/// The COUNT of a packet without data.
 inline constexpr std::size_t kMinimumCount = 3;
-/// Larger counts are taken for damage, as real clients do.
+/// Larger counts are treated as damage, as real clients do.
 inline constexpr std::size_t kMaximumCount = 249;
-/// Robots ignore what counts more than 204, some clients what counts more than 200: nothing sent should.
+/// Robots ignore packets with a COUNT above 204, some clients those above 200, so none should be sent.
 inline constexpr std::size_t kMaximumSentCount = 200;
+/// The most data that can be received, and that should be sent.
 inline constexpr std::size_t kMaximumData = kMaximumCount - kMinimumCount;
 inline constexpr std::size_t kMaximumSentData = kMaximumSentCount - kMinimumCount;
 
-/// Who sent a packet: what its number and its data mean depends on it.
+/// The sender of a packet, which determines the meaning of its id and data.
 enum class Direction { kFromClient, kFromRobot };
 
-/// A packet without its frame: what it says is in Command.h and in
-/// ServerPackets.h.
+/// A packet without its frame. Its contents are decoded in Command.h and ServerPackets.h.
 struct Packet {
   std::uint8_t id = 0;
   Bytes data;
 
-  /// COUNT of its frame.
+  /// The COUNT of its frame.
   std::size_t count() const { return data.size() + kMinimumCount; }
   bool operator==(const Packet&) const = default;
 };
 
-/// Over the id and the data: the sum of their big-endian pairs, exclusive or the last byte if it is left
-/// alone.
+/// The checksum of id and data: the sum of the big-endian 16-bit pairs, XORed with the last byte if the
+/// number of bytes is odd.
 std::uint16_t checksum(std::span<const std::uint8_t> idAndData);
 
-/// The packet in its frame. Data past kMaximumData does not fit into a frame: that is a programming error;
-/// nothing is encoded then (an empty result).
+/// Puts a packet into its frame. Data longer than kMaximumData do not fit, which is a programming error; the
+/// result is then empty.
 Bytes encode(const Packet& packet);
 
-/// The same, appended to `bytes`.
+/// Appends the encoded packet to `bytes`.
 void append(const Packet& packet, Bytes& bytes);
 
-/// "fafb03000000"
+/// Two hexadecimal digits a byte: "fafb03000000".
 std::string toHex(std::span<const std::uint8_t> bytes);
 
 }  // namespace robotlink::arcos

@@ -21,7 +21,8 @@ std::string formatted(const char* format, Values... values) {
   return text;
 }
 
-/// Takes the text before the next `separator` from `text`, and the separator; without blanks around it.
+/// Removes the text before the next `separator`, and the separator, from `text`, and returns it without
+/// surrounding blanks.
 std::string_view takePart(std::string_view& text, char separator) {
   const std::size_t end = std::min(text.find(separator), text.size());
   std::string_view part = text.substr(0, end);
@@ -77,7 +78,7 @@ std::string printable(std::string_view text) {
   return result + '"';
 }
 
-/// A visitor (see WireFields.h) that lists fields with values for people.
+/// The visitor (see WireFields.h) that lists fields with readable values.
 class FieldLister {
  public:
   explicit FieldLister(std::vector<PacketField>& fields) : fields_(fields) {}
@@ -130,10 +131,11 @@ class FieldLister {
 
   std::vector<PacketField>& fields_;
   std::string listName_;
-  std::string prefix_;  ///< of the element that is being listed
+  // The name of the list's element that is being visited.
+  std::string prefix_;
 };
 
-/// Lists as many fields as a configuration has.
+/// Lists only the fields that a configuration has.
 struct PrefixLister {
   FieldLister& lister;
   int left;
@@ -177,7 +179,7 @@ void listPair(const Command& command, const CommandInfo& info, FieldLister& list
   }
 }
 
-/// Whether the command has a form of its own, which is listed then.
+/// Lists the fields of a command with a layout of its own; returns false if it has none.
 bool listSimulatorCommand(const Command& command, FieldLister& lister) {
   if (command.id == static_cast<std::uint8_t>(CommandId::kSimSetPose)) {
     const auto pose = truePoseOf(command);
@@ -211,7 +213,7 @@ void listCommand(const Command& command, const CommandInfo* info, FieldLister& l
 PacketDescription describeCommand(const Packet& packet) {
   const CommandInfo* info = findCommand(packet.id);
   PacketDescription description{nameOf(packet.id), info ? info->summary : "", {}, {}};
-  // Before a connection these bare numbers are its handshake; which of the two, the packet does not tell.
+  // Before a connection these ids are the handshake's; the packet itself does not say which of the two it is.
   if (packet.id < 3 && packet.data.empty()) description.name += " or SYNC" + std::to_string(packet.id);
   FieldLister lister(description.fields);
   if (const auto command = toCommand(packet)) {

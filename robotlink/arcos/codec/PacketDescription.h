@@ -8,28 +8,33 @@
 
 namespace robotlink::arcos {
 
-/// A field of a packet, for people: {"battery", "13", "V"}, {"flags", "0x0003 motors on, sonar array 1", ""}.
+/// A field of a packet for users: {"battery", "13", "V"}, {"flags", "0x0003 motors on, sonar array 1", ""}.
 struct PacketField {
   std::string name;
   std::string value;
-  std::string unit;  ///< empty if there is none
+  /// Empty if there is none.
+  std::string unit;
   bool operator==(const PacketField&) const = default;
 };
 
-/// What a packet says, field by field in the order of the wire: what an inspector shows. English.
+/// The contents of a packet for users, field by field in the order of the wire, as shown by an inspector.
+/// English.
 struct PacketDescription {
-  std::string name;     ///< "VEL2", "standard information", "command 111"
-  std::string summary;  ///< of commands a sentence on what they do, else empty
+  /// Such as "VEL2", "standard information", "command 111".
+  std::string name;
+  /// What a command does, in a sentence; empty for other packets.
+  std::string summary;
   std::vector<PacketField> fields;
-  std::string problem;  ///< why it could not be read whole; empty if it could
+  /// Why the packet could not be decoded completely; empty if it could.
+  std::string problem;
 
-  /// "VEL 250 mm/s", "encoder: left 100 ticks, right 90 ticks"; at most about `length` characters, then
-  /// "...".
+  /// A single line: "VEL 250 mm/s", "encoder: left 100 ticks, right 90 ticks"; truncated with "..." to about
+  /// `length` characters.
   std::string line(std::size_t length = 120) const;
   bool operator==(const PacketDescription&) const = default;
 };
 
-/// Any packet; of those that are not known, or that are damaged, the bytes are a field.
+/// Describes any packet; if it is unknown or damaged, a field contains its bytes.
 PacketDescription describe(const Packet& packet, Direction direction);
 
 }  // namespace robotlink::arcos

@@ -40,7 +40,8 @@ void PacketParser::clear() {
   begin_ = giveUpBefore_ = 0;
 }
 
-/// Where a header starts, perhaps with its second byte missing at the end; `end` if nowhere.
+/// The position of the next header, perhaps without its second byte at the end of the range; `end` if there
+/// is none.
 std::size_t PacketParser::nextHeader(std::size_t from, std::size_t end) const {
   for (std::size_t i = from; i < end; ++i) {
     if (buffer_[i] == kHeader1 && (i + 1 == buffer_.size() || buffer_[i + 1] == kHeader2)) return i;

@@ -8,66 +8,81 @@
 
 namespace robotlink::arcos {
 
-/// Bytes that were no packet, as they came.
+/// Received bytes that are not a packet.
 struct Damage {
+  /// What is wrong with them.
   enum class Kind {
-    kGarbage,   ///< stood between packets
-    kCount,     ///< a header whose count cannot be
-    kChecksum,  ///< a packet whose checksum is wrong
-    kPartial,   ///< the beginning of a packet whose rest never came
+    /// Bytes between packets.
+    kGarbage,
+    /// A header with an impossible count.
+    kCount,
+    /// A packet with a wrong checksum.
+    kChecksum,
+    /// The beginning of a packet whose rest never arrived.
+    kPartial,
   };
   Kind kind = Kind::kGarbage;
-  Bytes bytes;  ///< at most a few hundred; longer garbage comes in pieces
+  /// At most a few hundred; longer garbage is split.
+  Bytes bytes;
   bool operator==(const Damage&) const = default;
 };
 
-/// "wrong checksum", "no packet", ...
+/// The kind in words: "wrong checksum", "no packet", ...
 const char* describe(Damage::Kind kind);
 
-/// Finds packets in a stream of bytes, whatever else is in it and however it is cut.
+/// Finds packets in a stream of bytes, whatever else it contains and however it is split.
 ///
 ///   parser.push(bytes);
-///   while (auto found = parser.next()) { ... }   // nothing: it needs more bytes
+///   while (auto found = parser.next()) { ... }   // empty: it needs more bytes
 ///
-/// After damage it goes on at the next header, even if that lies within what the damaged packet's count
-/// claims, so a lying count costs no packet but its own. Every byte pushed is in exactly one packet or
-/// damage. A pure function of the calls; one thread at a time.
+/// After damage it continues at the next header, even inside the length that the damaged packet claims, so a
+/// wrong count costs only that packet. Every pushed byte ends up in exactly one packet or damage. The result
+/// depends only on the calls. Not thread-safe.
 class PacketParser {
  public:
   using Found = std::variant<Packet, Damage>;
 
+  /// Counts since construction.
   struct Counters {
     std::uint64_t packets = 0;
     std::uint64_t checksumErrors = 0;
-    std::uint64_t skippedBytes = 0;  ///< of damage of any kind
+    /// Bytes of damage of any kind.
+    std::uint64_t skippedBytes = 0;
     bool operator==(const Counters&) const = default;
   };
 
-  /// What a caller may leave unread. The oldest bytes past it are skipped, and counted.
+  /// The limit of unread bytes. Beyond it, the oldest bytes are skipped and counted.
   static constexpr std::size_t kMaximumBuffered = 64U << 10U;
 
+  /// Appends received bytes.
   void push(std::span<const std::uint8_t> bytes);
+  /// The next packet or damage; empty if more bytes are needed.
   std::optional<Found> next();
 
-  /// Whether the beginning of a packet is waiting for its rest. If nothing comes for 100 ms, it never will:
-  /// see dropPartial().
+  /// Whether the beginning of a packet waits for its rest. If nothing arrives for 100 ms, it never will: see
+  /// dropPartial().
   bool isPartial() const { return begin_ < buffer_.size(); }
-  /// The line was silent within a packet: next() gives up what was begun before this call, and looks for
-  /// packets in its bytes.
+  /// Call it after silence within a packet: next() gives up packets that began before this call, and searches
+  /// their bytes for other packets.
   void dropPartial() { giveUpBefore_ = buffer_.size(); }
-  /// Forgets everything but the counters, as after a connection was made anew.
+  /// Drops all bytes, for a new connection; the counters keep their values.
   void clear();
 
   const Counters& counters() const { return counters_; }
 
  private:
+  /// The position of the next header in [from, end), or `end`.
   std::size_t nextHeader(std::size_t from, std::size_t end) const;
+  /// Removes bytes up to `end` as damage.
   Damage takeDamage(Damage::Kind kind, std::size_t end);
+  /// Decides what to do with an incomplete packet.
   std::optional<Found> needMore();
 
   Bytes buffer_;
-  std::size_t begin_ = 0;         ///< of buffer_: what is before it was handed out
-  std::size_t giveUpBefore_ = 0;  ///< a packet that starts before it gets no more bytes
+  /// Start of the unread bytes in buffer_.
+  std::size_t begin_ = 0;
+  /// Packets that start before this position get no more bytes.
+  std::size_t giveUpBefore_ = 0;
   Counters counters_;
 };
 

@@ -8,20 +8,24 @@
 
 namespace robotlink::arcos {
 
-/// One sweep of a laser, in SI units and radians. Reading i looks at startAngle + i * angleStep in the
-/// laser's frame, counter-clockwise.
+/// A sweep of a laser, in SI units and radians. Reading i is in the direction startAngle + i * angleStep in
+/// the laser's frame, counter-clockwise. A plain value.
 struct RangeScan {
-  Instant time;  // when its first part came
-  Pose2 robot;   // by odometry, when it was made
+  /// When its first part arrived.
+  Instant time;
+  /// The latest pose by odometry when the scan was complete, which is slightly later than `time`.
+  Pose2 robot;
   Pose2 laserInRobot;
   double startAngle = 0, angleStep = 0;
-  std::vector<double> ranges;  // m; kMaximum and more: nothing is there
+  /// In m; kMaximum or more if there is nothing.
+  std::vector<double> ranges;
 
   static constexpr double kMaximum = 32.0;
 
+  /// Whether reading i hit something.
   bool echo(std::size_t reading) const { return ranges[reading] > 0 && ranges[reading] < kMaximum; }
   double angle(std::size_t reading) const { return startAngle + angleStep * static_cast<double>(reading); }
-  /// In the frame of the robot as it stood when the scan was made.
+  /// The hit point in the robot's frame at the time of the scan.
   Vector2 pointInRobot(std::size_t reading) const {
     return laserInRobot *
            Vector2(ranges[reading] * std::cos(angle(reading)), ranges[reading] * std::sin(angle(reading)));

@@ -10,13 +10,16 @@
 #include "robotlink/arcos/codec/SimulatorPackets.h"
 #include "robotlink/arcos/codec/StandardInformation.h"
 
-// The fields of every server packet in the order of the wire; see WireFields.h. `P` is the struct, const or
-// not.
+// The fields of all server packets for readers, writers and descriptions, in the order of the wire; see
+// WireFields.h. In each visitFields(), `P` is the packet's struct, const for writers and descriptions, and
+// `V` the visitor. Internal to this folder.
 namespace robotlink::arcos {
 
+/// T is Of, const or not.
 template <typename T, typename Of>
 concept Is = std::same_as<std::remove_const_t<T>, Of>;
 
+/// The last reply of the handshake: three strings.
 template <Is<Identity> P, typename V>
 void visitFields(P& p, V& v) {
   v("name", p.name);
@@ -25,6 +28,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// SIP: fixed fields, the list of sonars, then optional fields that older robots lack.
 template <Is<StandardInformation> P, typename V>
 void visitFields(P& p, V& v) {
   v("x", p.xMm, "mm");
@@ -32,6 +36,7 @@ void visitFields(P& p, V& v) {
   v("heading", p.heading4096, "1/4096 turn");
   v("left speed", p.leftSpeedMmS, "mm/s");
   v("right speed", p.rightSpeedMmS, "mm/s");
+  // Two bytes of flags each; names of bits begin at bit 0.
   v("battery", p.batteryDecivolts, "0.1 V");
   v("stall and bumpers", p.stallAndBumpers,
     "bits: left stall, rear 1, rear 2, rear 3, rear 4, rear 5, rear 6, rear 7, "
@@ -41,6 +46,7 @@ void visitFields(P& p, V& v) {
     "bits: motors on, sonar array 1, sonar array 2, sonar array 3, sonar array 4, stop button, "
     "emergency stall, far infrared, near infrared, joystick button, charger power");
   v("compass", p.compass2Deg, "2 deg");
+  // A sonar is its number and its range.
   v.template size<std::uint8_t>("sonars", p.sonars);
   for (std::size_t i = 0; i < p.sonars.size(); ++i) {
     v.enter("sonar", i);
@@ -48,6 +54,7 @@ void visitFields(P& p, V& v) {
     v("", p.sonars[i].rangeMm, "mm");
     v.leave();
   }
+  // Optional from here on.
   v("gripper state", p.gripState, "bits: open, closed, moving, , lift up, lift down, lift moving");
   v("analog port", p.analogPort);
   v("analog", p.analog, "5/255 V");
@@ -65,6 +72,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// ENCODERpac.
 template <Is<EncoderPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("left", p.leftTicks, "ticks");
@@ -72,7 +80,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
-/// A list of plain numbers, with their count before them.
+/// Visits a list of plain numbers, preceded by a byte with their count.
 template <typename L, typename V>
 void visitNumbers(const char* lengthName, const char* name, L& list, V& v, const char* unit) {
   v.template size<std::uint8_t>(lengthName, list);
@@ -83,6 +91,7 @@ void visitNumbers(const char* lengthName, const char* name, L& list, V& v, const
   }
 }
 
+/// IOpac: three lists.
 template <Is<IoPacket> P, typename V>
 void visitFields(P& p, V& v) {
   visitNumbers("digital inputs", "digital in", p.digitalIn, v, "bits");
@@ -91,6 +100,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// GYROpac: a list of rate and temperature.
 template <Is<GyroPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v.template size<std::uint8_t>("readings", p.readings);
@@ -103,6 +113,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// IMUpac: a list of readings, each with lists of axes.
 template <Is<ImuPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("since information packet", p.sinceInformationMs, "ms");
@@ -110,6 +121,7 @@ void visitFields(P& p, V& v) {
   for (std::size_t i = 0; i < p.readings.size(); ++i) {
     auto& reading = p.readings[i];
     v.enter("reading", i);
+    // The number of axes comes before the range.
     v.template size<std::uint8_t>("gyro axes", reading.gyro);
     v("gyro range", reading.gyroRange);
     for (auto& value : reading.gyro) v("gyro", value);
@@ -122,11 +134,13 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// SERAUXpac: only bytes.
 template <Is<AuxSerialPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v.rest(p.bytes);
 }
 
+/// TCM2pac.
 template <Is<CompassPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("heading", p.headingDecidegrees, "0.1 deg");
@@ -143,6 +157,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// GRIPPERpac.
 template <Is<GripperPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("has gripper", p.hasGripper);
@@ -151,6 +166,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// JOYSTICKpac.
 template <Is<JoystickPacket> P, typename V>
 void visitFields(P& p, V& v) {
   v("button 1", p.button1);
@@ -161,6 +177,8 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// A battery of BATTERYpac, without the bytes that depend on its type; the list is handled in
+/// ServerPackets.cpp.
 template <Is<BatteryPacket::Battery> P, typename V>
 void visitFields(P& p, V& v) {
   v("flags 1", p.flags1, "bits");
@@ -170,6 +188,7 @@ void visitFields(P& p, V& v) {
   v("absolute charge", p.absoluteChargePercent, "%");
 }
 
+/// A part of a laser scan. Plain packets begin with the pose, extended ones end with device and flags.
 template <Is<LaserPacket> P, typename V>
 void visitFields(P& p, V& v) {
   if (!p.extended) {
@@ -197,6 +216,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// The reply to SIM_STAT.
 template <Is<SimulatorStatus> P, typename V>
 void visitFields(P& p, V& v) {
   v("reserved", p.reserved1);
@@ -219,6 +239,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// The reply to SIM_CTRL 6; the count of devices has four bytes.
 template <Is<SimulatorInfo> P, typename V>
 void visitFields(P& p, V& v) {
   v("application", p.application);
@@ -236,6 +257,7 @@ void visitFields(P& p, V& v) {
   v.rest(p.rest);
 }
 
+/// The notice that the map has changed.
 template <Is<MapChanged> P, typename V>
 void visitFields(P& p, V& v) {
   v("by user", p.byUser);

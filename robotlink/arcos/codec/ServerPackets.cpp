@@ -50,7 +50,7 @@ Result<ServerPacket> widened(Result<T> result) {
   return ServerPacket(std::move(*result));
 }
 
-/// Reads as many fields as there are.
+/// Reads fields until the data end.
 struct PrefixReader {
   FieldReader& reader;
   int count = 0;
@@ -187,7 +187,7 @@ Result<MapChanged> decodeMapChanged(const Packet& packet) {
   return readOnly<MapChanged>(packet);
 }
 
-// Batteries have as many bytes as the packet says.
+// The packet itself says how many bytes a battery has.
 Packet toPacket(const BatteryPacket& battery) {
   const std::uint8_t bytes = battery.batteries.empty()
                                  ? battery.bytesPerBattery

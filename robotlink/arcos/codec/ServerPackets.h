@@ -11,25 +11,27 @@
 #include "robotlink/arcos/codec/StandardInformation.h"
 #include "robotlink/base/Error.h"
 
-// Every packet that a robot sends, both ways: toPacket() and a decode function for each.
+// Encoding and decoding of every packet that a robot sends: toPacket() and a decode function for each. Pure
+// functions.
 //
-// A decoder fails, with a sentence, where a packet of its number lacks what must be there. Whatever it takes
-// is written back byte for byte by toPacket(); what a packet has beyond what is known is kept. Numbers wider
-// than a packet's field and strings past their first NUL are cut; lists longer than their count can say as
-// well.
+// A decoder fails, with a sentence, if required data are missing. toPacket() restores a decoded packet byte
+// for byte; data after the known fields are preserved. Numbers too large for their field, strings after their
+// first NUL, and lists longer than their count allows are truncated.
 namespace robotlink::arcos {
 
-/// An echo of SYNC0 or SYNC1, or a packet whose layout is not known here.
+/// A packet that is not decoded: an echo of SYNC0 or SYNC1, or one whose layout is not known here.
 struct RawPacket {
   Packet packet;
   bool operator==(const RawPacket&) const = default;
 };
 
+/// Any packet of a robot.
 using ServerPacket =
     std::variant<RawPacket, Identity, StandardInformation, Configuration, EncoderPacket, IoPacket, GyroPacket,
                  ImuPacket, AuxSerialPacket, CompassPacket, GripperPacket, JoystickPacket, BatteryPacket,
                  LaserPacket, SimulatorStatus, SimulatorInfo, MapChanged>;
 
+/// Encodes a packet with its own id.
 Packet toPacket(const Identity& identity);
 Packet toPacket(const Configuration& configuration);
 Packet toPacket(const EncoderPacket& encoder);
@@ -47,6 +49,7 @@ Packet toPacket(const SimulatorInfo& info);
 Packet toPacket(const MapChanged& changed);
 Packet toPacket(const ServerPacket& packet);
 
+/// Decodes a packet whose id is known to fit. The error names the missing field.
 Result<Identity> decodeIdentity(const Packet& packet);
 Result<Configuration> decodeConfiguration(const Packet& packet);
 Result<EncoderPacket> decodeEncoder(const Packet& packet);
@@ -63,10 +66,10 @@ Result<SimulatorStatus> decodeSimulatorStatus(const Packet& packet);
 Result<SimulatorInfo> decodeSimulatorInfo(const Packet& packet);
 Result<MapChanged> decodeMapChanged(const Packet& packet);
 
-/// Whatever it is, by its number.
+/// Decodes any packet by its id; unknown ids give a RawPacket.
 Result<ServerPacket> decodeServerPacket(const Packet& packet);
 
-/// "standard information", "packet 0x7b" if the number is unknown.
+/// The name for users: "standard information", or "packet 0x7b" if the id is unknown.
 std::string nameOfServerPacket(std::uint8_t id);
 
 }  // namespace robotlink::arcos

@@ -24,7 +24,8 @@ Command setTruePose(const TruePose& pose) {
 }
 
 std::optional<TruePose> truePoseOf(const Command& command) {
-  // Some clients announce an integer before the coordinates; so they are looked for in the bytes themselves.
+  // Some clients mark the coordinates as an integer argument, so they are searched in the bytes of the
+  // packet.
   const Packet packet = toPacket(command);
   FieldReader reader(packet.data);
   std::uint8_t type = 0;

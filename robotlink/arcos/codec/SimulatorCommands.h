@@ -5,22 +5,24 @@
 
 #include "robotlink/arcos/codec/Command.h"
 
-// The commands to simulators whose data have a form of their own.
+// Commands to simulators with a data layout of their own, as defined by MobileSim.
 namespace robotlink::arcos {
 
-/// SIM_SET_POSE: where the robot shall be put; its odometry stays as it is.
+/// SIM_SET_POSE: the pose to move the robot to; its odometry does not change.
 struct TruePose {
   std::int32_t xMm = 0;
   std::int32_t yMm = 0;
   std::int32_t headingDeg = 0;
   bool operator==(const TruePose&) const = default;
 };
+/// Builds the command.
 Command setTruePose(const TruePose& pose);
-/// Nothing if the command's data are too short; coordinates that are missing at their end are not guessed.
+/// Empty if the command's data are too short; missing coordinates are not guessed.
 std::optional<TruePose> truePoseOf(const Command& command);
 
-/// SIM_CTRL.
+/// SIM_CTRL: operations of the simulator.
 struct SimulatorControl {
+  /// The operations that are known; most concern maps and log files.
   enum Operation {
     kLoadMap = 1,
     kLoadMasterMap = 2,
@@ -30,12 +32,15 @@ struct SimulatorControl {
     kInfo = 6,
     kGhost = 7,
   };
-  int operation = 0;  ///< 0 to 65535, perhaps none of these
-  std::string file;   ///< of kLoadMap and kLoadMasterMap, else empty
+  /// In 0 to 65535, not necessarily one of the above.
+  int operation = 0;
+  /// Only for kLoadMap and kLoadMasterMap.
+  std::string file;
   bool operator==(const SimulatorControl&) const = default;
 };
+/// Builds the command.
 Command simulatorControl(const SimulatorControl& control);
-/// Nothing if there is no operation, or a file's name is shorter than it says.
+/// Empty if the operation is missing or a file name is shorter than its length says.
 std::optional<SimulatorControl> simulatorControlOf(const Command& command);
 
 }  // namespace robotlink::arcos

@@ -13,18 +13,19 @@
 
 #include "robotlink/arcos/codec/Packet.h"
 
-// How the structs of server packets are read and written: each has one function, visitFields(packet,
+// How the structs of server packets are read and written. Each struct has one function, visitFields(packet,
 // visitor), that calls visitor(name, member, unit) for its fields in the order of the wire. Readers, writers
-// and descriptions are visitors, so the order of fields stands in one place. Integers are little-endian and
-// as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector), then its
-// elements between enter() and leave(); the field that numbers an element is a key().
+// and descriptions are visitors, so the order of fields is defined in one place. Integers are little-endian
+// and as wide as their type, strings end with a NUL. A list is visitor.size<CountType>(name, vector),
+// followed by its elements between enter() and leave(); the field that numbers an element is a key().
 //
-// Units may have a factor ("0.1 V", "1/4096 turn"), and values with a meaning behind them ("%; 0 unknown").
-// Those of flags are "bits", or "bits: name, name" from bit 0 on.
+// A unit may have a factor ("0.1 V", "1/4096 turn"), and be followed by names of values ("%; 0 unknown"). The
+// unit of flags is "bits", or "bits: name, name" from bit 0 on.
 //
-// Only this folder's sources include this.
+// Internal to this folder.
 namespace robotlink::arcos {
 
+/// Reads an integer; `from` must have sizeof(T) bytes and need not be aligned.
 template <std::integral T>
 T loadLittleEndian(const std::uint8_t* from) {
   std::make_unsigned_t<T> bits = 0;
@@ -37,6 +38,7 @@ T loadLittleEndian(const std::uint8_t* from) {
   return static_cast<T>(bits);
 }
 
+/// Writes an integer to sizeof(T) bytes.
 template <std::integral T>
 void storeLittleEndian(T value, std::uint8_t* to) {
   if constexpr (std::endian::native == std::endian::little) {
@@ -47,27 +49,31 @@ void storeLittleEndian(T value, std::uint8_t* to) {
   }
 }
 
-/// Reads fields from a packet's data. A required field that is not there makes ok() false; an optional one
-/// that is not there ends the packet: it and all optional ones after it stay empty.
+/// The visitor that reads fields from a packet's data. A missing required field makes ok() false; a missing
+/// optional field ends the packet: it and all optional fields after it stay empty. The data must outlive it.
 class FieldReader {
  public:
   explicit FieldReader(std::span<const std::uint8_t> data) : data_(data) {}
 
+  /// Reads a required field.
   template <typename T>
   void operator()(const char* name, T& value, const char* = "") {
     if (!take(value)) fail(name);
   }
+  /// Reads the number of an element.
   template <typename T>
   void key(const char* name, T& value) {
     (*this)(name, value);
   }
+  /// Reads an optional field.
   template <typename T>
   void operator()(const char*, std::optional<T>& value, const char* = "") {
     T found{};
     ended_ = ended_ || !take(found);
     if (!ended_) value = std::move(found);
   }
-  /// Every element takes at least a byte, so a count that lies costs no memory.
+  /// Reads the length of a list and resizes it. Every element has at least one byte, so a wrong length cannot
+  /// use much memory.
   template <std::unsigned_integral Count, typename T>
   void size(const char* name, std::vector<T>& list) {
     Count count = 0;
@@ -75,12 +81,15 @@ class FieldReader {
     if (count > data_.size()) fail(name);
     if (ok_) list.resize(count);
   }
+  /// The names of lists are only for missing().
   void enter(const char* list, std::size_t) { list_ = list; }
   void leave() {}
+  /// Takes all remaining data.
   void rest(Bytes& bytes) {
     bytes.assign(data_.begin(), data_.end());
     data_ = {};
   }
+  /// Takes exactly `count` bytes.
   void bytes(Bytes& taken, std::size_t count) {
     if (count > data_.size()) fail("end");
     if (!ok_) return;
@@ -88,11 +97,12 @@ class FieldReader {
     data_ = data_.subspan(count);
   }
 
+  /// Whether all required fields were there so far.
   bool ok() const { return ok_; }
-  /// The first required field that was not there.
+  /// The name of the first missing required field.
   const char* missing() const { return missing_; }
 
-  /// False, and nothing is taken, if it is not there.
+  /// Reads an integer, or a string up to its NUL. Returns false, reading nothing, if it is incomplete.
   template <std::integral T>
   bool take(T& value) {
     if (data_.size() < sizeof(T)) return false;
@@ -114,32 +124,37 @@ class FieldReader {
     ok_ = false;
   }
 
+  /// The data not read yet.
   std::span<const std::uint8_t> data_;
   const char* missing_ = "";
   const char* list_ = "";
   bool ok_ = true;
+  /// An optional field was missing.
   bool ended_ = false;
 };
 
-/// Writes fields, behind what `data` has already; stops at the first optional one that is empty. They are in
-/// `data` after finish().
+/// The visitor that appends fields to `data`; stops at the first empty optional field. The result is complete
+/// after finish().
 class FieldWriter {
  public:
   explicit FieldWriter(Bytes& data) : data_(data) {}
   FieldWriter(const FieldWriter&) = delete;
   FieldWriter& operator=(const FieldWriter&) = delete;
 
+  /// Writes an integer.
   template <std::integral T>
   void operator()(const char*, const T& value, const char* = "") {
     if (used_ + sizeof(T) > buffer_.size()) finish();
     storeLittleEndian(value, buffer_.data() + used_);
     used_ += sizeof(T);
   }
+  /// Writes a string up to its first NUL, and a NUL.
   void operator()(const char* name, const std::string& value, const char* = "") {
     finish();
     data_.insert(data_.end(), value.begin(), std::find(value.begin(), value.end(), '\0'));
     (*this)(name, std::uint8_t{0});
   }
+  /// Writes an optional field, unless it or one before it is empty.
   template <typename T>
   void operator()(const char* name, const std::optional<T>& value, const char* = "") {
     ended_ = ended_ || !value;
@@ -149,22 +164,26 @@ class FieldWriter {
   void key(const char* name, const T& value) {
     (*this)(name, value);
   }
+  /// Writes the length of a list, limited to the range of its type.
   template <std::unsigned_integral Count, typename T>
   void size(const char* name, const std::vector<T>& list) {
     (*this)(name, static_cast<Count>(std::min<std::size_t>(list.size(), std::numeric_limits<Count>::max())));
   }
   void enter(const char*, std::size_t) {}
   void leave() {}
+  /// Writes the data after the known fields.
   void rest(const Bytes& bytes) {
     finish();
     data_.insert(data_.end(), bytes.begin(), bytes.end());
   }
+  /// Writes exactly `count` bytes, padded with 0.
   void bytes(const Bytes& given, std::size_t count) {
     finish();
     const std::size_t there = std::min(count, given.size());
     data_.insert(data_.end(), given.begin(), given.begin() + static_cast<std::ptrdiff_t>(there));
     data_.insert(data_.end(), count - there, 0);
   }
+  /// Appends the buffered integers to `data`.
   void finish() {
     data_.insert(data_.end(), buffer_.begin(), buffer_.begin() + static_cast<std::ptrdiff_t>(used_));
     used_ = 0;
@@ -172,7 +191,8 @@ class FieldWriter {
 
  private:
   Bytes& data_;
-  std::array<std::uint8_t, 256> buffer_;  ///< so that data_ grows once for many fields
+  /// Collects integers, so that data_ grows once for many fields.
+  std::array<std::uint8_t, 256> buffer_;
   std::size_t used_ = 0;
   bool ended_ = false;
 };

@@ -14,7 +14,8 @@ constexpr double kUsualIncrement = 1.0;                             // deg
 constexpr double kSmallestIncrement = 0.1, kLargestIncrement = 90;  // deg
 constexpr int kMostReadings = 1801;
 constexpr std::uint8_t kMovedFlag = 1;
-constexpr int kMostOfRequest = 2;  // requests for packets: 0 none, 1 one, 2 all the time
+/// Requests of packets: 0 none, 1 one, 2 all the time.
+constexpr int kMostOfRequest = 2;
 
 std::int16_t wrappedMm(double value) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(std::llround(value) & 0xFFFF));
@@ -39,7 +40,7 @@ bool LaserService::obey(const Command& command) {
   const auto id = static_cast<CommandId>(command.id);
   const bool legacy = id >= CommandId::kLegacyLaserEnable && id <= CommandId::kLegacyLaserResolution;
   const bool endFollows = legacy && std::exchange(endFollows_, id == CommandId::kLegacyLaserStart);
-  // The same number asks for packets of the gripper (0, 1, 2), and selects an analog port.
+  // The same ids also request gripper packets (0, 1, 2) and select an analog port.
   if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMostOfRequest)
     return false;
   if (id == CommandId::kLegacyLaserEnable && (argument < 0 || argument > kMostOfRequest)) return false;

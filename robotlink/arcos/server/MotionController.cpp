@@ -8,11 +8,11 @@
 namespace robotlink::arcos {
 namespace {
 
-/// Nearer to a position than this it is there: wheels that stand still do not turn by less.
+/// A position nearer than this is reached; standing wheels do not turn by less.
 constexpr double kDistanceReached = 0.002;  // m
 constexpr double kHeadingReached = 0.005;   // rad
-/// The way to a position is planned with this share of the deceleration, so that the profile can follow the
-/// plan.
+/// The approach to a position is planned with this fraction of the deceleration, so that the profile can
+/// follow the plan.
 constexpr double kPlannedDeceleration = 0.9;
 
 double finite(double value) {
@@ -23,7 +23,7 @@ double limited(double value, double limit) {
   return std::clamp(finite(value), -limit, limit);
 }
 
-/// A parameter as a command asks for it; 0 and nonsense leave it as it is.
+/// The new value of a parameter; 0 and values that are not finite keep the old one.
 double parameter(double asked, double before, double top) {
   const double magnitude = std::abs(finite(asked));
   return magnitude > 0 ? std::min(magnitude, top) : before;
@@ -33,11 +33,12 @@ double parameter(double asked, double before, double top) {
 double approached(double speed, double target, double acceleration, double deceleration, double passed) {
   const bool slower = speed != 0 && (speed * target <= 0 || std::abs(target) < std::abs(speed));
   const double change = (slower ? deceleration : acceleration) * passed;
-  const double goal = slower && speed * target < 0 ? 0 : target;  // It turns round at a standstill.
+  // It reverses at a standstill.
+  const double goal = slower && speed * target < 0 ? 0 : target;
   return speed < goal ? std::min(goal, speed + change) : std::max(goal, speed - change);
 }
 
-/// The speed at which what is `rest` away can still be stopped at.
+/// The highest speed from which the robot can still stop within the distance `rest`.
 double speedTowards(double rest, double limit, double deceleration, double passed) {
   const double distance = std::abs(rest);
   const double braking = std::sqrt(2 * kPlannedDeceleration * deceleration * distance);
@@ -193,7 +194,7 @@ void MotionController::updateOdometry(const Wheels& wheels, Duration passed) {
   const double forwards = (left + right) / 2;
   const double turned = wheels.rotationRate ? finite(*wheels.rotationRate) * seconds(passed)
                                             : (right - left) / parameters_.track;
-  // Half of the turn before, half of it after the way: exact to the second order.
+  // Half of the turn before and half of it after the translation: exact to the second order.
   const double heading = odometry_.heading + turned / 2;
   odometry_.x += forwards * std::cos(heading);
   odometry_.y += forwards * std::sin(heading);
@@ -217,7 +218,7 @@ double MotionController::translationWanted(double passed) {
   if (std::abs(rest) > kDistanceReached) {
     return speedTowards(rest, translation_.limit, parameters_.deceleration, passed);
   }
-  // It is where it was to go; whoever pushes it now does not make it come back.
+  // The goal is reached; if the robot is pushed away now, it does not return.
   translation_ = {Channel::Aim::kSpeed, 0, 0, translation_.speed};
   return 0;
 }

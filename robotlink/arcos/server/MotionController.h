@@ -9,123 +9,149 @@
 
 namespace robotlink::arcos {
 
-/// What the motors are told: speeds of the wheels' rims, and whether they have power at all.
+/// A command to the motors: speeds of the wheels' rims, and whether the motors have power.
 struct WheelCommand {
-  double left = 0, right = 0;  ///< m/s
-  bool motorsOn = false;       ///< off: the wheels roll freely
+  /// Meters per second.
+  double left = 0, right = 0;
+  /// If off, the wheels roll freely.
+  bool motorsOn = false;
   bool operator==(const WheelCommand&) const = default;
 };
 
-/// The robot's parameters of motion, as it keeps them over a restart (FLASH). SI units and radians.
+/// A robot's motion parameters, which it stores permanently (FLASH). SI units and radians.
 struct MotionParameters {
-  double speed = 0.75;  ///< at most, also of move()
+  /// Maximal speed, also used by move().
+  double speed = 0.75;
+  /// Meters per second squared.
   double acceleration = 0.3, deceleration = 0.3;
-  double rotation = radians(100.0);  ///< at most, also of turnTo()
+  /// Maximal rotation, also used by turnTo().
+  double rotation = radians(100.0);
   double rotationAcceleration = radians(100.0), rotationDeceleration = radians(100.0);
-  /// What no command can go beyond.
+  /// Upper bounds that no command can exceed.
   double speedTop = 1.5, accelerationTop = 2.0;
   double rotationTop = radians(300.0), rotationAccelerationTop = radians(600.0);
-  /// Turning is (right - left) / track; skid steering makes it wider than the wheels are apart.
+  /// The effective distance of the wheels, m: rotation is (right - left) / track. For skid steering it is
+  /// larger than the distance between the wheels.
   double track = 0.588;
-  /// How long the motors stay without power after a stall.
+  /// How long the motors have no power after a stall.
   Duration stallPause = std::chrono::milliseconds(200);
 };
 
-/// How a Pioneer's microcontroller moves the robot: two channels, translation and rotation, each led along a
-/// trapezoidal profile to a speed or to a position; wheels' encoders as its only sense (Pioneer 3 Operations
-/// Manual, "Client motion commands").
+/// The motion control of a Pioneer's microcontroller. Two channels, translation and rotation, follow
+/// trapezoidal profiles to a speed or to a position, with the wheel encoders as the only sensors (Pioneer 3
+/// Operations Manual, "Client motion commands").
 ///
-/// Stepped by its owner; knows no packets and no clock. Any order of calls and any numbers are harmless: what
-/// is not finite counts as 0, what is too large is limited. Positions are those of the odometry, whose frame
-/// begins where the robot was switched on.
+/// Stepped by its owner; knows neither packets nor clocks. Any sequence of calls and any numbers are safe:
+/// values that are not finite count as 0, values that are too large are limited. Positions are in the
+/// odometry frame, whose origin is where the robot was switched on or its odometry set. Not thread-safe.
 class MotionController {
  public:
+  /// The sensor readings of a step.
   struct Wheels {
-    double leftTravel = 0, rightTravel = 0;  ///< m of the rims, as the encoders count them
+    /// Travel of the wheels' rims by the encoders, m.
+    double leftTravel = 0, rightTravel = 0;
+    // The wheel does not turn although it is driven.
     bool leftBlocked = false, rightBlocked = false;
-    std::optional<double>
-        rotationRate;  ///< rad/s, of a gyroscope that the heading shall go by instead of by the wheels
+    /// The rate of a gyroscope, rad/s, if the heading shall be based on it rather than on the wheels.
+    std::optional<double> rotationRate;
   };
 
+  /// Starts with the motors off.
   explicit MotionController(MotionParameters flash = {});
 
-  // Limits. Speeds hold for the commands that follow, accelerations at once. Signs are ignored; 0 changes
-  // nothing.
+  // Limits. Speeds apply to later commands, accelerations immediately. Signs are ignored; 0 changes nothing.
   void setSpeed(double speed);
   void setRotation(double rate);
   void setAcceleration(double acceleration);
   void setDeceleration(double deceleration);
   void setRotationAcceleration(double acceleration);
   void setRotationDeceleration(double deceleration);
-  /// Those of FLASH again.
+  /// Restores the parameters of FLASH.
   void restoreParameters();
   const MotionParameters& parameters() const { return parameters_; }
 
-  // Commands; without motors they are ignored. Each replaces what its channel did before, and leaves the
-  // other one alone.
+  // Commands, ignored while the motors are off. Each replaces the previous command of its channel and does
+  // not affect the other channel. m, m/s, rad and rad/s.
   void translate(double speed);
   void move(double distance);
   void rotate(double rate);
   void turnTo(double heading);
-  void turnBy(double angle);            ///< from the present heading
-  void turnFromSetpoint(double angle);  ///< from where the last turn was to end
+  /// Relative to the present heading.
+  void turnBy(double angle);
+  /// Relative to the goal of the last turn.
+  void turnFromSetpoint(double angle);
 
-  // Commands to both channels.
-  /// Taken apart into translation and rotation, each limited; whichever of this and the commands above comes
-  /// later ends the other.
+  // Commands for both channels.
+  /// Speeds of the wheels, converted to translation and rotation, each limited. This and the commands above
+  /// replace each other.
   void driveWheels(double left, double right);
-  void stop();           ///< along the profile
-  void emergencyStop();  ///< at once
+  /// Brakes with the configured deceleration.
+  void stop();
+  /// Stops at once.
+  void emergencyStop();
 
-  /// Motors that are switched on begin at rest; those that are switched off forget what they did.
+  /// Switches the motors. A robot starts from rest, and commands are forgotten when the motors are switched
+  /// off.
   void enable(bool motors);
-  /// While held, the robot stops along the profile and stays; then it goes on with what it was told.
+  /// While held, the robot brakes and stands; afterwards it resumes its command.
   void hold(bool held) { held_ = held; }
-  /// Stands still at once, with the odometry at 0 and encoders that begin anew; motors and parameters stay as
-  /// they are.
+  /// Stops at once and sets the odometry to 0, for encoders that start again. Motors and parameters keep
+  /// their state.
   void reset();
-  /// The robot is there now; a turn to a heading ends where it would have ended.
+  /// Sets the pose of the odometry. The goal of a turn to a heading is adjusted, so that the turn ends where
+  /// it would have.
   void setOdometry(const Pose2& pose);
 
+  /// Advances by `passed`: updates the odometry, checks for stalls, and returns the command for the motors.
   WheelCommand step(const Wheels& wheels, Duration passed);
 
   const Pose2& odometry() const { return odometry_; }
   bool motorsOn() const { return motorsOn_; }
   bool leftStalled() const { return leftStalled_; }
   bool rightStalled() const { return rightStalled_; }
-  /// Where a turn shall end, or the present heading when none was asked for.
+  /// The goal of the current turn, or the present heading if there is none.
   double headingSetpoint() const;
-  /// Whether a command moves it, or the profile still runs out.
+  /// Whether the robot is driven: a profile's speed is not 0.
   bool moving() const;
-  /// Treats the robot as if it had run into something (a bumper that shall count as a stall).
+  /// Reacts as to a collision (for bumpers that count as stalls): the motors have no power for a while.
   void stall(bool left, bool right);
 
  private:
+  /// The profile of translation or rotation.
   struct Channel {
     enum class Aim : std::uint8_t { kSpeed, kPosition };
     Aim aim = Aim::kSpeed;
-    double target = 0;  ///< speed, or position
-    double limit = 0;   ///< of the speed on the way to a position
-    double speed = 0;   ///< where the profile is
+    /// A speed or a position.
+    double target = 0;
+    /// Maximal speed on the way to a position.
+    double limit = 0;
+    /// Current speed of the profile.
+    double speed = 0;
   };
 
+  /// Ends a driveWheels() command, so that a command for one channel leaves the other at rest.
   void beginCommand();
   void updateOdometry(const Wheels& wheels, Duration passed);
   void checkStall(const Wheels& wheels, Duration passed);
+  /// The speeds that the commands ask for now, before acceleration limits.
   double translationWanted(double passed);
   double rotationWanted(double passed);
 
   const MotionParameters flash_;
   MotionParameters parameters_;
   Channel translation_, rotation_;
-  bool wheelsDriven_ = false;  ///< the last command was driveWheels()
+  /// Whether the last command was driveWheels().
+  bool wheelsDriven_ = false;
   bool motorsOn_ = false;
   bool held_ = false;
   Pose2 odometry_;
-  double travelled_ = 0;  ///< m, of the robot's centre, forwards less backwards
+  /// Distance traveled by the robot's center, forwards minus backwards, m.
+  double travelled_ = 0;
+  /// The encoders of the previous step; empty after a reset.
   std::optional<Wheels> last_;
   bool leftStalled_ = false, rightStalled_ = false;
-  Duration stallLeft_{};  ///< how long the motors stay without power
+  /// How long the motors will have no power.
+  Duration stallLeft_{};
 };
 
 }  // namespace robotlink::arcos

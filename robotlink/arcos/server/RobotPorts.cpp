@@ -16,12 +16,12 @@ namespace asio = boost::asio;
 using asio::ip::tcp;
 using Clock = std::chrono::steady_clock;
 
-/// So long a line is silent within a packet until the packet is given up.
+/// An incomplete packet is given up after this much silence.
 constexpr std::chrono::milliseconds kPartialFor{100};
-/// Connections that one port accepts in one call of serve(), so that connecting repeatedly costs no more than
-/// sending.
+/// Limit of accepted connections per port and call of serve(), so that reconnecting in a loop costs no more
+/// than sending.
 constexpr int kMaximumAccepts = 4;
-/// What the system keeps of what was sent and not yet read: little, so that what waits can still be dropped.
+/// The system's buffer of sent and unread data: small, so that most waiting data can still be dropped.
 constexpr int kSystemBuffer = 16 << 10;
 
 std::string describe(const tcp::endpoint& endpoint) {
@@ -74,7 +74,7 @@ class Port {
     robot_ = robot;
   }
 
-  /// Another call of serve(): takes what was left over from the last one, and listens again.
+  /// Prepares for a call of serve(): processes what was left over from the last one, and listens again.
   void beginStep() {
     bytesLeft_ = RobotPorts::kMaximumBytes;
     packetsLeft_ = RobotPorts::kMaximumPackets;
@@ -140,13 +140,13 @@ class Port {
     awaitBytes();
   }
 
-  /// The client has gone, whether or not all that it sent was read.
+  /// Whether the client has disconnected, even if not all of its data were read.
   bool hungUp() {
     pollfd state{client_.native_handle(), POLLRDHUP, 0};
     return ended_ || (::poll(&state, 1, 0) > 0 && (state.revents & (POLLRDHUP | POLLHUP | POLLERR)) != 0);
   }
 
-  /// While this call of serve() may take more of the client.
+  /// Whether this call of serve() may read more from the client.
   bool mayRead() const { return client_.is_open() && !ended_ && drained_ && bytesLeft_ > 0; }
 
   void awaitBytes() {
@@ -228,15 +228,18 @@ class Port {
   tcp::acceptor acceptor_;
   tcp::socket client_;
   const std::chrono::milliseconds silence_;
-  std::uint64_t connection_ = 0;  ///< so that what was begun for one client does not touch the next
+  // Incremented with each client, so that pending operations of one do not affect the next.
+  std::uint64_t connection_ = 0;
   RobotPorts::Listener* listener_ = nullptr;
   std::size_t robot_ = 0;
   PacketParser parser_;
   Clock::time_point heardAt_;
   SendQueue sending_;
   bool writing_ = false, awaitingBytes_ = false, awaitingClients_ = false;
-  bool drained_ = true;  ///< the parser has no packet left
-  bool ended_ = false;   ///< the client sends no more; what it sent is still obeyed
+  // The parser has no more packets.
+  bool drained_ = true;
+  // The client sends no more; its remaining packets are still executed.
+  bool ended_ = false;
   std::size_t bytesLeft_ = RobotPorts::kMaximumBytes, packetsLeft_ = RobotPorts::kMaximumPackets;
   int acceptsLeft_ = kMaximumAccepts;
   RobotPorts::Statistics statistics_;

@@ -11,34 +11,35 @@
 
 namespace robotlink::arcos {
 
-/// The TCP ports at which clients find simulated robots, one port each, one client at a time.
+/// The TCP ports of simulated robots: one port a robot, one client at a time.
 ///
-/// A port listens from open() to the end: a client that goes away leaves it free for the next at once. A
-/// second client is accepted and closed at once, which unmodified clients report as a connection that was
-/// lost, and which does not disturb the first; unless that has been silent for long, as clients are
-/// whose machine has gone. What a client does not read waits in a SendQueue, which drops old packets: a slow
-/// reader gets fresh ones.
+/// A port listens from open() to its end: when a client disconnects, the port is free for the next one. A
+/// second client is accepted and closed immediately, which unmodified clients report as a lost connection and
+/// which does not disturb the first one; but if the first one has been silent for long, as when its machine
+/// has crashed, it is replaced. Data that a client does not read wait in a SendQueue, which drops old
+/// packets, so that a slow reader gets recent ones.
 ///
-/// Whatever a client sends, it costs the other robots little: each call of serve() takes at most
-/// kMaximumBytes and kMaximumPackets from each port; the rest waits for the next call, first here, then in
-/// the client's system, which stops sending.
+/// A client cannot slow down other robots: each call of serve() processes at most kMaximumBytes and
+/// kMaximumPackets of each port; the rest waits for the next call, first here, then in the client's system,
+/// which then stops sending.
 ///
-/// No thread of its own: bytes move in serve() and send(), which one thread calls.
+/// It has no thread: bytes are moved in serve() and send(), which one thread calls.
 class RobotPorts {
  public:
-  /// What one port may take in one call of serve(). Real robots obey about 300 packets a second.
+  /// Limits of one port in one call of serve(). Real robots process about 300 packets a second.
   static constexpr std::size_t kMaximumBytes = 16U << 10U;
   static constexpr std::size_t kMaximumPackets = 64;
   struct Options {
-    std::string address =
-        "127.0.0.1";                 ///< of this machine; others than loopback open the robots to the network
-    std::uint16_t firstPort = 8101;  ///< the next robot has the next one; 0: each has one that is free
+    /// The local address; anything but loopback makes the robots reachable from the network.
+    std::string address = "127.0.0.1";
+    /// The port of the first robot; each further robot has the next one. 0: the system assigns free ports.
+    std::uint16_t firstPort = 8101;
     std::size_t robots = 1;
-    /// A client that has said nothing for so long gives way to the next; living ones send a pulse every
-    /// second.
+    /// A client that has been silent for this long is replaced by the next one; live clients send a pulse
+    /// every second.
     std::chrono::milliseconds silence{10'000};
   };
-  /// Told in serve() what happens. Robots are counted from 0.
+  /// Called by serve(). Robots are numbered from 0.
   class Listener {
    public:
     virtual ~Listener() = default;
@@ -46,31 +47,37 @@ class RobotPorts {
     virtual void packetCame(std::size_t robot, const Packet& packet) = 0;
     virtual void clientGone(std::size_t robot) = 0;
   };
+  /// Counters of one port.
   struct Statistics {
-    std::string client;  ///< "127.0.0.1:50312"; empty: there is none
+    /// The client's address, "127.0.0.1:50312"; empty if there is none.
+    std::string client;
     PacketParser::Counters received;
-    std::uint64_t receivedBytes = 0;  ///< of the present client
+    /// From the present client.
+    std::uint64_t receivedBytes = 0;
     std::uint64_t sentPackets = 0;
-    std::uint64_t droppedPackets = 0;  ///< that the client did not read in time
-    std::uint64_t clients = 0;         ///< that came, those that were refused apart
+    /// Because the client did not read them in time.
+    std::uint64_t droppedPackets = 0;
+    /// Accepted clients, not counting refused ones.
+    std::uint64_t clients = 0;
+    /// Clients that were closed because another one was connected.
     std::uint64_t refused = 0;
   };
 
-  /// Fails, naming address and port, if one cannot be opened; then none is.
+  /// Opens the ports. If one cannot be opened, none is, and the error names address and port.
   static Result<std::unique_ptr<RobotPorts>> open(const Options& options);
   ~RobotPorts();
 
   std::size_t robots() const;
   std::uint16_t port(std::size_t robot) const;
-  /// Whether only programs of this machine can connect.
+  /// Whether only programs on this machine can connect.
   bool loopbackOnly() const;
-  /// Counts for the present client and all clients before it.
+  /// The counters of the present client and of all before it, except for receivedBytes.
   Statistics statistics(std::size_t robot) const;
 
-  /// Moves bytes, and tells of what came, until this instant; one that is past: only what is there already.
-  /// To be called once a step of the simulation.
+  /// Accepts clients, moves bytes and calls the listener until this instant; if it is past, processes only
+  /// what is there already. Call it once a step of the simulation.
   void serve(Listener& listener, std::chrono::steady_clock::time_point until);
-  /// To the robot's client; without one they are forgotten.
+  /// Sends packets to the robot's client; dropped if there is none.
   void send(std::size_t robot, std::span<const Packet> packets);
 
  private:

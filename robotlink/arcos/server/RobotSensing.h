@@ -10,31 +10,42 @@
 
 namespace robotlink::arcos {
 
-/// What the robot's senses tell its microcontroller, ranges apart. SI units and radians.
+/// The sensor readings of the microcontroller, except for ranges. SI units and radians.
 struct RobotSensing {
-  double leftTravel = 0, rightTravel = 0;  ///< m of the wheels' rims, as the encoders count them
-  double leftSpeed = 0, rightSpeed = 0;    ///< m/s
+  /// Travel of the wheels' rims by the encoders, m.
+  double leftTravel = 0, rightTravel = 0;
+  /// Meters per second.
+  double leftSpeed = 0, rightSpeed = 0;
+  // The wheel does not turn although it is driven.
   bool leftBlocked = false, rightBlocked = false;
-  std::uint8_t frontBumpers = 0,
-               rearBumpers = 0;  ///< bit i: segment i is pressed, counted from the left, the front up
-  bool stopButton = false;       ///< held: the motors are off, whatever the client says
-  double battery = 12.8;         ///< V
-  double charge = 1;             ///< 0 to 1
-  double rotationRate = 0;       ///< rad/s, of the gyroscope
-  double temperature = 25;       ///< degC
+  /// Bit i: segment i is pressed; the front segments count from the left.
+  std::uint8_t frontBumpers = 0, rearBumpers = 0;
+  /// Pressed: the motors are off, whatever the client commands.
+  bool stopButton = false;
+  /// Volts.
+  double battery = 12.8;
+  /// State of charge, 0 to 1.
+  double charge = 1;
+  /// Of the gyroscope, rad/s, counter-clockwise.
+  double rotationRate = 0;
+  double temperature = 25;  ///< degC
+  /// Ground truth in the field, m and rad, for SIM_STAT.
   Pose2 truePose;
   double trueHeight = 0;
-  std::optional<GlobalPosition> globalPosition;  ///< where the world is georeferenced
-  double odometryError = 0;  ///< share by which the ways that the odometry measures are too long
+  /// Only if the world is georeferenced.
+  std::optional<GlobalPosition> globalPosition;
+  /// The fraction by which the odometry overestimates distances.
+  double odometryError = 0;
 };
 
-/// How the microcontroller comes by ranges; called within step(), for what is due then and nothing else.
+/// The source of ranges. Called only during ServerSession::step(), and only for sensors that are due, so that
+/// ranges are computed on demand.
 class RangeFinders {
  public:
   virtual ~RangeFinders() = default;
-  /// m; where there is no echo, the sonars' maximum or more.
+  /// The range in m; without an echo, the sonars' maximum or more.
   virtual double sonar(int number) = 0;
-  /// All readings that the device can make, m, counter-clockwise; valid until the next call.
+  /// All readings of the device, m, counter-clockwise; valid until the next call.
   virtual std::span<const double> laser() = 0;
 };
 

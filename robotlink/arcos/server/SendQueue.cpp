@@ -20,7 +20,7 @@ void SendQueue::dropOld(Instant now) {
   drop(old);
 }
 
-/// Drops so many packets, the first whole one first.
+/// Drops packets, beginning with the first one that was not written in part.
 void SendQueue::drop(std::size_t packets) {
   if (packets == 0) return;
   const auto first = packets_.begin() + static_cast<std::ptrdiff_t>(firstWhole());

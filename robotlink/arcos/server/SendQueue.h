@@ -9,42 +9,47 @@
 
 namespace robotlink::arcos {
 
-/// The bytes of packets that wait until a client reads them, oldest first.
+/// The bytes of packets that wait for a client to read them, oldest first.
 ///
-/// A client that reads slowly gets what is new: packets older than kMaximumAge are dropped, and the oldest
-/// ones where more than kMaximumBytes wait. Only whole packets are dropped; one whose first bytes have gone
-/// out stays. What the operating systems of both ends have taken already is out of reach.
+/// A slow client gets recent data: packets older than kMaximumAge are dropped, and the oldest ones if more
+/// than kMaximumBytes wait. Only whole packets are dropped, never one that was written in part. What the
+/// operating systems of both ends have buffered cannot be dropped any more. Not thread-safe.
 class SendQueue {
  public:
   using Instant = std::chrono::steady_clock::time_point;
   static constexpr std::chrono::seconds kMaximumAge{1};
   static constexpr std::size_t kMaximumBytes = 64U << 10U;
 
+  /// Appends a packet; drops the oldest ones if there are too many bytes.
   void push(const Packet& packet, Instant now);
-  /// Drops what is too old at `now`.
+  /// Drops packets that are too old at `now`.
   void dropOld(Instant now);
-  /// What is to be written next; valid until the queue changes.
+  /// The bytes to write next; valid until the queue changes.
   std::span<const std::uint8_t> bytes() const { return bytes_; }
-  /// The first bytes of bytes() have gone out.
+  /// Removes the first `count` bytes of bytes() after they were written.
   void written(std::size_t count);
-  /// Forgets what waits; the counters stay.
+  /// Drops all packets; the counters keep their values.
   void clear();
 
   std::uint64_t sentPackets() const { return sent_; }
   std::uint64_t droppedPackets() const { return dropped_; }
 
  private:
+  /// A packet in bytes_.
   struct Entry {
-    std::size_t size = 0;  ///< of its bytes that still wait
+    /// How many of its bytes still wait.
+    std::size_t size = 0;
     Instant pushed;
   };
+  /// Drops that many packets, beginning with the first whole one.
   void drop(std::size_t packets);
   /// The index of the first packet that may be dropped.
   std::size_t firstWhole() const { return begun_ ? 1 : 0; }
 
   Bytes bytes_;
   std::deque<Entry> packets_;
-  bool begun_ = false;  ///< some bytes of the first packet have gone out
+  /// The first packet was written in part.
+  bool begun_ = false;
   std::uint64_t sent_ = 0, dropped_ = 0;
 };
 

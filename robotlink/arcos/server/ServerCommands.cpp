@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a ServerSession does when a client commands.
+// The part of ServerSession that executes commands.
 #include <algorithm>
 #include <cstdlib>
 #include <utility>
@@ -11,7 +11,7 @@
 namespace robotlink::arcos {
 namespace {
 
-/// VEL2 counts in these.
+/// The unit of VEL2.
 constexpr double kWheelSpeedUnit = 0.020;  // m/s
 
 CommandId idOf(const Command& command) {
@@ -24,7 +24,8 @@ double angle(const Command& command) {
   return radians(static_cast<double>(integerArgument(command)));
 }
 
-/// Numbers behind a command's argument type, whatever that says; what is missing is 0.
+/// Reads numbers from the bytes after a command's argument type, whatever that type is; missing bytes count
+/// as 0.
 class ArgumentBytes {
  public:
   explicit ArgumentBytes(const Bytes& data) : data_(data) {}
@@ -69,9 +70,8 @@ void ServerSession::obey(const Command& command) {
                                       obeySubscription(command) || obeySonar(command) || obeyDevices(command);
 }
 
-/// Commands 35 to 38 are the laser's here, as they are of other simulators, but also ADSEL, GRIPPERVAL,
-/// GRIPREQUEST and GYROCALCW of real robots. A value for the gripper follows the gripper command that takes
-/// it.
+/// Commands 35 to 38 control the laser here, as in other simulators, but on real robots they are ADSEL,
+/// GRIPPERVAL, GRIPREQUEST and GYROCALCW. A value for the gripper follows the gripper command that needs it.
 bool ServerSession::obeyLaser(const Command& command) {
   constexpr int kPressure = 16, kCarry = 17;
   if (idOf(command) == CommandId::kGripper) {
@@ -176,7 +176,7 @@ bool ServerSession::obeySubscription(const Command& command) {
     case CommandId::kSimStat:
       return ask(kStatus);
     case CommandId::kGyro:
-      // Clients that use it themselves ask for all readings by 1.
+      // Clients that use the gyroscope themselves request all readings with 1.
       subscription(kGyro).always =
           settings_.gyroscope == ServerSettings::Gyroscope::kClient && integerArgument(command, 1) != 0;
       client_.gyroUsed = integerArgument(command, 1) != 0;
@@ -219,7 +219,7 @@ bool ServerSession::obeyDevices(const Command& command) {
       if (argument > 0) client_.testedBattery = argument / 10.0;
       return true;
     case CommandId::kLcdWrite: {
-      // Column, row and whether to clear stand before the text.
+      // Column, row and a flag for clearing precede the text.
       const std::string text = stringArgument(command);
       if (text.size() > 3) ask(simulator_request::Message{text.substr(3)});
       return true;

@@ -12,12 +12,12 @@ namespace robotlink::arcos {
 namespace {
 
 constexpr std::uint8_t kSync0 = 0, kSync1 = 1, kSync2 = 2;
-/// Clients take these for a restarted controller, and go.
+/// Clients take packets with these ids for a restart of the controller, and disconnect.
 constexpr std::uint8_t kFirstReserved = 0xFE;
 constexpr std::size_t kMostRequests = 64;
 constexpr Duration kGyroPeriod = std::chrono::milliseconds(25);
 constexpr std::size_t kMostGyroReadings = 8;
-/// Wheels that turn less than this stand: a gyroscope's drift must not turn the robot's heading then.
+/// Wheels slower than this count as standing; then the drift of a gyroscope must not change the heading.
 constexpr double kStandingSpeed = 0.002;  // m/s
 
 }  // namespace
@@ -48,9 +48,8 @@ void ServerSession::take(const Packet& packet, Instant now) {
   }
 }
 
-/// SYNC0 and SYNC1 are echoed, SYNC2 is answered. Number 2 without the others before it is a CLOSE, which
-/// some clients send before they begin; number 1 without the other comes from a client that thinks it is
-/// connected.
+/// SYNC0 and SYNC1 are echoed, SYNC2 is answered. Id 2 without the other two is a CLOSE that some clients
+/// send first; id 1 without SYNC0 comes from a client that thinks it is connected.
 void ServerSession::takeWaiting(const Packet& packet) {
   if (packet.id == kSync0) {
     syncs_ = 1;
@@ -67,7 +66,7 @@ void ServerSession::takeWaiting(const Packet& packet) {
 }
 
 void ServerSession::takeConnected(const Packet& packet) {
-  // Before OPEN a client may still be in doubt of the handshake: it repeats SYNC2, or begins anew.
+  // Before OPEN a client may not know whether the handshake succeeded: it repeats SYNC2 or starts again.
   if (state_ == State::kIdentified && packet.id == kSync0) {
     close();
     takeWaiting(packet);
@@ -135,7 +134,7 @@ std::vector<SimulatorRequest> ServerSession::takeRequests() {
 
 void ServerSession::mapLoaded(const std::string& file, bool loaded, bool byUser) {
   if (state_ != State::kOpen) return;
-  // A path that is too long for a packet is told by its end.
+  // Of a path that is too long for a packet, the end is sent.
   const std::size_t fitting = kMaximumSentData - 3;
   MapChanged changed;
   changed.byUser = byUser;
@@ -179,7 +178,7 @@ WheelCommand ServerSession::step(const RobotSensing& sensing, RangeFinders& rang
   fireSonars(ranges, now);
   readGyroscope(sensing, now);
   if (now >= nextCycle_) {
-    // Cycles that were missed are not made up for.
+    // Missed cycles are not repeated.
     nextCycle_ += settings_.cycle * ((now - nextCycle_) / settings_.cycle + 1);
     sendCycle(sensing, ranges);
   }
@@ -193,7 +192,7 @@ void ServerSession::fireSonars(RangeFinders& ranges, Instant now) {
 
 void ServerSession::readGyroscope(const RobotSensing& sensing, Instant now) {
   if (now < client_.nextGyroReading || !subscription(kGyro).always) return;
-  // Clients take each reading for the rate over one period: on average there must be neither more nor fewer.
+  // Clients take each reading as the rate over one period, so on average there must be exactly one a period.
   client_.nextGyroReading = std::max(client_.nextGyroReading + kGyroPeriod, now);
   if (client_.gyroReadings.size() < kMostGyroReadings) client_.gyroReadings.push_back(gyroReadingOf(sensing));
 }
@@ -202,7 +201,7 @@ void ServerSession::sendCycle(const RobotSensing& sensing, RangeFinders& ranges)
   if (settings_.allSonarsEachCycle) {
     for (const int disc : sonars_.all()) client_.newSonars[disc] = ranges.sonar(disc);
   }
-  // Gyroscope and joystick go before the information packet, everything else after it.
+  // Clients expect gyroscope and joystick before the information packet, everything else after it.
   if (subscription(kGyro).take()) send(toPacket(GyroPacket{std::exchange(client_.gyroReadings, {}), {}}));
   if (subscription(kJoystick).take()) send(toPacket(JoystickPacket{}));
   const ServerReport report{std::exchange(client_.newSonars, {}),
@@ -219,7 +218,8 @@ void ServerSession::sendRequested(const RobotSensing& sensing) {
   if (subscription(kEncoder).take()) send(toPacket(encodersOf(settings_, sensing)));
   if (subscription(kImu).take()) send(toPacket(imuOf(sensing)));
   if (subscription(kBattery).take()) send(toPacket(batteryOf(sensing)));
-  if (subscription(kGripper).take()) send(toPacket(GripperPacket{}));  // There is none.
+  // There is no gripper.
+  if (subscription(kGripper).take()) send(toPacket(GripperPacket{}));
   if (subscription(kStatus).take()) send(toPacket(statusOf(settings_, sensing)));
 }
 

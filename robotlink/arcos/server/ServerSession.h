@@ -20,19 +20,25 @@
 
 namespace robotlink::arcos {
 
-/// What a client asks of the simulator itself; to be fulfilled by the session's owner.
+/// Requests of a client to the simulator itself, which the session's owner fulfills.
 namespace simulator_request {
+/// Move the robot.
 struct SetPose {
-  Pose2 pose;  ///< true one, in the field; the odometry stays
+  /// The true pose in the field; the odometry does not change.
+  Pose2 pose;
 };
-/// Back to where the robot stood at the start; the odometry is 0 already.
+/// Move the robot to its initial pose; its odometry is 0 already.
 struct Reset {};
+/// Load a map.
 struct LoadMap {
-  std::string file;  ///< as the client wrote it; to be answered by mapLoaded()
+  /// As the client wrote it; the owner answers with mapLoaded().
+  std::string file;
 };
+/// Show a text to the user.
 struct Message {
-  std::string text;  ///< to be shown
+  std::string text;
 };
+/// End the simulator.
 struct Exit {
   int status = 0;
 };
@@ -41,59 +47,68 @@ using SimulatorRequest =
     std::variant<simulator_request::SetPose, simulator_request::Reset, simulator_request::LoadMap,
                  simulator_request::Message, simulator_request::Exit>;
 
-/// The microcontroller of a Pioneer, the robot's side of ARCOS: handshake, commands, information packets,
-/// watchdog. A state machine fed with packets and with what the robot senses; it moves no bytes and asks no
-/// clock.
+/// The microcontroller of a Pioneer, the robot's end of ARCOS: handshake, commands, information packets,
+/// watchdog. A state machine fed with packets and sensor readings; it moves no bytes and reads no clock. See
+/// ARCOS.md.
 ///
-/// One client at a time. Whatever a client sends is harmless; memory is bounded as long as its owner takes
-/// what goes out. Packets that go out are never longer than clients read, and never have the numbers 0xFE and
-/// 0xFF, which clients take for a restart. One thread at a time.
+/// One client at a time. Anything a client sends is safe; memory is bounded as long as the owner takes the
+/// outgoing packets. Outgoing packets are never longer than clients can read, and never have the ids 0xFE and
+/// 0xFF, which clients take for a restart. Not thread-safe.
 class ServerSession {
  public:
   enum class State : std::uint8_t {
-    kWaiting,     ///< for SYNC0; or a client is amid its handshake
-    kIdentified,  ///< the handshake is done, OPEN has not come
-    kOpen,        ///< information packets go out
+    /// Waiting for SYNC0, or in the middle of a handshake.
+    kWaiting,
+    /// The handshake is complete; waiting for OPEN.
+    kIdentified,
+    /// Information packets are being sent.
+    kOpen,
   };
-  /// What goes out and is not taken is dropped past this many packets, the newest first.
+  /// When this many packets wait in takeOutgoing(), further ones are dropped.
   static constexpr std::size_t kMaximumOutgoing = 1024;
 
   explicit ServerSession(ServerSettings settings = {});
 
+  /// Processes a client's packet; resets the watchdog.
   void take(const Packet& packet, Instant now);
-  /// The line is closed: the robot stops, its parameters become those it began with, and it waits for the
-  /// next client.
+  /// The client has disconnected: the robot stops, parameters are reset, and the session waits for the next
+  /// client.
   void clientGone(Instant now);
-  /// The robot was put elsewhere, and its encoders begin anew: it stands, and its odometry is 0.
+  /// The robot was moved and its encoders start again: it stops, and its odometry is 0.
   void robotReset();
-  /// To be called every few milliseconds. The wheels' command holds until the next call.
+  /// Advances to `now`; call it every few milliseconds. The returned command for the wheels holds until the
+  /// next call.
   WheelCommand step(const RobotSensing& sensing, RangeFinders& ranges, Instant now);
 
-  /// What goes to the client, oldest first.
+  /// Removes and returns the packets for the client, oldest first.
   std::vector<Packet> takeOutgoing();
+  /// Removes and returns the client's requests to the simulator.
   std::vector<SimulatorRequest> takeRequests();
-  /// Tells the client what is loaded now, whoever wanted it.
+  /// Informs the client which map is loaded now; `byUser` if the user rather than the client requested it.
   void mapLoaded(const std::string& file, bool loaded, bool byUser);
 
   State state() const { return state_; }
   const ServerSettings& settings() const { return settings_; }
   const MotionController& motion() const { return motion_; }
   bool sonarOn() const { return sonars_.anyOn(); }
-  /// Whether the true pose will be told with the next information packet; else it need not be known.
+  /// Whether the next information packet will be followed by the true pose; otherwise sensing need not
+  /// contain it.
   bool tellsTruth() const;
-  /// The watchdog has stopped the robot, which waits for the next packet.
+  /// Whether the watchdog has stopped the robot until the next packet.
   bool starved() const { return starved_; }
+  /// Packets dropped because they were too long, had a reserved id, or were not taken in time.
   std::uint64_t droppedPackets() const { return dropped_; }
 
  private:
-  /// A packet that is sent once or with each information packet, as its command says: 0 never, 1 once, more
-  /// always.
+  /// Packets that the client requests once or with every information packet: the command's argument is 0 for
+  /// never, 1 for once, more for always.
   struct Subscription {
     bool once = false, always = false;
     void ask(int argument);
-    /// Whether it is to be sent with this information packet.
+    /// Whether to send the packet with this information packet.
     bool take();
   };
+  /// The packets that can be subscribed to.
   enum Subscribable : std::uint8_t {
     kEncoder,
     kIo,
@@ -105,23 +120,32 @@ class ServerSession {
     kStatus,
     kSubscribables
   };
-  /// What a client set and what a new one shall not find.
+  /// Settings of the current client, reset for the next one.
   struct ClientState {
     std::array<Subscription, kSubscribables> subscriptions{};
-    std::map<int, double> newSonars;  ///< m, by number: those measured since the last information packet
+    /// Ranges measured since the last information packet, m, by sonar.
+    std::map<int, double> newSonars;
+    /// Readings for the next gyroscope packet.
     std::vector<GyroPacket::Reading> gyroReadings;
     Instant nextGyroReading;
-    bool gyroUsed = true;  ///< where the robot itself uses it
+    /// Whether a robot with its own gyroscope uses it.
+    bool gyroUsed = true;
+    /// Bit 0: front bumpers count as stalls; bit 1: rear bumpers do.
     int bumpStall = 0;
     std::uint8_t digitalOut = 0;
-    std::optional<double> testedBattery;  ///< V, to be told instead of the real one
-    bool gripperValueNext = false;        ///< the next GRIPPERVAL is the gripper's
+    /// V, reported instead of the real voltage.
+    std::optional<double> testedBattery;
+    /// The next GRIPPERVAL is for the gripper, not for the laser.
+    bool gripperValueNext = false;
   };
 
+  /// Packets while waiting for a client.
   void takeWaiting(const Packet& packet);
+  /// Packets after the handshake.
   void takeConnected(const Packet& packet);
   void open();
   void close();
+  /// Executes a command; the obey...() functions return false if the command is of another group.
   void obey(const Command& command);
   bool obeyTranslation(const Command& command);
   bool obeyRotation(const Command& command);
@@ -132,25 +156,33 @@ class ServerSession {
   bool obeyDevices(const Command& command);
   bool obeySimulator(const Packet& packet);
   void obeySimulatorControl(const Packet& packet);
+  /// Adds a request to the simulator; dropped if there are too many.
   void ask(SimulatorRequest request);
+  /// Adds an outgoing packet; dropped if it is not allowed or if there are too many.
   void send(Packet packet);
   Subscription& subscription(Subscribable which) { return client_.subscriptions[which]; }
 
+  /// Stops the robot if the client has been silent for too long.
   void checkWatchdog(Instant now);
   void checkBumpers(const RobotSensing& sensing);
+  /// The encoders and, if the robot uses it, the gyroscope.
   MotionController::Wheels wheelsOf(const RobotSensing& sensing) const;
   void fireSonars(RangeFinders& ranges, Instant now);
   void readGyroscope(const RobotSensing& sensing, Instant now);
+  /// Sends the packets of a cycle in the order that clients expect.
   void sendCycle(const RobotSensing& sensing, RangeFinders& ranges);
+  /// Sends the subscribed packets that come after the information packet.
   void sendRequested(const RobotSensing& sensing);
 
   const ServerSettings settings_;
   State state_ = State::kWaiting;
-  int syncs_ = 0;  ///< of a handshake that have come
+  /// How many SYNCs of the handshake have arrived.
+  int syncs_ = 0;
   MotionController motion_;
   SonarFiring sonars_;
   LaserService laser_;
   ClientState client_;
+  /// Empty before the first step.
   std::optional<Instant> lastStep_;
   Instant lastHeard_, nextCycle_;
   bool starved_ = false;

@@ -9,19 +9,21 @@
 
 namespace robotlink::arcos {
 
-/// What a robot's microcontroller says of itself, and how it does what its clients may choose between. SI
-/// units and radians.
+/// The properties of a robot that its microcontroller reports, and the variants of its behavior. SI units and
+/// radians. A plain value.
 ///
-/// The names are those by which unmodified clients take it for a simulator: ARIA looks for the serial number
-/// SIM or the name MobileSim, and knows robots by their subclass.
+/// The default names make unmodified clients recognize a simulator: ARIA looks for the serial number SIM or
+/// the name MobileSim, and identifies robots by their subclass.
 struct ServerSettings {
-  /// Who makes the heading better than skidding wheels can: nobody, the client (who asks for the gyroscope's
-  /// readings), or the robot.
+  /// The source of a heading better than that of the wheels: none, the client (which requests the gyroscope's
+  /// readings), or the robot itself. The values are those of CONFIGpac.
   enum class Gyroscope : std::uint8_t { kNone = 0, kClient = 1, kRobot = 2 };
+  /// The laser that goes over the robot's own line.
   struct Laser {
-    double startAngle = radians(-90.0),
-           endAngle = radians(90.0);  ///< counter-clockwise, of the first and the last reading
-    double maximum = 32.0;            ///< m
+    /// The angles of the first and the last reading, rad, counter-clockwise.
+    double startAngle = radians(-90.0), endAngle = radians(90.0);
+    /// Meters.
+    double maximum = 32.0;
   };
 
   std::string name = "MobileSim";
@@ -29,22 +31,31 @@ struct ServerSettings {
   std::string subclass = "p3at-sh";
   std::string serialNumber = "SIM";
   std::string firmware = "2.9";
-  std::string application = "RobotControl", applicationVersion = "0";  ///< told by SIM_CTRL
+  /// Reported by SIM_CTRL.
+  std::string application = "RobotControl", applicationVersion = "0";
 
   MotionParameters motion;
-  Duration cycle = std::chrono::milliseconds(100);      ///< of the information packets
-  Duration watchdog = std::chrono::milliseconds(2000);  ///< of silence, until it stops
+  /// Interval of the information packets.
+  Duration cycle = std::chrono::milliseconds(100);
+  /// Silence of the client before the robot stops.
+  Duration watchdog = std::chrono::milliseconds(2000);
   bool watchdogStops = true;
 
-  int sonars = 16;                  ///< in arrays of eight
-  double sonarMaximum = 5.0;        ///< m; also what a reading without an echo says
-  bool allSonarsEachCycle = false;  ///< instead of one disc of each array after the other
+  /// In arrays of eight.
+  int sonars = 16;
+  /// In m; also the reading if there is no echo.
+  double sonarMaximum = 5.0;
+  /// All sonars are measured each cycle, rather than one of each array after the other.
+  bool allSonarsEachCycle = false;
+  /// Empty if it has none.
   std::optional<Laser> laser = Laser{};
-  int frontBumpers = 5, rearBumpers = 5;  ///< segments; 0: it has none
+  /// Numbers of bumper segments; 0 if it has none.
+  int frontBumpers = 5, rearBumpers = 5;
   Gyroscope gyroscope = Gyroscope::kClient;
-  double encoderTicks = 138000;  ///< in a metre of the rim's way
-  /// Information packets tell by their number whether the robot moves, as real robots do; MobileSim's never
-  /// do.
+  /// Encoder ticks per meter of the rim's travel.
+  double encoderTicks = 138000;
+  /// Whether the id of information packets tells if the robot moves, as on real robots; MobileSim always uses
+  /// the id for standing.
   bool tellsMotion = true;
 };
 

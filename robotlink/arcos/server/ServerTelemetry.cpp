@@ -17,10 +17,10 @@ constexpr double kGyroCentre = 512, kGyroUnitDeg = 5.0 / 1023 * 300 / 2.5 * 1.62
 constexpr std::uint8_t kImuRange = 3;
 constexpr double kImuRateUnitDeg = 0.01832, kImuTemperatureUnit = 0.1453, kImuTemperatureCentre = 25;
 
-/// Clients take its hundredth for the dilution of precision; 0 says that the position is bad.
+/// Clients use a hundredth of it as the dilution of precision; 0 means that the position is bad.
 constexpr std::int32_t kGoodPosition = 100;
 
-/// Rounded, and limited to what the field holds.
+/// Rounds, and clamps to the range of the field.
 template <typename T>
 T rounded(double value) {
   if (!std::isfinite(value)) return 0;
@@ -29,7 +29,7 @@ T rounded(double value) {
   return static_cast<T>(std::clamp(std::round(value), low, high));
 }
 
-/// Rounded, and counted on from the other end past the field's: what an odometry does.
+/// Rounds, and wraps around at the limits of the field, as an odometry does.
 template <typename T>
 T wrapped(double value) {
   if (!std::isfinite(value)) return 0;
@@ -103,7 +103,7 @@ Configuration configurationOf(const ServerSettings& settings, const MotionParame
   c.frontSonar = settings.sonars > 0;
   c.rearSonar = settings.sonars > SonarFiring::kDiscsOfArray;
   c.lowBatteryDecivolts = rounded<std::uint16_t>(kLowVoltage * 10);
-  // A turn by half a circle, in ticks over 4; manufacturer's relation of track and ticks.
+  // Ticks of a half turn, divided by 4; the manufacturer's relation of track and ticks.
   c.revCount = rounded<std::uint16_t>(kPi * now.track * settings.encoderTicks / 8);
   c.watchdogMs = rounded<std::uint16_t>(seconds(settings.watchdog) * 1000);
   c.stallValue = 200;
@@ -170,7 +170,7 @@ EncoderPacket encodersOf(const ServerSettings& settings, const RobotSensing& sen
 
 IoPacket ioOf(const ServerSettings& settings, const RobotSensing& sensing, const ServerReport& report) {
   IoPacket io;
-  // Bumpers are pulled high, and low where something presses; infrared sensors there are none.
+  // Bumper inputs are high, and low while pressed; there are no infrared sensors.
   const auto raw = [](unsigned pressed) { return static_cast<std::uint8_t>(~(pressed << 1U)); };
   io.digitalIn = {0xFF, raw(segments(sensing.frontBumpers, settings.frontBumpers)),
                   raw(segments(sensing.rearBumpers, settings.rearBumpers)), 0xFF};

@@ -9,30 +9,37 @@
 #include "robotlink/arcos/server/ServerSettings.h"
 #include "robotlink/arcos/server/SonarFiring.h"
 
-// What a robot's microcontroller says of itself, as the packets of the wire: from SI units and radians to
-// those of a p3at-sh. Pure functions; only this folder's sources and tests include this.
+// The state of a robot's microcontroller as packets: converts SI units and radians to the units of a p3at-sh.
+// Pure functions; internal to this folder and its tests.
 namespace robotlink::arcos {
 
-/// What information packets tell of the server's own state.
+/// Values for information packets that are neither sensor readings nor motion.
 struct ServerReport {
-  std::map<int, double> sonars;  ///< m, by number: those measured since the last packet
-  double battery = 0;            ///< V
+  /// Ranges measured since the last packet, m, by sonar.
+  std::map<int, double> sonars;
+  /// Volts.
+  double battery = 0;
   std::uint8_t digitalOut = 0;
 };
 
+/// The reply to SYNC2.
 Identity identityOf(const ServerSettings& settings);
-/// The parameters as they are now, the tops and what never changes.
+/// The current parameters together with the constant ones.
 Configuration configurationOf(const ServerSettings& settings, const MotionParameters& now);
+/// The information packet of a cycle.
 StandardInformation informationOf(const ServerSettings& settings, const RobotSensing& sensing,
                                   const MotionController& motion, const SonarFiring& sonars,
                                   const ServerReport& report);
 EncoderPacket encodersOf(const ServerSettings& settings, const RobotSensing& sensing);
 IoPacket ioOf(const ServerSettings& settings, const RobotSensing& sensing, const ServerReport& report);
-/// One reading of a gyroscope as ARIA understands it with a p3at-sh's factors.
+/// A reading of the gyroscope, scaled so that ARIA decodes it with the factors of a p3at-sh.
 GyroPacket::Reading gyroReadingOf(const RobotSensing& sensing);
+/// One reading of an inertial measurement unit: only the rotation rate and the temperature vary.
 ImuPacket imuOf(const RobotSensing& sensing);
 BatteryPacket batteryOf(const RobotSensing& sensing);
+/// The reply to SIM_STAT: the true pose and, if known, global position and odometry error.
 SimulatorStatus statusOf(const ServerSettings& settings, const RobotSensing& sensing);
+/// The reply to SIM_CTRL 6.
 SimulatorInfo infoOf(const ServerSettings& settings);
 
 }  // namespace robotlink::arcos

@@ -68,7 +68,7 @@ bool SonarFiring::anyOn() const {
 std::vector<int> SonarFiring::due(Instant now) {
   std::vector<int> discs;
   if (now < next_) return discs;
-  // Rounds that nobody asked for in time are left out: their echoes are gone.
+  // Rounds that were missed are skipped: their echoes are gone.
   const auto late = (now - next_) / period_;
   next_ += period_ * (late + 1);
   for (int i = 0; i < arrays_; ++i) {

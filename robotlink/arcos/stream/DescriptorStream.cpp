@@ -42,7 +42,7 @@ DescriptorStream::Wait DescriptorStream::waitFor(short events, Duration timeout)
     const timespec limit{whole.count(), (left - whole).count()};
     const int ready = ::ppoll(polled.data(), polled.size(), &limit, nullptr);
     if (ready == 0) return Wait::kTimedOut;
-    // A line that hangs up is ready, too: the next read or write says why.
+    // A line that was hung up is ready, too: the next read or write returns the reason.
     if (ready > 0 && polled[0].revents != 0) return Wait::kReady;
   }
 }
@@ -103,7 +103,7 @@ Result<void> DescriptorStream::write(std::span<const std::uint8_t> bytes) {
 void DescriptorStream::close() {
   closed_ = true;
   const std::uint64_t one = 1;
-  // Fails only if the counter is full, and then who waits is awake already.
+  // Fails only if the counter is at its maximum; then the waiting thread is awake already.
   [[maybe_unused]] const auto written = ::write(wake_, &one, sizeof one);
 }
 

@@ -7,10 +7,10 @@
 
 namespace robotlink::arcos {
 
-/// A line over a file descriptor of the operating system, which a TcpStream or a SerialStream opened with
-/// Boost.Asio. Asio's own objects may not be used by two threads at once; poll(2) lets one read with a time
-/// limit while another writes. The destructor gives the descriptor back; close() does not, since another
-/// thread may be about to use it.
+/// A line over a file descriptor, the base of TcpStream and SerialStream, which open it with Boost.Asio.
+/// Asio's objects must not be used by two threads at once; with poll(2) one thread can read with a time limit
+/// while another one writes. The descriptor is closed by the destructor, not by close(), because another
+/// thread may still be using it.
 class DescriptorStream : public ByteStream {
  public:
   ~DescriptorStream() override;
@@ -23,22 +23,25 @@ class DescriptorStream : public ByteStream {
   std::string address() const final { return address_; }
 
  protected:
-  /// Owns `descriptor`, and makes it non-blocking.
+  /// Takes ownership of `descriptor` and makes it non-blocking.
   DescriptorStream(int descriptor, std::string address);
   int descriptor() const { return descriptor_; }
 
  private:
+  /// The result of waiting for the descriptor.
   enum class Wait { kReady, kTimedOut, kClosed };
   Wait waitFor(short events, Duration timeout) const;
   tl::unexpected<Error> closedHere() const;
   tl::unexpected<Error> failed(int error) const;
 
-  /// The sentence about a far end that went; `error` is an errno, or 0 where it went in good order.
+  /// The sentence about the loss of the far end; `error` is an errno, or 0 if it closed the line properly.
   virtual std::string describeLoss(int error) const = 0;
+  /// One call of the system's write function; returns -1 with errno set on failure.
   virtual ssize_t writeSome(std::span<const std::uint8_t> bytes) = 0;
 
   const int descriptor_;
-  const int wake_;  // an eventfd that wakes who waits when the line is closed
+  /// An eventfd that wakes up waiting threads when the line is closed.
+  const int wake_;
   const std::string address_;
   std::atomic<bool> closed_ = false;
 };

@@ -8,10 +8,10 @@
 
 namespace robotlink::arcos {
 
-/// Two lines joined in memory: what is written to one is read from the other. For tests, and for programs
-/// that have both ends. Each direction holds kMemoryStreamBytes; what does not fit is refused at once
-/// ("stream.busy"), none of it is written. When an end is closed or destroyed, the other still reads what is
-/// under way, then "stream.lost". `name` is their address.
+/// A pair of lines connected in memory: what is written to one is read from the other. For tests, and for
+/// programs that contain both ends. Each direction holds kMemoryStreamBytes; a write that does not fit is
+/// refused as a whole ("stream.busy"). When an end is closed or destroyed, the other end still reads the
+/// remaining bytes, then gets "stream.lost". `name` is the address of both.
 inline constexpr std::size_t kMemoryStreamBytes = 1 << 20;
 std::pair<std::unique_ptr<ByteStream>, std::unique_ptr<ByteStream>> memoryStreams(
     const std::string& name = "memory");

@@ -26,7 +26,7 @@ std::string firstLine(const fs::path& file) {
   return line;
 }
 
-/// What a USB device says of itself; its port is a few folders below it. Empty if there is none.
+/// The description of a USB device, which is a few folders above its port. Empty if there is none.
 std::string describeUsb(fs::path folder) {
   for (int up = 0; up < 5 && folder.has_relative_path(); ++up, folder = folder.parent_path()) {
     const std::string product = firstLine(folder / "product");
@@ -49,7 +49,7 @@ std::optional<Found> inspect(const fs::path& tty) {
     const std::string usb = describeUsb(device);
     return Found{PortKind::kAdapter, name, usb.empty() ? "USB serial adapter" : usb};
   }
-  // The kernel keeps ttyS0 to ttyS3 whether or not there is hardware; then their type is 0.
+  // The kernel lists ttyS0 to ttyS3 whether or not there is hardware; without it their type is 0.
   if (firstLine(tty / "type") == "0") return std::nullopt;
   return Found{PortKind::kBuiltIn, name, "built-in serial port"};
 }

@@ -7,16 +7,18 @@
 
 namespace robotlink::arcos {
 
-/// A serial port of this machine, for people to choose.
+/// A serial port of this machine.
 struct SerialPort {
-  std::string device;       // "/dev/ttyUSB0"
-  std::string description;  // "FTDI FT232R USB UART (A50285BI)", or "built-in serial port"
+  /// The device's path: "/dev/ttyUSB0".
+  std::string device;
+  /// For users: "FTDI FT232R USB UART (A50285BI)", or "built-in serial port".
+  std::string description;
   bool operator==(const SerialPort&) const = default;
 };
 
-/// The serial ports of this machine: adapters first, then Bluetooth, then what is built in, each by number.
-/// Reads what Linux tells in `ttys`, and opens no port; ports without hardware are left out. Blocks for as
-/// long as reading a few small files takes.
+/// Lists the serial ports of this machine: adapters first, then Bluetooth, then built-in ports, each sorted
+/// by number. Reads the descriptions that Linux provides in `ttys`, and opens no port; ports without hardware
+/// are left out. Cost: reading a few small files.
 std::vector<SerialPort> serialPorts(const std::filesystem::path& ttys = "/sys/class/tty");
 
 }  // namespace robotlink::arcos

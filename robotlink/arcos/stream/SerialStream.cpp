@@ -88,7 +88,8 @@ Result<std::unique_ptr<ByteStream>> openSerial(const SerialAddress& address) {
                    {address.device});
   }
   if (const error_code unfit = configure(port, address.baud)) return notOpened(address.device, unfit);
-  ::tcflush(port.native_handle(), TCIOFLUSH);  // what the line held before is of no use
+  // Discards old data of the line.
+  ::tcflush(port.native_handle(), TCIOFLUSH);
   const int descriptor = ::dup(port.native_handle());
   if (descriptor < 0) return notOpened(address.device, error_code(errno, boost::system::system_category()));
   return std::make_unique<SerialStream>(descriptor, address);

@@ -8,9 +8,9 @@
 
 namespace robotlink::arcos {
 
-/// Opens a serial line to a robot: 8 data bits, no parity, one stop bit, no flow control. Until it is
-/// destroyed no other program that locks devices (flock) gets it. When an adapter was unplugged, reading
-/// fails; open it again when it is back.
+/// Opens a serial line to a robot: 8 data bits, no parity, one stop bit, no flow control. While it is open,
+/// other programs that lock devices (flock) cannot open it. Reading fails when an adapter is unplugged; open
+/// the line again when it is back.
 Result<std::unique_ptr<ByteStream>> openSerial(const SerialAddress& address);
 
 }  // namespace robotlink::arcos

@@ -12,7 +12,7 @@ namespace {
 
 constexpr std::string_view kTcp = "tcp://";
 constexpr std::string_view kSerial = "serial://";
-// Those that ARCOS can be set to.
+// The rates that ARCOS supports.
 constexpr std::array kBauds = {9600, 19200, 38400, 57600, 115200};
 
 tl::unexpected<Error> bad(const std::string& url, const std::string& problem) {
@@ -29,7 +29,8 @@ std::optional<int> toNumber(std::string_view text) {
 Result<StreamUrl> parseTcp(const std::string& url, std::string_view rest) {
   if (rest.ends_with('/')) rest.remove_suffix(1);
   std::string_view host = rest, port;
-  if (rest.starts_with('[')) {  // an IPv6 address has colons of its own
+  // An IPv6 address contains colons.
+  if (rest.starts_with('[')) {
     const auto end = rest.find(']');
     if (end == std::string_view::npos) return bad(url, "the bracket around the IPv6 address is not closed");
     host = rest.substr(1, end - 1);
@@ -79,7 +80,7 @@ Result<StreamUrl> parseUrl(const std::string& text) {
   if (view.starts_with(kTcp)) return parseTcp(text, view.substr(kTcp.size()));
   if (view.starts_with(kSerial)) return parseSerial(text, view.substr(kSerial.size()));
   if (view.starts_with('/')) return parseSerial(text, view);
-  // What has a port can be nothing else.
+  // A text with a port can only be a network address.
   if (view.find("://") == std::string_view::npos && view.find(':') != std::string_view::npos)
     return parseTcp(text, view);
   if (!text.empty() && view.find("://") == std::string_view::npos)

@@ -9,29 +9,36 @@
 
 namespace robotlink::arcos {
 
+/// The port of the first robot, used if the URL has none.
 inline constexpr std::uint16_t kDefaultPort = 8101;
+/// The default rate of ARCOS.
 inline constexpr int kDefaultBaud = 9600;
 
+/// A robot, or its simulator, in the network.
 struct TcpAddress {
+  // A name or an address, without brackets.
   std::string host;
   std::uint16_t port = kDefaultPort;
   bool operator==(const TcpAddress&) const = default;
 };
 
+/// A robot at a serial port.
 struct SerialAddress {
   std::string device;
+  // One of the rates that ARCOS supports.
   int baud = kDefaultBaud;
   bool operator==(const SerialAddress&) const = default;
 };
 
-/// Where a robot is, as people write it: "tcp://HOST[:PORT]" (an IPv6 address in brackets) or
-/// "serial://DEVICE[?baud=RATE]", whose DEVICE is an absolute path. In short "HOST:PORT" and "/dev/ttyUSB0".
+/// The address of a robot as users write it: "tcp://HOST[:PORT]" (an IPv6 address in brackets) or
+/// "serial://DEVICE[?baud=RATE]" with an absolute path as DEVICE. Short forms are "HOST:PORT" and
+/// "/dev/ttyUSB0".
 using StreamUrl = std::variant<TcpAddress, SerialAddress>;
 
-/// The error ("url.bad") says how it should have been written.
+/// Parses a URL; the error ("url.bad") says how to write it.
 Result<StreamUrl> parseUrl(const std::string& text);
 
-/// parseUrl(toString(url)) is url.
+/// The inverse of parseUrl(): parseUrl(toString(url)) is url.
 std::string toString(const StreamUrl& url);
 
 }  // namespace robotlink::arcos

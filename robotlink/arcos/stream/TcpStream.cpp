@@ -27,7 +27,8 @@ class TcpStream final : public DescriptorStream {
   TcpStream(int descriptor, const TcpAddress& address)
       : DescriptorStream(descriptor, toString(address)), endpoint_(endpointOf(address)) {}
 
-  /// The far end sees it at once, even while a thread of this program still reads.
+  /// Shuts the connection down so that the far end notices at once, even while a thread of this program still
+  /// reads.
   void close() override {
     DescriptorStream::close();
     ::shutdown(descriptor(), SHUT_RDWR);

@@ -8,8 +8,8 @@
 
 namespace robotlink::arcos {
 
-/// Connects to a robot, or its simulator, over TCP: to each address of the host in turn, until one answers or
-/// the time is up. Small packets leave at once (no Nagle).
+/// Connects to a robot or its simulator over TCP: tries the host's addresses in turn until one accepts or the
+/// time is up. Small packets are sent immediately (no Nagle).
 Result<std::unique_ptr<ByteStream>> openTcp(const TcpAddress& address, Duration timeLimit);
 
 }  // namespace robotlink::arcos
