@@ -5,8 +5,9 @@
 
 namespace widgets {
 
-/// Edits a parameter in place: a list for enumerations, a text field ("parameterEditor") for the rest. A text
-/// that is no value of the field leaves it as it was.
+/// Edits a parameter of a ParameterModel in place: a combo box for enumerations and bools, a text field for
+/// all other types; both are named "parameterEditor". A text that is no value of the field leaves the
+/// parameter unchanged. GUI thread.
 class ParameterDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:
