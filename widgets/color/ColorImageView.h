@@ -35,7 +35,7 @@ class ColorImageView final : public View {
   explicit ColorImageView(ViewContext& context, QWidget* parent = nullptr);
   ~ColorImageView() override;
 
-  /// Shows the image of the timeline unless it is frozen, pinned or being drawn in.
+  /// Gives the bench the image of the timeline, unless a gesture is in progress, and updates the footer.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;

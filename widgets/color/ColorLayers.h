@@ -35,8 +35,8 @@ QVector<QLineF> outlineOf(const colortool::PixelArea& area);
 /// How sure a table is of each pixel, by ColorTable::cellOf: from black (sure) over red to yellow (another
 /// class is as likely).
 QImage marginImage(const robotlink::ImageView& image, std::span<const std::uint8_t> margins);
-/// The pixels whose classes differ, in the colors of `now`; the others are gray, darkened where `now` has no
-/// class. `image` is the picture below.
+/// The pixels whose classes differ, in the colors of `now` (magenta where it has no class). All others are a
+/// dark gray version of `image`, darker still where they have no class.
 QImage differenceImage(const QImage& image, const robotlink::Image& now, const robotlink::Image& before,
                        std::span<const robotlink::Rgb> classColors);
 /// Darkens all pixels but those whose cells are selected; to be laid over an image
