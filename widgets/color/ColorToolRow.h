@@ -41,7 +41,7 @@ class ColorToolRow final : public QWidget {
   /// A label in the row for the view's use: whether the robot uses the table.
   QLabel* note() { return note_; }
 
-  /// Tool, radius, tolerance and opacity.
+  /// Tool, radius, careful brush, tolerance and opacity.
   QJsonObject saveState() const;
   void restoreState(const QJsonObject& state);
 
@@ -55,7 +55,7 @@ class ColorToolRow final : public QWidget {
   void createTools(QWidget* owner);
   void createControls();
   void createShortcuts(QWidget* owner);
-  /// Enables undo and redo and updates the class button.
+  /// Enables the controls that the tool uses and emits toolChanged().
   void update();
   void updateClass();
 
@@ -66,7 +66,7 @@ class ColorToolRow final : public QWidget {
   QToolButton* class_ = nullptr;
   QMenu* classMenu_ = nullptr;
   QDoubleSpinBox* radius_ = nullptr;
-  /// Of the wand and of the careful brush.
+  /// Color tolerance of the wand.
   QSpinBox* tolerance_ = nullptr;
   QSlider* opacity_ = nullptr;
   QLabel* note_ = nullptr;

@@ -16,8 +16,8 @@ namespace widgets {
 
 /// By the file name's extension only.
 bool isPictureFile(const std::filesystem::path& file);
-/// Reads a picture; errors name the file. Of a .yuyv file the first or second Y of each pair is dropped so
-/// that pixels are square; two neighboring pixels share the mean of their Cb and Cr.
+/// Reads a picture; errors name the file. Of a .yuyv file only the second Y of each pair is used, so that
+/// pixels are square; two neighboring pixels share the mean of their Cb and Cr.
 robotlink::Result<robotlink::Image> readPicture(const std::filesystem::path& file);
 /// These files, and the pictures in these folders sorted by name (not in subfolders). Fails if there is no
 /// picture or a folder cannot be read.

@@ -5,9 +5,9 @@
 
 namespace widgets {
 
-/// Item delegate that paints a cell's text in a color for the share (0 to 1) that the model returns for a
-/// role: good from kGood on, a warning below it, bad below kBad. The text contains the share as well, so
-/// color is not the only cue. GUI thread.
+/// Item delegate that paints a bar behind a cell's text, as long as the share (0 to 1) that the model returns
+/// for a role, and in the color of its meaning: good from kGood on, a warning below it, bad below kBad, where
+/// the whole cell is marked. The text contains the share as well, so color is not the only cue. GUI thread.
 class ShareDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -28,7 +28,7 @@ class TrainingPanel final : public QWidget {
   explicit TrainingPanel(ColorBench& bench, QWidget* parent = nullptr);
 
  Q_SIGNALS:
-  /// A result of "estimate", or what is missing for it.
+  /// What estimating the corrections found out, or what is missing for it.
   void told(const QString& text);
 
  private:
@@ -56,7 +56,7 @@ class TrainingPanel final : public QWidget {
   void set(const Control& control, double value);
   /// Changes the method.
   void setMethod(int index);
-  /// Estimates the corrections from the samples.
+  /// Estimates the corrections of cameras and vignetting from the samples, and switches them on.
   void estimate();
   /// The next change is a step of its own.
   void endGesture() { ++gesture_; }

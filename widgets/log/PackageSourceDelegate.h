@@ -5,7 +5,8 @@
 
 namespace widgets {
 
-/// Chooses where a package comes from; what is not possible is greyed and says why.
+/// Edits the source of a package in a ReplayPackageModel by a combo box. Sources that are not possible are
+/// disabled, with the reason as their tool tip. GUI thread.
 class PackageSourceDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -8,24 +8,30 @@
 
 namespace widgets {
 
-/// Adds primitive shapes to a mesh, each at a pose in the mesh's frame. Metres.
+/// Appends primitive shapes to a mesh, each at a pose in the mesh's frame. Meters; colors are RGBA. The mesh
+/// must outlive the builder.
 class MeshBuilder {
  public:
   using Color = std::array<std::uint8_t, 4>;
 
   explicit MeshBuilder(SceneMesh& to) : to_(to) {}
 
+  /// `size`: lengths along x, y and z.
   void box(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
+  /// `size`: diameters along x, y and z.
   void sphere(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
-  /// Along z; the radii at its ends are those of `size` times the scales.
+  /// Along z. `size`: diameters along x and y, and height. The scales shrink the diameters at both ends.
   void cylinder(const robotlink::Pose3& pose, const robotlink::Vector3& size, double bottomScale,
                 double topScale, Color color);
-  /// Three points for each triangle. `colors` has one for each triangle.
+  /// Three corners per triangle, counterclockwise as seen from outside; one color per triangle.
   void triangles(std::span<const robotlink::Vector3> corners, std::span<const Color> colors);
 
  private:
+  /// Appends a vertex and returns its index.
   std::uint32_t add(const robotlink::Vector3& position, const robotlink::Vector3& normal, Color color);
+  /// Appends a triangle of three vertices.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  /// Appends the lid of a cylinder at height `z`.
   void disc(const robotlink::Pose3& pose, const robotlink::Vector3& size, double z, double scale,
             Color color);
 
