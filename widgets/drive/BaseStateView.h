@@ -39,10 +39,12 @@ class BaseStateView final : public View {
   void restoreState(const QJsonObject& state) override;
 
  private:
+  /// Motors, sonars, reset of the odometry.
   void createActions();
   /// The rows of the groups base, motion and line.
   void createRows();
   void createViews();
+  /// Choice of the robot, and the buttons of the actions.
   QWidget* createToolRow();
   void connectSignals();
   /// Sends a request to the base; a refusal is shown.
@@ -67,7 +69,9 @@ class BaseStateView final : public View {
   PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QAction *motors_ = nullptr, *sonar_ = nullptr, *resetOdometry_ = nullptr;
+  /// A row of base_.
   BatteryGauge* battery_ = nullptr;
+  /// The groups of rows.
   StateRows *base_ = nullptr, *motion_ = nullptr, *link_ = nullptr;
   /// The reason of the last refusal; hidden without one.
   QLabel* problem_ = nullptr;

@@ -73,13 +73,16 @@ class ConnectDialog final : public QDialog {
   void createViews();
   /// The choice between TCP and serial with a page for each.
   QWidget* createKinds();
+  /// Page with host and port.
   QWidget* createTcp();
+  /// Page with serial port and baud rate.
   QWidget* createSerial();
   QWidget* createMap();
   QWidget* createLayouts();
   void connectSignals();
   /// Fills the list of serial ports; the typed text is kept.
   void listPorts();
+  /// Fills the list of the address field with the recent addresses.
   void listRecent();
   /// Sets the fields from the address, and says what it means.
   void readAddress();
@@ -95,12 +98,14 @@ class ConnectDialog final : public QDialog {
   robotlink::Session& session_;
   robotlink::CommandTable& commands_;
   Choices choices_;
+  /// See recent().
   QStringList recent_;
   /// Requests that the robots' LinkStatus is published.
   PackageWish wish_;
   /// The address that is being connected to; empty: none.
   QString wanted_;
   QComboBox *address_ = nullptr, *port_ = nullptr, *baud_ = nullptr, *layout_ = nullptr;
+  /// What the address means, and the state of the connection.
   QLabel *meaning_ = nullptr, *state_ = nullptr;
   QRadioButton *tcp_ = nullptr, *serial_ = nullptr;
   QStackedWidget* pages_ = nullptr;

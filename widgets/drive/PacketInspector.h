@@ -49,10 +49,12 @@ class PacketInspector final : public View {
   void createFilters();
   void createViews();
   void createTable();
+  /// The row with filters and buttons.
   QWidget* createBar();
   /// The row with the file's name and the replay; hidden while the packets are live.
   QWidget* createFileBar();
   void connectSignals();
+  /// Connects the controls of the filters with the proxy.
   void connectFilters();
 
   /// Starts over when another robot is selected.
@@ -69,6 +71,7 @@ class PacketInspector final : public View {
   void send(const std::vector<std::string>& packets);
   /// Copies the selected rows with their bytes.
   void copy();
+  /// Asks for a file, then saveConversation() or openConversation().
   void save();
   void open();
   /// Updates the counts and the hint of an empty table.

@@ -32,7 +32,9 @@ class RadarView final : public View {
  private:
   void createActions();
   void createViews();
+  /// Choice of the robot and buttons.
   QWidget* createToolRow();
+  /// Time, nearest echoes, position of the cursor, and range.
   QWidget* createFooter();
   void connectSignals();
   /// The drawings in the robot's frame.

@@ -20,10 +20,12 @@ class MeshBuilder {
   void box(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
   /// `size`: diameters along x, y and z.
   void sphere(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
-  /// Along z. `size`: diameters along x and y, and height. The scales shrink the diameters at both ends.
+  /// Along z. `size`: diameters along x and y, and height. The diameters at the lower and upper end are
+  /// multiplied by the scales.
   void cylinder(const robotlink::Pose3& pose, const robotlink::Vector3& size, double bottomScale,
                 double topScale, Color color);
-  /// Three corners per triangle, counterclockwise as seen from outside; one color per triangle.
+  /// Three corners and one color per triangle. Normals are smooth where triangles meet at an angle below 40
+  /// degrees.
   void triangles(std::span<const robotlink::Vector3> corners, std::span<const Color> colors);
 
  private:
