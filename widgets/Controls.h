@@ -18,9 +18,6 @@ class QWidget;
 // tool tip that names its shortcut. All controls are children of the parent that is passed in. GUI thread.
 namespace widgets {
 
-// The controls that views have in common, made in one way: each with an object name for tests and scripts, an
-// accessible name and a tool tip that names its key. All of them belong to the parent given.
-
 /// The texts that identify a control.
 struct ControlText {
   /// Object name. Tests and scripts find the control by it, so it never changes and is never translated.

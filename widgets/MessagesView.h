@@ -88,8 +88,7 @@ class MessagesView final : public View {
   std::uint64_t generation_ = 0;
   OpenLogs& logs_;
   /// The texts and offsets of the logs that are listed, to detect a change.
-  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>>
-      listed_;  // of the logs, with offsets
+  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>> listed_;
   /// Keys of the messages that the open logs hold, so that a message is not listed again when it is played.
   std::set<std::string> logged_;
   /// The instant whose row was selected last.

@@ -9,8 +9,6 @@ class QWidget;
 // Saving and copying the pictures that views show. GUI thread.
 namespace widgets {
 
-// What views do with the pictures that they show.
-
 /// Writes a PNG file, whole or not at all. False, after a message box over `view`, if the picture is null or
 /// the file cannot be written.
 bool savePicture(QWidget* view, const QImage& picture, const QString& file);

@@ -16,8 +16,6 @@
 // What is painted over and beside an image of the color tool. Pure functions; any thread.
 namespace widgets {
 
-// What is painted over and beside an image of the colour tool. Pure functions; any thread.
-
 /// The outline of a stroke in its image.
 struct StrokeMark {
   /// The color of its class.

@@ -11,8 +11,6 @@
 // The sources of reference tables. Any thread, unless said otherwise.
 namespace widgets {
 
-// Where tables to compare with come from. Any thread, unless they say otherwise.
-
 /// Reads a table from a .c64 file or a format of another team. Cells of several classes get the first one.
 /// Fails if the file is no table, with all problems, one per line.
 robotlink::Result<ReferenceTable> readReference(const std::filesystem::path& file);

@@ -20,8 +20,6 @@
 // threads.
 namespace widgets {
 
-// What is asked of a picture of a colour space, and what comes back: values that threads hand over.
-
 /// What can be shown. Immutable.
 struct ColorSpaceContents {
   /// The image whose pixels are shown; null: none.

@@ -11,9 +11,6 @@
 // per row). All functions can be called from any thread.
 namespace widgets {
 
-// Pictures in files: PNG, JPEG, and .yuyv, which is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr. All functions
-// from any thread.
-
 /// By the file name's extension only.
 bool isPictureFile(const std::filesystem::path& file);
 /// Reads a picture; errors name the file. Of a .yuyv file only the second Y of each pair is used, so that

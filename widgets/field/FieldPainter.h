@@ -14,9 +14,6 @@ struct FieldDescription;
 // which `fieldToWidget` maps.
 namespace widgets {
 
-// Pure functions that paint a field from above, from its description only. The painter's coordinates are
-// those of `fieldToWidget`'s target.
-
 /// Length and width in m of everything that belongs to a field, with a small margin.
 QSizeF fieldExtent(const robotlink::FieldDescription& field);
 /// Paints carpet, lines, goals and landmarks.

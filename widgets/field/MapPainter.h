@@ -18,8 +18,6 @@ class GroundMap;
 // field's frame.
 namespace widgets {
 
-// Pure functions that paint the map of a building from above.
-
 /// Everything that a map covers with a margin of half a meter, in m; top() is the smallest y. Linear in the
 /// size of the map.
 QRectF mapExtent(const robotcontrol::GroundMap& map);

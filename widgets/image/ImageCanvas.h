@@ -21,6 +21,7 @@ class ImageCanvas final : public QWidget {
 
   /// `keep`: the messages that own the annotations of the picture's drawings.
   void setPicture(ImagePicture picture, std::vector<robotlink::PackagePtr> keep);
+  /// The picture as it was set.
   const ImagePicture& picture() const { return picture_; }
   /// Text in the middle while there is no picture.
   void setHint(const QString& hint);
@@ -28,6 +29,7 @@ class ImageCanvas final : public QWidget {
   void setFrozen(bool frozen);
 
   const ImageViewport& viewport() const { return viewport_; }
+  /// Emits viewportChanged() if it differs.
   void setViewport(const ImageViewport& viewport);
   /// Zooms around the middle.
   void zoomBy(double factor);
@@ -57,11 +59,15 @@ class ImageCanvas final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// Size of the image in pixels; empty without a picture.
   QSizeF imageSize() const { return picture_.pixels.size(); }
+  /// Moves the image by widget pixels.
   void panBy(const QPointF& by);
   /// Finds the pixel under the cursor.
   void updatePixel();
+  /// Emits pixelChanged() if it differs.
   void setPixel(std::optional<QPoint> pixel);
+  /// Fills what the image does not cover.
   void paintBackground(QPainter& painter) const;
 
   ImagePicture picture_;

@@ -27,8 +27,6 @@ struct ImagePicture {
   std::vector<Drawing> drawings;
 };
 
-// Pure functions: they look the same on a widget and on a QImage.
-
 /// Paints the picture into a widget of this size at the painter's origin: pixels, from a certain zoom on with
 /// a grid between them, and the drawings. Pure, like the following functions; looks the same on a widget and
 /// on a QImage.

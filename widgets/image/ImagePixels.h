@@ -20,8 +20,10 @@ QImage toQImage(const robotlink::ImageView& image, std::span<const robotlink::Rg
 
 /// One pixel as the user reads it.
 struct PixelValue {
+  /// Position in the image, pixels.
   int x = 0;
   int y = 0;
+  /// Its color as it is shown.
   robotlink::Rgb rgb;
   /// Only of images in YCbCr.
   std::optional<robotlink::YCbCr> ycbcr;

@@ -45,9 +45,12 @@ class ImageView final : public View {
   bool savePicture(const QString& file, bool withDrawings);
 
  private:
+  /// Zoom, freeze, drawings, copy and save.
   void createActions();
   void createViews();
+  /// Choice of the stream, and buttons.
   QWidget* createToolRow();
+  /// Time, pixel, state and zoom.
   QWidget* createFooter();
   void connectSignals();
 

@@ -34,6 +34,7 @@ class StreamChoice final : public QComboBox {
   void choiceChanged();
 
  private:
+  /// Full name of the message type.
   std::string type_;
   QString choice_;
   /// The store's list of streams and the selected robot that the combo box shows.

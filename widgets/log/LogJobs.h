@@ -14,8 +14,6 @@
 // become the outcome's text.
 namespace widgets {
 
-// What can be done to logs beside looking at them. Each function returns work for a LogJob.
-
 /// A closed range of times; unset: the whole log.
 using LogRange = std::optional<std::pair<robotlink::Instant, robotlink::Instant>>;
 

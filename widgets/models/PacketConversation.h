@@ -14,9 +14,6 @@ namespace widgets {
 
 class PacketModel;
 
-// Between tables of packets and recorded conversations. Times of a conversation count from the beginning of
-// its connection.
-
 /// Converts all rows. If they do not begin with a new connection, one is added at the first row.
 robotlink::arcos::Conversation conversationOf(const PacketModel& model);
 /// Connections follow each other in time; the first begins at instant 0.

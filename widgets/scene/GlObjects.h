@@ -15,10 +15,6 @@
 // needed in sources only.
 namespace widgets {
 
-// Objects of OpenGL that delete themselves. All of them belong to the thread in which their context is
-// current, and must go before it does. Names of OpenGL are plain unsigned numbers, so that its header stays
-// out of this one.
-
 /// A linked program of a vertex and a fragment shader.
 class GlProgram {
  public:

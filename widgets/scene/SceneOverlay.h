@@ -12,8 +12,6 @@ namespace widgets {
 struct SceneCamera;
 struct SceneLabel;
 
-// What is painted over a picture of a scene. Pure functions.
-
 /// Paints texts at their places; those behind the camera are left out.
 void paintLabels(QPainter& painter, const QSizeF& widget, const SceneCamera& camera,
                  const std::vector<SceneLabel>& labels);

@@ -5,9 +5,6 @@
 // turns the picture upside down, so that the row that is read first is the upper one.
 namespace widgets::shaders {
 
-// GLSL 3.30. All matrices are as Eigen stores them; `projection` turns the picture upside down, so that the
-// row which is read first is the upper one.
-
 /// The sky: a triangle over the whole picture.
 inline constexpr char kSkyVertex[] = R"(#version 330 core
 out float height;
