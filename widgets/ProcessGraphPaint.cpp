@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a ProcessGraph is drawn: a pure function of the graph, the look and the palette.
+// Painting of a ProcessGraph: a pure function of the graph, the look and the palette.
 #include <QPainter>
 #include <QPainterPath>
 
@@ -30,7 +30,7 @@ QPainterPath edgePath(const ProcessGraph& graph, const ProcessGraph::Edge& edge)
     path.cubicTo(start + QPointF(bow, 0), end - QPointF(bow, 0), end);
     return path;
   }
-  // Against the flow: below everything, so that it crosses nothing.
+  // Edges against the flow run below all nodes, so that they cross nothing.
   const double low = graph.bounds.bottom() - 24, side = GraphSizes::kColumnGap / 2;
   const QPointF turn(start.x(), low), back(end.x(), low);
   path.cubicTo(start + QPointF(side, 0), turn + QPointF(side, 0), turn);
@@ -57,8 +57,8 @@ void paintEdge(QPainter& painter, const ProcessGraph& graph, const ProcessGraph:
 
 void paintPort(QPainter& painter, const ProcessGraph::Port& port, bool output, const QPalette& palette) {
   const QRectF row = port.rect.adjusted(kMargin, 0, -kMargin, 0);
-  // Where a process does not keep up, that is what one wants to know; the rate stands at the sender and in
-  // the tool tip.
+  // Where a process misses packages their number is shown instead of the rate, which the sender and the tool
+  // tip show as well.
   const bool lossy = !output && port.falls;
   const QString figures = lossy ? ProcessGraphWidget::tr("%1 missed").arg(port.missed) : rateText(port.rate);
   const double width = painter.fontMetrics().horizontalAdvance(figures);

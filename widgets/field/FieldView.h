@@ -40,9 +40,12 @@ class FieldView final : public View {
   bool savePicture(const QString& file);
 
  private:
+  /// Zoom, rotation, trails, drawings, placing, copy and save.
   void createActions();
   void createViews();
+  /// Choice of the robots, and buttons.
   QWidget* createToolRow();
+  /// Time, position of the cursor, and zoom.
   QWidget* createFooter();
   void connectSignals();
   /// Connects dragging of models with ModelDrag.
@@ -56,6 +59,7 @@ class FieldView final : public View {
   void updateGround();
   /// Passes paths and goals to the canvas.
   void updateGoals(const std::vector<RobotBelief>& beliefs);
+  /// What the canvas paints.
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
   /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
@@ -68,14 +72,17 @@ class FieldView final : public View {
   /// Turns the picture by 90 degrees.
   void turn();
 
+  /// The true poses.
   SceneState scene_;
   Trails trails_;
+  /// The model that is being dragged.
   ModelDrag drag_;
   DrawingsModel* drawings_ = nullptr;
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
   /// The last title that was emitted.
   QString title_;
+  /// What noticeOf() returned last.
   QString placeNotice_;
   /// Requests that the packages shown here are published.
   PackageWish wish_;

@@ -11,7 +11,7 @@ namespace {
 
 namespace arcos = robotlink::arcos;
 
-/// The one packet that the bytes are, or what is wrong with them.
+/// Parses bytes that should be exactly one packet. Returns the packet or the damage.
 arcos::PacketParser::Found parse(const std::string& bytes) {
   arcos::Damage whole;
   whole.bytes.assign(bytes.begin(), bytes.end());
@@ -25,13 +25,13 @@ arcos::PacketParser::Found parse(const std::string& bytes) {
   if (!found) return whole;
   if (const auto* packet = std::get_if<arcos::Packet>(&*found)) {
     if (packet->count() + 3 == bytes.size()) return *packet;
-    return whole;  // more than one packet, or something behind it
+    return whole;  // more than one packet, or trailing bytes
   }
   whole.kind = std::get<arcos::Damage>(*found).kind;
   return whole;
 }
 
-/// What a packet says behind its name, which has a column of its own; where that is nothing, what it is for.
+/// The contents of a packet without its name, which has a column of its own; if it has none, its purpose.
 QString saying(const arcos::PacketDescription& description) {
   std::string line = description.line(240);
   if (line.starts_with(description.name)) line.erase(0, description.name.size());
