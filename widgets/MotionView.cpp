@@ -230,8 +230,8 @@ void MotionView::switchMotors(bool on) {
   request.mutable_control_drive()->set_motors(on);
   ask(session(), robot_, std::move(request));
   const auto* state = driveState();
-  motors_->defaultAction()->setChecked(
-      state != nullptr && state->motors_on());  // the button shows what the base reports, not the click
+  // The button shows what the base reports, not what was clicked.
+  motors_->defaultAction()->setChecked(state != nullptr && state->motors_on());
 }
 
 void MotionView::tick() {

@@ -104,7 +104,7 @@ void ColorCompareView::createViews() {
   const char* texts[] = {"____robotBlue", "262144_", "none 12345, …", "262144_", "none 12345, …", "262144_"};
   for (int column = 0; column < TableDifferenceModel::kAfter; ++column)
     header.resizeSection(column, textWidth(*table_, QString::fromUtf8(texts[column])));
-  // What came from where, and went where, takes the room there is.
+  // The columns with names of classes share the remaining width.
   for (const int column : {TableDifferenceModel::kFrom, TableDifferenceModel::kTo})
     header.setSectionResizeMode(column, QHeaderView::Stretch);
   header.resizeSection(TableDifferenceModel::kAfter, textWidth(*table_, QStringLiteral("262144_")));
@@ -154,7 +154,7 @@ void ColorCompareView::tell(const QString& problem) {
   problem_->setVisible(!problem.isEmpty());
 }
 
-// What is compared with.
+// The reference.
 
 void ColorCompareView::askForFile() {
   auto* dialog = new QFileDialog(this, tr("Compare with a colour table"), files_.folder(),
@@ -180,7 +180,7 @@ void ColorCompareView::takeStep(std::size_t position) {
     training_ = {};
     bench_.setReference(referenceOfNow(bench_));
   } else {
-    // With some methods this takes a second.
+    // Some training methods take a second.
     training_ = std::async(std::launch::async, trainedReference, document.samplesAt(position),
                            stepName(document, position));
   }
@@ -230,7 +230,7 @@ void ColorCompareView::compare() {
   }
   name_->setText(tr("Compared with %1").arg(reference.name));
   name_->setToolTip(reference.name);
-  // What was selected here stays what it says, as long as nothing else was selected since.
+  // A selection made here follows the new difference, unless something else was selected since.
   const bool follows = selected_ && bench_.hasSelection() && bench_.selection() == *selected_;
   model_.setDifference(std::make_shared<const colortool::TableDifference>(
       *reference.table, reference.classes, *colors->table, colors->samples.classes));

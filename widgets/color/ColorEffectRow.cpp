@@ -17,7 +17,7 @@ namespace {
 
 constexpr std::size_t kMostOtherImages = 8;
 constexpr std::size_t kMostLossesShown = 3;
-/// What is shown as a warning.
+/// Share of a class from which on a loss is shown as a warning.
 constexpr double kLargeLoss = 0.1;
 
 }  // namespace
@@ -62,7 +62,7 @@ void ColorEffectRow::followSamples() {
   const auto& strokes = bench_.samples().strokes;
   const std::uint64_t last = strokes.empty() ? 0 : strokes.back()->id;
   if (drawing_ && last > lastBefore_) stroke_ = last;
-  // Undone, removed, or another one was made otherwise: there is nothing to be said any more.
+  // The stroke was undone or removed, or another one was added: there is nothing to report any more.
   if (!drawing_ && (last != stroke_ || stroke_ == 0)) {
     before_.reset();
     hide();

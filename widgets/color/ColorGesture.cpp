@@ -61,7 +61,7 @@ void ColorGesture::touch(const ColorImage& image) {
       break;
     case ColorTool::kBrush:
     case ColorTool::kEraser: {
-      // Only the last piece of the way is new.
+      // Only the last segment of the path is new.
       const std::size_t last = std::min<std::size_t>(way_.size(), 2);
       const std::span piece(way_.end() - static_cast<std::ptrdiff_t>(last), way_.end());
       const bool careful = options_.careful && options_.tool == ColorTool::kBrush;

@@ -11,7 +11,7 @@ namespace widgets {
 namespace {
 
 constexpr double kPerPixel = 0.0085;  // rad
-constexpr double kFit = 0.57;         // of the shorter side: the cube's side
+constexpr double kFit = 0.57;         // side of the cube as a share of the widget's shorter side
 constexpr double kHighest = std::numbers::pi / 2;
 constexpr double kFarthestPan = 20;
 

@@ -14,10 +14,10 @@
 namespace widgets {
 namespace {
 
-constexpr double kKeyStep = 24;  // pixels of a drag that an arrow key is worth
+constexpr double kKeyStep = 24;  // an arrow key is a drag by this many pixels
 constexpr double kKeyZoom = 1.25;
-constexpr int kStillTicks = 6;  // after which a picture is worth some effort
-constexpr int kReach = 3;       // pixels around the cursor in which a cell is looked for
+constexpr int kStillTicks = 6;  // without a change, after which a smooth picture is requested
+constexpr int kReach = 3;       // pixels; cells are searched this far from the cursor
 
 }  // namespace
 
@@ -33,7 +33,7 @@ ColorSpaceCanvas::ColorSpaceCanvas(QWidget* parent)
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 90);
-  // A queued call into this thread; it is dropped with this widget, which outlives the thread.
+  // A queued call into the GUI thread; it is dropped if this widget, which outlives the thread, is destroyed.
   const auto finished = [this] {
     QMetaObject::invokeMethod(
         this, [this] { takePicture(); }, Qt::QueuedConnection);
@@ -108,7 +108,7 @@ void ColorSpaceCanvas::takePicture() {
 
 ColorSpaceColors ColorSpaceCanvas::colors() const {
   const bool dark = isDark(palette());
-  // A little grey, so that neither black nor white pixels vanish in it.
+  // A little gray, so that neither black nor white pixels vanish in it.
   const QColor background = mixed(palette().color(QPalette::Base), QColor(128, 128, 128), dark ? 0.32 : 0.1);
   return {background, dark ? QColor(255, 90, 215) : QColor(215, 0, 160)};
 }
@@ -126,7 +126,7 @@ void ColorSpaceCanvas::paint(QPainter& painter) const {
   const ColorSpaceColors theme = colors();
   painter.fillRect(rect(), theme.background);
   if (shown_.image.isNull()) return;
-  // The box goes with the picture, not with what is being drawn.
+  // The box belongs to the picture that is shown, not to the one that is being drawn.
   const ColorSpaceRequest& request = *shown_.request;
   const QColor text = palette().color(QPalette::Text);
   const ColorSpaceBox box{request.look.space, ColorSpaceProjection(request.camera, request.widget),
@@ -249,7 +249,7 @@ void ColorSpaceCanvas::endLasso(Qt::KeyboardModifiers modifiers) {
   if (modifiers.testFlag(Qt::AltModifier)) change = SelectionChange::kTakeAway;
   const QSizeF extent = lasso_.boundingRect().size();
   if (extent.width() + extent.height() > 2 * kReach) return Q_EMIT cellsChosen(cellsInLasso(), change);
-  // A mere click takes the cell that is under it.
+  // A click selects the cell under it.
   colortool::CellSet cells;
   if (const auto cell = pointedCell()) cells.set(*cell);
   Q_EMIT cellsChosen(cells, change);

@@ -6,7 +6,7 @@
 namespace widgets {
 namespace {
 
-/// Of the cube around the origin.
+/// Distance of the cube's corners from the origin.
 constexpr float kFarthestCorner = std::numbers::sqrt3_v<float> / 2;
 
 template <typename Keeps>

@@ -15,7 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int kThumbnailHeight = 54;
-constexpr std::size_t kCacheBytes = 16U << 20U;  // each image is read once
+constexpr std::size_t kCacheBytes = 16U << 20U;  // each image is read only once
 
 std::shared_ptr<const foxglove::RawImage> decoded(const robotlink::StreamMessage& message) {
   if (const auto compressed = std::dynamic_pointer_cast<const foxglove::CompressedImage>(message.value)) {
@@ -27,12 +27,13 @@ std::shared_ptr<const foxglove::RawImage> decoded(const robotlink::StreamMessage
 
 }  // namespace
 
-/// What looks at images.
+/// What the thread needs to examine images.
 struct FrameSearch::Eye {
   colortool::SuspicionMeter meter;
   std::optional<colortool::ImageCorrector> corrector;
   robotlink::Image corrected;
-  std::priority_queue<double, std::vector<double>, std::greater<>> worst;  // scores, the least on top
+  std::priority_queue<double, std::vector<double>, std::greater<>>
+      worst;  // scores of the frames that are kept, lowest on top
 
   explicit Eye(const FrameQuery& query)
       : meter(*query.table,
@@ -148,7 +149,7 @@ bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Durat
     if (found.score > 0) ++progress_.suspicious;
     if (view.empty()) ++progress_.damaged;
     if (frame) found_.push_back(std::move(*frame));
-    // Nobody may take them for a while.
+    // Bounds found_ in case nobody calls take() for a while.
     if (found_.size() > 2 * kMostKept) {
       std::erase_if(found_,
                     [this](const SuspiciousFrame& one) { return one.found.score < eye_->worst.top(); });

@@ -16,16 +16,16 @@ namespace {
 using robotcontrol::GroundMap;
 using Place = GroundMap::Place;
 
-constexpr double kMargin = 0.5;        // m around everything
-constexpr double kPointsApart = 0.02;  // m between the points of a wall
-constexpr double kNamesFrom = 4;       // pixels for a metre: below that names would only cover each other
-constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls grey
+constexpr double kMargin = 0.5;        // margin around everything, m
+constexpr double kPointsApart = 0.02;  // distance between the points of a wall, m
+constexpr double kNamesFrom = 4;   // pixels per meter; at smaller scales names would only cover each other
+constexpr int kSmallestPoint = 2;  // pixels; smaller points would make walls look gray
 
 double scaleOf(const QTransform& transform) {
   return std::hypot(transform.m11(), transform.m12());
 }
 
-/// NaN and endless numbers come from files of others.
+/// Files may contain NaN and infinities.
 bool isFinite(double x, double y) {
   return std::isfinite(x) && std::isfinite(y);
 }
@@ -157,7 +157,7 @@ void paintWalls(QImage& image, const GroundMap& map, const QTransform& toPixels,
   for (const auto& line : map.lines()) {
     if (!isFinite(line.x1() + line.x2(), line.y1() + line.y2())) continue;
     const QLineF mapped = toPixels.map(QLineF(line.x1(), line.y1(), line.x2(), line.y2()));
-    // Lines have no area: QRectF::intersects would miss those along an axis.
+    // A line along an axis has no area, so QRectF::intersects() needs a margin.
     const QRectF box = QRectF(mapped.p1(), mapped.p2()).normalized().adjusted(-1, -1, 1, 1);
     if (box.intersects(seen)) painter.drawLine(mapped);
   }

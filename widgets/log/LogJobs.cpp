@@ -39,12 +39,12 @@ logplayer::ExportOptions exportOptions(const LogRange& range, const Progress& pr
     options.from = range->first;
     options.to = range->second;
   }
-  options.overwrite = true;  // who chose the name was asked
+  options.overwrite = true;  // the file dialog has asked
   options.progress = progress;
   return options;
 }
 
-/// Opens the log and lets `what` export from it.
+/// Opens the log, and exports from it with `what`.
 template <typename What>
 Outcome exported(const std::string& path, const Progress& progress, const char* text,
                  const std::filesystem::path& to, What what) {
@@ -114,7 +114,8 @@ LogJob::Work exportTextsOf(std::string log, LogRange range, std::filesystem::pat
 
 LogJob::Work repairLog(std::string log, std::filesystem::path to) {
   return [log = std::move(log), to = std::move(to)](const Progress& progress) -> Outcome {
-    // The new file must not exist; whoever chose its name was asked whether an old one may go.
+    // repair() requires that the new file does not exist. The file dialog has asked whether it may be
+    // replaced.
     std::error_code error;
     if (std::filesystem::equivalent(log, to, error)) {
       return {false, false, tr("A log is not repaired in place; choose another name."), {}};

@@ -19,7 +19,7 @@ using Stage = LogOverview::Stage;
 namespace {
 
 constexpr std::size_t kMostSaid = 5000, kMaxTexts = 50'000;
-/// What is read here is read once, but for thumbnails, which jump about.
+/// Small, since everything but thumbnails is read only once.
 constexpr std::size_t kCacheBytes = 16U << 20U;
 
 LogEntry logEntry(const robotlink::StreamMessage& message, const foxglove::Log& log) {
@@ -75,7 +75,7 @@ void LogReader::publish(const LogOverview& overview) {
 }
 
 bool LogReader::tell(LogOverview& overview, double share) {
-  // A copy of it all for each percent would cost more than the reading.
+  // Publishing copies the overview; doing so for each percent would take longer than reading.
   if (share - overview.progress >= 0.1 || share < overview.progress) {
     overview.progress = share;
     publish(overview);
@@ -185,7 +185,7 @@ void LogReader::countSizes(LogOverview& overview) {
       if (shown.path == stream.path) shown.bytes = stream.bytes;
     }
   }
-  // What is only found by reading.
+  // Some damage is found only by reading everything.
   overview.damage = QString::fromStdString(log_->damageText());
   overview.stage = Stage::kDone;
   overview.progress = 1;

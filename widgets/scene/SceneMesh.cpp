@@ -91,7 +91,7 @@ void addLines(SceneShape& shape, const LinePrimitive& lines) {
   }
 }
 
-/// Moeller and Trumbore 1997, both sides.
+/// T. Moeller and B. Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), without culling.
 std::optional<double> distanceToTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
                                          const Ray& ray) {
   const Vector3 ab = b - a, ac = c - a;
@@ -123,7 +123,7 @@ SceneShape shapeOf(const foxglove::SceneEntity& entity) {
   }
   for (const auto& cylinder : entity.cylinders()) {
     const Color color = packed(cylinder.color());
-    // Both zero means that neither was set.
+    // If both scales are 0, neither was set.
     const bool unset = cylinder.bottom_scale() == 0 && cylinder.top_scale() == 0;
     MeshBuilder(meshFor(shape, color))
         .cylinder(robotlink::pose3(cylinder.pose()), robotlink::vector3(cylinder.size()),

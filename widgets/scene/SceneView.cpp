@@ -36,7 +36,7 @@ const ViewRegistration kRegistration{
                        "The world in three dimensions, with what the robots draw into it"),
      "scene", true, create<SceneView>}};
 
-constexpr double kWheelsDistance = 4.5;  // m, from which a robot on wheels is seen well
+constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wheels is seen well
 
 }  // namespace
 
@@ -162,7 +162,7 @@ void SceneView::connectCamera() {
     letGo();
     canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), box()));
   });
-  // One of the two at most.
+  // At most one of the two is checked.
   connect(behind_, &QAction::toggled, this, [this](bool on) {
     if (on) follow_->setChecked(false);
     ride();
@@ -219,7 +219,6 @@ SceneContents SceneView::contents(const std::vector<RobotBelief>& beliefs) {
   return contents;
 }
 
-/// The dragged model's bodies, where it is wanted.
 std::vector<SceneBody> SceneView::ghosts(const std::vector<SceneBody>& bodies) const {
   std::vector<SceneBody> ghosts;
   const auto pose = drag_.active() ? scene_.modelPose(drag_.model()) : std::nullopt;
@@ -261,7 +260,7 @@ void SceneView::letGo() {
 }
 
 void SceneView::follow() {
-  // What is dragged would run away from the mouse.
+  // Following would move the dragged model away from the mouse.
   if (drag_.active()) return;
   const auto pose = robotPose();
   if (!pose) return ride_.forget();
@@ -273,7 +272,6 @@ void SceneView::follow() {
   canvas_->setCamera(ride_.step(canvas_->camera(), subject, canvas_->overview()));
 }
 
-/// Of all that belongs to the field, or of the building whose map there is.
 SceneBox SceneView::box() const {
   if (mapBox_) return *mapBox_;
   const auto& field = context().field;
@@ -335,7 +333,7 @@ void SceneView::restoreState(const QJsonObject& state) {
   robots_->setChoice(state[QStringLiteral("robot")].toString());
   canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
   if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(box());
-  // The camera stands where it stood to the robot.
+  // The camera keeps its pose relative to the robot.
   behind_->setChecked(state[QStringLiteral("behind")].toBool());
   follow_->setChecked(state[QStringLiteral("follow")].toBool(!behind_->isChecked()));
   ride_.forget();
