@@ -72,7 +72,7 @@ class ColorQualityView final : public View {
   /// Where labeled images were opened last.
   QString folder_;
   QAction* open_ = nullptr;
-  /// Whether the simulator is asked for images.
+  /// Whether labeled images are requested from the simulator.
   QAction* simulated_ = nullptr;
   QAction* close_ = nullptr;
   QSplitter* splitter_ = nullptr;

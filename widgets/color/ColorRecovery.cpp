@@ -55,7 +55,8 @@ void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
     if (lock_ && !left) continue;
     auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.string() + ".lock"));
     lock->setStaleLockTime(
-        0);  // locks of dead programs do not count, however new; those of living ones do, however old
+        // Locks of dead programs do not count, however new; those of living ones do, however old.
+        0);
     if (!lock->tryLock(0)) continue;
     lock_ = std::move(lock);
     file_ = place;

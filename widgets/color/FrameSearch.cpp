@@ -33,7 +33,8 @@ struct FrameSearch::Eye {
   std::optional<colortool::ImageCorrector> corrector;
   robotlink::Image corrected;
   std::priority_queue<double, std::vector<double>, std::greater<>>
-      worst;  // scores of the frames that are kept, lowest on top
+      // Scores of the frames that are kept, lowest on top.
+      worst;
 
   explicit Eye(const FrameQuery& query)
       : meter(*query.table,

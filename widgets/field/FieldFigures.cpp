@@ -19,7 +19,8 @@ using robotlink::Vector2;
 constexpr double kLength = 0.27, kWidth = 0.15;  // m
 
 constexpr double kSmallest =
-    14;  // pixels; robots are not drawn shorter than this, so that they are visible on large maps
+    // Pixels; robots are not drawn shorter than this, so that they are visible on large maps.
+    14;
 
 /// A robot on wheels from above in its own frame: a body with cut corners and a wedge at its front, between
 /// four wheels.

@@ -40,7 +40,7 @@ class GoalSender {
   void end(robotlink::Session& session, const std::string& robot);
   /// Ends the gesture without sending.
   void abandon() { aim_.reset(); }
-  /// Requests that the robot gives up its goal.
+  /// Requests that the robot cancels its goal.
   void cancelGoal(robotlink::Session& session, const std::string& robot);
   /// Called 30 times a second; counts the time until notices disappear.
   void tick();

@@ -15,8 +15,8 @@ class ProcessTable;
 namespace widgets {
 
 /// The processes of a robot and the packages between them as a picture: nodes with ports, edges, and their
-/// places in pixels at zoom 1. It is built anew from each ProcessTable; rates are differences to an older
-/// one. A plain value.
+/// places in pixels at zoom 1. Built from a ProcessTable; rates are differences to an older one. A plain
+/// value.
 struct ProcessGraph {
   /// An input or output of a process: one package.
   struct Port {
