@@ -78,8 +78,8 @@ class OpenLogs final : public QObject {
   /// Grows with every change of logs, overviews, bookmarks or options, but not of thumbnails.
   std::uint64_t version() const { return version_; }
 
-  /// Adds a bookmark and returns its id; 0 if the bookmarks are not read yet. Times are the log's own. This
-  /// and the next two functions can be undone.
+  /// Adds a bookmark and returns its id; 0 if the bookmarks are not read yet. Times are the log's own. All
+  /// changes of bookmarks can be undone.
   std::uint64_t addBookmark(Log& log, robotlink::Instant from, robotlink::Instant to, const QString& text);
   /// Adds a bookmark at a time of the timeline, in the log that contains it, as soon as its bookmarks are
   /// read. An empty text gives "Bookmark 3". False: no log is open.

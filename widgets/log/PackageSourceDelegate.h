@@ -5,8 +5,9 @@
 
 namespace widgets {
 
-/// Edits the source of a package in a ReplayPackageModel by a combo box. Sources that are not possible are
-/// disabled, with the reason as their tool tip. GUI thread.
+/// Edits the source of a package in a ReplayPackageModel (behind a proxy) by a combo box that opens at once.
+/// Sources that are not possible are disabled, with the reason in their text. A status of the replay that
+/// arrives while the editor is open does not change the choice. GUI thread.
 class PackageSourceDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -24,7 +24,7 @@ struct KeyValue {
   /// kEveryMs: at most once in n milliseconds of the platform's clock.
   enum class Kind : std::uint8_t { kOff, kAlways, kTimes, kEveryNth, kEveryMs };
   Kind kind = Kind::kOff;
-  /// The number, or the frames that are left for kTimes.
+  /// The number; for kTimes what is left of it.
   unsigned n = 0;
   bool operator==(const KeyValue&) const = default;
 };

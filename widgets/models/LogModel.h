@@ -28,6 +28,7 @@ struct LogEntry {
 class LogModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Time in s, level, robot, source, text.
   enum Column { kTime, kLevel, kRobot, kSource, kText, kColumns };
   /// LogEntry::Level as int.
   static constexpr int kLevelRole = Qt::UserRole + 1;
@@ -37,8 +38,9 @@ class LogModel final : public QAbstractTableModel {
 
   /// Appends messages that are not earlier than those in the table, as one insertion.
   void append(std::vector<LogEntry> entries);
-  /// Inserts each message by its time, behind those of the same time. Appending is one insertion; everything
-  /// else costs one insertion per message, and stops when the table is full.
+  /// Inserts each message by its time, behind those of the same time. Messages that are later than all others
+  /// are appended as one insertion; otherwise each one is an insertion, and once the table is full the
+  /// remaining ones are dropped.
   void insert(std::vector<LogEntry> entries);
   /// Rows later than this are muted: an open log contains them, but the replay has not reached them.
   void setShown(robotlink::Instant time);

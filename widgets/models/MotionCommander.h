@@ -23,6 +23,7 @@ struct WalkAxes {
 /// What the head is commanded to do. The kinds are in the order of robotcontrol.HeadMode; the angles (rad)
 /// are used by kAngles only.
 struct HeadWish {
+  /// Look ahead, search for the ball, follow the ball with the camera, look around, or hold the angles.
   enum class Kind : std::uint8_t { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
   double tilt = 0;

@@ -16,6 +16,7 @@ namespace widgets {
 class PacketModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Time in s, direction, name, contents in one line, number of bytes.
   enum Column { kTime, kDirection, kName, kSummary, kBytes, kColumns };
 
   /// `capacity`: the largest number of rows.

@@ -14,6 +14,7 @@ namespace widgets {
 class PlotTreeModel final : public QStandardItemModel {
   Q_OBJECT
  public:
+  /// Name of a folder, stream or field, and the field's unit.
   enum Column { kName, kUnit, kColumns };
   /// PlotSource::text(); empty for folders.
   static constexpr int kSourceRole = Qt::UserRole + 1;

@@ -85,7 +85,8 @@ class ReplayControl final : public QObject {
   /// What views show for an instant, in seconds: "12.340".
   QString shownText(robotlink::Instant time) const;
 
-  /// The stream whose messages are stepped: the user's choice; empty: that of the images.
+  /// The stream whose messages are stepped: the user's choice, else that of the first images (chosen by
+  /// OpenLogs). Empty while none is known.
   std::string steppedStream() const { return steppedStream_; }
   void setSteppedStream(const std::string& stream);
 

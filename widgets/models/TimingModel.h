@@ -57,7 +57,7 @@ class TimingModel final : public QAbstractTableModel {
     /// Time of the last frame in which it ran.
     robotlink::Instant latest;
   };
-  /// The frames of a process in the last two seconds.
+  /// Time and number of a frame.
   struct Frames {
     struct Frame {
       robotlink::Instant time;
