@@ -24,7 +24,7 @@ class DrawingsPanel final : public QWidget {
   void createViews();
   /// The row of buttons below the list.
   QWidget* createButtons();
-  /// Moves the current drawing in the model by `by` rows of the list; negative is up.
+  /// Moves the current drawing past its neighbor in the filtered list; `by` is -1 (up) or 1 (down).
   void moveCurrent(int by);
 
   DrawingsModel& model_;

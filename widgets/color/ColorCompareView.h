@@ -80,7 +80,7 @@ class ColorCompareView final : public View {
   bool dirty_ = true;
   /// A table that is being trained; invalid: none.
   std::future<ReferenceTable> training_;
-  /// What this view selected last, so that it can deselect it.
+  /// What this view selected last; while the bench's selection is still the same, it follows the difference.
   std::optional<colortool::CellSet> selected_;
 };
 

@@ -61,9 +61,9 @@ class ColorImageView final : public View {
 
   /// The image that should be shown now; null: none.
   ColorFramePtr shownFrame();
-  /// Gives the bench that image.
+  /// Shows the bench's image.
   void showFrame();
-  /// Follows the bench's table and segmentation.
+  /// Shows the bench's table and segmentation, unless they belong to another image.
   void showColors();
   /// Updates the outlines of the strokes.
   void showMarks();

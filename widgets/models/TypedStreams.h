@@ -16,7 +16,8 @@ std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink
                                                                  const std::string& robot, const char* type);
 
 /// A robot's table at a time by its path ("tables/keys"), as a list of one; empty if there is none. Processes
-/// publish their parts of the table at paths below; the session merges them into this one.
+/// publish their parts of the table at paths below; the debug process publishes this one, which has all
+/// parts.
 std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store,
                                                          const std::string& robot, const char* path,
                                                          robotlink::Instant time);
