@@ -13,37 +13,47 @@ class QToolButton;
 class QTreeView;
 class QWidget;
 
+// Factory functions for the controls that all views have in common: actions, buttons, tool rows, footers,
+// search fields. They give every control an object name (for tests and scripts), an accessible name, and a
+// tool tip that names its shortcut. All controls are children of the parent that is passed in. GUI thread.
 namespace widgets {
 
-// The controls that views have in common, made in one way: each with an object name for tests and scripts, an
-// accessible name and a tool tip that names its key. All of them belong to the parent given.
-
-/// How a control of a view is named and reached. `name` is the object name; it never changes.
+/// The texts that identify a control.
 struct ControlText {
+  /// Object name. Tests and scripts find the control by it, so it never changes and is never translated.
   const char* name;
-  QString text;     ///< spoken and, where there is room, shown
-  QString toolTip;  ///< one sentence; the shortcut is added
+  /// Label and accessible name, translated; shown where there is room.
+  QString text;
+  /// One sentence, translated; the shortcut is appended. May be empty.
+  QString toolTip;
+  /// Keyboard shortcut; empty: none.
   QKeySequence shortcut = {};
 };
 
+/// Sets the widget's object name, accessible name and tool tip.
 void describe(QWidget& widget, const ControlText& text);
-/// Names the action as describe() names a widget; its shortcut works wherever the focus is within `owner`.
+/// Creates an action of `owner`, named as describe() names a widget. `icon` is a name for widgets::icon().
+/// The shortcut works while the focus is anywhere within `owner`.
 QAction* makeAction(QWidget* owner, const char* icon, const ControlText& text);
-/// A flat button that does what the action does.
+/// Returns a flat button that triggers the action.
 QToolButton* makeButton(QWidget* parent, QAction* action);
-/// A row of tools above a picture, as tight as a toolbar: its layout, whose parentWidget() it is.
+/// Creates a row for tools above a picture, with the margins of a toolbar. Returns its layout; the row itself
+/// is the layout's parentWidget().
 QHBoxLayout* makeToolRow(QWidget* parent);
-/// Buttons that do what the actions do, at the row's end.
+/// Appends a flat button for each action.
 void addButtons(QHBoxLayout* row, std::initializer_list<QAction*> actions);
-/// A row of short texts below a picture: its layout, whose parentWidget() it is.
+/// Creates a row for short texts below a picture. Returns its layout; the row itself is the layout's
+/// parentWidget().
 QHBoxLayout* makeFooter(QWidget* parent);
-/// A text at the footer's end that says what `text` names.
+/// Appends a label to the footer. `name` is its object name, `text` its accessible name; the label starts
+/// empty.
 QLabel* addLabel(QHBoxLayout* footer, const char* name, const QString& text);
-/// A search field with its icon and a clear button. Escape clears it.
+/// Creates a search field with an icon and a clear button. Escape clears it.
 QLineEdit* makeSearchField(QWidget* parent, const ControlText& text);
-/// How wide a column must be to show this text, in the widget's font.
+/// Width in pixels that a column needs for this text, in the widget's font.
 int textWidth(const QWidget& widget, const QString& text);
-/// What all trees of this program look like: even rows, no focus frame, no edit on a mere click.
+/// Applies the look that all trees share: alternating rows of equal height, no focus frame, no editing on a
+/// single click.
 void styleTree(QTreeView& tree);
 
 }  // namespace widgets

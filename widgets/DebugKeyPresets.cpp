@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The part of DebugKeysView that keeps sets of keys under names.
+// The presets of DebugKeysView: named sets of keys in files.
 #include <QComboBox>
 #include <QLabel>
 #include <QLineEdit>
@@ -13,7 +13,8 @@
 namespace widgets {
 namespace {
 
-constexpr int kShippedRole = Qt::UserRole;  // the name of a shipped preset; nothing for the user's own
+// Name of a shipped preset; unset for the user's own.
+constexpr int kShippedRole = Qt::UserRole;
 
 robotlink::KeyPresets presets() {
   return robotlink::KeyPresets(robotlink::userDirectory() / "presets");

@@ -147,7 +147,7 @@ void DebugKeysView::showState() {
     return model_.shownValue(key).kind != KeyValue::Kind::kOff;
   });
   allOff_->setEnabled(on > 0);
-  // Most keys have no number: its place is the names' then.
+  // The column of numbers is hidden while no key has one, so that names have more room.
   tree_->setColumnHidden(KeyTreeModel::kNumber,
                          std::none_of(keys.begin(), keys.end(), [this](const KeyEntry& key) {
                            return hasNumber(model_.shownValue(key).kind);
@@ -196,7 +196,7 @@ void DebugKeysView::allOff() {
 
 bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
   if (watched != tree_ || event->type() != QEvent::KeyPress) return View::eventFilter(watched, event);
-  // What an editor in the tree left over is not for the tree.
+  // Keys that an editor in the tree has not used are not meant for the tree.
   const QWidget* focused = QApplication::focusWidget();
   if (focused != tree_ && tree_->isAncestorOf(focused)) return View::eventFilter(watched, event);
   auto* key = static_cast<QKeyEvent*>(event);

@@ -15,37 +15,51 @@ namespace widgets {
 class EmptyHint;
 class KeyFilter;
 
-/// The debug keys of the selected robot: a tree with a search field, mode and number edited in place, presets
-/// by name, and all off. Space switches the current key (or all keys of a group) between off and always;
-/// typing goes to the search field.
+/// The debug keys of the selected robot as a tree. A search field filters it, mode and number are edited in
+/// place, and presets are stored and loaded by name. Space or Return toggles the current key (or all keys of
+/// a group) between off and always; typing in the tree goes to the search field. Changes are sent as requests
+/// and confirmed by the next KeyTable; a refusal is shown at its key.
+///
+/// Registered as "debug-keys". GUI thread.
 class DebugKeysView final : public View {
   Q_OBJECT
  public:
   explicit DebugKeysView(ViewContext& context, QWidget* parent = nullptr);
+  /// Rebuilds the tree if the robot or its key tables changed since the last tick.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
  protected:
+  /// Handles the keys typed in the tree.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
   void createActions();
   void createViews();
   void connectSignals();
+  /// Filters the tree by the words in `text`.
   void search(const QString& text);
+  /// Toggles the key at `index`, or all keys of the group at `index`.
   void toggle(const QModelIndex& index);
+  /// Requests "off" for every key that is not off.
   void allOff();
+  /// Requests the mode of one key; a refusal is shown at the key and in the state line.
   void request(const QString& key, const KeyValue& value);
+  /// Updates the state line, the hint of an empty tree, and which columns are visible.
   void showState();
-  /// Says something above the state until the next thing is done here.
+  /// Shows a notice above the state until the next action of the user; empty: removes it.
   void notify(const QString& notice);
 
+  /// Fills the combo box with the shipped presets and the user's own.
   void listPresets();
-  /// The name of the shipped preset that is chosen; empty for the user's own.
+  /// Name of the selected preset if it is a shipped one; empty if it is the user's own.
   QString shippedName() const;
+  /// Requests the keys of a preset; all others are switched off.
   void loadPreset(const QString& name);
+  /// Stores the keys that are on under the name in the combo box.
   void savePreset();
+  /// Deletes the selected preset; shipped ones cannot be deleted.
   void removePreset();
 
   KeyTreeModel model_;
@@ -59,9 +73,12 @@ class DebugKeysView final : public View {
   QAction* allOff_ = nullptr;
   QAction* savePreset_ = nullptr;
   QAction* removePreset_ = nullptr;
+  /// The text set by notify().
   QString notice_;
+  /// The robot whose keys the tree shows.
   std::string robot_;
-  std::vector<const void*> shown_;  // the tables that are shown
+  /// Addresses of the tables that the tree shows, to detect new ones.
+  std::vector<const void*> shown_;
 };
 
 }  // namespace widgets

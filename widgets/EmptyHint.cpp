@@ -13,7 +13,7 @@ EmptyHint::EmptyHint(QWidget* over) : QLabel(over) {
   setAlignment(Qt::AlignCenter);
   setWordWrap(true);
   setMargin(16);
-  setEnabled(false);  // greyed as the style greys texts
+  setEnabled(false);  // gray, as the style paints disabled texts
   setAttribute(Qt::WA_TransparentForMouseEvents);
   setFocusPolicy(Qt::NoFocus);
   over->installEventFilter(this);

@@ -7,21 +7,25 @@ class QAbstractItemView;
 
 namespace widgets {
 
-/// What an empty view says in its middle: why nothing is there and what to do about it. Lies over a widget
-/// (for item views: over its viewport), lets the mouse through, and follows its size. Belongs to the widget
-/// it lies over.
+/// The text in the middle of an empty view: why nothing is there and what to do about it. A transparent label
+/// that covers another widget (for item views: the viewport), is transparent for mouse events, and follows
+/// the size of that widget. It is a child of the widget it covers, which therefore owns it. GUI thread.
 class EmptyHint final : public QLabel {
   Q_OBJECT
  public:
+  /// Covers any widget.
   explicit EmptyHint(QWidget* over);
+  /// Covers the viewport of an item view.
   explicit EmptyHint(QAbstractItemView* over);
-  /// An empty text hides it.
+  /// Shows the text; an empty text hides the label.
   void setHint(const QString& text);
 
  protected:
+  /// Follows resize events of the covered widget.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Takes the size of the covered widget.
   void fit();
 };
 

@@ -19,7 +19,7 @@ double axisValue(Sint16 raw) {
 
 }  // namespace
 
-/// SDL's joystick part, kept as long as somebody asks, and the pad that is open.
+/// SDL's game controller subsystem, initialized as long as this object lives, and the gamepad that is open.
 struct Gamepad::Device {
   Device() {
     SDL_SetHint(SDL_HINT_NO_SIGNAL_HANDLERS, "1");

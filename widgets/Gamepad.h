@@ -8,16 +8,23 @@
 
 namespace widgets {
 
-/// The first gamepad that is plugged in, by SDL2: left stick walks, right stick turns, A kicks, B is STOP.
-/// Asked in each tick of a view; pads may come and go at any time. Opens no window and takes no signals.
-/// Without SDL's joysticks there is never a pad. GUI thread.
+/// The first gamepad that is plugged in, read with SDL2. The left stick walks, the right stick turns, button
+/// A kicks, button B is STOP. Gamepads may be plugged in and removed at any time. No window is opened, and
+/// SDL installs no signal handlers. Without SDL's game controller subsystem no gamepad is ever found. GUI
+/// thread; poll() is called once in each tick of a view.
 class Gamepad {
  public:
+  /// The state of sticks and buttons at one instant.
   struct State {
+    /// Whether a gamepad is plugged in; if not, all other members have their defaults.
     bool connected = false;
+    /// The device's name as SDL reports it.
     QString name;
-    WalkAxes axes;      ///< dead zone of 15 % taken out
-    bool kick = false;  ///< pressed now
+    /// Deflection of the sticks, each axis -1 to 1, after a dead zone of 15 %.
+    WalkAxes axes;
+    /// Whether button A is pressed now. The caller detects the edge.
+    bool kick = false;
+    /// Whether button B is pressed now.
     bool stop = false;
   };
 
@@ -26,9 +33,11 @@ class Gamepad {
   Gamepad(const Gamepad&) = delete;
   Gamepad& operator=(const Gamepad&) = delete;
 
+  /// Opens a gamepad if none is open, and reads it. Does not block.
   State poll();
 
  private:
+  /// SDL's handle, kept out of this header.
   struct Device;
   std::unique_ptr<Device> device_;
 };

@@ -12,7 +12,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kMinWidth = 8, kMaxWidth = 4000;  // pixels
+constexpr int kMinWidth = 8, kMaxWidth = 4000;  // pixels; clamps widths of damaged states
 
 }  // namespace
 

@@ -5,14 +5,16 @@
 
 class QHeaderView;
 
+// Saving and restoring how the user arranged the columns of a table.
 namespace widgets {
 
 /// The columns of a table as a person arranged them: their order, widths and how they are sorted, as JSON.
 /// The width of a column that ColumnFit fits is 0.
 QJsonValue headerState(const QHeaderView& header);
 
-/// Arranges them again. Ignores what does not fit, also the binary states of former versions: Qt's own
-/// QHeaderView::restoreState() crashes on damaged ones. GUI thread.
+/// Applies what headerState() returned. A state that does not name exactly the header's columns is ignored,
+/// including the binary states that former versions saved (Qt's own QHeaderView::restoreState() crashes on
+/// damaged ones); widths are clamped. GUI thread.
 void restoreHeader(QHeaderView& header, const QJsonValue& state);
 
 }  // namespace widgets

@@ -27,8 +27,7 @@ QColor strokeColor(QIcon::Mode mode) {
   return palette.color(QPalette::WindowText);
 }
 
-/// Renders the drawing in the palette's colours of the moment; pixmaps are kept in Qt's cache by size and
-/// colour.
+/// Renders an SVG in the palette's current colors. Pixmaps are cached in Qt's QPixmapCache by size and color.
 class PaletteIconEngine final : public QIconEngine {
  public:
   PaletteIconEngine(QString name, QByteArray svg) : name_(std::move(name)), svg_(std::move(svg)) {}

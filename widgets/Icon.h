@@ -4,13 +4,15 @@
 #include <QIcon>
 #include <QString>
 
+// Icons from resources/icons, recolored for the palette in use.
 namespace widgets {
 
-/// An icon of resources/icons, "play" for play.svg. Its strokes take the text colour of the application's
-/// palette whenever it is painted, so that it reads in light and dark without being made anew; colours that
-/// the file fixes (stop, warning) stay. Sharp at every size. An icon whose file is missing paints nothing.
-/// GUI thread.
+/// Loads an icon by the base name of its file, "play" for play.svg. The strokes are drawn in the text color
+/// of the application's palette each time the icon is painted, so it is legible in light and dark themes
+/// without being reloaded; colors that the file sets explicitly (stop, warning) are kept. Scales to every
+/// size without blur. If the file is missing the icon paints nothing. GUI thread.
 QIcon icon(const QString& name);
+/// The same for a Latin-1 literal.
 inline QIcon icon(const char* name) {
   return icon(QString::fromLatin1(name));
 }

@@ -36,7 +36,7 @@ QWidget* KeyDelegate::createEditor(QWidget* parent, const QStyleOptionViewItem&,
 }
 
 void KeyDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-  // Once: a table that arrives while somebody edits must not change what is being typed.
+  // Only once: a KeyTable that arrives while the user edits must not change what is being typed.
   if (editor->property("filled").toBool()) return;
   editor->setProperty("filled", true);
   const int value = index.data(Qt::EditRole).toInt();

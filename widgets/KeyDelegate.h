@@ -5,8 +5,10 @@
 
 namespace widgets {
 
-/// Edits a debug key's mode by a list that opens at once ("keyModeEditor") and its number in place
-/// ("keyNumberEditor").
+/// Edits the columns mode and number of a KeyTreeModel in place. The mode's editor is a combo box
+/// ("keyModeEditor") that opens at once and commits when an entry is chosen; the number's editor is a spin
+/// box from 1 to 1,000,000 ("keyNumberEditor"). An editor is filled once: a KeyTable that arrives while it is
+/// open does not change what the user types. GUI thread.
 class KeyDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -17,6 +19,7 @@ class KeyDelegate final : public QStyledItemDelegate {
   void setModelData(QWidget* editor, QAbstractItemModel* model, const QModelIndex& index) const override;
 
  private:
+  /// Combo box with the names of all KeyValue::Kind, in their order.
   QWidget* createModeEditor(QWidget* parent) const;
 };
 

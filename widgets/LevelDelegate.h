@@ -7,7 +7,8 @@
 
 namespace widgets {
 
-/// Shows a message's level by its icon before its name.
+/// Shows the icon of a message's level before its name. The level is LogModel::kLevelRole; the icons are
+/// loaded once in the constructor. GUI thread.
 class LevelDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:
@@ -17,7 +18,8 @@ class LevelDelegate final : public QStyledItemDelegate {
   void initStyleOption(QStyleOptionViewItem* option, const QModelIndex& index) const override;
 
  private:
-  std::array<QIcon, 6> icons_;  // by LogEntry::Level
+  /// Indexed by LogEntry::Level.
+  std::array<QIcon, 6> icons_;
 };
 
 }  // namespace widgets

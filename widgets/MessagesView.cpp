@@ -47,7 +47,8 @@ LogEntry logEntry(const robotlink::StreamMessage& message, const QString& robot,
   return entry;
 }
 
-/// The same for a message that a log holds and for the one that is published when the log is played.
+/// Identifies a message: equal for a message in a log and for the one that is published when the log is
+/// played.
 std::string keyOf(const LogEntry& entry) {
   return std::to_string(entry.time.time_since_epoch().count()) + ' ' + entry.source.toStdString() + ' ' +
          entry.text.toStdString();
@@ -191,7 +192,7 @@ void MessagesView::connectSignals() {
   connect(table_, &QTableView::doubleClicked, this, [this](const QModelIndex& index) {
     if (logs_.replay().open()) logs_.replay().jumpTo(model_.entry(filter_->mapToSource(index).row()).time);
   });
-  // Who scrolls up wants to read: following goes on when he is at the end again.
+  // Scrolling up ends following, since the user wants to read; scrolling to the end resumes it.
   connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
     const QScrollBar* bar = table_->verticalScrollBar();
     follow_->setChecked(bar->sliderPosition() >= bar->maximum());
@@ -212,7 +213,7 @@ void MessagesView::showInstant() {
   model_.setShown(log ? shown : Instant::max());
   if (shown == shown_ || (log ? !follow_->isChecked() : timeline.live())) return;
   shown_ = shown;
-  // Whoever selects rows to copy them is not disturbed while the log is played.
+  // A selection of several rows (for copying) is not changed while the log is played.
   if (log && table_->selectionModel()->selectedRows().size() > 1) return;
   const int row = model_.rowAt(shown_);
   const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(model_.index(row, 0));
@@ -221,7 +222,6 @@ void MessagesView::showInstant() {
   table_->scrollTo(index, log ? QAbstractItemView::PositionAtCenter : QAbstractItemView::EnsureVisible);
 }
 
-/// All that the open logs hold, whether or not it was played.
 void MessagesView::takeLogs() {
   std::vector<LogEntry> entries;
   logged_.clear();
@@ -276,7 +276,7 @@ void MessagesView::listRobots() {
     same = robot_->itemData(i).toString().toStdString() == robots[static_cast<std::size_t>(i) - 1];
   }
   if (same) return;
-  robot_->setVisible(robots.size() > 1);  // a choice of one would only take the filter's room
+  robot_->setVisible(robots.size() > 1);  // a choice of one robot would only take room from the filter
   const QString chosen = robot_->currentData().toString();
   const QSignalBlocker quiet(robot_);
   robot_->clear();

@@ -22,33 +22,48 @@ namespace widgets {
 class EmptyHint;
 class LogFilter;
 
-/// What the robots say in words: a table with filters for level, robot and text, a search, follow, pause,
-/// clear and copy. While the time line stands at an instant, the row of that instant is the current one. Of
-/// open logs all messages are listed, those after the play head muted; a double click goes to a message's
-/// time.
+/// The text messages (foxglove.Log) of all robots in a table, with filters for level, robot and text, a
+/// search, follow, pause, clear and copy. While the timeline is paused at an instant, the row of that instant
+/// is the current one. If logs are open all their messages are listed, those after the play head muted; a
+/// double click jumps to a message's time.
+///
+/// Registered as "messages". GUI thread.
 class MessagesView final : public View {
   Q_OBJECT
  public:
   explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
+  /// Appends new messages (unless paused) and moves the current row to the shown instant.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
  private:
+  /// Actions of the toolbar, among them regular expression, previous and next match, follow, pause.
   void createActions();
   void createFilters();
   void createViews();
   void connectSignals();
+  /// Appends the messages that arrived since the last tick. Starts over when the store was reset or the set
+  /// of open logs changed.
   void takeNew();
+  /// Replaces the table by all messages that the open logs hold, played or not.
   void takeLogs();
+  /// Mutes rows after the play head and selects the row of the shown instant.
   void showInstant();
+  /// Fills the combo box of robots; it is hidden while there is only one.
   void listRobots();
+  /// Passes the filter text to the proxy; shows what is wrong with a regular expression.
   void setPattern();
+  /// Selects the next match of the search; `step` is 1 (down), -1 (up) or 0 (from the current row on).
   void find(int step);
+  /// Copies the selected rows to the clipboard, cells separated by tabs.
   void copy();
+  /// Updates the count of messages and the hint of an empty table.
   void showState();
+  /// The row with filters, search and buttons.
   QWidget* createBar();
 
+  /// All messages, bounded; see LogModel.
   LogModel model_;
   LogFilter* filter_;
   QTableView* table_ = nullptr;
@@ -57,6 +72,7 @@ class MessagesView final : public View {
   QLineEdit* pattern_ = nullptr;
   QLineEdit* search_ = nullptr;
   QLabel* state_ = nullptr;
+  /// Error in the filter's regular expression; hidden if there is none.
   QLabel* problem_ = nullptr;
   EmptyHint* hint_ = nullptr;
   QAction* regex_ = nullptr;
@@ -66,12 +82,16 @@ class MessagesView final : public View {
   QAction* copy_ = nullptr;
   QAction* next_ = nullptr;
   QAction* previous_ = nullptr;
-  std::map<std::string, StreamCursor> cursors_;  // by stream
-  std::uint64_t generation_ = 0;                 // of the store that was read
+  /// What was already read of each stream, by path.
+  std::map<std::string, StreamCursor> cursors_;
+  /// Generation of the store when it was last read; another one means that it was reset.
+  std::uint64_t generation_ = 0;
   OpenLogs& logs_;
-  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>>
-      listed_;                    // of the logs, with offsets
-  std::set<std::string> logged_;  // keys of the messages that the logs hold
+  /// The texts and offsets of the logs that are listed, to detect a change.
+  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>> listed_;
+  /// Keys of the messages that the open logs hold, so that a message is not listed again when it is played.
+  std::set<std::string> logged_;
+  /// The instant whose row was selected last.
   robotlink::Instant shown_;
 };
 

@@ -34,7 +34,7 @@ QStringList MotionButtons::shippedMotions() {
   const auto files = folder.entryInfoList({QStringLiteral("*.mof")}, QDir::Files, QDir::Name);
   for (const QFileInfo& file : files) {
     const QString name = file.completeBaseName();
-    // "extern" declares the grammar's way out, and getting up is a kind of request of its own.
+    // "extern" is the exit of the motions' grammar, and getting up is a request of its own kind.
     if (name != QLatin1String("extern") && !name.startsWith(QLatin1String(MotionCommander::kGetUp)))
       motions << name;
   }
@@ -47,10 +47,10 @@ void MotionButtons::add(const QString& motion, int place) {
   const QByteArray name = "motion-" + motion.toLatin1();
   describe(*button, {name.constData(), motion, tr("Plays this motion once, while you steer")});
   button->setCheckable(true);
-  button->setFocusPolicy(Qt::TabFocus);  // a click must not take the focus from the walk pad
+  button->setFocusPolicy(Qt::TabFocus);  // a click must not take the focus away from the walk pad
   static_cast<QGridLayout*>(layout())->addWidget(button, place / kColumns, place % kColumns);
   connect(button, &QPushButton::clicked, this, [this, motion, button] {
-    button->setChecked(false);  // marked when the robot says that it plays
+    button->setChecked(false);  // checked by showPlaying() when the robot reports that it plays
     Q_EMIT chosen(motion);
   });
 }

@@ -204,7 +204,8 @@ void MotionView::useRobot(const robotlink::RobotDescription* description) {
   walkPad_->setWheels(wheels);
   gamepadState_->setToolTip(wheels ? tr("Either stick drives and turns, B is STOP")
                                    : tr("Left stick walks, right stick turns, A kicks, B is STOP"));
-  // Both limits are set anew, so what was chosen is kept before.
+  // setRobot() and setLimits() emit limitsChanged(), which overwrites the user's limits; so they are saved
+  // before.
   const MotionCommander::Limits walk = walkLimits_;
   const std::optional<MotionCommander::Limits> chosen = driveLimits_;
   if (!wheels) {
@@ -229,8 +230,8 @@ void MotionView::switchMotors(bool on) {
   request.mutable_control_drive()->set_motors(on);
   ask(session(), robot_, std::move(request));
   const auto* state = driveState();
-  motors_->defaultAction()->setChecked(state != nullptr &&
-                                       state->motors_on());  // what the base says, not what was clicked
+  // The button shows what the base reports, not what was clicked.
+  motors_->defaultAction()->setChecked(state != nullptr && state->motors_on());
 }
 
 void MotionView::tick() {
@@ -370,7 +371,7 @@ void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
   speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
   WalkPad::Picture picture{
       commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
-  // Of real robots nobody knows the truth: what they say of themselves is shown.
+  // The true speed of a real robot is unknown; the pad shows the robot's own measurement instead.
   if (const auto real = measured ? measured : drive_ ? believed : std::nullopt) {
     const auto limits = commander_.limits();
     picture.measured =

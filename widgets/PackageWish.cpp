@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-constexpr std::size_t kTables = 64;  // that are remembered
+constexpr std::size_t kTables = 64;  // upper bound of remembered key tables
 
 }  // namespace
 
@@ -34,8 +34,8 @@ void PackageWish::want(robotlink::Session& session, const std::string& robot,
     robotcontrol::Request request;
     request.mutable_set_key()->set_name(name);
     request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
-    // In a log the table may be that of a program that does not run: nobody needs to know that it cannot be
-    // asked.
+    // In a replay the table may be that of a program that does not run. The user need not know that its key
+    // cannot be switched on, so refusals are ignored.
     ask(session, robot, std::move(request), nullptr, [](bool, const QString&) {});
   }
 }

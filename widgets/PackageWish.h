@@ -14,21 +14,25 @@ class Session;
 
 namespace widgets {
 
-/// Asks robots for the packages that a view shows, by their debug keys (package/drive/state): each once, as
-/// soon as the robot's key table names it and says that it is off. Who switches it off afterwards is obeyed,
-/// until another platform is opened. Packages that a robot does not have are not asked for. GUI thread.
+/// Switches on the debug keys of the packages that a view shows (package/drive/state), so that the robot
+/// publishes them. A key is requested once, as soon as the robot's key table contains it and says that it is
+/// off. If the user switches it off afterwards it stays off until another platform is opened. Packages that a
+/// robot does not have are never requested. GUI thread.
 class PackageWish {
  public:
-  /// Called in each tick, always with the same packages for a robot; costs next to nothing while the table is
-  /// the same.
+  /// Called in each tick, always with the same packages for a robot. Returns early while the key table is
+  /// unchanged.
   void want(robotlink::Session& session, const std::string& robot,
             std::initializer_list<const char*> packages);
 
  private:
+  /// The store's generation that the members below belong to; another one clears them.
   std::uint64_t generation_ = ~std::uint64_t{0};
-  std::set<std::string> settled_;  // paths of packages: asked for, or on anyway
-  std::set<robotlink::PackagePtr>
-      seen_;  // tables that lack the others; kept, so that no new one has their address
+  /// Paths of packages that were requested, or were on anyway.
+  std::set<std::string> settled_;
+  /// Key tables that were examined, at most 64. They are kept alive, so that no new table can have the
+  /// address of an old one.
+  std::set<robotlink::PackagePtr> seen_;
 };
 
 }  // namespace widgets

@@ -33,7 +33,7 @@ QWidget* ParameterDelegate::createEditor(QWidget* parent, const QStyleOptionView
 }
 
 void ParameterDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-  // Once: values that arrive while somebody edits must not change what is being typed.
+  // Only once: values that arrive while the user edits must not change what is being typed.
   if (editor->property("filled").toBool()) return;
   editor->setProperty("filled", true);
   const QString text = index.data(Qt::EditRole).toString();

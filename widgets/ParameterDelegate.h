@@ -5,8 +5,9 @@
 
 namespace widgets {
 
-/// Edits a parameter in place: a list for enumerations, a text field ("parameterEditor") for the rest. A text
-/// that is no value of the field leaves it as it was.
+/// Edits a parameter of a ParameterModel in place: a combo box for enumerations, a text field for all other
+/// types, both named "parameterEditor". Bools have a check box in the cell and no editor. A text that is no
+/// value of the field leaves the parameter unchanged. GUI thread.
 class ParameterDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

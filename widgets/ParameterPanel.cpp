@@ -154,7 +154,7 @@ void ParameterPanel::tick() {
     const bool first = shown_ == nullptr;
     shown_ = message->value.get();
     if (!first && values->value().type() == model_.typeName()) {
-      // The tree, its undo stack and an editor that is open stay.
+      // Setting only the values keeps the tree, the undo stack and an open editor.
       model_.setValue(QByteArray::fromStdString(values->value().data()));
     } else if (model_.setParameters(*values)) {
       hint_->setHint({});

@@ -18,31 +18,39 @@ namespace widgets {
 
 class EmptyHint;
 
-/// Edits the parameters of one solution of the selected robot: asks for them, shows them as a tree, sends the
-/// whole message back when a value is entered. Every edit and every reset to the default can be undone. What
-/// the robot refuses is said and taken back.
+/// Edits the parameters of one solution of a robot. The panel requests the current values, shows them as a
+/// tree, and sends the whole message back when a value is entered. Every edit and every reset can be undone.
+/// If the robot refuses a value, the reason is shown, the former value is restored and the undo stack is
+/// cleared. GUI thread.
 class ParameterPanel final : public QWidget {
   Q_OBJECT
  public:
+  /// `session` must outlive the panel.
   explicit ParameterPanel(robotlink::Session& session, QWidget* parent = nullptr);
 
-  /// Asks the robot for the parameters; an empty solution empties the panel.
+  /// Requests the parameters of a solution. An empty `solution`, or one without parameters, empties the
+  /// panel. Clears the undo stack.
   void show(const std::string& robot, const std::string& task, const std::string& solution,
             bool hasParameters);
-  /// Takes what the robot has told since.
+  /// Applies the ParameterValues that the robot published since the last tick. A message of the same type
+  /// keeps the tree, the undo stack and an open editor.
   void tick();
 
  private:
   void createActions();
   void createViews();
   void connectSignals();
+  /// Requests the parameters; they arrive as a ParameterValues message.
   void askForValues();
+  /// Shows `value` (a serialized message) and sends it to the robot.
   void apply(const QByteArray& value);
+  /// Shows a text below the tree; `bad`: in the color of an error.
   void say(const QString& text, bool bad = false);
 
   robotlink::Session& session_;
   ParameterModel model_;
-  QUndoStack undo_{this};  ///< a child, so that the window finds it
+  /// A child object, so that the main window's undo actions find it.
+  QUndoStack undo_{this};
   QTreeView* tree_ = nullptr;
   QLabel* title_ = nullptr;
   QLabel* state_ = nullptr;
@@ -55,7 +63,8 @@ class ParameterPanel final : public QWidget {
   std::string robot_;
   std::string task_;
   std::string solution_;
-  const void* shown_ = nullptr;  // the message that is shown
+  /// Address of the message that is shown; null: none has arrived.
+  const void* shown_ = nullptr;
 };
 
 }  // namespace widgets

@@ -6,14 +6,15 @@
 class QImage;
 class QWidget;
 
+// Saving and copying the pictures that views show. GUI thread.
 namespace widgets {
 
-// What views do with the pictures that they show.
-
-/// Writes a PNG file whole or not at all. What fails is shown over `view`.
+/// Writes a PNG file, whole or not at all. False, after a message box over `view`, if the picture is null or
+/// the file cannot be written.
 bool savePicture(QWidget* view, const QImage& picture, const QString& file);
-/// Asks for a file first.
+/// Asks for the file with a dialog, then does the same. `proposal` is the suggested file name.
 void savePictureAs(QWidget* view, const QImage& picture, const QString& proposal);
+/// Puts the picture on the clipboard.
 void copyPicture(const QImage& picture);
 
 }  // namespace widgets

@@ -15,7 +15,7 @@ namespace widgets {
 
 namespace {
 
-/// Labels times as seconds since an origin, at round values of these.
+/// Ticks at round numbers of seconds since an origin.
 class TimeTicker final : public QCPAxisTicker {
  public:
   explicit TimeTicker(double origin) { setTickOrigin(origin); }
@@ -86,7 +86,8 @@ void PlotCanvas::applyTheme() {
   plot_->replot(QCustomPlot::rpQueuedReplot);
 }
 
-/// As many graphs as curves, each in its curve's colour; a graph whose curve changed begins anew.
+/// Matches the graphs with the curves by number, name and color; a graph whose curve changed is cleared and
+/// filled again.
 void PlotCanvas::matchGraphs() {
   auto& curves = curves_.curves();
   while (plot_->graphCount() > static_cast<int>(curves.size())) plot_->removeGraph(plot_->graphCount() - 1);

@@ -12,42 +12,52 @@ namespace widgets {
 
 class CurveModel;
 
-/// Draws the curves of a CurveModel over time. The wheel zooms the time axis, with Shift (or over the value
-/// axis) the values; dragging pans; both end following. Lines are one pixel wide and not antialiased:
-/// anything else costs a hundred times as much.
+/// Draws the curves of a CurveModel over time with QCustomPlot. The wheel zooms the time axis, or, with Shift
+/// or over the value axis, the values; dragging pans; both emit touched(), upon which the view stops
+/// following. Times are seconds on the session's timeline; the labels count from an origin. Lines are one
+/// pixel wide and not antialiased, since anything else costs a hundred times as much. GUI thread.
 class PlotCanvas final : public QWidget {
   Q_OBJECT
  public:
+  /// `curves` must outlive the canvas.
   explicit PlotCanvas(CurveModel& curves, QWidget* parent = nullptr);
 
-  /// Takes new points over and draws. Following: the window [end - length, end] with all values in it.
+  /// Draws the points that are new in the model. With `follow` the time axis shows [end - length, end] (in s)
+  /// and the value axis all values therein.
   void refresh(bool follow, double end, double length);
-  /// Everything that there is.
+  /// Shows all points of all curves.
   void fit();
-  /// The time that is shown as 0 s, in the curves' seconds.
+  /// Sets the time that the axis labels as 0 s.
   void setOrigin(double seconds);
-  /// The instant that the time line shows; nothing: no line.
+  /// Marks the instant that the timeline shows by a dashed line; empty: no line.
   void setMark(std::optional<double> time);
-  /// A thin line at a time that the cursor points at; nothing: no line.
+  /// Marks the time under the cursor by a thin line; empty: no line.
   void setCursorLine(std::optional<double> time);
+  /// Writes what is shown, at twice the resolution of the screen. False if the file cannot be written.
   bool savePng(const QString& file);
-  /// The first and the last second that are shown.
+  /// The ends of the time axis, in s.
   std::pair<double, double> shownTimes() const;
 
  Q_SIGNALS:
-  /// Somebody zoomed or panned.
+  /// The user zoomed or panned.
   void touched();
+  /// The user dropped sources from the tree, as PlotSource::text().
   void sourcesDropped(const QStringList& sources);
-  /// The cursor points at this time; nothing: it has left the curves.
+  /// Time under the cursor in s; empty: the cursor has left the plot.
   void cursorMoved(std::optional<double> time);
 
  protected:
+  /// Applies a new palette.
   void changeEvent(QEvent* event) override;
+  /// Handles drag and drop, and the cursor leaving the plot.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Colors axes, grid and lines by the palette.
   void applyTheme();
+  /// Makes QCustomPlot's graphs match the model's curves in number, name and color.
   void matchGraphs();
+  /// Fits the value axis to the values in the shown time range.
   void fitValues();
 
   CurveModel& curves_;

@@ -31,11 +31,11 @@ const ViewRegistration kPlotsViewRegistration{
      QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
      create<PlotsView>}};
 
-constexpr int kTicks = 6;                               // of so many ticks (at 30 Hz)...
-constexpr int kDrawn = 5;                               // ...at most so many draw: 25 Hz
+constexpr int kTicks = 6;                               // of this many ticks (at 30 Hz)...
+constexpr int kDrawn = 5;                               // ...at most this many draw: 25 Hz
 constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
 
-/// Whether a stream is a package that an open log holds and that is not recomputed.
+/// Whether a stream is a package that is replayed from a log instead of being recomputed.
 bool isAsLogged(const robotcontrol::ReplayStatus& status, const std::string& stream) {
   return std::any_of(status.packages().begin(), status.packages().end(), [&](const auto& package) {
     return package.package() == stream && package.logged() &&
@@ -214,7 +214,7 @@ void PlotsView::requestMissing() {
     if (curve->requested) continue;
     const PlotSource& source = curve->series.source();
     if (isAsLogged(openLogs(context()).replay().status(), source.stream))
-      continue;  // it comes without being asked for
+      continue;  // it is published without a debug key
     const std::string key = keyFor(session().store(), source, session().timeline().newest());
     if (key.empty()) continue;
     curve->requested = true;
@@ -239,7 +239,7 @@ void PlotsView::listSources() {
   tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
 }
 
-/// "headPan" of "positions[1]" in what is asked of the joints, which the robot's description numbers.
+/// Returns "headPan" for "positions[1]" of a JointRequest; the robot's description numbers the joints.
 QString PlotsView::jointOf(const PlotSource& source) const {
   constexpr std::string_view kPositions = "positions[";
   const auto robot = context().robots.find(robotPart(source.stream));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How a ProcessGraph is drawn: a pure function of the graph, the look and the palette.
+// Painting of a ProcessGraph: a pure function of the graph, the look and the palette.
 #include <QPainter>
 #include <QPainterPath>
 
@@ -30,7 +30,7 @@ QPainterPath edgePath(const ProcessGraph& graph, const ProcessGraph::Edge& edge)
     path.cubicTo(start + QPointF(bow, 0), end - QPointF(bow, 0), end);
     return path;
   }
-  // Against the flow: below everything, so that it crosses nothing.
+  // Edges against the flow run below all nodes, so that they cross nothing.
   const double low = graph.bounds.bottom() - 24, side = GraphSizes::kColumnGap / 2;
   const QPointF turn(start.x(), low), back(end.x(), low);
   path.cubicTo(start + QPointF(side, 0), turn + QPointF(side, 0), turn);

@@ -11,12 +11,12 @@
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"
 
+// Sending requests from a view. To be included in sources only, since it exposes protobuf.
 namespace widgets {
 
-/// Sends requests for a view and tells how they ended as long as the view lives. Include in sources only: it
-/// shows protobuf.
-///
-/// `onResult` gets whether it was accepted and, if not, why.
+/// Sends a request to a robot. `onResult` is called in the GUI thread with whether the request was accepted
+/// and, if not, why; the call is dropped if `owner` has been destroyed by then. Without `onResult` the
+/// session's refusal handler reports a refusal.
 inline void ask(robotlink::Session& session, const std::string& robot, robotcontrol::Request request,
                 QObject* owner = nullptr, std::function<void(bool, const QString&)> onResult = {}) {
   request.set_robot(robot);

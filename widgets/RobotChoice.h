@@ -11,33 +11,42 @@ class Session;
 
 namespace widgets {
 
-/// Chooses whose drawings a view shows: the session's selected robot, all robots, or a certain one. A robot
-/// that is chosen and not there stays chosen.
+/// A combo box that selects the robot whose data a view shows: the session's selected robot, all robots, or a
+/// certain one. A robot that was chosen and is not in the session stays chosen and is listed as "not here".
+/// GUI thread.
 class RobotChoice final : public QComboBox {
   Q_OBJECT
  public:
+  /// kAll: the list has the entry "All robots".
+  /// kOne: it has not.
   enum class Offer : std::uint8_t { kAll, kOne };
-  /// `offer`: whether all of them at once can be chosen.
+  /// `name` is the object name.
   explicit RobotChoice(const char* name, QWidget* parent = nullptr, Offer offer = Offer::kAll);
 
-  /// Lists the session's robots; cheap while they are the same.
+  /// Lists the session's robots; returns early while they are unchanged.
   void refresh(const robotlink::Session& session);
+  /// Names of the chosen robots; one empty name if the selected robot is chosen and none is selected.
   std::vector<std::string> robots(const robotlink::Session& session) const;
-  /// The one robot that a camera can follow: the chosen one, else the selected one.
+  /// The one robot that a camera can follow: the chosen robot, or the selected one if all or none in
+  /// particular is chosen.
   std::string robot(const robotlink::Session& session) const;
 
-  /// For saved states: "" is the selected robot, "*" all of them.
+  /// The choice as saved in a view's state: "" for the selected robot, "*" for all robots, else a name.
   QString choice() const { return choice_; }
   void setChoice(const QString& choice);
 
  Q_SIGNALS:
+  /// Emitted when the user or setChoice() chooses.
   void choiceChanged();
 
  private:
+  /// Fills the combo box.
   void list(const std::vector<std::string>& robots);
 
   Offer offer_;
+  /// See choice().
   QString choice_;
+  /// The robots that the combo box lists.
   std::vector<std::string> listed_;
 };
 

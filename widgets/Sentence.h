@@ -6,12 +6,14 @@
 class QPainter;
 class QWidget;
 
+// Sentences to the user that are painted over a picture.
 namespace widgets {
 
+/// Whether the sentence lies at the widget's upper edge or in its middle.
 enum class SentencePlace : std::uint8_t { kTop, kMiddle };
 
-/// Paints a sentence to the user over a picture, on a plate in the palette's colours, wrapped to the widget's
-/// width.
+/// Paints the text on a rounded rectangle in the palette's tool tip colors, wrapped to the widget's width.
+/// Does not change the painter's state.
 void paintSentence(QPainter& painter, const QWidget& widget, const QString& text, SentencePlace place);
 
 }  // namespace widgets

@@ -39,7 +39,7 @@ void SolutionDelegate::paint(QPainter* painter, const QStyleOptionViewItem& opti
   const QVariant choice = index.data(SolutionModel::kChoiceRole);
   QStyleOptionViewItem text = option;
   if (!choice.isValid() || index.column() != SolutionModel::kName) {
-    // A solution has no process of its own: its help or its reason may use that room.
+    // Solutions have no process of their own, so their help or reason may use the room of that column.
     const auto* tree = qobject_cast<const QTreeView*>(option.widget);
     if (choice.isValid() && index.column() == SolutionModel::kState && tree != nullptr) {
       text.rect.setLeft(option.rect.left() - tree->columnWidth(SolutionModel::kProcess));

@@ -5,8 +5,9 @@
 
 namespace widgets {
 
-/// Paints a solution's name with a radio button before it: filled where it runs, half filled while a switch
-/// is not yet confirmed, greyed where it cannot be chosen.
+/// Paints a solution of a SolutionModel with a radio button before its name: filled if the solution runs,
+/// half filled while a switch to it is not yet confirmed, grayed if it cannot be chosen. Rows of tasks are
+/// painted by Qt. GUI thread.
 class SolutionDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

@@ -107,7 +107,7 @@ void SolutionsView::tick() {
     robot_ = robot;
     shown_ = std::move(values);
     model_.setTasks(robot.empty() ? std::vector<TaskEntry>() : tasksOf(tables));
-    if (model_.rowCount() != before) {  // Processes tell their tasks one after the other.
+    if (model_.rowCount() != before) {  // Processes publish their tasks one after the other.
       tree_->expandAll();
       tree_->resizeColumnToContents(SolutionModel::kName);
       tree_->resizeColumnToContents(SolutionModel::kProcess);
@@ -159,7 +159,7 @@ void SolutionsView::selectDefaults() {
 }
 
 void SolutionsView::showCurrent(const QModelIndex& index) {
-  if (!showParameters_->isChecked()) return;  // nobody looks: nothing is asked for
+  if (!showParameters_->isChecked()) return;  // the panel is hidden, so its values are not requested
   const QVariant solution = index.data(SolutionModel::kSolutionRole);
   parameters_->show(robot_, index.data(SolutionModel::kTaskRole).toString().toStdString(),
                     solution.toString().toStdString(), index.data(SolutionModel::kParametersRole).toBool());

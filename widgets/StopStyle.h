@@ -3,13 +3,15 @@
 
 #include <QString>
 
+// The look of STOP buttons, which several views and the main window have.
 namespace widgets {
 
-/// How a STOP button looks: white on red, dark on amber while it is engaged, in light and dark alike. All
-/// colors are given, so none is left over from the palette of before. For widgets of a class, "QPushButton".
+/// Style sheet: white on red, dark on amber while it is engaged (checked), in light and dark themes. All
+/// colors are set, so that none is inherited from the palette. `widgetClass` is the class that it applies to,
+/// "QPushButton".
 QString stopStyle(const QString& widgetClass);
 
-/// What a STOP button says: what a click does next.
+/// The button's text: what the next click does.
 QString stopText(bool engaged);
 
 }  // namespace widgets

@@ -118,7 +118,6 @@ void TimingView::followRobot() {
   if (measure_->isChecked()) measure(true);
 }
 
-/// What another layout does not have any more; whether the program was another one.
 bool TimingView::forgetDead() {
   const auto* table = session().store().latestAs<robotcontrol::ProcessTable>(
       robot_ + '/' + robotlink::streams::kProcesses, session().timeline().newest());

@@ -18,6 +18,7 @@ struct FieldDescription;
 struct RobotDescription;
 }  // namespace robotlink
 
+// The base class of all dockable views and the registry of their types.
 namespace widgets {
 
 class ColorBench;
@@ -27,32 +28,38 @@ class OpenLogs;
 struct ViewContext {
   robotlink::Session& session;
   robotlink::CommandTable& commands;
-  std::shared_ptr<const robotlink::FieldDescription> field;  ///< null: none is known
-  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>>
-      robots;                               ///< by robot's name, "red1"
-  std::shared_ptr<OpenLogs> logs = {};      ///< those of the replay; see openLogs()
-  std::shared_ptr<ColorBench> colors = {};  ///< the colour table that is being made; see colorBench()
+  /// The field's description; null: none is known.
+  std::shared_ptr<const robotlink::FieldDescription> field;
+  /// Descriptions by the robot's name ("red1").
+  std::map<std::string, std::shared_ptr<const robotlink::RobotDescription>> robots;
+  /// The open logs of the replay; created on first use by openLogs().
+  std::shared_ptr<OpenLogs> logs = {};
+  /// The color table being trained; created on first use by colorBench().
+  std::shared_ptr<ColorBench> colors = {};
 };
 
-/// A dockable view of a session: everything it shows comes from the session's streams, everything it does is
-/// a request.
+/// A dockable view of a session. Everything it shows comes from the session's streams, everything it does is
+/// a request, so that simulated, remote and replayed robots are treated alike.
 ///
-/// tick() is called 30 times a second while the view is visible, after the session took in what is new; a
-/// view looks at the session then and updates once. What the user chose (robot, stream, zoom, filter)
-/// survives in saveState(). GUI thread.
+/// tick() is called 30 times a second while the view is visible, after the session has processed what is new;
+/// the view reads the session's history then and updates once. What the user chose (robot, stream, zoom,
+/// filter) is kept by saveState(). GUI thread.
 class View : public QWidget {
   Q_OBJECT
  public:
+  /// `context` must outlive the view.
   explicit View(ViewContext& context, QWidget* parent = nullptr);
 
+  /// Updates what is shown. Must not block.
   virtual void tick() = 0;
-  /// What the user chose here, to be kept over restarts and perspectives. Unknown or missing entries must be
-  /// harmless in restoreState().
+  /// The user's choices, to be kept over restarts and in perspectives (saved window layouts).
   virtual QJsonObject saveState() const { return {}; }
+  /// Applies what saveState() returned, possibly in another version: unknown or missing entries must be
+  /// harmless.
   virtual void restoreState(const QJsonObject& state) { (void)state; }
 
  Q_SIGNALS:
-  /// What the dock shows above the view changed: "Image: red1/camera".
+  /// The title of the dock changed: "Image: red1/camera".
   void titleChanged(const QString& title);
 
  protected:
@@ -63,30 +70,41 @@ class View : public QWidget {
   ViewContext& context_;
 };
 
-/// A kind of view.
+/// A kind of view, as menus and saved window layouts know it.
 struct ViewType {
-  const char* id;     ///< "image"; part of saved window layouts: never changed
-  const char* title;  ///< "Image", translated when shown
-  const char* help;   ///< one sentence, for menus and tooltips
-  const char* icon;   ///< name of an icon of resources/icons
-  bool several;       ///< more than one may be open at a time
+  /// "image"; part of saved window layouts, so it must never change.
+  const char* id;
+  /// "Image"; translated when it is shown.
+  const char* title;
+  /// One sentence for menus and tool tips.
+  const char* help;
+  /// Name of an icon in resources/icons.
+  const char* icon;
+  /// Whether more than one may be open at a time.
+  bool several;
+  /// Creates a view; the parent owns it.
   std::function<View*(ViewContext&, QWidget*)> create;
 };
 
-/// All kinds of views, filled before main() starts. A view registers itself with one line in its .cpp:
+/// All kinds of views. The registry is filled before main() starts and read-only afterwards. A view registers
+/// itself with one line in its .cpp:
 ///
 ///     const ViewRegistration kRegistration{{"image", QT_TR_NOOP("Image"), QT_TR_NOOP("..."), "image", true,
 ///     create<ImageView>}};
 class ViewRegistry {
  public:
+  /// In the order of registration, which is unspecified between source files.
   static const std::vector<ViewType>& all();
+  /// Null if there is no such type.
   static const ViewType* find(const std::string& id);
 };
+/// Registers a type of view when it is constructed; to be used as a namespace-scope constant.
 class ViewRegistration {
  public:
   explicit ViewRegistration(ViewType type);
 };
 
+/// The usual ViewType::create.
 template <typename V>
 View* create(ViewContext& context, QWidget* parent) {
   return new V(context, parent);

@@ -18,7 +18,7 @@ QRectF discIn(const QRectF& rect) {
   return {rect.center().x() - side / 2, rect.center().y() - side / 2, side, side};
 }
 
-/// -1, 0 or 1 by which of two keys (each with its twin) is held.
+/// Returns -1, 0 or 1, depending on which of the keys for `plus` and `minus` are held.
 double direction(const QSet<int>& keys, std::initializer_list<int> plus, std::initializer_list<int> minus) {
   const auto held = [&](std::initializer_list<int> any) {
     return std::any_of(any.begin(), any.end(), [&](int key) { return keys.contains(key); });
@@ -46,7 +46,7 @@ void paintRings(QPainter& painter, const QRectF& disc, const QPalette& palette, 
   painter.drawLine(QPointF(disc.left(), disc.center().y()), QPointF(disc.right(), disc.center().y()));
 }
 
-/// What lies beyond the pad is shown at its border: a robot may be faster than what can be asked for.
+/// Clamps a vector to the border of the pad: a robot may be faster than what can be commanded.
 WalkAxes withinPad(WalkAxes axes, bool wheels) {
   const auto finite = [](double value) { return std::isfinite(value) ? value : 0.0; };
   axes = {finite(axes.forward), finite(axes.left), finite(axes.turn)};
@@ -67,7 +67,7 @@ void paintVector(QPainter& painter, const QRectF& disc, const WalkAxes& asked, c
   painter.drawEllipse(tip, filled ? 7 : 5, filled ? 7 : 5);
   painter.setBrush(Qt::NoBrush);
   if (axes.turn == 0 || wheels) return;
-  // The turn as an arc around the disc, from the top, counter-clockwise to the left.
+  // The rotation as an arc around the disc, from the top, to the left if it is counterclockwise.
   const double margin = filled ? 5 : 9;
   painter.setPen(QPen(color, filled ? 4 : 2, filled ? Qt::SolidLine : Qt::DashLine, Qt::FlatCap));
   painter.drawArc(disc.adjusted(-margin, -margin, margin, margin), 90 * 16,

@@ -10,35 +10,44 @@
 
 namespace widgets {
 
-/// A pad to walk by: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrows, Q and E
-/// to turn; Shift halves. Robots on wheels cannot go sideways: for them left and right turn. All is zero as
-/// soon as button or keys are released or the focus goes. Shows what is asked for (filled) and what is
-/// measured (outlined).
+/// A pad for walking: press and drag for a direction (up is forwards), or hold W/A/S/D or the arrow keys, Q
+/// and E to turn; Shift halves the speed. Robots on wheels cannot move sideways: for them left and right
+/// turn. All axes return to zero when button or keys are released, the focus leaves, or the pad is hidden.
+/// The pad paints the commanded vector (filled) and the measured one (outlined). It sends nothing; MotionView
+/// reads axes() in every tick. GUI thread.
 class WalkPad final : public QWidget {
   Q_OBJECT
  public:
-  /// What paint() needs.
+  /// All that paint() needs.
   struct Picture {
-    WalkAxes asked;                    ///< -1 to 1
-    std::optional<WalkAxes> measured;  ///< as shares of the limits
+    /// The commanded deflection, -1 to 1.
+    WalkAxes asked;
+    /// The measured speed as a share of the limits; may exceed 1, and is then drawn at the border.
+    std::optional<WalkAxes> measured;
+    /// Whether the user has manual control.
     bool enabled = false;
+    /// Whether the pad is that of a robot on wheels, a square.
     bool wheels = false;
-    QString hint;  ///< in the middle, while not enabled
+    /// Shown in the middle while the pad is not enabled.
+    QString hint;
   };
 
   explicit WalkPad(QWidget* parent = nullptr);
+  /// The current deflection by mouse and keys, -1 to 1.
   const WalkAxes& axes() const { return axes_; }
-  /// For a robot on wheels.
+  /// Whether left and right turn instead of moving sideways. Releases everything if it changes.
   void setWheels(bool wheels);
-  /// Lets go of everything.
+  /// Returns all axes to zero, as if button and keys were released.
   void release();
   void show(Picture picture);
+  /// Pure; the pad is centered in `rect`.
   static void paint(QPainter& painter, const QRectF& rect, const Picture& picture, const QPalette& palette);
 
   QSize sizeHint() const override { return {200, 200}; }
   QSize minimumSizeHint() const override { return {120, 120}; }
 
  Q_SIGNALS:
+  /// axes() changed.
   void moved();
 
  protected:
@@ -52,15 +61,19 @@ class WalkPad final : public QWidget {
   void hideEvent(QHideEvent* event) override;
 
  private:
+  /// Sets the axes from a position of the mouse.
   void follow(const QPointF& position);
+  /// Sets the axes from the keys that are held.
   void useKeys(bool halved);
   void setAxes(const WalkAxes& axes);
+  /// Sets the tool tip and the accessible name.
   void describeUse();
 
   WalkAxes axes_;
   Picture picture_;
   bool wheels_ = false;
-  QSet<int> keys_;  // held down
+  /// The keys that are held down (Qt::Key).
+  QSet<int> keys_;
 };
 
 }  // namespace widgets

@@ -6,23 +6,24 @@
 class QAction;
 class QWidget;
 
+// The actions that all views of the color tool have in common.
 namespace widgets {
 
 class ColorBench;
 
-/// What can be done in every colour view.
+/// Undo and redo of the samples; owned by the view.
 struct ColorActions {
   QAction* undo;
   QAction* redo;
 };
 
 /// Gives a view undo and redo of the samples (Ctrl+Z, Ctrl+Shift+Z), the digits that choose the class of the
-/// next stroke (0: background), and N: it must not be of it. They work wherever the focus is within the
-/// view. `prefix` begins the names of the actions: "colorClasses" makes "colorClassesUndo". The bench must
-/// outlive the view.
+/// next stroke (0: background), and N, which toggles "must not be of the class". The shortcuts work while the
+/// focus is anywhere within the view. `prefix` begins the actions' object names: "colorClasses" gives
+/// "colorClassesUndo". The bench must outlive the view.
 ColorActions addColorActions(QWidget& view, const char* prefix, ColorBench& bench);
 
-/// "1 stroke", "2 strokes".
+/// "1 stroke", "2 strokes"; translated.
 QString strokesText(std::size_t count);
 
 }  // namespace widgets

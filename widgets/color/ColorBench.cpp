@@ -17,7 +17,8 @@ constexpr int kThumbnailHeight = 72;
 constexpr std::size_t kMaxOthers = 12;
 constexpr std::chrono::seconds kMinApart(1);
 
-/// A step of the document. It keeps its own history; this is its place on Qt's stack.
+/// A step of the document's history. The document keeps the history itself; this is the step's place on Qt's
+/// undo stack.
 class DocumentStep final : public QUndoCommand {
  public:
   DocumentStep(const QString& text, colortool::SampleDocument& document, std::function<void()> changed)
@@ -27,7 +28,7 @@ class DocumentStep final : public QUndoCommand {
     changed_();
   }
   void redo() override {
-    // Pushing it on the stack asks for it for the first time; then it is done already.
+    // QUndoStack::push() calls redo() once, when the step is done already.
     if (std::exchange(done_, true)) document_.redo();
     changed_();
   }
@@ -59,7 +60,7 @@ void ColorBench::change(const QString& text, colortool::Samples next, const std:
   const std::size_t before = document_.position();
   if (next == document_.samples()) return;
   const bool step = document_.change(text.toStdString(), std::move(next), gesture);
-  // A gesture that goes on has its place on the stack already.
+  // A continued gesture has its place on the stack already.
   if (step || document_.position() != before)
     undo_.push(new DocumentStep(text, document_, [this] { changed(); }));
   else

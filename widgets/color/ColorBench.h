@@ -18,94 +18,113 @@ namespace widgets {
 
 class ColorSender;
 
-/// An image that the user put aside, to come back to it.
+/// An image that the user put aside in the strip.
 struct CollectedFrame {
+  /// Never null.
   ColorFramePtr frame;
+  /// 72 pixels high.
   QImage thumbnail;
 };
 
-/// A table that others are compared with: yesterday's, or another team's.
+/// A color table with which the trained one is compared: yesterday's, or another team's.
 struct ReferenceTable {
-  std::shared_ptr<const colortool::ColorTable> table;  ///< null: there is none
-  colortool::ColorClasses classes;                     ///< what its numbers mean
+  /// Null: there is none.
+  std::shared_ptr<const colortool::ColorTable> table;
+  /// The classes by which the table is numbered.
+  colortool::ColorClasses classes;
+  /// How it is called in views, such as the name of its file.
   QString name;
 };
 
-/// The colour table that is being made, as all colour views of a window share it: the samples with their
-/// undo stack, the image that is worked on, the table and what it makes of the image, what is selected. All
-/// work is done by a ColorLearner; its results arrive as signals. GUI thread.
+/// The state of the color tool, shared by all color views of a window: the samples with their undo stack (the
+/// document), the image being worked on, the table trained from the samples and its segmentation of the
+/// image, and the selection. Training and scoring happen in a ColorLearner's threads; their results arrive as
+/// signals. GUI thread.
 ///
-/// Files are ColorFiles' part, sending to a robot ColorSender's.
+/// Files are handled by ColorFiles, sending the table to a robot by ColorSender.
 class ColorBench final : public QObject {
   Q_OBJECT
  public:
+  /// Starts with the classes of the first preset and without strokes. The context's session must outlive the
+  /// bench.
   explicit ColorBench(const ViewContext& context, QObject* parent = nullptr);
+  /// Waits for the learner's threads.
   ~ColorBench() override;
 
-  // The document.
+  /// The document: the current samples and their history.
   const colortool::Samples& samples() const { return document_.samples(); }
   const colortool::SampleDocument& document() const { return document_; }
+  /// Mirrors the document's history, so that views can use Qt's undo actions.
   QUndoStack& undoStack() { return undo_; }
-  /// A step of the document's history, see SampleDocument::change(). Every change goes through here.
+  /// Makes a step of the document's history, see SampleDocument::change(); every change goes through here.
+  /// Steps of the same `gesture` are merged into one. Does nothing if `next` equals the samples.
   void change(const QString& text, colortool::Samples next, const std::string& gesture = {});
-  /// Another document; the history begins anew. `changed`: it is not saved yet.
+  /// Replaces the document; its history starts over. `changed`: it has unsaved changes.
   void setDocument(colortool::Samples samples, bool changed = false);
+  /// The samples were saved as they are.
   void setSaved();
 
-  // What strokes say.
-  int currentClass() const { return currentClass_; }  ///< of samples().classes; 0: background
+  /// Meaning of the next stroke: its class, an index into samples().classes; 0: background.
+  int currentClass() const { return currentClass_; }
+  /// Whether the next stroke says that its pixels are not of the class.
   bool mustNotBe() const { return mustNotBe_; }
+  /// The next stroke's weight.
   double weight() const { return weight_; }
+  /// Ignored if there is no such class.
   void setCurrentClass(int colorClass);
   void setMustNotBe(bool mustNotBe);
+  /// Clamped to the limits of colortool::Stroke.
   void setWeight(double weight);
-  /// In the image. What has a `gesture` continues the stroke before with the same one: the area is then that
-  /// of the whole stroke.
+  /// Adds a stroke to the image. Calls with the same non-empty `gesture` continue one stroke: `area` is then
+  /// that of the whole stroke so far. Ignored without an image.
   void addStroke(const colortool::PixelArea& area, const std::string& tool, const std::string& gesture = {});
+  /// Removes the area from all strokes in the image; `gesture` as in addStroke().
   void erase(const colortool::PixelArea& area, const std::string& gesture = {});
 
-  // The image that is worked on.
+  /// The image being worked on; null: none.
   const ColorFramePtr& frame() const { return frame_; }
   void setFrame(ColorFramePtr frame);
+  /// The images that were put aside, in the order of the strip.
   const std::vector<CollectedFrame>& collected() const { return collected_; }
-  /// Puts the image aside; nothing happens if it is there already.
+  /// Puts the current image aside unless it is there already; emits failed() if there is no room.
   void collect();
-  /// Puts these aside, as many as there is room for; those that are there already once. How many were put
-  /// aside.
+  /// Puts these images aside as long as there is room; those that are there already are skipped. Returns how
+  /// many were added.
   std::size_t collect(const std::vector<ColorFramePtr>& frames);
   /// What all images that are put aside may take, bytes of pixels.
   static constexpr std::size_t kMaxCollectedBytes = std::size_t{128} << 20U;
   void removeCollected(std::size_t index);
 
-  // What was learned.
-  /// The last result; its table, frame and classes belong together. Null before the first.
+  /// The last result of training; its table, frame and classes belong together. Null before the first one.
   const LearnedColors* colors() const { return colors_ ? &*colors_ : nullptr; }
+  /// The last score of a table; null before the first one. It arrives later than the table.
   const ColorQuality* quality() const { return quality_ ? &*quality_ : nullptr; }
-  /// Whether what is shown is of the newest samples and image.
+  /// Whether colors() belongs to the newest samples and image.
   bool upToDate() const { return colors_ && colors_->task == asked_; }
-  /// In what classes are shown, by their numbers; 0 is background.
+  /// Colors in which the classes are shown, by class number; 0 is the background.
   std::vector<robotlink::Rgb> classColors() const;
-  /// A table to compare with, of the classes of the samples; null: none.
+  /// Sets the table to compare with, numbered by the classes of the samples; null: none.
   void setReference(std::shared_ptr<const colortool::ColorTable> table, const QString& name);
-  /// The same of any classes; they are matched by their names.
+  /// The same for a table of any classes; classes are matched by their names.
   void setReference(ReferenceTable reference);
-  /// In numbers of the samples' classes, also when these change; what they do not have is none. Null: there
-  /// is none.
+  /// The reference table renumbered to the samples' classes, also after these change; its other classes count
+  /// as none. Null: there is no reference.
   const std::shared_ptr<const colortool::ColorTable>& reference() const { return reference_; }
+  /// The reference table as it was set.
   const ReferenceTable& givenReference() const { return givenReference_; }
   const QString& referenceName() const { return givenReference_.name; }
-  /// Images whose classes are known; tables are scored with them.
+  /// Images whose true classes are known; tables are scored with them.
   const std::vector<LabelledFrame>& labelled() const { return *labelled_; }
   void setLabelled(std::vector<LabelledFrame> labelled);
 
-  // What is selected: cells of the table. Image views show pixels of these colours, the colour space the
-  // cells.
+  /// The selection: cells of the table. Image views highlight pixels of these colors, the color space view
+  /// the cells.
   const colortool::CellSet& selection() const { return selection_; }
+  /// False after clearSelection(); an empty selection is one, too.
   bool hasSelection() const { return selected_; }
   void select(const colortool::CellSet& cells);
   void clearSelection();
-  /// The colour that the cursor points to in an image, corrected, so that others show where it is; nothing:
-  /// to none.
+  /// The (corrected) color under the cursor in an image, so that other views mark it; unset: none.
   const std::optional<robotlink::YCbCr>& pointed() const { return pointed_; }
   void setPointed(const std::optional<robotlink::YCbCr>& color);
 
@@ -113,29 +132,42 @@ class ColorBench final : public QObject {
   ColorSender& sender() { return *sender_; }
 
  Q_SIGNALS:
-  /// Classes, settings or strokes are others; also by undo and redo.
+  /// Classes, settings or strokes changed, also by undo and redo.
   void samplesChanged();
-  void meaningChanged();  ///< class, "must not be" or weight of the next stroke
+  /// Class, "must not be" or weight of the next stroke changed.
+  void meaningChanged();
+  /// frame() is another image.
   void frameChanged();
-  /// A view wants this image to be worked on: the one that chooses images holds it; null: that of the time
-  /// line again.
+  /// A view asks to work on this image; null: on that of the timeline again. The view that chooses the images
+  /// follows it.
   void frameWanted(const widgets::ColorFramePtr& frame);
+  /// collected() changed.
   void collectedChanged();
-  void colorsChanged();  ///< table, segmented image or margins
+  /// Table, segmented image or margins are new.
+  void colorsChanged();
+  /// quality() is new.
   void qualityChanged();
+  /// reference() changed.
   void referenceChanged();
-  void followWanted();      ///< somebody looks for images: views that are frozen go with the time line again
-  void differenceWanted();  ///< somebody wants to see in the image what the reference has other
+  /// The user jumps to an image by time: frozen views shall follow the timeline again.
+  void followWanted();
+  /// The user wants to see the difference to the reference in the image.
+  void differenceWanted();
   void selectionChanged();
   void pointedChanged();
   /// Something could not be done: what, and why.
   void failed(const QString& reason);
 
  private:
+  /// After each change of the document.
   void changed();
+  /// Renumbers the reference to the classes of the samples.
   void numberReference();
+  /// Adds the current image to others_ if it is at least a second from those there.
   void rememberFrame();
+  /// Gives the learner a new task.
   void ask();
+  /// Takes the learner's results; called in the GUI thread.
   void takeNews();
 
   robotlink::Session& session_;
@@ -146,22 +178,27 @@ class ColorBench final : public QObject {
   double weight_ = 1;
   ColorFramePtr frame_;
   std::vector<CollectedFrame> collected_;
-  std::vector<ColorFramePtr> others_;  ///< that were seen, some time apart, to try the table on
+  /// Images that were seen, at least a second apart, at most twelve; the table is tried on them.
+  std::vector<ColorFramePtr> others_;
   ReferenceTable givenReference_;
   std::shared_ptr<const colortool::ColorTable> reference_;
-  colortool::ColorClasses referenceClasses_;  ///< that reference_ is numbered by
+  /// The classes by which reference_ is numbered.
+  colortool::ColorClasses referenceClasses_;
   std::shared_ptr<const std::vector<LabelledFrame>> labelled_;
   std::optional<LearnedColors> colors_;
   std::optional<ColorQuality> quality_;
+  /// Number of the newest task.
   std::uint64_t asked_ = 0;
   colortool::CellSet selection_;
   bool selected_ = false;
   std::optional<robotlink::YCbCr> pointed_;
-  ColorSender* sender_ = nullptr;          // a child
-  std::unique_ptr<ColorLearner> learner_;  // last: it uses the others
+  /// A child of this object.
+  ColorSender* sender_ = nullptr;
+  /// Destroyed first, since its threads use the other members.
+  std::unique_ptr<ColorLearner> learner_;
 };
 
-/// That of a window; made when it is first asked for.
+/// The bench of a window, created on the first call.
 ColorBench& colorBench(ViewContext& context);
 
 }  // namespace widgets

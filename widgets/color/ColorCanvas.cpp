@@ -95,13 +95,13 @@ void ColorCanvas::paintOutline(QPainter& painter, const QVector<QLineF>& edges, 
                                bool dashed) const {
   QPen pen(QColor(0, 0, 0, 170), 3);
   pen.setCosmetic(true);
-  // Dark below bright: an outline is seen on any colour. Where pixels are smaller than the line there is no
-  // room for both, and there may be hundreds of strokes.
+  // A dark line below a bright one is visible on any color. Where pixels are smaller than the line there is
+  // no room for both, and there may be hundreds of strokes.
   if (painter.transform().m11() >= 1) {
     painter.setPen(pen);
     painter.drawLines(edges);
   }
-  // Lighter than the class, or it would vanish in the segmented image.
+  // Lighter than the class's color, in which the outline would vanish in the segmented image.
   pen.setColor(mixed(color, Qt::white, 0.5));
   pen.setWidthF(1.4);
   if (dashed) pen.setStyle(Qt::DotLine);
@@ -129,7 +129,7 @@ void ColorCanvas::paintCursor(QPainter& painter) const {
   const auto at = cursor_ ? cursor_ : otherCursor_ ? std::optional(toWidget(*otherCursor_)) : std::nullopt;
   if (!at || layers_.picture.isNull()) return;
   const double radius = usesBrush(tool_) ? (radius_ + 0.5) * zoom() : 4;
-  if (cursor_ && !usesBrush(tool_)) return;  // the cursor's own shape is seen
+  if (cursor_ && !usesBrush(tool_)) return;  // the mouse cursor is visible
   painter.setRenderHint(QPainter::Antialiasing);
   painter.setPen(QPen(QColor(0, 0, 0, 180), 3));
   painter.drawEllipse(*at, radius, radius);

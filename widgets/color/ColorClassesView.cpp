@@ -196,7 +196,7 @@ void ColorClassesView::connectSignals() {
 }
 
 void ColorClassesView::showSamples() {
-  say({}, false);  // it was of what was before
+  say({}, false);  // the message was about the former samples
   model_.setSamples(bench_.samples());
   showMeaning();
 }
@@ -306,7 +306,7 @@ bool ColorClassesView::eventFilter(QObject* watched, QEvent* event) {
   const QModelIndex index = tree_->indexAt(mouse->pos());
   const bool onSwatch = index.column() == ColorClassModel::kName &&
                         mouse->x() < tree_->visualRect(index).left() + tree_->iconSize().width() + 6;
-  // The first click on a colour chooses its class, as anywhere else in the row.
+  // The first click on a swatch selects its class, as anywhere else in the row.
   if (mouse->button() != Qt::LeftButton || !onSwatch || index.row() == 0 ||
       index.row() != bench_.currentClass())
     return false;

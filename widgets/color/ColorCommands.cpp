@@ -129,7 +129,7 @@ Result<void> compare(ColorBench& bench, ColorFiles& files, const std::string& ta
   return {};
 }
 
-/// Adds commands to a table; they hold on to nothing that goes with the window.
+/// Adds commands to a table. They hold weak references, so they fail once the window is gone.
 class Commands {
  public:
   explicit Commands(ViewContext& context) : table_(context.commands) {
@@ -149,7 +149,7 @@ class Commands {
  private:
   CommandTable& table_;
   std::weak_ptr<ColorBench> bench_;
-  ColorFiles* files_;  // lives as long as the bench
+  ColorFiles* files_;  // a child of the bench
 };
 
 void addFileCommands(Commands& commands) {
@@ -238,7 +238,7 @@ void addTableCommands(Commands& commands) {
                });
 }
 
-/// The finder lives as long as the bench.
+/// The finder is a child of the bench.
 void addSearchCommands(Commands& commands, ColorFrameFinder* finder) {
   commands.add("color.find-frames", "Looks for the images in which the table does most that is suspicious",
                {}, [finder](auto&, auto&, auto&) { return finder->search(); });

@@ -5,9 +5,9 @@ namespace widgets {
 
 struct ViewContext;
 
-/// Adds what can be done to the colour table that is being made to the commands: "color.new", "color.stroke",
-/// ... They change what colorBench(context) and colorFiles(context) are of; when these are gone, the commands
-/// fail. They ask nothing: what would lose changes is refused. Nothing is added if the commands are there
+/// Adds the commands of the color tool ("color.new", "color.stroke", ...) to the context's command table.
+/// They change the documents of colorBench(context) and colorFiles(context), and fail when these are gone.
+/// They open no dialogs: what would lose unsaved changes is refused. Does nothing if the commands are there
 /// already.
 void addColorCommands(ViewContext& context);
 

@@ -149,7 +149,7 @@ void ColorCompareView::tell(const QString& problem) {
   problem_->setVisible(!problem.isEmpty());
 }
 
-// What is compared with.
+// The reference.
 
 void ColorCompareView::askForFile() {
   auto* dialog = new QFileDialog(this, tr("Compare with a colour table"), files_.folder(),
@@ -175,7 +175,7 @@ void ColorCompareView::takeStep(std::size_t position) {
     training_ = {};
     bench_.setReference(referenceOfNow(bench_));
   } else {
-    // With some methods this takes a second.
+    // Some training methods take a second.
     training_ = std::async(std::launch::async, trainedReference, document.samplesAt(position),
                            stepName(document, position));
   }
@@ -225,7 +225,7 @@ void ColorCompareView::compare() {
   }
   name_->setText(tr("Compared with %1").arg(reference.name));
   name_->setToolTip(reference.name);
-  // What was selected here stays what it says, as long as nothing else was selected since.
+  // A selection made here follows the new difference, unless something else was selected since.
   const bool follows = selected_ && bench_.hasSelection() && bench_.selection() == *selected_;
   model_.setDifference(std::make_shared<const colortool::TableDifference>(
       *reference.table, reference.classes, *colors->table, colors->samples.classes));

@@ -20,15 +20,20 @@ namespace widgets {
 
 class EmptyHint;
 
-/// Compares the colour table that is being made with another one: that of a file, itself as it is now (to see
-/// what comes), or as it was some steps ago. Lists what each class gained and lost; a click selects these
-/// cells, so that the image and the colour space show them. Follows the table.
+/// Compares the trained color table with a reference: the table of a file, the trained table as it is now (to
+/// see the effect of what follows), or as it was some steps ago. Lists what each class gained and lost; a
+/// click selects these cells, so that the image and the color space show them. Follows every change of the
+/// table.
+///
+/// Registered as "color-compare". GUI thread.
 class ColorCompareView final : public View {
   Q_OBJECT
  public:
   explicit ColorCompareView(ViewContext& context, QWidget* parent = nullptr);
+  /// Waits for a training that has begun.
   ~ColorCompareView() override;
 
+  /// Compares again if a table changed, and takes over a table that was trained.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
@@ -39,17 +44,26 @@ class ColorCompareView final : public View {
   QWidget* createToolRow();
   void connectSignals();
 
+  /// Opens a dialog, then useFile().
   void askForFile();
+  /// Reads the reference from a file; problems are shown.
   void useFile(const QString& file);
+  /// Trains the reference from the samples after so many steps, in another thread.
   void takeStep(std::size_t position);
+  /// Fills the menu of steps.
   void listSteps();
+  /// Takes over the table that takeStep() has trained, once it is ready.
   void takeTrained();
 
+  /// Computes the differences.
   void compare();
+  /// Updates the line below the table.
   void showSums();
-  /// The share of the pixels of the image that are of another class.
+  /// Share of the image's pixels that changed their class, 0 to 1; unset without an image.
   std::optional<double> changedPixels() const;
+  /// Selects the cells behind a cell of the table.
   void selectCells(const QModelIndex& index);
+  /// Shows a problem; empty: none.
   void tell(const QString& problem);
 
   ColorBench& bench_;
@@ -62,9 +76,12 @@ class ColorCompareView final : public View {
   QToolButton* steps_ = nullptr;
   QMenu* stepMenu_ = nullptr;
 
+  /// Whether the tables changed since the last comparison.
   bool dirty_ = true;
+  /// A table that is being trained; invalid: none.
   std::future<ReferenceTable> training_;
-  std::optional<colortool::CellSet> selected_;  ///< what this view selected last
+  /// What this view selected last; while the bench's selection is still the same, it follows the difference.
+  std::optional<colortool::CellSet> selected_;
 };
 
 }  // namespace widgets

@@ -69,7 +69,7 @@ void ColorEffectRow::followSamples() {
   const auto& strokes = bench_.samples().strokes;
   const std::uint64_t last = strokes.empty() ? 0 : strokes.back()->id;
   if (drawing_ && last > lastBefore_) stroke_ = last;
-  // Undone, removed, or another one was made otherwise: there is nothing to be said any more.
+  // The stroke was undone or removed, or another one was added: there is nothing to report any more.
   if (!drawing_ && (last != stroke_ || stroke_ == 0)) {
     before_.reset();
     hide();

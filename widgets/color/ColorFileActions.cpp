@@ -30,7 +30,7 @@ QString anyTables() {
   return fileText("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
 }
 
-/// Asks for a file to write, in the folder used last; an empty path: none.
+/// Asks for a file to write, in the last folder; empty: canceled.
 std::filesystem::path fileToWrite(const ColorFiles& files, QWidget* parent, const QString& title,
                                   const QString& filter, const QString& suffix) {
   QFileDialog dialog(parent, title, files.folder(), filter);
@@ -42,7 +42,7 @@ std::filesystem::path fileToWrite(const ColorFiles& files, QWidget* parent, cons
   return dialog.selectedFiles().first().toStdString();
 }
 
-/// True: done. Tells what failed.
+/// Reports a failure by the bench's failed(). True: success.
 bool tell(const ColorFiles& files, const robotlink::Result<void>& done) {
   if (!done) Q_EMIT files.bench().failed(QString::fromStdString(done.error().describe()));
   return done.has_value();

@@ -16,13 +16,16 @@ namespace widgets {
 
 class ColorFiles;
 
-/// What a person does with the files of a colour table: actions of a view that ask for files, and a menu of
-/// those without a button. What fails is told by the bench. GUI thread; belongs to the view.
+/// The user's actions with the files of a color table: buttons of a view, dialogs that ask for files, and a
+/// menu for the less frequent ones. Failures are reported by the bench's signal failed(). GUI thread; owned
+/// by the view.
 class ColorFileActions final : public QObject {
   Q_OBJECT
  public:
+  /// `files` must outlive the actions.
   ColorFileActions(ColorFiles& files, QWidget* view);
 
+  /// Appends the buttons and the menu to a row.
   void addTo(QHBoxLayout* row) const;
 
  private:
@@ -35,8 +38,9 @@ class ColorFileActions final : public QObject {
   void merge();
   void exportTable();
   void importReference();
+  /// Does something with the file that was chosen.
   using Use = std::function<robotlink::Result<void>(const std::filesystem::path&)>;
-  /// Asks for a file to read; nothing happens without one.
+  /// Asks for a file to read and passes it to `use`; does nothing if the dialog is canceled.
   void read(const QString& title, const QString& filter, const Use& use);
 
   ColorFiles& files_;
@@ -44,15 +48,16 @@ class ColorFileActions final : public QObject {
   QAction* new_ = nullptr;
   QAction* open_ = nullptr;
   QAction* save_ = nullptr;
+  /// Whether exported cells may be of several classes.
   QAction* several_ = nullptr;
   QMenu* menu_ = nullptr;
 };
 
-/// Saves the samples to their file, or asks for one. False: that did not work, or nobody wanted it.
+/// Saves the samples to their file, or asks for one. False: it failed or was canceled.
 bool saveSamples(ColorFiles& files, QWidget* parent);
 
-/// Asks whether samples that are not saved should be, before something takes their place. False: that must
-/// not happen. Without changes nobody is asked.
+/// Asks whether unsaved samples shall be saved before they are replaced. False: the user canceled, or saving
+/// failed, and they must be kept. Asks nothing without unsaved changes.
 bool mayLoseSamples(ColorFiles& files, QWidget* parent);
 
 }  // namespace widgets

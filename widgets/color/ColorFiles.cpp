@@ -36,7 +36,7 @@ std::vector<std::uint16_t> closeClasses(const colortool::TableTrainer& trainer) 
   for (std::size_t cell = 0; cell < winners.size(); ++cell) {
     if (winners[cell] == colortool::ColorClasses::kNone) continue;
     masks[cell] = trainer.votes().classesOf(cell, kCloseShare);
-    // What cleaning up made of it may have few votes.
+    // A class that cleaning up has assigned may have few votes.
     if (winners[cell] <= 16) masks[cell] |= static_cast<std::uint16_t>(1U << (winners[cell] - 1U));
   }
   return masks;
@@ -53,7 +53,7 @@ bool correctsColors(const colortool::Samples& samples) {
 ColorFiles::ColorFiles(ColorBench& bench) : QObject(&bench), bench_(bench) {
   setObjectName(QStringLiteral("colorFiles"));
   connect(&bench, &ColorBench::samplesChanged, this, [this] {
-    message_ = {};  // it was of what was before
+    message_ = {};  // the message was about the former samples
     if (ticksUnkept_ == 0) ticksUnkept_ = 1;
   });
   connect(&bench.undoStack(), &QUndoStack::cleanChanged, this, [this] { Q_EMIT titleChanged(title()); });

@@ -18,14 +18,14 @@ class ColorBench;
 class ColorRecovery;
 class PictureReading;
 
-/// The files of the colour table that is being made: its samples, exported tables, a table to compare with.
-/// Knows which file the samples are from and whether they were changed since. Asks nothing: what asks a
-/// person is in ColorFileDialogs.
+/// The files of the color tool: samples, exported tables, reference tables, pictures. It knows the file of
+/// the samples and whether they have unsaved changes. It opens no dialogs; ColorFileActions does.
 ///
-/// After startRecovery() samples that are not saved are kept, two seconds after a change, in a file in the
-/// user's folder, and come back at the next start if this program does not end well.
+/// After startRecovery(), unsaved samples are written to a recovery file in the user's folder two seconds
+/// after a change, and are restored at the next start if this program does not end properly.
 ///
-/// tick() is called 30 times a second. GUI thread; belongs to the bench.
+/// tick() is called 30 times a second. GUI thread; owned by the bench. Failing functions return errors that
+/// name the file; damage reports and successes are signals.
 class ColorFiles final : public QObject {
   Q_OBJECT
  public:
@@ -35,75 +35,89 @@ class ColorFiles final : public QObject {
   ColorBench& bench() const { return bench_; }
   /// The file of the samples; empty: they have none yet.
   const std::filesystem::path& file() const { return file_; }
-  /// Whether something would be lost.
+  /// Whether there are unsaved changes.
   bool changed() const;
-  /// "game.samples*".
+  /// "game.samples*"; the star stands for unsaved changes.
   QString title() const;
 
-  /// Samples of the preset's classes and without strokes. What was there goes.
+  /// Replaces the samples by an empty set with the classes of the first preset; unsaved changes are lost.
   void startAnew();
-  /// What was there goes. Where only a part can be read, that part is opened without a name, so that it
-  /// cannot take the place of the damaged file, and told() says what is wrong.
+  /// Replaces the samples by those of a file; unsaved changes are lost. If only a part can be read, it is
+  /// opened without a name, so that saving cannot overwrite the damaged file, and the bench's failed() gives
+  /// the damage report.
   robotlink::Result<void> open(const std::filesystem::path& file);
-  /// To the file they are from; fails if there is none.
+  /// Writes the samples to their file; fails if there is none.
   robotlink::Result<void> save();
+  /// Writes the samples to a file, which is theirs from then on.
   robotlink::Result<void> saveAs(const std::filesystem::path& file);
-  /// Adds the samples of another file, as a step that can be undone.
+  /// Adds the samples of another file, as one step that can be undone.
   robotlink::Result<void> merge(const std::filesystem::path& file);
-  /// The table as a .c64 file, with the names of its classes beside it. `several`: cells where classes come
-  /// close are of all of them.
+  /// Writes the table as a .c64 file, with the names of its classes beside it. `several`: cells in which
+  /// other classes have at least 70 % of the best one's votes belong to all of them.
   robotlink::Result<void> exportTable(const std::filesystem::path& file, bool several);
-  /// A table to compare with, of any format that can be imported.
+  /// Reads a table of any format that can be imported and makes it the reference.
   robotlink::Result<void> importReference(const std::filesystem::path& file);
-  /// Reads pictures, from files and folders, to be painted in; beside all else. They are put aside, the first
-  /// is shown, and told() or the bench's failed() says what came of it, after some calls of tick().
+  /// Reads pictures from files and folders in a thread. When they are read (some calls of tick() later) they
+  /// are collected, the first is shown, and told() or the bench's failed() reports the result. Further calls
+  /// are queued.
   void openPictures(const std::vector<std::filesystem::path>& filesOrFolders);
-  /// What is not saved may go: nothing of it comes back.
+  /// The unsaved samples may be lost: deletes their recovery file.
   void discard();
 
-  /// Where files were last read or written, for dialogs.
+  /// The folder of the last file that was read or written; where dialogs start.
   const QString& folder() const { return folder_; }
   void setFolder(const QString& folder) { folder_ = folder; }
 
-  /// What was told or failed last, for views that were not there; empty at first.
+  /// The last text of told() or of the bench's failed(), for views that are opened later; empty at first.
   struct Message {
     QString text;
     bool bad = false;
   };
   const Message& message() const { return message_; }
 
-  /// Keeps what is not saved in `folder`, and brings back what was left there.
+  /// Keeps recovery files in `folder` from now on, and restores what was left there.
   void startRecovery(const std::filesystem::path& folder);
   void tick();
-  /// Writes now what tick() would write later, and waits for it.
+  /// Writes unsaved changes to the recovery file now and waits until that is done.
   void keepNow();
 
  Q_SIGNALS:
+  /// title() changed.
   void titleChanged(const QString& title);
   /// Something was done, or done in part.
   void told(const QString& text);
 
  private:
+  /// Writes or deletes the recovery file.
   void followChanges();
+  /// Takes over pictures that were read.
   void takePictures();
+  /// Sets the file of the samples (which match it now) and drops the recovery file.
   void setFile(const std::filesystem::path& file);
+  /// Sets folder().
   void remember(const std::filesystem::path& file);
   void tell(const QString& text);
   void fail(const QString& reason);
+  /// Reports the first dozen problems by the bench's failed().
   void show(const robotlink::Errors& problems, const QString& what);
 
   ColorBench& bench_;
   std::filesystem::path file_;
   QString folder_;
   Message message_;
+  /// Null before startRecovery().
   std::unique_ptr<ColorRecovery> recovery_;
+  /// Null while no pictures are being read.
   std::unique_ptr<PictureReading> pictures_;
-  std::vector<std::filesystem::path> nextPictures_;  ///< were asked for while others were read
-  int ticksUnkept_ = 0;  ///< since the first change that is not kept; 0: there is none
-  bool kept_ = false;    ///< there is something in the recovery's file
+  /// Requested while others are being read.
+  std::vector<std::filesystem::path> nextPictures_;
+  /// Ticks since the first change that is not in the recovery file; 0: there is none.
+  int ticksUnkept_ = 0;
+  /// Whether the recovery file holds something.
+  bool kept_ = false;
 };
 
-/// Those of a window; made when they are first asked for.
+/// The files of a window, created on the first call.
 ColorFiles& colorFiles(ViewContext& context);
 
 }  // namespace widgets

@@ -10,7 +10,7 @@
 namespace widgets {
 namespace {
 
-/// FNV-1a over words of eight bytes: tells images apart, no more.
+/// FNV-1a over words of eight bytes; only tells images apart.
 std::uint32_t fingerprint(const robotlink::ImageView& image) {
   std::uint64_t hash = 0xcbf29ce484222325U;
   const auto rowBytes = static_cast<std::size_t>(image.width * robotlink::bytesPerPixel(image.format));

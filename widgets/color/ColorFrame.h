@@ -17,36 +17,39 @@ class RawImage;
 
 namespace widgets {
 
-/// A camera image as the colour views share it: immutable, so any thread may look at it.
+/// A camera image, or a picture of a file, as the color views share it. Immutable; any thread may read it.
 class ColorFrame {
  public:
-  /// `stream`: its path; the robot's name, in front, is the camera. `source`: the log it is from, "" if none.
+  /// `stream`: path of its stream, whose first part, the robot's name, identifies the camera. `source`: the
+  /// log that it is from; empty: none. `time`: on the session's timeline.
   ColorFrame(std::shared_ptr<const foxglove::RawImage> image, std::string stream, std::string source,
              robotlink::Instant time);
 
-  /// A picture of a file. `camera`: a robot's name, "" if it is not known.
+  /// A picture of a file. `camera`: name of the robot whose corrections apply; empty: unknown.
   static std::shared_ptr<const ColorFrame> ofFile(std::shared_ptr<const foxglove::RawImage> image,
                                                   const std::filesystem::path& file,
                                                   const std::string& camera);
-  /// The file that a picture is from; empty: it is no picture of a file.
+  /// The absolute path of the picture's file; empty: it is no picture of a file.
   const std::filesystem::path& file() const { return file_; }
-  /// The file that samples name a picture by; empty if the name is that of another kind of image.
+  /// The file that an image's name in samples refers to; empty if it is another kind of image or the file
+  /// does not exist.
   static std::filesystem::path fileOfName(const std::string& name);
 
+  /// The pixels; valid as long as this object.
   const robotlink::ImageView& view() const { return view_; }
   int width() const { return view_.width; }
   int height() const { return view_.height; }
   const std::string& stream() const { return stream_; }
   robotlink::Instant time() const { return time_; }
   const std::shared_ptr<const foxglove::RawImage>& message() const { return image_; }
-  /// The image as samples name it: stream, time and, so that another run's image at the same time is another
-  /// one, a number that stands for its bytes. Its id is 0.
+  /// The image as samples refer to it, with id 0. Its name is made of source, stream and time and ends with a
+  /// fingerprint of the pixels, which tells images of different runs at the same time apart.
   const colortool::SampleImage& place() const { return place_; }
   /// "red1/camera/image  12.340 s", or the name of the file.
   QString title() const;
-  /// The same as short as can be: "12.340 s", or the name of the file.
+  /// The same as short as possible: "12.340 s", or the name of the file.
   QString label() const;
-  /// All colours; made when first asked for (some 4 ns a pixel).
+  /// The colors of all pixels, computed on the first call (about 4 ns per pixel). Thread-safe.
   const colortool::ColorImage& colors() const;
 
  private:
@@ -56,6 +59,7 @@ class ColorFrame {
   std::filesystem::path file_;
   robotlink::Instant time_;
   colortool::SampleImage place_;
+  /// Guards the computation of colors_.
   mutable std::once_flag colorsMade_;
   mutable colortool::ColorImage colors_;
 };

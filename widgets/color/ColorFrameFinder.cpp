@@ -30,7 +30,7 @@ ColorFrameFinder::ColorFrameFinder(ViewContext& context, ColorBench& bench)
 
 ColorFrameFinder::~ColorFrameFinder() = default;
 
-// Where is searched.
+// The place of the search.
 
 std::string ColorFrameFinder::streamToSearch() const {
   if (bench_.frame()) return bench_.frame()->stream();
@@ -74,7 +74,7 @@ robotlink::Result<ColorFrameFinder::Place> ColorFrameFinder::findPlace() const {
                tr("history of %1").arg(QString::fromStdString(stream))};
 }
 
-// Searching.
+// The search.
 
 robotlink::Result<void> ColorFrameFinder::search() {
   const auto place = findPlace();
@@ -89,7 +89,7 @@ robotlink::Result<void> ColorFrameFinder::search() {
 
 void ColorFrameFinder::start() {
   const LearnedColors* colors = bench_.colors();
-  // The margins come shortly after the table.
+  // The margins arrive shortly after the table.
   if (!bench_.upToDate() || !colors->margins) return;
   wanted_ = false;
   auto place = findPlace();
@@ -143,7 +143,7 @@ void ColorFrameFinder::show(int row) {
   }
 }
 
-// What is looked at.
+// The classes that are examined.
 
 bool ColorFrameFinder::looksAt(int colorClass) const {
   const auto& classes = bench_.samples().classes;

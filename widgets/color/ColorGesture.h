@@ -10,46 +10,59 @@
 
 namespace widgets {
 
-/// What the mouse does in an image of the colour tool.
+/// What the mouse does in an image of the color tool.
 enum class ColorTool : std::uint8_t {
-  kPoint,      ///< the pixel that is clicked
-  kBrush,      ///< all along the way of the mouse
-  kRectangle,  ///< between press and release
-  kLasso,      ///< inside of the way of the mouse
-  kWand,       ///< what is of like colour around the pixel that is clicked
-  kEraser,     ///< takes strokes away along the way of the mouse
-  kSelect,     ///< selects the colours inside of the way of the mouse, for all views
-  kMove,       ///< moves the image
+  /// The pixel that is clicked.
+  kPoint,
+  /// All pixels within a radius of the mouse's path.
+  kBrush,
+  /// The rectangle between press and release.
+  kRectangle,
+  /// The inside of the mouse's path.
+  kLasso,
+  /// The connected area of similar color around the pixel that is clicked.
+  kWand,
+  /// Removes strokes along the mouse's path.
+  kEraser,
+  /// Selects the colors inside of the mouse's path, for all views.
+  kSelect,
+  /// Pans the image.
+  kMove,
 };
 
-/// Whether strokes change already while the mouse moves, or when it is released.
+/// Whether samples change while the mouse moves; if not, when the button is released.
 bool isLive(ColorTool tool);
 /// Returns the name of the tool as strokes in samples have it: "brush".
 const char* toolName(ColorTool tool);
 
-/// What a tool touches between press and release of the mouse button. Points in the image as
-/// colortool::ImagePoint has them. A plain value, without Qt.
+/// The area that a tool touches between press and release of the mouse button. Points are image coordinates
+/// as in colortool::ImagePoint. Independent of Qt; a plain value.
 class ColorGesture {
  public:
+  /// How the tool works.
   struct Options {
     ColorTool tool = ColorTool::kBrush;
     double radius = 3;  ///< of brush and eraser, pixels
     /// The brush stays on what it is led along where the mouse slips off a thin line, and leaves out what
     /// has another color than that.
     bool careful = false;
-    double tolerance = 24;  ///< of the careful brush, see carefulBrushArea()
+    /// Color tolerance of the careful brush, see colortool::carefulBrushArea().
+    double tolerance = 24;
     colortool::WandOptions wand;
   };
+  /// The button was pressed at `at`. All calls must get the same image.
   ColorGesture(const colortool::ColorImage& image, Options options, colortool::ImagePoint at);
 
+  /// The mouse was moved; ignored by kPoint and kWand.
   void moveTo(const colortool::ColorImage& image, colortool::ImagePoint at);
   ColorTool tool() const { return options_.tool; }
-  /// What is touched so far.
+  /// The pixels touched so far.
   const colortool::PixelArea& area() const { return area_; }
-  /// The way so far; of a rectangle its two corners.
+  /// The mouse's path so far; of a rectangle two corners.
   const std::vector<colortool::ImagePoint>& way() const { return way_; }
 
  private:
+  /// Adds what the last point of the path touches.
   void touch(const colortool::ColorImage& image);
   colortool::PixelArea touchedLast(const colortool::ColorImage& image);
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the mouse does in the images of the colour tool.
+// The part of ColorImageView that turns gestures in the images into strokes and selections.
 #include <QAction>
 #include <QMenu>
 
@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 colortool::ImagePoint imagePoint(const QPointF& at) {
-  // Samples count from the centre of the upper left pixel.
+  // Coordinates of samples begin at the center of the upper left pixel.
   return {at.x() - 0.5, at.y() - 0.5};
 }
 

@@ -48,13 +48,13 @@ ColorImageView::ColorImageView(ViewContext& context, QWidget* parent)
   createViews();
   connectSignals();
   applyTool();
-  // A picture of a file is in no stream that it could come from again.
+  // A picture of a file is in no stream, so it has to be pinned to be shown again.
   if (bench_.frame() && !bench_.frame()->file().empty()) {
     pinned_ = bench_.frame();
     freeze_->setChecked(true);
   }
   tick();
-  // What the bench has from before changes no more while the time line stands.
+  // The bench may have results already, which no signal announces while the timeline is paused.
   showFrame();
   showColors();
 }
@@ -252,7 +252,7 @@ void ColorImageView::connectCanvas(ColorCanvas* canvas, ColorCanvas* other) {
   });
 }
 
-// What is shown.
+// The images and layers that are shown.
 
 void ColorImageView::tick() {
   if (streams_->refresh(session()))
@@ -268,7 +268,8 @@ ColorFramePtr ColorImageView::shownFrame() {
   const std::string path = streams_->path(session());
   const auto* message = session().store().latest(path, session().timeline().shown());
   if (message == nullptr) {
-    // While it is paused nothing comes again, though other views had no use for it.
+    // The store may have no image although the bench has one of this stream; while the session is paused none
+    // would arrive, so the bench's image is shown.
     const ColorFramePtr& last = bench_.frame();
     const bool still = last && last->file().empty() && last->stream() == path &&
                        last->time() <= session().timeline().shown();
@@ -313,7 +314,7 @@ void ColorImageView::showSelection() {
 
 void ColorImageView::showColors() {
   const LearnedColors* colors = bench_.colors();
-  // What was learned for another image would be shown over this one.
+  // A result for another image must not be shown over this one.
   if (colors == nullptr || colors->frame != bench_.frame() || !colors->classes) return;
   const std::vector<robotlink::Rgb> classColors = bench_.classColors();
   leftLayers_.over = toQImage(colors->classes->view(), classColors, std::move(leftLayers_.over));

@@ -12,10 +12,11 @@ using colortool::ColorTable;
 namespace {
 
 constexpr auto kSize = static_cast<float>(ColorTable::kCellSize);
-/// Cells at the border of what RGB has count as long as this much of a channel is missing: a cell's half.
+/// A cell at the border of the RGB colors counts if its center is outside by at most this much of a channel:
+/// half a cell.
 constexpr float kTolerance = 4;
 
-/// The lower end of a cell: half a value below the first that is in it.
+/// The lower end of a cell, half a value below its first value.
 float lowerEnd(int cell) {
   return kSize * static_cast<float>(cell) - 0.5F;
 }
@@ -58,7 +59,7 @@ std::array<Eigen::Vector3f, 8> ColorLattice::cornersOf(std::size_t cell) const {
 
 float channelAt(ColorSpace space, int channel, const Eigen::Vector3f& place) {
   if (!colortool::isCylinder(space)) {
-    // Y is up, the others before it; RGB is in order.
+    // In YCbCr z is Y, x is Cb and y is Cr; in RGB the channels are in order.
     const int axis = space == ColorSpace::kYCbCr ? (channel + 2) % 3 : channel;
     return place[axis] + 0.5F;
   }

@@ -11,16 +11,17 @@
 
 namespace widgets {
 
-/// Where the cells of a colour table are in a colour space: their corners and their centres, as
-/// colortool::placeIn() has it. Immutable; 6 MB, made in some 20 ms.
+/// The places of a color table's cells in a color space: their corners and centers, as colortool::placeIn()
+/// defines them (a cube of side 1 around the origin). Immutable; 6 MB, computed in about 20 ms.
 class ColorLattice {
  public:
-  static constexpr int kCorners = colortool::ColorTable::kCells + 1;  ///< a side
+  /// Corners along one axis.
+  static constexpr int kCorners = colortool::ColorTable::kCells + 1;
 
   explicit ColorLattice(colortool::ColorSpace space);
 
   colortool::ColorSpace space() const { return space_; }
-  /// Corners count as cells do: [y][cb][cr].
+  /// Index of a corner; the order is that of cells: [y][cb][cr].
   static constexpr std::uint32_t cornerOf(int y, int cb, int cr) {
     return static_cast<std::uint32_t>((y * kCorners + cb) * kCorners + cr);
   }
@@ -29,7 +30,7 @@ class ColorLattice {
   /// The eight corners of a cell; bit 0 of the index is the upper one along Y, bit 1 along Cb, bit 2 along
   /// Cr.
   std::array<Eigen::Vector3f, 8> cornersOf(std::size_t cell) const;
-  /// The cells of colours that the space has: all in YCbCr, elsewhere those that are RGB colours, too.
+  /// The cells whose colors exist in the space: all in YCbCr; in other spaces those that are RGB colors.
   const colortool::CellSet& real() const { return real_; }
 
  private:
@@ -38,7 +39,7 @@ class ColorLattice {
   colortool::CellSet real_;
 };
 
-/// Which value of a space's channel, from 0 to 1, a place has.
+/// Value of a channel (0 to 2) of the space at a place, 0 to 1.
 float channelAt(colortool::ColorSpace space, int channel, const Eigen::Vector3f& place);
 
 }  // namespace widgets

@@ -15,7 +15,7 @@ QRgb heat(int unsure) {
   return qRgb(std::min(255, 2 * unsure), std::clamp(2 * unsure - 255, 0, 255), unsure / 8);
 }
 
-/// An image of what `color` makes of each pixel's cell.
+/// An image of the colors that `color` returns for the cell of each pixel.
 template <typename Color>
 QImage byCell(const robotlink::ImageView& image, QImage::Format format, const Color& color) {
   if (image.empty()) return {};
@@ -69,7 +69,7 @@ QImage differenceImage(const QImage& image, const robotlink::Image& now, const r
       } else {
         const robotlink::Rgb color =
             after[x] < classColors.size() ? classColors[after[x]] : robotlink::Rgb{255, 0, 255};
-        // What became none would not be seen in black.
+        // Pixels that have no class any more would be invisible in black.
         to[x] = after[x] == 0 ? qRgb(255, 0, 255) : qRgb(color.r, color.g, color.b);
       }
     }

@@ -14,14 +14,14 @@ using colortool::Samples;
 
 }  // namespace
 
-/// What the thread has.
+/// State of the thread, kept from one task to the next.
 struct ColorLearner::Work {
   colortool::TableTrainer trainer;
   std::optional<colortool::ImageCorrector> corrector;
-  std::optional<Samples> samples;  ///< those that `table` is of
+  std::optional<Samples> samples;  ///< the samples from which `table` was trained
   std::shared_ptr<const ColorTable> table;
-  std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not yet known
-  std::shared_ptr<const ColorTable> scoredTable;             ///< with what the quality was asked for last
+  std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not computed yet
+  std::shared_ptr<const ColorTable> scoredTable;             ///< what the scorer was given last
   std::shared_ptr<const std::vector<LabelledFrame>> scoredImages;
   std::shared_ptr<const ColorTable> scoredReference;
   std::vector<ColorFramePtr> scoredOthers;

@@ -17,66 +17,83 @@
 
 namespace widgets {
 
-/// What the learner is asked for. Cheap to copy.
+/// The input of the learner. Cheap to copy.
 struct ColorTask {
-  std::uint64_t number = 0;  ///< larger than those before
+  /// Larger than that of all tasks before.
+  std::uint64_t number = 0;
+  /// What the table is trained from.
   colortool::Samples samples;
-  ColorFramePtr frame;  ///< is segmented; null: nothing is
+  /// The image to segment; null: none.
+  ColorFramePtr frame;
+  /// What the table is scored with, see ColorScorer::Task.
   std::shared_ptr<const std::vector<LabelledFrame>> labelled = {};
-  // What the table is scored by, see ColorScorer::Task.
   std::shared_ptr<const colortool::ColorTable> reference = {};
   std::vector<ColorFramePtr> others = {};
 };
 
-/// A table, and what it makes of an image. Immutable.
+/// A trained table and the segmentation of an image with it. Immutable.
 struct LearnedColors {
+  /// Number of its task.
   std::uint64_t task = 0;
-  colortool::Samples samples;  ///< what the table was made of
+  /// What the table was trained from.
+  colortool::Samples samples;
   std::shared_ptr<const colortool::ColorTable> table;
   ColorFramePtr frame;
-  /// The frame with what Samples::correctionOf() does to its camera's colours; null: nothing.
+  /// The frame's image with its camera's correction (Samples::correctionOf()); null: there is none.
   std::shared_ptr<const robotlink::Image> corrected;
-  std::shared_ptr<const robotlink::Image> classes;  ///< of the frame, kMono8; null without a frame
-  /// By ColorTable::cellOf, see TableTrainer::margins(). Null until they are known, shortly after the table.
+  /// The class of each pixel of the frame, kMono8; null without a frame.
+  std::shared_ptr<const robotlink::Image> classes;
+  /// By ColorTable::cellOf, see TableTrainer::margins(). Null at first; a second result with margins follows
+  /// shortly.
   std::shared_ptr<const std::vector<std::uint8_t>> margins;
 
-  /// The frame's colours as the table sees them; empty without a frame.
+  /// The frame's image as the table sees it; empty without a frame.
   robotlink::ImageView seen() const {
     return corrected ? corrected->view() : frame ? frame->view() : robotlink::ImageView();
   }
 };
 
-/// Makes tables of samples and segments images with them, in a thread of its own: at first what is seen, then
-/// the margins. How good the table is, a ColorScorer finds out beside it. Only the newest task counts.
-/// All but the constructor's function is called by one thread. The destructor waits for the work in hand.
+/// Trains color tables and segments images with them in a thread of its own: first the table and the image
+/// that is seen, then the margins. The table is scored at the same time by a ColorScorer. Latest wins: a task
+/// replaces one that has not begun.
+///
+/// All functions are called by one thread, except `news`. The destructor waits for the step in progress.
 class ColorLearner {
  public:
-  /// `news` is called in the learner's thread whenever there is something to take; it must not block.
+  /// `news` is called in the threads of learner and scorer whenever a result can be taken; it must not block.
   explicit ColorLearner(std::function<void()> news);
   ~ColorLearner();
   ColorLearner(const ColorLearner&) = delete;
   ColorLearner& operator=(const ColorLearner&) = delete;
 
+  /// Replaces a task that has not begun.
   void ask(ColorTask task);
-  /// The newest that was not yet taken.
+  /// The newest result that was not taken yet.
   std::optional<LearnedColors> takeColors();
+  /// The newest score that was not taken yet.
   std::optional<ColorQuality> takeQuality();
-  /// Whether all that was asked for is done.
+  /// Whether all tasks are done and all results were taken.
   bool idle() const;
 
  private:
+  /// State of the thread: trainer, last table, what was scored last.
   struct Work;
   void run();
+  /// Whether the thread should begin something else.
   bool newTask() const;
 
   const std::function<void()> news_;
-  mutable std::mutex mutex_;  // protects what follows but the scorer and the thread
+  /// Protects task_, colors_, busy_ and quit_.
+  mutable std::mutex mutex_;
+  /// Signaled when task_ or quit_ is set.
   std::condition_variable wakeUp_;
   std::optional<ColorTask> task_;
   std::optional<LearnedColors> colors_;
   bool busy_ = false;
   bool quit_ = false;
+  /// Has a mutex of its own.
   ColorScorer scorer_;
+  /// Last, since it uses the other members.
   std::thread thread_;
 };
 

@@ -27,10 +27,10 @@ const ViewRegistration kColorQualityViewRegistration{
 
 /// The width of the place for labelled images while there are none, in pixels.
 constexpr int kEmptyWidth = 200;
-/// Fewer strokes than that of a class say little.
+/// With fewer strokes of a class its figures mean little.
 constexpr int kFewStrokes = 5;
 
-/// Whose images these are, if all strokes are of one camera.
+/// The camera of the strokes' images if they all have the same one.
 std::string onlyCamera(const colortool::Samples& samples) {
   std::set<std::string> cameras;
   for (const colortool::SampleImage& image : samples.images) cameras.insert(image.camera);
@@ -253,7 +253,7 @@ void ColorQualityView::showStrokes() {
 
 void ColorQualityView::showLabelled() {
   const bool some = !bench_.labelled().empty();
-  // Without images the strokes have the room; with the first ones both have as much.
+  // Without images the panel of the strokes gets the room; with the first ones both get the same.
   const bool narrow = labelled_->maximumWidth() == kEmptyWidth;
   labelled_->setMaximumWidth(some ? QWIDGETSIZE_MAX : kEmptyWidth);
   if (some && narrow) splitter_->setSizes({width() / 2, width() / 2});

@@ -15,7 +15,7 @@ std::filesystem::path fileAt(const std::filesystem::path& folder, int number) {
   return folder / (number == 1 ? "recovery.samples" : "recovery-" + std::to_string(number) + ".samples");
 }
 
-/// Moves a file to the first free "NAME-damaged-N.samples" beside it.
+/// Renames a file to the first free "NAME-damaged-N.samples" beside it.
 std::filesystem::path setAside(const std::filesystem::path& file) {
   for (int number = 1;; ++number) {
     std::filesystem::path aside = file;
@@ -32,7 +32,7 @@ std::filesystem::path setAside(const std::filesystem::path& file) {
 ColorRecovery::ColorRecovery(std::filesystem::path folder, std::function<void(robotlink::Error)> failed)
     : failed_(std::move(failed)) {
   std::error_code error;
-  std::filesystem::create_directories(folder, error);  // if it fails, so does writing, which is told
+  std::filesystem::create_directories(folder, error);  // if this fails, writing fails as well and is reported
   choosePlace(folder);
   thread_ = std::thread([this] { run(); });
 }
@@ -46,7 +46,7 @@ ColorRecovery::~ColorRecovery() {
   thread_.join();
 }
 
-/// The first place that nobody holds and where something was left, else the first that nobody holds.
+/// Chooses the first unlocked file that was left behind, else the first unlocked name.
 void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
   for (int number = 1; number <= kMaxPrograms; ++number) {
     const std::filesystem::path place = fileAt(folder, number);
@@ -54,7 +54,9 @@ void ColorRecovery::choosePlace(const std::filesystem::path& folder) {
     const bool left = std::filesystem::exists(place, error);
     if (lock_ && !left) continue;
     auto lock = std::make_unique<QLockFile>(QString::fromStdString(place.string() + ".lock"));
-    lock->setStaleLockTime(0);  // that of a program that is no more does not count; an old one may still work
+    lock->setStaleLockTime(
+        // Locks of dead programs do not count, however new; those of living ones do, however old.
+        0);
     if (!lock->tryLock(0)) continue;
     lock_ = std::move(lock);
     file_ = place;
@@ -104,7 +106,7 @@ void ColorRecovery::run() {
   std::unique_lock lock(mutex_);
   while (true) {
     wakeUp_.wait(lock, [this] { return quit_ || job_; });
-    if (!job_) return;  // what was asked for is done before the end
+    if (!job_) return;  // jobs are finished before the end
     const Job job = *std::exchange(job_, std::nullopt);
     busy_ = true;
     lock.unlock();

@@ -15,44 +15,52 @@ class QLockFile;
 
 namespace widgets {
 
-/// Keeps samples that are not yet saved in a file, so that they come back after the program or the computer
-/// failed. Writes in a thread of its own. Several programs at a time keep theirs in files of their own
-/// ("recovery.samples", "recovery-2.samples", ...), which are theirs as long as they hold a lock.
+/// Keeps unsaved samples in a recovery file, so that they can be restored after a crash of the program or the
+/// computer. Files are written in a thread of its own. Several programs that run at the same time have
+/// separate files ("recovery.samples", "recovery-2.samples", ...), each guarded by a lock file.
 ///
-/// One thread calls it. The destructor waits until all that was asked for is done.
+/// Called by one thread. The destructor waits until all jobs are done.
 class ColorRecovery {
  public:
-  /// `failed` is called in the thread, with why samples could not be kept.
+  /// Chooses a file in `folder` that no other program has locked, preferably one that was left behind.
+  /// `failed` is called in the thread with why samples could not be written.
   ColorRecovery(std::filesystem::path folder, std::function<void(robotlink::Error)> failed);
   ~ColorRecovery();
   ColorRecovery(const ColorRecovery&) = delete;
   ColorRecovery& operator=(const ColorRecovery&) = delete;
 
-  /// What a program that ended badly left behind; nothing if none did. It stays in the file until keep() or
-  /// drop(); a file that cannot be read whole is set aside under another name, which the errors tell.
+  /// The samples that a crashed program left behind; unset if there are none. They stay in the file until
+  /// keep() or drop(). A file that cannot be read whole is renamed, which the errors say.
   std::optional<robotlink::Result<colortool::ReadSamples>> left();
-  /// Writes the samples; only the newest count.
+  /// Writes the samples to the file; replaces a job that has not begun.
   void keep(colortool::Samples samples);
-  /// There is nothing to keep: removes the file.
+  /// Deletes the file.
   void drop();
-  /// Waits until all that was asked for is done.
+  /// Blocks until all jobs are done.
   void finish();
 
   const std::filesystem::path& file() const { return file_; }
 
  private:
+  /// One write or deletion.
   struct Job {
-    std::optional<colortool::Samples> samples;  ///< none: the file goes
+    /// Unset: delete the file.
+    std::optional<colortool::Samples> samples;
   };
+  /// Sets file_ and lock_.
   void choosePlace(const std::filesystem::path& folder);
   void ask(Job job);
   void run();
+  /// Executes a job, in the thread.
   void work(const Job& job) const;
 
   const std::function<void(robotlink::Error)> failed_;
   std::filesystem::path file_;
+  /// Null: no file could be locked; file_ is a name that nobody else uses then.
   std::unique_ptr<QLockFile> lock_;
-  std::mutex mutex_;  // protects what follows but the thread
+  /// Protects job_, busy_ and quit_.
+  std::mutex mutex_;
+  /// wakeUp_: job_ or quit_ was set; done_: a job was done.
   std::condition_variable wakeUp_, done_;
   std::optional<Job> job_;
   bool busy_ = false;

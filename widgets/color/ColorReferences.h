@@ -8,20 +8,18 @@
 #include "robotlink/base/Error.h"
 #include "widgets/color/ColorBench.h"
 
+// The sources of reference tables. Any thread, unless said otherwise.
 namespace widgets {
 
-// Where tables to compare with come from. Any thread, unless they say otherwise.
-
-/// A table in a file, a `.c64` or one of another team. Cells of several classes are of the first. Fails where
-/// the file is no table, with all that is wrong, a line each.
+/// Reads a table from a .c64 file or a format of another team. Cells of several classes get the first one.
+/// Fails if the file is no table, with all problems, one per line.
 robotlink::Result<ReferenceTable> readReference(const std::filesystem::path& file);
-/// What samples make: about 20 ms with votes, up to a second with other methods.
+/// Trains a table from samples: about 20 ms with votes, up to a second with other methods.
 ReferenceTable trainedReference(const colortool::Samples& samples, const QString& name);
-/// What a table is called that is of the samples after so many steps: "the table after step 3, Stroke:
-/// orange".
+/// Name of the table after so many steps of the history: "the table after step 3, Stroke: orange".
 QString stepName(const colortool::SampleDocument& document, std::size_t position);
 
-/// The table as it is now; made here if the bench does not yet have it. GUI thread.
+/// The current table; trained here if the bench does not have it yet. GUI thread.
 ReferenceTable referenceOfNow(const ColorBench& bench);
 
 }  // namespace widgets

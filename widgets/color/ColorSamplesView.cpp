@@ -37,8 +37,8 @@ const ViewRegistration kColorSamplesViewRegistration{
 
 constexpr double kWeights[] = {0.5, 1, 2, 5};
 
-/// The time that is part of an image's name ("red1/camera/image 12.340 s [0a1b2c3d]"), in the middle of what
-/// it was rounded from, so that the image is not after it.
+/// The time in an image's name ("red1/camera/image 12.340 s [0a1b2c3d]"), plus half a millisecond because of
+/// rounding, so that the image is not later.
 std::optional<robotlink::Instant> timeOf(const colortool::SampleImage& image) {
   static const QRegularExpression kTime(QStringLiteral(" (-?\\d+\\.\\d{3}) s \\["));
   const auto match = kTime.match(QString::fromStdString(image.name));
@@ -149,7 +149,7 @@ void ColorSamplesView::showSamples() {
   const std::uint64_t held = current.isValid() ? model_.stroke(sorted_->mapToSource(current).row()).id : 0;
   const int column = current.column(), top = tree_->visualRect(current).top();
   model_.setSamples(bench_.samples());
-  // Rows that were made anew lost their selection.
+  // A model reset has cleared the selection.
   if (!before.empty() && !tree_->selectionModel()->hasSelection()) {
     for (int row = 0; row < model_.rowCount(); ++row) {
       if (std::ranges::find(before, model_.stroke(row).id) == before.end()) continue;
@@ -167,7 +167,7 @@ void ColorSamplesView::hold(std::uint64_t stroke, int column, int top) {
     if (model_.stroke(row).id != stroke) continue;
     const QModelIndex index = sorted_->mapFromSource(model_.index(row, column));
     tree_->selectionModel()->setCurrentIndex(index, QItemSelectionModel::NoUpdate);
-    // The tree scrolls by rows, or by pixels, as its style says.
+    // The tree scrolls by rows or by pixels, depending on the style.
     const int off = tree_->visualRect(index).top() - top;
     const bool byRows = tree_->verticalScrollMode() == QAbstractItemView::ScrollPerItem;
     const int height = std::max(1, tree_->visualRect(index).height());

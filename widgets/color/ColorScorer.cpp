@@ -17,7 +17,7 @@ constexpr int kNice = 10;
 
 using colortool::Evaluation;
 
-/// The image's colours as the table sees them: with its camera's correction.
+/// The image's colors with its camera's correction, as the table sees them.
 colortool::ColorImage seen(const ColorFrame& frame, const colortool::Samples& samples) {
   colortool::ColorImage image = frame.colors();
   const auto correction = samples.correctionOf(frame.place().camera);
@@ -30,8 +30,8 @@ colortool::ColorImage seen(const ColorFrame& frame, const colortool::Samples& sa
   return image;
 }
 
-/// Adds an image to an evaluation; classes are matched by their names, and what the table has no class for is
-/// background to it.
+/// Adds an image to an evaluation. Classes are matched by their names; classes that the table does not have
+/// count as background.
 void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScorer::Task& task,
          const colortool::ColorTable& table) {
   std::array<std::uint8_t, 256> numbers;
@@ -44,7 +44,7 @@ void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScore
   evaluation.add(table, seen(*labelled.frame, task.samples), labels);
 }
 
-/// What of an image is of a color that no thing there can have.
+/// Adds the pixels of an image that are suspicious.
 void add(ColorQuality::Others& others, colortool::SuspicionMeter& meter, const ColorFrame& frame) {
   const colortool::Suspicion suspicion = meter.measure(frame.view());
   others.suspicious.resize(std::max(others.suspicious.size(), suspicion.byClass.size()), 0);
@@ -124,7 +124,7 @@ std::optional<ColorQuality> ColorScorer::score(const Task& task) const {
 }
 
 void ColorScorer::run() {
-  // The picture is waited for, figures are not. A thread may always become nicer.
+  // The user waits for the picture, not for the figures. Every thread may lower its own priority.
   ::setpriority(PRIO_PROCESS, static_cast<id_t>(::gettid()), kNice);
   std::unique_lock lock(mutex_);
   while (true) {

@@ -17,67 +17,83 @@
 
 namespace widgets {
 
-/// An image whose pixels' classes are known.
+/// An image whose pixels' true classes are known.
 struct LabelledFrame {
   ColorFramePtr frame;
-  std::vector<std::uint8_t> labels;     ///< a pixel each: index of `classNames`, or Evaluation::kIgnored
-  std::vector<std::string> classNames;  ///< [0] is none
+  /// One per pixel: an index into `classNames`, or Evaluation::kIgnored.
+  std::vector<std::uint8_t> labels;
+  /// [0] stands for no class.
+  std::vector<std::string> classNames;
 };
 
-/// How good a table is.
+/// The score of a table.
 struct ColorQuality {
+  /// Number of its task.
   std::uint64_t task = 0;
+  /// The classes of the samples, by which all figures are numbered.
   colortool::ColorClasses classes;
-  /// How well its strokes predict each other; none without strokes.
+  /// Cross-validation: how well the strokes predict each other; unset without strokes.
   std::optional<colortool::StrokeQuality> strokes;
-  /// Over images whose classes are known; none without such images.
+  /// Over the labeled images; unset without such images.
   std::optional<colortool::Evaluation> labelled;
-  /// The same of the table that it is compared with, if there is one: over all strokes, and over the images.
+  /// The same for the reference table: over all strokes, and over the labeled images; unset without a
+  /// reference.
   std::optional<colortool::Evaluation> referenceStrokes, referenceLabelled;
-  /// In other images, where no label is needed to see that a color of a thing is wrong: how many pixels of
-  /// which class are suspicious (colortool::SuspicionMeter, without what is merely ambiguous), of how many in
-  /// all.
+  /// Score over unlabeled images: numbers of pixels that are suspicious (colortool::SuspicionMeter, without
+  /// those that are merely ambiguous), since a label is not needed to see that a color of a thing is wrong
+  /// there.
   struct Others {
+    /// Number of images, and of their pixels.
     int images = 0;
     std::uint64_t pixels = 0;
-    std::vector<std::uint64_t> suspicious;  ///< by class
+    /// Suspicious pixels by class.
+    std::vector<std::uint64_t> suspicious;
   };
   Others others;
 };
 
-/// Scores tables in a thread of its own, since that takes longer than to make them, and must not hold up the
-/// picture. Only the newest task counts; one that is being worked on is given up for it. One thread calls it.
-/// The destructor waits for at most one step of the work in hand.
+/// Scores tables in a thread of its own with low priority, since that takes longer than training them and
+/// must not delay the picture. Latest wins: a new task cancels the one in progress. Called by one thread. The
+/// destructor waits for at most one step of the task in progress.
 class ColorScorer {
  public:
+  /// A table and what it is scored with.
   struct Task {
     std::uint64_t number = 0;
     colortool::Samples samples;
-    std::shared_ptr<const colortool::ColorTable> table;  ///< that of the samples
+    /// Trained from `samples`.
+    std::shared_ptr<const colortool::ColorTable> table;
     std::shared_ptr<const std::vector<LabelledFrame>> labelled;
-    std::shared_ptr<const colortool::ColorTable> reference;  ///< of the samples' classes; null: none
-    std::vector<ColorFramePtr> others;                       ///< images to look for what is suspicious in
+    /// Numbered by the samples' classes; null: none.
+    std::shared_ptr<const colortool::ColorTable> reference;
+    /// Unlabeled images in which suspicious pixels are counted.
+    std::vector<ColorFramePtr> others;
   };
-  /// `news` is called in the scorer's thread whenever there is something to take; it must not block.
+  /// `news` is called in the scorer's thread whenever there is a score to take; it must not block.
   explicit ColorScorer(std::function<void()> news);
   ~ColorScorer();
   ColorScorer(const ColorScorer&) = delete;
   ColorScorer& operator=(const ColorScorer&) = delete;
 
+  /// Replaces the task.
   void ask(Task task);
-  /// The newest that was not yet taken.
+  /// The newest score that was not taken yet.
   std::optional<ColorQuality> take();
+  /// Whether the task is done and its score was taken.
   bool idle() const;
 
  private:
   void run();
+  /// Unset: canceled.
   std::optional<ColorQuality> score(const Task& task) const;
-  /// False: it was given up.
+  /// Scores labeled and unlabeled images. False: canceled.
   bool scoreImages(const Task& task, ColorQuality& quality) const;
+  /// False if there is a new task, or the scorer is being destroyed.
   bool goOn() const;
 
   const std::function<void()> news_;
-  mutable std::mutex mutex_;  // protects what follows but the thread
+  /// Protects all following members but the thread.
+  mutable std::mutex mutex_;
   std::condition_variable wakeUp_;
   std::optional<Task> task_;
   std::optional<ColorQuality> quality_;

@@ -45,7 +45,7 @@ QString hex(std::uint64_t checksum) {
 ColorSender::ColorSender(ColorBench& bench) : QObject(&bench), bench_(bench) {
   patience_.setSingleShot(true);
   connect(&patience_, &QTimer::timeout, this, [this] {
-    ++asked_;  // an answer that comes now is too late
+    ++asked_;  // later replies are ignored
     tell(State::kFailed,
          tr("%1 does not answer; is its program running?").arg(QString::fromStdString(robot_)));
   });
@@ -90,7 +90,7 @@ void ColorSender::send() {
   for (int i = 1; i < classes.size(); ++i) table.add_class_names(classes.name(i));
   const auto cells = colors->table->cells();
   table.set_cells(cells.data(), cells.size());
-  // Samples know cameras by their robots.
+  // Samples identify cameras by their robots' names.
   const colortool::ColorCorrection correction = colors->samples.correctionOf(robot_);
   if (!correction.none()) assign(*table.mutable_correction(), correction);
   describeSource(table);

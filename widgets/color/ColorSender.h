@@ -23,32 +23,38 @@ namespace widgets {
 
 class ColorBench;
 
-/// Hands the learned table to the selected robot's program, whatever runs it, and makes sure that it arrived:
-/// the robot tells the checksum of what it took over. GUI thread; the bench must outlive it.
+/// Sends the trained table to the program of the selected robot, and checks that it arrived: the reply has
+/// the checksum of the table that the robot uses. GUI thread; a child of the bench.
 class ColorSender final : public QObject {
   Q_OBJECT
  public:
+  /// kIdle: nothing was sent, or the last failure is outdated.
+  /// kSending: a reply is pending, for at most five seconds.
+  /// kConfirmed: the robot uses the table that was sent last.
+  /// kFailed: no robot, no reply, a refusal, or another checksum.
   enum class State : std::uint8_t { kIdle, kSending, kConfirmed, kFailed };
 
   explicit ColorSender(ColorBench& bench);
 
-  /// What was learned until now. While an answer is awaited nothing is sent; what came then follows.
+  /// Sends the newest table. If a reply is pending it is sent after that.
   void send();
-  /// Sends each new table by itself, as soon as the last one was confirmed.
+  /// Whether each new table is sent automatically, as soon as the last one was answered.
   void setAutoSend(bool on);
   bool autoSend() const { return autoSend_; }
 
   State state() const { return state_; }
-  /// Looks, as often as views tick, whether what was said of a failure is still true: another robot is
-  /// selected, or the table is another one.
+  /// Called in each tick: clears a failure that is outdated because another robot is selected or the table is
+  /// another one.
   void tick();
-  /// For people: "red1 uses it (3f2a91bc)", or why not.
+  /// The state for the user: "red1 uses it (3f2a91bc)", or what failed.
   const QString& text() const { return text_; }
 
  Q_SIGNALS:
+  /// State, text or autoSend() changed.
   void changed();
 
  private:
+  /// Sends the table if autoSend() is on and it is new.
   void sendNew();
   void describeSource(robotcontrol::ColorTable& table) const;
   void take(const robotcontrol::RequestResult& result);
@@ -56,13 +62,19 @@ class ColorSender final : public QObject {
 
   ColorBench& bench_;
   bool autoSend_ = false;
-  bool again_ = false;  // something newer waits
+  /// send() was called while a reply was pending.
+  bool again_ = false;
   State state_ = State::kIdle;
   QString text_;
-  std::string robot_;           // that was sent to last
-  std::uint64_t expected_ = 0;  // its checksum
-  std::uint64_t asked_ = 0;     // counts what was sent
+  /// The robot to which a table was sent last.
+  std::string robot_;
+  /// Checksum of that table.
+  std::uint64_t expected_ = 0;
+  /// Number of the last request, so that late replies are ignored.
+  std::uint64_t asked_ = 0;
+  /// That table.
   std::shared_ptr<const colortool::ColorTable> sent_;
+  /// Ends the wait for a reply.
   QTimer patience_;
 };
 

@@ -8,43 +8,51 @@
 
 namespace widgets {
 
-/// From where a colour space is looked at: a cube of side 1 around the origin, z up, turned around its
-/// middle. A plain value; angles in radians.
+/// The camera that looks at a color space: a cube of side 1 around the origin, z up, which is turned around
+/// its center. A plain value; angles in radians.
 struct ColorSpaceCamera {
   static constexpr double kMinZoom = 0.4, kMaxZoom = 30;
 
-  double azimuth = 0.75;    ///< of the viewer, from x to y
-  double elevation = 0.35;  ///< of the viewer, from straight below to straight above
-  double zoom = 1;          ///< 1: the cube fits
-  QPointF pan;              ///< where the middle is, from the widget's, as shares of its shorter side
+  /// Direction of the viewer around z, from x towards y.
+  double azimuth = 0.75;
+  /// Of the viewer, from -pi/2 (straight below) to pi/2 (straight above).
+  double elevation = 0.35;
+  /// 1: the cube fits into the widget.
+  double zoom = 1;
+  /// Offset of the cube's center from the widget's center, as a share of the widget's shorter side.
+  QPointF pan;
 
   bool operator==(const ColorSpaceCamera&) const = default;
 
-  /// Rows: what is right, up, and towards the viewer.
+  /// From the space to the viewer. Rows: right, up, and towards the viewer.
   Eigen::Matrix3f rotation() const;
-  /// What a drag by so many pixels does.
+  /// Turns as for a drag by so many widget pixels.
   void turn(const QPointF& by);
+  /// Pans by so many widget pixels.
   void move(const QSizeF& widget, const QPointF& by);
-  /// What is at `at`, in pixels, stays there.
+  /// Zooms; what is at `at` (widget pixels) stays there.
   void zoomBy(const QSizeF& widget, double factor, const QPointF& at);
 };
 
+/// For saved window layouts.
 QJsonObject stateOf(const ColorSpaceCamera& camera);
-/// What is missing or out of bounds is replaced.
+/// The inverse of stateOf(). Missing values get their defaults, values out of bounds are clamped.
 ColorSpaceCamera colorSpaceCameraOf(const QJsonObject& state);
 
-/// Where a camera sees places in a picture of a certain size.
+/// The perspective projection of a camera to a picture of a certain size. A plain value.
 class ColorSpaceProjection {
  public:
+  /// `picture`: size in pixels, those of the widget or of the device.
   ColorSpaceProjection(const ColorSpaceCamera& camera, const QSizeF& picture);
 
-  /// x and y in pixels from the upper left, z the distance from the viewer.
+  /// Projects a place; x and y in pixels from the upper left, z the distance from the viewer.
   Eigen::Vector3f operator()(const Eigen::Vector3f& place) const {
     const Eigen::Vector3f seen = rotation_ * place;
     const float distance = kViewer - seen.z();
     const float pixels = scale_ * kViewer / distance;
     return {centerX_ + pixels * seen.x(), centerY_ - pixels * seen.y(), distance};
   }
+  /// The same without the distance.
   QPointF point(const Eigen::Vector3f& place) const {
     const Eigen::Vector3f seen = (*this)(place);
     return {static_cast<double>(seen.x()), static_cast<double>(seen.y())};
@@ -52,14 +60,16 @@ class ColorSpaceProjection {
   const Eigen::Matrix3f& rotation() const { return rotation_; }
   /// Returns how many pixels a length of 1 in the middle has.
   float pixels() const { return scale_; }
-  /// Whether a plane through `place` shows that side to the viewer to which `normal` points.
+  /// Whether the viewer sees that side of a plane through `place` to which `normal` points.
   bool facesViewer(const Eigen::Vector3f& place, const Eigen::Vector3f& normal) const {
     return (kViewer * toViewer() - place).dot(normal) > 0;
   }
+  /// Direction from the center to the viewer, of length 1.
   Eigen::Vector3f toViewer() const { return rotation_.row(2).transpose(); }
 
  private:
-  static constexpr float kViewer = 3.2F;  ///< how far away the viewer is: a little perspective
+  /// Distance of the viewer from the center: a weak perspective.
+  static constexpr float kViewer = 3.2F;
 
   Eigen::Matrix3f rotation_;
   float scale_, centerX_, centerY_;

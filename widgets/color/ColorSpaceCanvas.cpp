@@ -33,7 +33,7 @@ ColorSpaceCanvas::ColorSpaceCanvas(QWidget* parent)
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 90);
-  // A queued call into this thread; it is dropped with this widget, which outlives the thread.
+  // A queued call into the GUI thread; it is dropped if this widget, which outlives the thread, is destroyed.
   const auto finished = [this] {
     QMetaObject::invokeMethod(
         this, [this] { takePicture(); }, Qt::QueuedConnection);
@@ -108,7 +108,7 @@ void ColorSpaceCanvas::takePicture() {
 
 ColorSpaceColors ColorSpaceCanvas::colors() const {
   const bool dark = isDark(palette());
-  // A little grey, so that neither black nor white pixels vanish in it.
+  // A little gray, so that neither black nor white pixels vanish in it.
   const QColor background = mixed(palette().color(QPalette::Base), QColor(128, 128, 128), dark ? 0.32 : 0.1);
   return {background, dark ? QColor(255, 90, 215) : QColor(215, 0, 160)};
 }
@@ -126,7 +126,7 @@ void ColorSpaceCanvas::paint(QPainter& painter) const {
   const ColorSpaceColors theme = colors();
   painter.fillRect(rect(), theme.background);
   if (shown_.image.isNull()) return;
-  // The box goes with the picture, not with what is being drawn.
+  // The box belongs to the picture that is shown, not to the one that is being drawn.
   const ColorSpaceRequest& request = *shown_.request;
   const QColor text = palette().color(QPalette::Text);
   const ColorSpaceBox box{request.look.space, ColorSpaceProjection(request.camera, request.widget),

@@ -17,8 +17,7 @@ constexpr int kArcs = 72;
 
 enum class Part : std::uint8_t { kBehind, kInFront };
 
-/// An edge between two faces is in front if both face the viewer; what one sees against nothing is painted
-/// with what is behind.
+/// An edge is in front if both of its faces are visible; silhouette edges are painted with those behind.
 Part partOf(bool firstFaces, bool secondFaces) {
   return firstFaces && secondFaces ? Part::kInFront : Part::kBehind;
 }
@@ -65,10 +64,10 @@ void paintCylinder(QPainter& painter, const ColorSpaceBox& box, Part part) {
     }
   }
   if (part != Part::kBehind) return;
-  // The grey axis, and where angles count from.
+  // The gray axis, and the direction from which angles are measured.
   paintLine(painter, box, {0, 0, -kSide}, {0, 0, kSide});
   paintLine(painter, box, {0, 0, -kSide}, onCircle(0, 0.5, -kSide));
-  // The outline's two vertical lines: where the side turns away from the viewer.
+  // The two vertical lines of the silhouette, where the lateral surface turns away from the viewer.
   bool before = box.projection.facesViewer(onCircle(-1.0 / kArcs, 0.5, 0), onCircle(-1.0 / kArcs, 1, 0));
   for (int i = 0; i < kArcs; ++i) {
     const double turn = double(i) / kArcs;

@@ -9,22 +9,23 @@
 
 class QPainter;
 
+// What is painted behind and in front of a picture of a color space. Pure functions of their arguments.
 namespace widgets {
 
-/// The solid that a colour space fills, around the picture of what is in it: a cube or a cylinder, with the
-/// names of its channels. Painted in two parts, before and after the picture.
+/// The solid that a color space fills, a cube or a cylinder, with the names of its channels.
 struct ColorSpaceBox {
   colortool::ColorSpace space = colortool::ColorSpace::kYCbCr;
   ColorSpaceProjection projection;
+  /// Colors of the edges and of the names.
   QColor lines, text;
 };
-/// What is behind all colours, or beside them.
+/// Paints the edges behind all colors.
 void paintBoxBehind(QPainter& painter, const ColorSpaceBox& box);
-/// What is in front of all colours; and the names.
+/// Paints the edges in front of all colors, and the names.
 void paintBoxInFront(QPainter& painter, const ColorSpaceBox& box);
-/// Where a plane across a channel cuts the solid; nothing for other cuts.
+/// Paints the section of the solid by a cut at a channel's value; nothing for other cuts.
 void paintCut(QPainter& painter, const ColorSpaceBox& box, const ColorSpaceCut& cut, const QColor& color);
-/// The edges of a cell, by its corners as ColorLattice has them.
+/// Paints the edges of a cell; `corners` as ColorLattice::cornersOf() returns them.
 void paintCell(QPainter& painter, const ColorSpaceProjection& projection,
                const std::array<Eigen::Vector3f, 8>& corners, const QColor& light, const QColor& dark);
 

@@ -18,7 +18,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kSteps = 200;  // of the sliders
+constexpr int kSteps = 200;  // steps of the sliders
 
 QIcon swatch(robotlink::Rgb color) {
   QPixmap pixmap(14, 14);
@@ -107,7 +107,7 @@ QWidget* ColorSpacePanel::createCut() {
   layout->addWidget(cut_);
   layout->addWidget(cutAt_);
   layout->addWidget(cutOther_);
-  // Their longest texts shall not take the picture's room.
+  // Long texts must not take the room of the picture.
   for (QComboBox* choice : {surfaces_, cut_}) {
     choice->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
     choice->setMinimumContentsLength(8);

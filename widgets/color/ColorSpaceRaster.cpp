@@ -19,7 +19,7 @@ int pixelOf(float value, int end) {
   return static_cast<int>(std::clamp(value, -1.F, static_cast<float>(end)));
 }
 
-/// Channels of what is shown, premultiplied, from 0 to 255.
+/// A premultiplied color, or a sum of several; channels 0 to 255 for a single one.
 struct Shade {
   unsigned r = 0, g = 0, b = 0, alpha = 0;
 
@@ -92,7 +92,7 @@ void ColorSpaceRaster::quad(const std::array<Vector3f, 4>& corners, QRgb color, 
 
 void ColorSpaceRaster::triangle(const Vector3f& a, const Vector3f& b, const Vector3f& c, QRgb color,
                                 std::uint32_t cell) {
-  // y points down, so what is counter-clockwise has a negative area.
+  // y points down, so counterclockwise triangles have a negative area.
   const float whole = -area(a, b, c.x(), c.y());
   if (!(whole > 1e-6F)) return;
   const auto [leftmost, rightmost] = std::minmax({a.x(), b.x(), c.x()});
@@ -101,7 +101,7 @@ void ColorSpaceRaster::triangle(const Vector3f& a, const Vector3f& b, const Vect
             right = std::min(width_ - 1, pixelOf(std::floor(rightmost - 0.5F), width_));
   const int top = std::max(0, pixelOf(std::ceil(highest - 0.5F), height_)),
             bottom = std::min(height_ - 1, pixelOf(std::floor(lowest - 0.5F), height_));
-  // Shares of the corners, and how they change from pixel to pixel.
+  // Barycentric coordinates, and how they change from pixel to pixel.
   const float scale = -1 / whole;
   const float stepA = -(c.y() - b.y()) * scale, stepB = -(a.y() - c.y()) * scale;
   for (int y = top; y <= bottom; ++y) {

@@ -12,32 +12,37 @@
 
 namespace widgets {
 
-/// Pixels with a depth and with the cell of the colour table that they show: what is nearer hides what is
-/// farther. Places are as ColorSpaceProjection has them. One thread.
+/// A frame buffer with depth: pixels with a color, a distance and the cell of the color table that they show;
+/// what is nearer hides what is farther. Places are as ColorSpaceProjection returns them. Not thread-safe.
 class ColorSpaceRaster {
  public:
+  /// Cell of pixels that show nothing.
   static constexpr std::uint32_t kNoCell = std::numeric_limits<std::uint32_t>::max();
 
-  /// Empties it.
+  /// Sets the size in pixels and clears all pixels.
   void reset(QSize size);
   QSize size() const { return {width_, height_}; }
 
-  /// A disc, in pixels; up to four it is a square.
+  /// Draws a disc of constant depth, in pixels; up to a diameter of 4 it is a square.
   void disc(const Eigen::Vector3f& center, int diameter, QRgb color, std::uint32_t cell);
-  /// A face with two sides, of which only that is seen whose corners are counter-clockwise.
+  /// Draws a quadrilateral, which is visible only if its corners are counterclockwise in the picture.
   void quad(const std::array<Eigen::Vector3f, 4>& corners, QRgb color, std::uint32_t cell);
 
+  /// What a pixel shows.
   struct Pixel {
+    /// Distance from the viewer.
     float depth = std::numeric_limits<float>::max();
     QRgb color = 0;
     std::uint32_t cell = kNoCell;
   };
+  /// x and y must be inside.
   const Pixel& at(int x, int y) const { return pixels_[indexOf(x, y)]; }
 
  private:
   std::size_t indexOf(int x, int y) const {
     return static_cast<std::size_t>(y) * static_cast<std::size_t>(width_) + static_cast<std::size_t>(x);
   }
+  /// Draws a triangle with interpolated depth; clockwise ones are skipped.
   void triangle(const Eigen::Vector3f& a, const Eigen::Vector3f& b, const Eigen::Vector3f& c, QRgb color,
                 std::uint32_t cell);
 
@@ -45,14 +50,16 @@ class ColorSpaceRaster {
   std::vector<Pixel> pixels_;
 };
 
-/// What two rasters of one size show together.
+/// Two rasters in one picture.
 struct ColorSpaceLayers {
-  QImage image;                      ///< ARGB32_Premultiplied, transparent where nothing is
-  std::vector<std::uint32_t> cells;  ///< a pixel of the image each, or ColorSpaceRaster::kNoCell
+  /// ARGB32_Premultiplied, transparent where nothing is.
+  QImage image;
+  /// The cell of each pixel of the image, or ColorSpaceRaster::kNoCell.
+  std::vector<std::uint32_t> cells;
 };
-/// `surfaces` lie with `opacity` over what of `solid` is behind them. Each pixel of the image is the mean of
-/// `reduction` x `reduction` ones; the sides are multiples of it. The cell is the solid's where it is seen
-/// through a surface that is less than half opaque.
+/// Blends `surfaces` with `opacity` (0 to 1) over what of `solid` is behind them; both have the same size.
+/// Each pixel of the image is the mean of `reduction` x `reduction` pixels, of which the sides must be
+/// multiples. The cell is that of `solid` where it is visible through a surface of less than half opacity.
 ColorSpaceLayers compose(const ColorSpaceRaster& solid, const ColorSpaceRaster& surfaces, double opacity,
                          int reduction);
 

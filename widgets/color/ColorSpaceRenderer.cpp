@@ -16,16 +16,16 @@ using Eigen::Vector3f;
 
 namespace {
 
-constexpr double kDimmed = 0.78;       // how much of the background what is not selected gets
-constexpr double kHighlighted = 0.55;  // how much of the highlight a selected surface gets
+constexpr double kDimmed = 0.78;       // share of the background in what is not selected
+constexpr double kHighlighted = 0.55;  // share of the highlight in a selected surface
 constexpr std::array<std::uint8_t, 256> kSameClasses = [] {
   std::array<std::uint8_t, 256> numbers{};
   for (std::size_t i = 0; i < numbers.size(); ++i) numbers[i] = static_cast<std::uint8_t>(i);
   return numbers;
 }();
 constexpr QRgb kBackgroundClass = qRgb(128, 128, 128);
-/// Samples are seen over pixels of their colour, and the rim of a point behind it. That of selected pixels is
-/// so far behind that it surrounds groups of them instead of each.
+/// Offsets of depth: samples are drawn over pixels of their color, the rim of a point behind it. The rim of
+/// selected pixels is so far behind that it surrounds groups instead of single ones.
 constexpr float kInFront = 0.012F, kBehind = 0.002F, kFarBehind = 0.06F;
 
 QRgb mix(QRgb a, QRgb b, double share) {
@@ -44,7 +44,8 @@ QRgb classColor(const ColorClasses& classes, std::uint8_t colorClass) {
   return qRgbOf(classes.shownColor(colorClass));
 }
 
-/// Between background and class, so that even black ones have a shape; `light` from 0 to 1.
+/// Shades a color, slightly mixed with gray so that even black surfaces show their shape; `light` from 0 to
+/// 1.
 QRgb shaded(QRgb color, float light) {
   const QRgb lifted = mix(color, qRgb(130, 130, 130), 0.14);
   const double strength = 0.58 + 0.42 * static_cast<double>(light);
@@ -58,7 +59,7 @@ std::vector<bool> shownClasses(const ColorSpaceLook& look, const ColorClasses& c
   return shown;
 }
 
-/// The classes whose surfaces are shown, by ColorTable::cellOf; none where nothing is to be seen.
+/// The table whose surfaces are shown; empty if there is nothing to show.
 ColorTable surfaceTable(const ColorSpaceContents& contents, SurfacesOf surfaces) {
   if (surfaces == SurfacesOf::kTable) return contents.table == nullptr ? ColorTable() : *contents.table;
   if (contents.reference == nullptr) return {};
@@ -93,16 +94,16 @@ bool ColorSpaceLook::shows(const std::string& className) const {
   return std::ranges::find(hidden, className) == hidden.end();
 }
 
-/// One picture that is being drawn.
+/// State of drawing one picture.
 struct ColorSpaceRenderer::Drawing {
   const ColorSpaceRequest& request;
   const ColorSpaceContents& contents;
   ColorSpaceProjection projection;
-  float scale = 1;  ///< pixels of the raster for one of the widget
+  float scale = 1;  ///< raster pixels per logical pixel
   std::vector<bool> shownClasses = {};
   QRgb background = 0, highlight = 0;
   CellSet shown = {};
-  CellSet selectionSeen = {};  ///< what of the selection something else shows already
+  CellSet selectionSeen = {};  ///< selected cells that are visible already
 
   bool selected(std::size_t cell) const {
     return contents.selection != nullptr && contents.selection->contains(cell);
@@ -206,7 +207,7 @@ void ColorSpaceRenderer::updateSurfaces(const ColorSpaceRequest& request, const 
 
 void ColorSpaceRenderer::drawPoints(Drawing& drawing) {
   if (cloud_ == nullptr) return;
-  // Larger with the number of pixels and, more slowly, with the zoom.
+  // Points grow with the number of pixels and, more slowly, with the zoom.
   const auto zoom = static_cast<float>(std::sqrt(drawing.request.camera.zoom));
   for (std::size_t i = 0; i < cloudPlaces_.size(); ++i) {
     const CloudPoint& point = cloud_->points[i];
@@ -243,7 +244,7 @@ void ColorSpaceRenderer::drawSamples(Drawing& drawing) {
     if (selected) draw(diameter + 4 * rim, 2 * kBehind, drawing.highlight);
     draw(diameter + 2 * rim, kBehind, contrast);
     draw(diameter, 0, color);
-    // What must not be of a class is a ring of its colour.
+    // A stroke that says "must not be" is a ring in the color of its class.
     if (sample.mustNotBe) draw(std::max(1, diameter - 2 * rim - 1), -kBehind, contrast);
   }
 }
@@ -263,13 +264,13 @@ void ColorSpaceRenderer::drawSurfaces(Drawing& drawing) {
     }
     surfaces_.quad(corners, color, face.cell);
   }
-  // What is inside of a surface can be selected, too.
+  // Cells inside of a surface can be selected as well.
   for (std::size_t row = 0; row < CellSet::kRows; ++row) drawing.shown.row(row) |= inside_.row(row);
 }
 
 void ColorSpaceRenderer::drawSelection(Drawing& drawing) {
   if (drawing.contents.selection == nullptr) return;
-  // Cells of the selection that nothing else shows.
+  // Selected cells that nothing else shows.
   const int diameter = drawing.pixels(2);
   for (std::size_t row = 0; row < CellSet::kRows; ++row) {
     CellSet::Row bits = drawing.contents.selection->row(row) & left_.row(row) &

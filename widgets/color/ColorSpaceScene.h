@@ -16,71 +16,94 @@
 #include "widgets/color/ColorSpaceCamera.h"
 #include "widgets/color/ColorSpaceCut.h"
 
+// Requests for pictures of a color space and their results: immutable values that are exchanged between
+// threads.
 namespace widgets {
 
-// What is asked of a picture of a colour space, and what comes back: values that threads hand over.
-
-/// What there is to be seen. Immutable.
+/// What can be shown. Immutable.
 struct ColorSpaceContents {
-  ColorFramePtr frame;  ///< its pixels; null: none
-  std::shared_ptr<const robotlink::Image>
-      corrected;  ///< the pixels as the table sees them; null: as they are
-  std::shared_ptr<const colortool::ColorTable> table;      ///< what classes pixels have; null: none
-  std::shared_ptr<const colortool::ColorTable> reference;  ///< what it is compared with; null: nothing
-  colortool::Samples samples;                              ///< and the classes of all
-  std::shared_ptr<const colortool::CellSet> selection;     ///< null: nothing is selected
+  /// The image whose pixels are shown; null: none.
+  ColorFramePtr frame;
+  /// The image with its camera's correction; null: there is none.
+  std::shared_ptr<const robotlink::Image> corrected;
+  /// The table whose surfaces are shown and which classifies the pixels; null: none.
+  std::shared_ptr<const colortool::ColorTable> table;
+  /// The reference table; null: none.
+  std::shared_ptr<const colortool::ColorTable> reference;
+  /// The samples, and the classes of both tables.
+  colortool::Samples samples;
+  /// The selected cells; null: nothing is selected.
+  std::shared_ptr<const colortool::CellSet> selection;
 
+  /// The pixels as the table sees them; empty without a frame.
   robotlink::ImageView pixels() const {
     return corrected ? corrected->view() : frame ? frame->view() : robotlink::ImageView();
   }
 };
 
-/// Whose surfaces are shown.
+/// Which surfaces are shown.
 enum class SurfacesOf : std::uint8_t {
+  /// Those of the trained table.
   kTable,
+  /// Those of the reference table.
   kReference,
-  kDifference,  ///< cells that the reference puts elsewhere, in the table's class or, if it has none, in that
+  /// Cells with different classes in both tables, in the class of the table or, if it has none, of the
+  /// reference.
+  kDifference,
 };
 
-/// What of it the user wants to see, and how.
+/// What the user wants to see, and how.
 struct ColorSpaceLook {
   colortool::ColorSpace space = colortool::ColorSpace::kYCbCr;
+  /// Whether pixels, samples, and surfaces are shown.
   bool pixels = true, samples = true, table = true;
   SurfacesOf surfaces = SurfacesOf::kTable;
-  double opacity = 0.45;            ///< of the table's surfaces, from 0 to 1
-  std::vector<std::string> hidden;  ///< names of classes; "none": what is of no class
+  /// Of the surfaces, 0 to 1.
+  double opacity = 0.45;
+  /// Names of hidden classes; "none": what has no class.
+  std::vector<std::string> hidden;
   ColorSpaceCut cut;
 
   bool operator==(const ColorSpaceLook&) const = default;
+  /// Whether a class is not hidden.
   bool shows(const std::string& className) const;
 };
 
-/// Colours that go with the palette.
+/// Colors that depend on the palette.
 struct ColorSpaceColors {
   QColor background, highlight;
   bool operator==(const ColorSpaceColors&) const = default;
 };
 
+/// A picture to be drawn.
 struct ColorSpaceRequest {
   std::shared_ptr<const ColorSpaceContents> contents;
   ColorSpaceLook look;
   ColorSpaceCamera camera;
   ColorSpaceColors colors;
-  QSizeF widget;        ///< what the camera fits the space to
-  double ratio = 1;     ///< pixels of the picture for one of the widget
-  bool smooth = false;  ///< takes four times as long
+  /// Size that the camera refers to, in logical pixels.
+  QSizeF widget;
+  /// Pixels of the picture per logical pixel.
+  double ratio = 1;
+  /// Whether edges are smooth, which takes four times as long.
+  bool smooth = false;
 
+  /// Size of the picture.
   QSize pixels() const { return (widget * ratio).toSize(); }
 };
 
+/// A picture that was drawn.
 struct ColorSpacePicture {
   std::shared_ptr<const ColorSpaceRequest> request;
-  QImage image;                      ///< premultiplied, transparent where nothing is
-  std::vector<std::uint32_t> cells;  ///< of each pixel, or ColorSpaceRaster::kNoCell
+  /// Premultiplied, transparent where nothing is.
+  QImage image;
+  /// The cell that each pixel shows, or ColorSpaceRaster::kNoCell.
+  std::vector<std::uint32_t> cells;
   std::shared_ptr<const ColorLattice> lattice;
-  std::shared_ptr<const ColorCloud> cloud;  ///< null without a frame
-  std::shared_ptr<const colortool::CellSet>
-      shown;  ///< all cells that show something, hidden or not by others
+  /// The colors of the image; null without a frame.
+  std::shared_ptr<const ColorCloud> cloud;
+  /// All cells that are shown, even if others hide them.
+  std::shared_ptr<const colortool::CellSet> shown;
 };
 
 }  // namespace widgets

@@ -13,19 +13,20 @@
 
 namespace widgets {
 
-/// Draws colour spaces in a thread of its own. Latest wins: a request replaces one that has not begun. At
-/// most 30 pictures a second, and no more than half of one core.
+/// Draws color spaces in a thread of its own. Latest wins: a request replaces one that has not begun. At most
+/// about 33 pictures per second, and not more than half of one core.
 ///
-/// The public functions may be called from the thread that made it. Its end waits for the picture that is
-/// being drawn.
+/// All functions are called by the thread that made it. The destructor waits for the picture that is being
+/// drawn.
 class ColorSpaceThread {
  public:
-  /// `finished` is called from the thread when there is a picture to be taken; it must not wait.
+  /// `finished` is called in the drawing thread when a picture can be taken; it must not block.
   explicit ColorSpaceThread(std::function<void()> finished);
   ~ColorSpaceThread();
   ColorSpaceThread(const ColorSpaceThread&) = delete;
   ColorSpaceThread& operator=(const ColorSpaceThread&) = delete;
 
+  /// Replaces a request that has not begun.
   void request(std::shared_ptr<const ColorSpaceRequest> request);
   /// The newest picture that was not taken yet.
   std::optional<ColorSpacePicture> take();
@@ -34,11 +35,12 @@ class ColorSpaceThread {
   using Clock = std::chrono::steady_clock;
 
   void run();
-  /// Null when the thread shall end. Waits for a request, and until `due`.
+  /// Waits for a request and until `due`. Null when the thread shall end.
   std::shared_ptr<const ColorSpaceRequest> next(Clock::time_point due);
 
   std::function<void()> finished_;
-  std::mutex mutex_;  // protects all that follows but the thread
+  /// Protects all following members but the thread.
+  std::mutex mutex_;
   std::condition_variable changed_;
   bool ending_ = false;
   std::shared_ptr<const ColorSpaceRequest> wanted_;

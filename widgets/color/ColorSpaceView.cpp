@@ -28,7 +28,7 @@ const ViewRegistration kColorSpaceViewRegistration{
                        "Pixels, samples and the table's classes in the three dimensions of colour"),
      "color-space", true, create<ColorSpaceView>}};
 
-constexpr int kTicksBetweenImages = 3;  // of 30 a second
+constexpr int kTicksBetweenImages = 3;  // images are followed at 10 Hz
 
 QString rangeOf(int cell) {
   const int first = cell * static_cast<int>(colortool::ColorTable::kCellSize);
@@ -90,7 +90,7 @@ void ColorSpaceView::createViews() {
   canvas_ = new ColorSpaceCanvas(this);
   hint_ = new EmptyHint(canvas_);
   panel_ = new ColorSpacePanel;
-  // A low dock has no room for all of it.
+  // In a low dock the panel scrolls.
   auto* scroll = new QScrollArea(this);
   scroll->setWidgetResizable(true);
   scroll->setFrameShape(QFrame::NoFrame);
@@ -135,7 +135,7 @@ QWidget* ColorSpaceView::createFooter() {
   swatch_->setFixedSize(22, 14);
   pointed_ = addLabel(footer, "colorSpacePointed", tr("Cell under the cursor"));
   pointed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
-  pointed_->setMinimumHeight(fontMetrics().lineSpacing() + 2);  // also without a text
+  pointed_->setMinimumHeight(fontMetrics().lineSpacing() + 2);  // keeps its height without a text
   footer->setStretchFactor(pointed_, 1);
   return footer->parentWidget();
 }
@@ -234,7 +234,7 @@ void ColorSpaceView::updateLook() {
 void ColorSpaceView::updatePointed() {
   const auto cell = canvas_->pointedCell();
   pointed_->setText(cell ? describe(*cell) : QString());
-  pointed_->setToolTip(pointed_->text());  // where there is no room for all of it
+  pointed_->setToolTip(pointed_->text());  // for narrow views
   if (!cell) return swatch_->clear();
   const auto middle = [](std::size_t part) { return static_cast<std::uint8_t>((part & 63U) * 4 + 2); };
   const robotlink::Rgb color = robotlink::toRgb({middle(*cell >> 12U), middle(*cell >> 6U), middle(*cell)});

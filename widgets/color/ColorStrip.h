@@ -9,26 +9,30 @@ namespace widgets {
 
 class ColorBench;
 
-/// The images that were put aside, as a strip of small pictures. Hidden while there are none, or while it is
-/// not wanted; low where there is little room. Delete removes the current one.
+/// The collected images as a strip of thumbnails. Hidden while there are none or it is not wanted. Delete
+/// removes the current image. GUI thread.
 class ColorStrip final : public QListWidget {
   Q_OBJECT
  public:
+  /// The bench must outlive the strip.
   explicit ColorStrip(ColorBench& bench, QWidget* parent = nullptr);
 
-  /// Marks the one that is shown; null: none of them is.
+  /// Marks an image as the current one; null: none.
   void showCurrent(const ColorFramePtr& frame);
+  /// Whether the user wants to see the strip.
   void setWanted(bool wanted);
-  /// Low pictures without names, for views that are not high.
+  /// Low thumbnails without names, for views with little height.
   void setLow(bool low);
 
  Q_SIGNALS:
+  /// The user chose an image.
   void chosen(const ColorFramePtr& frame);
 
  protected:
   void keyPressEvent(QKeyEvent* event) override;
 
  private:
+  /// Lists the bench's collected images.
   void refresh();
   QString labelOf(const ColorFrame& frame) const;
 

@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 
 constexpr int kCells = ColorTable::kCells;
 
-/// One of the six sides of a cell: where its neighbour is, and its corners, each by y, cb, cr.
+/// One of the six sides of a cell: axis and step to the neighbor, and the corners as offsets (y, cb, cr).
 struct Side {
   int axis;
   int step;
@@ -28,7 +28,7 @@ constexpr Side kSides[] = {
 };
 constexpr std::array<int, 3> kStrides = {kCells * kCells, kCells, 1};
 
-/// The face, wound as it is seen from outside of its cell in this space. Spaces mirror some cells.
+/// The face with its corners counterclockwise as seen from outside of its cell. Some spaces mirror cells.
 SurfaceFace makeFace(const ColorLattice& lattice, std::size_t cell, const std::array<int, 3>& at,
                      const Side& side, std::uint8_t colorClass) {
   SurfaceFace face;
@@ -49,8 +49,8 @@ SurfaceFace makeFace(const ColorLattice& lattice, std::size_t cell, const std::a
   return face;
 }
 
-/// Lets faces of one class share what they say of their corners, so that a surface of cells is shaded as if
-/// it were smooth. `sums` is all zero before and after.
+/// Averages the normals of faces of one class at their common corners, so that surfaces are shaded smoothly.
+/// `sums` is all zero before and after.
 void evenOut(std::span<SurfaceFace*> faces, std::vector<Vector3f>& sums) {
   for (const SurfaceFace* face : faces) {
     for (const std::uint32_t corner : face->corners) sums[corner] += face->normal;

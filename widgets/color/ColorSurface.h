@@ -12,16 +12,19 @@
 
 namespace widgets {
 
-/// A side of a cell behind which there is another class, or none.
+/// A side of a cell that borders on a cell of another class, or of none.
 struct SurfaceFace {
-  std::array<std::uint32_t, 4> corners;  ///< of the lattice; seen from outside, counter-clockwise
-  Eigen::Vector3f normal;                ///< outwards, of length 1; evened out over the faces around
+  /// Corners of the lattice, counterclockwise as seen from outside.
+  std::array<std::uint32_t, 4> corners;
+  /// Outwards, of length 1; averaged over the adjacent faces.
+  Eigen::Vector3f normal;
+  /// The cell, and its class.
   std::uint32_t cell = 0;
   std::uint8_t colorClass = 0;
 };
 
-/// The surfaces of a table's classes. `classes`: by ColorTable::cellOf; `visible`: the cells that count, all
-/// others are as if they were of none. Some 2 ms for a table of a field's colours.
+/// The surfaces of a table's classes. `classes`: by ColorTable::cellOf. `visible`: all other cells count as
+/// having no class. Takes about 2 ms for a table of a field's colors.
 std::vector<SurfaceFace> surfacesOf(std::span<const std::uint8_t, colortool::ColorTable::kCellCount> classes,
                                     const colortool::CellSet& visible, const ColorLattice& lattice);
 

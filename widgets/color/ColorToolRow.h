@@ -20,50 +20,61 @@ namespace widgets {
 
 class ColorBench;
 
-/// What strokes are made with: the class, the tool, its size, undo and redo. Digits choose the class, letters
-/// the tool, [ and ] its size, anywhere within `owner`.
+/// The row of controls for drawing strokes: class, tool, its size, undo and redo, and the opacity of the
+/// classes. Digits choose the class, letters the tool, [ and ] its size, while the focus is anywhere within
+/// `owner`. GUI thread.
 class ColorToolRow final : public QWidget {
   Q_OBJECT
  public:
+  /// The bench must outlive the row; `owner` is the view.
   ColorToolRow(ColorBench& bench, QWidget* owner);
 
   ColorTool tool() const;
-  double radius() const;  ///< of brush and eraser, pixels
+  /// Radius of brush and eraser in pixels.
+  double radius() const;
+  /// Tool, radius and tolerances for a gesture.
   ColorGesture::Options options() const;
-  /// How strongly the classes are laid over the image, 0 to 1.
+  /// Opacity of the classes over the image, 0 to 1.
   double opacity() const;
+  /// Multiplies the radius, within its limits.
   void scaleRadius(double factor);
-  /// A place for a sentence in the row: whether the robot uses the table.
+  /// A label in the row for the view's use: whether the robot uses the table.
   QLabel* note() { return note_; }
 
+  /// Tool, radius, careful brush, tolerance and opacity.
   QJsonObject saveState() const;
   void restoreState(const QJsonObject& state);
 
  Q_SIGNALS:
+  /// Tool, radius or tolerance changed.
   void toolChanged();
   void opacityChanged();
 
  private:
+  /// The tools with their letters.
   void createTools(QWidget* owner);
   void createControls();
   void createShortcuts(QWidget* owner);
+  /// Enables the controls that the tool uses and emits toolChanged().
   void update();
   void updateClass();
 
   ColorBench& bench_;
   QActionGroup* tools_ = nullptr;
+  /// `careful_`: the brush leaves out other colors.
   QAction *undo_ = nullptr, *redo_ = nullptr, *careful_ = nullptr;
   QToolButton* class_ = nullptr;
   QMenu* classMenu_ = nullptr;
   QDoubleSpinBox* radius_ = nullptr;
+  /// Color tolerance of the wand.
   QSpinBox* tolerance_ = nullptr;
   QSlider* opacity_ = nullptr;
   QLabel* note_ = nullptr;
 };
 
-/// A small square of a class's colour, grey for the background.
+/// A small square in a class's color, gray for the background.
 QIcon classSwatch(const ColorBench& bench, int colorClass);
-/// "background" or the class's name.
+/// The class's name, or "background".
 QString className(const ColorBench& bench, int colorClass);
 
 }  // namespace widgets

@@ -19,8 +19,8 @@ namespace {
 
 constexpr int kNoteLines = 4;
 
-/// Shades a cell by its share: what is right in one colour, what is wrong in another, stronger early on,
-/// since a few percent matter. The text stays that of the palette.
+/// Shades a cell by its share in the color for right or wrong, steeply for small shares, since a few percent
+/// matter. The text keeps the palette's color.
 class HeatDelegate final : public QStyledItemDelegate {
  public:
   using QStyledItemDelegate::QStyledItemDelegate;
@@ -43,14 +43,14 @@ ConfusionPanel::ConfusionPanel(const char* name, const QString& title, QWidget* 
   auto* heading = new QLabel(QStringLiteral("<b>%1</b>").arg(title.toHtmlEscaped()), this);
   summary_ = new QLabel(this);
   describe(*summary_, {(prefix + "Summary").constData(), title, {}});
-  summary_->setWordWrap(true);  // rather than to keep the dock wide
+  summary_->setWordWrap(true);  // so that it does not determine the dock's width
   summary_->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
   noteArea_ = new QScrollArea(this);
   note_ = new QLabel(noteArea_);
   describe(*note_, {(prefix + "Note").constData(), tr("What to know about these figures"), {}});
   note_->setWordWrap(true);
   note_->setAlignment(Qt::AlignLeft | Qt::AlignTop);
-  // Many sentences must not take the room from other views.
+  // A long note must not take the room of other views.
   noteArea_->setWidget(note_);
   noteArea_->setWidgetResizable(true);
   noteArea_->setFrameShape(QFrame::NoFrame);

@@ -13,16 +13,16 @@ namespace widgets {
 
 class EmptyHint;
 
-/// Figures of one evaluation: mean recall and false colours, the matrix of what was found for what, shaded by
-/// share, and what there is too little of to judge by.
+/// One evaluation: mean recall and false colors in a line, the confusion matrix shaded by share, and a note.
+/// GUI thread.
 class ConfusionPanel final : public QWidget {
   Q_OBJECT
  public:
-  /// `name` begins the names of its widgets: "strokes" makes "strokesMatrix", "strokesSummary",
-  /// "strokesNote".
+  /// `name` begins the object names: "strokes" gives "strokesMatrix", "strokesSummary", "strokesNote".
   ConfusionPanel(const char* name, const QString& title, QWidget* parent = nullptr);
 
-  /// `note`: what is to be known about these figures; may be empty.
+  /// `alone`: classes whose figures mean nothing, see ConfusionModel. `note`: what the user should know about
+  /// the figures; may be empty.
   void show(const colortool::ColorClasses& classes, const colortool::Evaluation& evaluation,
             const std::vector<std::uint8_t>& alone, const QString& note);
   /// There are no figures: why, and what to do.
@@ -35,6 +35,7 @@ class ConfusionPanel final : public QWidget {
   QTableView* table_ = nullptr;
   QLabel* summary_ = nullptr;
   QLabel* note_ = nullptr;
+  /// Scrolls a long note.
   QScrollArea* noteArea_ = nullptr;
   EmptyHint* hint_ = nullptr;
 };

@@ -27,12 +27,14 @@ std::shared_ptr<const foxglove::RawImage> rawImageIn(const robotlink::StreamMess
 
 }  // namespace
 
-/// What looks at images.
+/// What the thread needs to examine images.
 struct FrameSearch::Eye {
   colortool::SuspicionMeter meter;
   std::optional<colortool::ImageCorrector> corrector;
   robotlink::Image corrected;
-  std::priority_queue<double, std::vector<double>, std::greater<>> worst;  // scores, the least on top
+  std::priority_queue<double, std::vector<double>, std::greater<>>
+      // Scores of the frames that are kept, lowest on top.
+      worst;
 
   explicit Eye(const FrameQuery& query)
       : meter(*query.table,

@@ -19,28 +19,37 @@
 
 namespace widgets {
 
-/// An image in which a table does something suspicious.
+/// An image with suspicious pixels.
 struct SuspiciousFrame {
-  robotlink::Instant time;  ///< of the session: as the replay tells it
+  /// On the session's timeline.
+  robotlink::Instant time;
+  /// Score and pixel counts.
   colortool::Suspicion found;
+  /// 54 pixels high.
   QImage thumbnail;
 };
 
-/// Where the images are: in a log, or in a history.
+/// Images in a log file.
 struct LoggedImages {
   std::filesystem::path log;
-  std::string stream;             ///< as the log calls it
-  robotlink::Duration offset{0};  ///< added to the log's times
+  /// Path of the stream in the log.
+  std::string stream;
+  /// Added to the log's times to get times of the timeline.
+  robotlink::Duration offset{0};
 };
+/// Images in the session's history.
 using KeptImages = std::vector<robotlink::StreamMessage>;
 
-/// What is looked for. Cheap to copy, but for a history.
+/// The input of a search. Cheap to copy, except for a history.
 struct FrameQuery {
   std::variant<LoggedImages, KeptImages> images;
   std::shared_ptr<const colortool::ColorTable> table;
-  std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not known
-  std::vector<bool> things;                                  ///< classes that are looked at, by number
-  colortool::ColorCorrection correction = {};                ///< of the camera
+  /// By ColorTable::cellOf; null: unknown.
+  std::shared_ptr<const std::vector<std::uint8_t>> margins;
+  /// By class number: whether pixels of the class can be suspicious.
+  std::vector<bool> things;
+  /// Of the camera.
+  colortool::ColorCorrection correction = {};
   colortool::SuspicionOptions options = {};
 };
 
@@ -51,45 +60,59 @@ class FrameSearch {
  public:
   static constexpr std::size_t kMaxKept = 500;
 
-  /// `news` is called in the search's thread whenever there is something to take; it must not block.
+  /// Begins at once. `news` is called in the search's thread whenever progress or results changed; it must
+  /// not block.
   FrameSearch(FrameQuery query, std::function<void()> news);
   ~FrameSearch();
   FrameSearch(const FrameSearch&) = delete;
   FrameSearch& operator=(const FrameSearch&) = delete;
 
-  /// Goes no further; what was found stays.
+  /// Ends the search; what was found can still be taken.
   void cancel() { cancelled_ = true; }
-  /// Those that were found since the last call, the first ones first.
+  /// The frames found since the last call, in the order of the stream.
   std::vector<SuspiciousFrame> take();
 
+  /// How far the search is.
   struct Progress {
-    std::uint64_t seen = 0;        ///< images
-    std::uint64_t suspicious = 0;  ///< of these, also those that are not among the worst
-    std::uint64_t damaged = 0;     ///< of these, that could not be decoded
-    std::uint64_t total = 0;       ///< 0: not yet known
-    double opening = 0;            ///< the share of the log's opening
+    /// Images that were examined.
+    std::uint64_t seen = 0;
+    /// Of these: with suspicious pixels, including those that were not kept.
+    std::uint64_t suspicious = 0;
+    /// Of these: could not be decoded.
+    std::uint64_t damaged = 0;
+    /// All images of the stream; 0: unknown.
+    std::uint64_t total = 0;
+    /// Progress of opening the log, 0 to 1.
+    double opening = 0;
+    /// The search has ended, for whatever reason.
     bool ended = false;
     bool cancelled = false;
-    std::string failure = {};  ///< why the log could not be read
+    /// Why the log could not be read; empty: it could.
+    std::string failure = {};
   };
   Progress progress() const;
 
  private:
+  /// The thread's function.
   void run();
   void searchLog(const LoggedImages& images);
   void searchHistory(const KeptImages& images);
-  /// False: give up.
+  /// Examines an image. False: canceled.
   bool look(const robotlink::StreamMessage& message, robotlink::Duration offset);
-  /// Whether a frame with this score is among the worst.
+  /// Whether a frame with this score is among the worst; remembers the score then.
   bool isKept(double score);
+  /// Marks the search as ended.
   void end(std::string failure = {});
 
   const FrameQuery query_;
   const std::function<void()> news_;
+  /// Set by cancel(), read by the thread.
   std::atomic<bool> cancelled_{false};
+  /// Meter and buffers; used by the thread only.
   struct Eye;
-  std::unique_ptr<Eye> eye_;  // the thread's own
-  mutable std::mutex mutex_;  // protects progress_ and found_
+  std::unique_ptr<Eye> eye_;
+  /// Protects progress_ and found_.
+  mutable std::mutex mutex_;
   Progress progress_;
   std::vector<SuspiciousFrame> found_;
   std::thread thread_;

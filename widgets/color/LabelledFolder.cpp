@@ -22,7 +22,7 @@ using robotlink::Image;
 using robotlink::Result;
 
 constexpr const char* kNamesFile = "labels.classes";
-constexpr int kYuyvWidth = 320, kYuyvHeight = 240;  // of pixels with two Y each
+constexpr int kYuyvWidth = 320, kYuyvHeight = 240;  // pixels of the bytes Y0 Cb Y1 Cr
 
 std::string endingOf(const fs::path& file) {
   std::string ending = file.extension().string();
@@ -48,7 +48,7 @@ fs::path labelFolder(const fs::path& folder) {
   return folder;
 }
 
-/// Images of a folder and of those in it, by their names without ending.
+/// Images of a folder and its subfolders, by their base names; the first of a name counts.
 std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path& labels) {
   std::map<std::string, fs::path> images;
   const auto add = [&images, &labels](const fs::path& file) {
@@ -86,8 +86,8 @@ Result<Image> decoded(const fs::path& file) {
   return image;
 }
 
-/// The labels of each pixel of an image. In a .yuyv file two pixels share a label, which is that of the
-/// second.
+/// The labels of an image's pixels. In a .yuyv file two pixels share a label, which is given to the second
+/// one.
 Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& file, bool yuyv) {
   const auto labels = decoded(file);
   if (!labels) return tl::unexpected(labels.error());
@@ -174,7 +174,7 @@ Result<LabelledFolder::Read> LabelledFolder::readAll() {
                            std::move(*values), *names});
   }
   if (!read.frames.empty()) return read;
-  // A lone PNG is an image without labels, not labels without an image.
+  // A PNG in the folder itself counts as an image without labels, not as labels without an image.
   const std::size_t count = imagesIn(folder, {}).size();
   return failure(
       "image.labels",

@@ -14,19 +14,23 @@
 
 namespace widgets {
 
-/// Reads a folder of images (PNG, JPEG, .yuyv) with labels, in a thread of its own: a label is a grey PNG of
-/// the image's size and of its name but for the ending, in a folder "labels" in this one or beside it, or in
-/// this one. Its values are class numbers, Evaluation::kIgnored where nobody knows; the classes' names stand
-/// in "labels.classes" beside the labels, else they are those of the preset bhuman2009. Images may be in
-/// folders of this one; the folder of the labels does as well as that of the images. What has no label is
-/// passed over. The destructor waits for at most one image.
+/// Reads a folder of labeled images (PNG, JPEG, .yuyv) in a thread of its own. The label of an image is a
+/// gray PNG of the same size and base name, in a folder "labels" inside of this one or beside it, or in this
+/// one. Its values are class numbers, or Evaluation::kIgnored where the class is unknown. The classes' names
+/// are read from "labels.classes" beside the labels; without that file they are those of the preset
+/// bhuman2009. Images may be in subfolders; instead of the images' folder that of the labels can be given.
+/// Images without a label are skipped.
+///
+/// Called by one thread. The destructor cancels and waits for at most one image.
 class LabelledFolder {
  public:
+  /// The result.
   struct Read {
     std::vector<LabelledFrame> frames;
-    robotlink::Errors problems;  ///< what could not be read, and is left out
+    /// What could not be read, and was skipped.
+    robotlink::Errors problems;
   };
-  /// `camera`: whose correction the images get.
+  /// Begins at once. `camera`: name of the robot whose corrections apply to the images; empty: none.
   LabelledFolder(std::filesystem::path folder, std::string camera);
   ~LabelledFolder();
   LabelledFolder(const LabelledFolder&) = delete;
@@ -34,7 +38,7 @@ class LabelledFolder {
 
   /// 0 to 1.
   double progress() const { return progress_; }
-  /// Once, when all is read; fails if there is nothing that could be.
+  /// The result, once, when everything is read; an error if nothing could be read.
   std::optional<robotlink::Result<Read>> take();
 
  private:
@@ -42,9 +46,12 @@ class LabelledFolder {
 
   const std::filesystem::path folder_;
   const std::string camera_;
+  /// Written by the thread.
   std::atomic<double> progress_{0};
+  /// Set by the destructor.
   std::atomic<bool> quit_{false};
-  std::mutex mutex_;  // protects read_
+  /// Protects read_.
+  std::mutex mutex_;
   std::optional<robotlink::Result<Read>> read_;
   std::thread thread_;
 };

@@ -7,17 +7,17 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
 
+// Files of pictures: PNG, JPEG, and .yuyv, which is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr (640 Y values
+// per row). All functions can be called from any thread.
 namespace widgets {
 
-// Pictures in files: PNG, JPEG, and .yuyv, which is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr. All functions
-// from any thread.
-
+/// By the file name's extension only.
 bool isPictureFile(const std::filesystem::path& file);
-/// Errors name the file. Of a .yuyv's pixels the second Y is shown, so that they are square; two of them
-/// share the mean of their Cb and Cr.
+/// Reads a picture; errors name the file. Of a .yuyv file only the second Y of each pair is used, so that
+/// pixels are square; two neighboring pixels share the mean of their Cb and Cr.
 robotlink::Result<robotlink::Image> readPicture(const std::filesystem::path& file);
-/// All of these, and those in these folders, by their names; files that are no pictures are left out of
-/// folders. Fails where there is none, or a folder cannot be read.
+/// These files, and the pictures in these folders sorted by name (not in subfolders). Fails if there is no
+/// picture or a folder cannot be read.
 robotlink::Result<std::vector<std::filesystem::path>> pictureFiles(
     const std::vector<std::filesystem::path>& filesOrFolders);
 

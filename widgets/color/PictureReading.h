@@ -14,16 +14,20 @@
 
 namespace widgets {
 
-/// Reads pictures, from files and folders, to be painted in; in a thread of its own. The destructor waits for
-/// at most one picture.
+/// Reads pictures from files and folders in a thread of its own. Called by one thread. The destructor cancels
+/// and waits for at most one picture.
 class PictureReading {
  public:
+  /// The result.
   struct Read {
     std::vector<ColorFramePtr> frames;
-    robotlink::Errors problems;  ///< what could not be read, and is left out
-    std::size_t leftOut = 0;     ///< pictures that there was no memory for
+    /// What could not be read, and was skipped.
+    robotlink::Errors problems;
+    /// Number of pictures skipped because the memory bound was reached.
+    std::size_t leftOut = 0;
   };
-  /// `camera`: whose images they are, for its corrections. `mostBytes`: of all pixels together.
+  /// Begins at once. `camera`: name of the robot whose corrections apply. `mostBytes`: bound of the pixels of
+  /// all pictures; the one that crosses it is still read.
   PictureReading(std::vector<std::filesystem::path> filesOrFolders, std::string camera,
                  std::size_t mostBytes);
   ~PictureReading();
@@ -32,7 +36,7 @@ class PictureReading {
 
   /// 0 to 1.
   double progress() const { return progress_; }
-  /// Once, when all is read; fails if there is nothing that could be.
+  /// The result, once, when everything is read; an error if nothing could be read.
   std::optional<robotlink::Result<Read>> take();
 
  private:
@@ -41,9 +45,12 @@ class PictureReading {
   const std::vector<std::filesystem::path> filesOrFolders_;
   const std::string camera_;
   const std::size_t mostBytes_;
+  /// Written by the thread.
   std::atomic<double> progress_{0};
+  /// Set by the destructor.
   std::atomic<bool> quit_{false};
-  std::mutex mutex_;  // protects read_
+  /// Protects read_.
+  std::mutex mutex_;
   std::optional<robotlink::Result<Read>> read_;
   std::thread thread_;
 };

@@ -14,13 +14,18 @@ namespace widgets {
 class SuspiciousFrameModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Time with thumbnail, score, classes, and numbers of suspicious pixels by kind (see
+  /// colortool::Suspicion).
   enum Column { kTime, kScore, kClasses, kSpecks, kEnclosed, kAmbiguous, kVast, kColumns };
-  static constexpr int kSortRole = Qt::UserRole + 1;  ///< numbers as numbers
+  /// Numbers as numbers.
+  static constexpr int kSortRole = Qt::UserRole + 1;
 
   using QAbstractTableModel::QAbstractTableModel;
+  /// Removes all frames; the next ones have these classes.
   void clear(colortool::ColorClasses classes);
+  /// Appends frames; removes the mildest if there are too many.
   void add(std::vector<SuspiciousFrame> frames);
-  /// What is shown as 0 s.
+  /// The instant shown as 0 s.
   void setOrigin(robotlink::Instant time);
   const SuspiciousFrame& frame(int row) const { return frames_[static_cast<std::size_t>(row)]; }
 
@@ -30,9 +35,11 @@ class SuspiciousFrameModel final : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  /// The number of a cell.
   double value(const SuspiciousFrame& frame, int column) const;
-  /// "orange 34, red 12": the classes of suspicious pixels, most first.
+  /// The classes of suspicious pixels with their numbers, largest first: "orange 34, red 12".
   QString classesOf(const SuspiciousFrame& frame) const;
+  /// Removes the frames with the lowest scores.
   void removeMildest(std::size_t count);
 
   colortool::ColorClasses classes_;

@@ -9,18 +9,20 @@
 
 namespace widgets {
 
-/// What became of each class between two colour tables, a row each: those of the tables, none, and last the
-/// sum. GUI thread.
+/// The difference of two color tables: what each class gained and lost, one row per class of both tables, one
+/// for no class, and last the sums. GUI thread.
 class TableDifferenceModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Class, cells gained, from which classes, cells lost, to which classes, cells before and after.
   enum Column { kClass, kGained, kFrom, kLost, kTo, kBefore, kAfter, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// Null: there are no rows. Rows of the same classes keep their place, so that a selection does.
+  /// Null: there are no rows. Rows, and so the selection, are kept if the classes are the same.
   void setDifference(std::shared_ptr<const colortool::TableDifference> difference);
+  /// Null: none.
   const colortool::TableDifference* difference() const { return difference_.get(); }
-  /// The cells that a cell of the table speaks of: what was gained, what was lost, else both.
+  /// The cells that a cell of the table stands for: those gained, those lost, or both.
   colortool::CellSet cellsOf(const QModelIndex& index) const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -29,10 +31,10 @@ class TableDifferenceModel final : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
-  /// Nothing for the sum.
+  /// The class of a row; unset for the sums.
   std::optional<int> classOf(int row) const;
   QString text(int row, int column) const;
-  /// "white 120, none 33", the largest first.
+  /// The classes from (or to) which cells changed: "white 120, none 33", largest first, at most `atMost`.
   QString partners(int colorClass, bool gained, int atMost) const;
 
   std::shared_ptr<const colortool::TableDifference> difference_;

@@ -25,7 +25,7 @@ using colortool::TrainingOption;
 
 constexpr int kSliderSteps = 400;
 
-/// How an option of a number is shown.
+/// How a numeric option is shown.
 struct NumberText {
   const char* option;
   const char* title;
@@ -70,7 +70,7 @@ QString trainingText(const char* text) {
   return QCoreApplication::translate("TrainingPanel", text);
 }
 
-/// Where a value stands on a slider, 0 to kSliderSteps; and back.
+/// Conversion between values and slider positions, 0 to kSliderSteps.
 int sliderPosition(const TrainingOption& option, double value) {
   const double share = option.logarithmic
                            ? std::log(value / option.least) / std::log(option.most / option.least)
@@ -223,7 +223,7 @@ void TrainingPanel::estimate() {
   auto found = colortool::estimateCorrections(bench_.samples());
   colortool::Samples next = bench_.samples();
   next.corrections = std::move(found.corrections);
-  // Who asks for an estimate wants it used; what was not found out changes nothing.
+  // The estimate is switched on at once; if nothing could be estimated nothing changes.
   const bool any = !next.corrections.empty();
   next.settings.correctVignetting = next.settings.correctVignetting || any;
   next.settings.correctCameras = next.settings.correctCameras || any;
@@ -257,7 +257,7 @@ void TrainingPanel::showSettings() {
     control.label->setVisible(mine);
     control.slider->setVisible(mine);
     control.field->setVisible(mine);
-    // A slider that is held stays under the mouse, whatever its value is rounded to.
+    // A slider that is being dragged stays under the mouse, even if its value was rounded.
     if (!control.slider->isSliderDown()) control.slider->setValue(sliderPosition(*control.option, value));
     control.field->setValue(value);
   }

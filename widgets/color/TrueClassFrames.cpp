@@ -62,7 +62,7 @@ void TrueClassFrames::tick() {
   const auto labels = std::dynamic_pointer_cast<const foxglove::RawImage>(classes->value);
   auto image =
       camera == nullptr ? nullptr : std::dynamic_pointer_cast<const foxglove::RawImage>(camera->value);
-  // Both tell the time at which the image was taken.
+  // Both messages have the timestamp of the image.
   if (!labels || !image || robotlink::instant(labels->timestamp()) != robotlink::instant(image->timestamp()))
     return;
   const robotlink::ImageView view = robotlink::imageView(*labels);

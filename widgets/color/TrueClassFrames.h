@@ -22,19 +22,25 @@ class TrueClassFrames final : public QObject {
 
   explicit TrueClassFrames(ColorBench& bench, QObject* parent = nullptr);
 
+  /// Off: removes the bench's labeled images.
   void setOn(bool on);
   bool on() const { return on_; }
+  /// Number of images.
   std::size_t count() const { return frames_.size(); }
+  /// To be called once per tick.
   void tick();
 
  private:
+  /// Requests the debug key on or off.
   void ask(const std::string& robot, bool on);
 
   ColorBench& bench_;
   bool on_ = false;
-  std::string asked_;  // the robot that was asked
+  /// The robot whose key was requested; empty: none.
+  std::string asked_;
   std::deque<LabelledFrame> frames_;
-  robotlink::Instant last_;  // of the images
+  /// Time of the newest image.
+  robotlink::Instant last_;
 };
 
 }  // namespace widgets

@@ -46,7 +46,7 @@ QString speedText(const robotcontrol::Velocity2& velocity) {
       .arg(robotlink::degrees(velocity.rotation()) + 0.0, 0, 'f', 1);
 }
 
-/// "front 2, rear 1 and 5": numbers from left to right.
+/// "front 2; rear 1, 5": numbers of the pressed bumpers from left to right.
 QString bumpersText(const DriveState& state) {
   const auto pressed = [](const auto& bumpers) {
     QStringList numbers;
@@ -194,7 +194,7 @@ void BaseStateView::send(const robotcontrol::ControlDrive& control) {
     problem_->setText(tr("Refused: %1").arg(reason));
     problem_->setVisible(!accepted);
   });
-  tick();  // the buttons show what the base says, not what was clicked
+  tick();  // the buttons show what the base reports, not what was clicked
 }
 
 void BaseStateView::tick() {

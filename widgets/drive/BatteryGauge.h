@@ -6,28 +6,34 @@
 
 namespace widgets {
 
-/// How full a battery is, and what that means.
+/// The charge of a battery and what it means.
 struct BatteryLevel {
+  /// kUnknown: not reported; kLow: below 11.5 V or 20 %; kEmpty: below 11 V or 5 %.
   enum class State : std::uint8_t { kUnknown, kGood, kLow, kEmpty };
   State state = State::kUnknown;
-  double share = 0;  ///< 0 to 1
+  /// State of charge, 0 to 1.
+  double share = 0;
   double volts = 0;
+  /// Whether the robot is being charged.
   bool charging = false;
-  std::optional<double> age;  ///< s since it was told, if that is too long ago to be of now
+  /// Age of the report in s if it is too old to be current.
+  std::optional<double> age;
 
-  /// Without a state of charge it is estimated from the volts of a 12 V battery: from 11 V, at which robots
-  /// switch themselves off, to 13 V. Below 11.5 V, or a fifth, it is low.
+  /// Computes the level. If the base does not report a state of charge, it is estimated from the voltage of a
+  /// 12 V battery: 0 at 11 V, where robots switch themselves off, 1 at 13 V. A voltage of 0 is unknown.
   static BatteryLevel of(double volts, std::optional<double> stateOfCharge, bool charging);
+  /// "12.4 V, 70 %, charging"; translated.
   QString text() const;
-  /// What to do, in a sentence; empty while all is well.
+  /// One sentence that says what to do; empty if all is well, the robot is charging, or the report is old.
   QString warning() const;
 };
 
-/// A battery with its level and the figures beside it. Object name "baseBattery".
+/// A battery symbol with its level and the figures beside it. Object name "baseBattery". GUI thread.
 class BatteryGauge final : public QWidget {
   Q_OBJECT
  public:
   explicit BatteryGauge(QWidget* parent = nullptr);
+  /// Sets the level.
   void show(const BatteryLevel& level);
   const BatteryLevel& level() const { return level_; }
   /// Pure.

@@ -26,64 +26,86 @@ class Session;
 
 namespace widgets {
 
-/// Connects a robot over TCP or a serial line: recent addresses, serial ports that are there, a map to drive
-/// by, a layout. Runs the command robot.connect and shows how the connection comes about, in words, until it
-/// stands. It is not modal: its owner calls tick() in each of the session's. GUI thread; session and commands
-/// must outlive it.
+/// Connects a robot over TCP or a serial line: recent addresses, the serial ports of this computer, a map to
+/// drive by, a layout. It runs the command robot.connect and shows the progress of the connection until it is
+/// established, then closes itself. It is not modal: its owner calls tick() in each tick of the session. GUI
+/// thread; session and commands must outlive it.
 class ConnectDialog final : public QDialog {
   Q_OBJECT
  public:
+  /// What the dialog offers.
   struct Choices {
-    QStringList recent;  ///< addresses, newest first
-    /// Asked when the dialog is opened and when somebody wants to look again.
+    /// Recent addresses, newest first.
+    QStringList recent;
+    /// Returns the serial ports; called when the dialog is opened and at "Look again". May be empty.
     std::function<std::vector<robotlink::arcos::SerialPort>()> serialPorts;
-    std::vector<std::pair<QString, QString>> layouts;  ///< what they are called, and what robot.connect takes
-    QString map;                                       ///< the last one
+    /// Titles of layouts, and what robot.connect takes for them.
+    std::vector<std::pair<QString, QString>> layouts;
+    /// The map that was used last; may be empty.
+    QString map;
   };
+  /// Number of recent addresses that are kept.
   static constexpr int kMostRecent = 10;
 
   ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices,
                 QWidget* parent = nullptr);
 
+  /// Follows the LinkStatus of the address that is being connected to.
   void tick();
-  /// What was asked for cannot be had: a layout that is refused, a map that is damaged.
+  /// Shows why connecting failed (a layout that was refused, a damaged map); ignored unless it is connecting.
   void fail(const QString& reason);
+  /// The recent addresses, newest first, including the last one that was connected to.
   const QStringList& recent() const { return recent_; }
+  /// Path of the map in the field; may be empty.
   QString map() const;
 
  Q_SIGNALS:
-  /// An address was connected to: it is the first of recent() now.
+  /// recent() has changed: an address is being connected to.
   void recentChanged();
-  /// The robot answers.
+  /// The robot has answered; the dialog has closed.
   void connected(const QString& address);
 
  protected:
+  /// Lists the serial ports.
   void showEvent(QShowEvent* event) override;
 
  private:
   void createViews();
+  /// The choice between TCP and serial with a page for each.
   QWidget* createKinds();
+  /// Page with host and port.
   QWidget* createTcp();
+  /// Page with serial port and baud rate.
   QWidget* createSerial();
   QWidget* createMap();
   QWidget* createLayouts();
   void connectSignals();
+  /// Fills the list of serial ports; the typed text is kept.
   void listPorts();
+  /// Fills the list of the address field with the recent addresses.
   void listRecent();
-  /// The fields follow the text, or the text the fields.
+  /// Sets the fields from the address, and says what it means.
   void readAddress();
+  /// Sets the address from the fields.
   void writeAddress();
+  /// Runs robot.connect with the address.
   void connectRobot();
+  /// Runs robot.connect-now.
   void connectNow();
+  /// Shows a text; `bad`: in the color of an error, `busy`: with a progress bar.
   void showState(const QString& text, bool bad, bool busy);
 
   robotlink::Session& session_;
   robotlink::CommandTable& commands_;
   Choices choices_;
+  /// See recent().
   QStringList recent_;
+  /// Requests that the robots' LinkStatus is published.
   PackageWish wish_;
-  QString wanted_;  // the address that is being connected to; empty: none
+  /// The address that is being connected to; empty: none.
+  QString wanted_;
   QComboBox *address_ = nullptr, *port_ = nullptr, *baud_ = nullptr, *layout_ = nullptr;
+  /// What the address means, and the state of the connection.
   QLabel *meaning_ = nullptr, *state_ = nullptr;
   QRadioButton *tcp_ = nullptr, *serial_ = nullptr;
   QStackedWidget* pages_ = nullptr;

@@ -10,8 +10,8 @@ namespace {
 
 using robotcontrol::LinkStatus;
 
-constexpr double kSilence = 3;     // s without a status: who should tell it does not
-constexpr double kLongGap = 0.25;  // s, from which on ARIA's clients warn
+constexpr double kSilence = 3;     // s without a status, after which it is reported as old
+constexpr double kLongGap = 0.25;  // s; ARIA's clients warn of longer gaps
 
 QString linkText(const char* source) {
   return QCoreApplication::translate("LinkWords", source);

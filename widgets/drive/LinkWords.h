@@ -11,16 +11,21 @@ class LinkStatus;
 
 namespace widgets {
 
-/// What a link's status means, in words.
+/// The status of a link in words, translated.
 struct LinkWords {
-  QString state;  ///< "connected", "lost, trying again"
+  /// "connected", "lost", "waits for a client".
+  QString state;
+  /// The color of the state.
   Meaning meaning = Meaning::kMuted;
-  QString robot;         ///< "MobileSim, Pioneer, p3at-sh"; may be empty
-  QString client;        ///< of a simulated robot: who drives it; may be empty
-  bool longGap = false;  ///< information packets came too far apart for a client to be happy
+  /// Name, class and subclass from the handshake: "MobileSim, Pioneer, p3at-sh"; may be empty.
+  QString robot;
+  /// Of a simulated robot: its client and the client's commands per second; may be empty.
+  QString client;
+  /// Whether information packets were more than 250 ms apart, from which on clients with ARIA warn.
+  bool longGap = false;
 };
 
-/// `age`: seconds since the status was told.
+/// `age`: seconds since the status was published; from 3 s on the text says so.
 LinkWords linkWords(const robotcontrol::LinkStatus& status, double age);
 
 }  // namespace widgets

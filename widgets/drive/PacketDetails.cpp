@@ -13,7 +13,7 @@ namespace widgets {
 namespace {
 
 constexpr std::size_t kBytesInLine = 8;
-constexpr std::size_t kMostBytes = 1024;  // damage may be longer than any packet
+constexpr std::size_t kMostBytes = 1024;  // damaged bytes may be longer than any packet
 
 }  // namespace
 

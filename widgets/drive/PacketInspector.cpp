@@ -189,7 +189,7 @@ void PacketInspector::connectSignals() {
   connect(follow_, &QAction::toggled, this, [this](bool on) {
     if (on) table_->scrollToBottom();
   });
-  // Who scrolls up wants to read: following goes on when he is at the end again.
+  // Scrolling up ends following, since the user wants to read; scrolling to the end resumes it.
   connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
     const QScrollBar* bar = table_->verticalScrollBar();
     follow_->setChecked(bar->sliderPosition() >= bar->maximum());

@@ -11,7 +11,7 @@
 namespace widgets {
 
 /// Paints a radar and what the robot's program drew relative to itself; wheel and keys zoom. It knows no
-/// session. Object name "radarCanvas".
+/// session. Object name "radarCanvas". GUI thread.
 class RadarCanvas final : public QWidget {
   Q_OBJECT
  public:
@@ -19,15 +19,21 @@ class RadarCanvas final : public QWidget {
   /// `drawings` are in the robot's frame. `hint`: a sentence in the middle; empty: none.
   void show(RadarReadings readings, std::vector<WorldDrawing> drawings, const QString& hint);
   const RadarReadings& readings() const { return readings_; }
+  /// The look for the current size of the widget.
   RadarLook look() const;
+  /// Meters from the middle to the nearer edges; clamped to the limits of RadarLook.
   void setRange(double metres);
+  /// Whether up is the map's y axis instead of the robot's x axis.
   void setNorthUp(bool northUp);
+  /// What is shown, without the hint.
   QImage rendered() const;
   QSize sizeHint() const override { return {320, 320}; }
 
  Q_SIGNALS:
+  /// The user zoomed.
   void lookChanged();
-  /// Polar, from the robot: metres and radians to the left; `inside` is false when the cursor has left.
+  /// Polar coordinates of the cursor from the robot: meters, and radians counterclockwise from its x axis;
+  /// `inside` is false when the cursor has left.
   void cursorMoved(double distance, double angle, bool inside);
 
  protected:

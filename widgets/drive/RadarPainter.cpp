@@ -68,7 +68,7 @@ void paintRings(QPainter& painter, const RadarLook& look, const QTransform& toWi
   }
 }
 
-/// Part of a ring about the sensor, from `inner` to `outer`.
+/// Sector of a ring around the sensor, from radius `inner` to `outer`.
 QPainterPath sector(const Pose2& sensor, double angle, double inner, double outer,
                     const QTransform& toWidget) {
   constexpr int kPieces = 12;
@@ -121,7 +121,7 @@ void paintLaser(QPainter& painter, const RadarReadings& readings, const QTransfo
   }
 }
 
-/// The segments of one end, from left to right: pressed ones are filled, with a thick edge.
+/// The bumpers of one end from left to right; pressed ones are filled and have a thick edge.
 void paintBumpers(QPainter& painter, const std::vector<bool>& pressed, const Vector2& body, double end,
                   const QTransform& toWidget, const QPalette& palette) {
   const double x = end * (body.x() / 2 + 0.03),
@@ -151,7 +151,7 @@ void paintWheels(QPainter& painter, const RadarReadings& readings, const QTransf
   }
 }
 
-/// Where it is going: an arrow as long as it goes in a second, bent as it turns.
+/// The robot's motion: an arrow as long as its way in one second, bent by its rotation.
 void paintMotion(QPainter& painter, const RadarReadings& readings, const QTransform& toWidget,
                  const QPalette& palette) {
   if (std::abs(readings.speed) < 0.01 && std::abs(readings.rotation) < 0.03) return;
@@ -198,7 +198,7 @@ void paintRobot(QPainter& painter, const RadarReadings& readings, const RadarLoo
   paintBumpers(painter, readings.rearBumpers, readings.body, -1, enlarged, palette);
 }
 
-/// What is wrong, in words at the upper left: colours alone would not say it.
+/// Problems in words at the upper left, so that color is not the only cue.
 void paintTroubles(QPainter& painter, const RadarReadings& readings, const QPalette& palette) {
   const auto tr = [](const char* text) { return QCoreApplication::translate("Radar", text); };
   QStringList troubles;

@@ -11,21 +11,28 @@ namespace widgets {
 
 struct RadarReadings;
 
-/// How a radar is looked at. A plain value; logical pixels.
+/// How a radar is shown. A plain value; logical pixels.
 struct RadarLook {
+  /// Limits of the range, m.
   static constexpr double kLeastRange = 0.5, kGreatestRange = 40;
+  /// Size of the widget.
   QSizeF size;
-  double range = 4;      ///< m from the middle to the nearer edges
-  bool northUp = false;  ///< up is the map's y; else where the robot looks
-  double memory = 2;     ///< s: echoes that are older are gone
+  /// Meters from the middle to the nearer edges.
+  double range = 4;
+  /// Whether up is the map's y axis; else the robot's x axis.
+  bool northUp = false;
+  /// Maximum age of echoes that are shown, s.
+  double memory = 2;
 
-  double scale() const;  ///< pixels for a metre
+  /// Pixels per meter.
+  double scale() const;
 };
 
-/// From the robot's frame to the widget, whose middle is the robot.
+/// From the robot's frame to the widget; the robot is in the middle. `heading`: of the robot on the map, used
+/// if the look is north-up.
 QTransform robotToWidget(const RadarLook& look, double heading);
-/// Pure: ground with rings, what the sensors tell, the robot with bumpers and stall. What the robot's program
-/// drew goes on top, by robotToWidget().
+/// Paints ground with rings, echoes and laser, and the robot with bumpers and stall. Drawings of the robot's
+/// program go on top, by robotToWidget(). Pure.
 void paintRadar(QPainter& painter, const RadarReadings& readings, const RadarLook& look,
                 const QPalette& palette);
 

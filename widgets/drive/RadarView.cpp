@@ -143,7 +143,6 @@ void RadarView::tick() {
   updateStatus();
 }
 
-/// Up as on the map, where the robot knows how it stands in it.
 double RadarView::mapHeading(const std::string& robot, double odometry) const {
   const auto* pose = session().store().latestAs<robotcontrol::RobotPose>(
       robot + '/' + robotlink::kRobotPose.name, session().timeline().shown());

@@ -14,41 +14,52 @@ class QLabel;
 
 namespace widgets {
 
-/// Named values of one kind below each other, each with its title; a value that means something good or bad
-/// says so in words and wears the colour of it. Its labels' object names are those of the rows.
+/// A group of named values in rows, each with a title. Values with a meaning say it in words and have its
+/// color. The labels' object names are the names of the rows. GUI thread.
 class StateRows final : public QGroupBox {
   Q_OBJECT
  public:
+  /// `name` is the object name of the group.
   StateRows(const QString& title, const char* name, QWidget* parent = nullptr);
+  /// Appends a row with a text, which is a dash at first.
   void addRow(const char* name, const QString& title, const QString& toolTip);
-  /// A widget of its own instead of a text.
+  /// Appends a row with any widget instead of a text.
   void addRow(const QString& title, const QString& toolTip, QWidget* widget);
-  /// Over the whole width.
+  /// Appends a widget over the whole width.
   void addWidget(QWidget* widget);
-  /// Over the whole width, wrapped.
+  /// Appends a wrapped text over the whole width, hidden while it is empty.
   void addText(const char* name, const QString& title);
-  /// An empty text shows as a dash, or hides a text over the whole width.
+  /// Sets a text. An empty one is shown as a dash, or hides a text over the whole width. `name` must be that
+  /// of a row.
   void set(const char* name, const QString& text) { set(name, text, Meaning::kMuted, false); }
+  /// The same in the color of a meaning.
   void set(const char* name, const QString& text, Meaning meaning) { set(name, text, meaning, true); }
-  /// What is shown is not of now: all values are grey, whatever they mean.
+  /// Whether the values are outdated: then all are gray, whatever they mean.
   void setStale(bool stale);
 
  protected:
+  /// Applies a new palette.
   void changeEvent(QEvent* event) override;
 
  private:
+  /// The text of a row.
   struct Value {
     QLabel* label = nullptr;
+    /// Over the whole width.
     bool wide = false;
+    /// In the color of `meaning`.
     bool colored = false;
     Meaning meaning = Meaning::kMuted;
   };
   QLabel* addTitle(const QString& title, const QString& toolTip);
   void set(const char* name, const QString& text, Meaning meaning, bool colored);
+  /// Applies the color of a value.
   void color(const Value& value) const;
+  /// Applies the color of titles.
   void mute(QLabel& title) const;
 
   QGridLayout* grid_;
+  /// By the names of the rows.
   std::map<std::string, Value> values_;
   std::vector<QLabel*> titles_;
   bool stale_ = false;

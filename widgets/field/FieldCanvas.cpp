@@ -21,10 +21,10 @@ namespace {
 
 using robotlink::Vector2;
 
-constexpr double kGrabTolerance = 6;  // pixels around a figure
-constexpr double kPanStep = 30;       // pixels for an arrow key
+constexpr double kGrabTolerance = 6;  // pixels around a figure that still grab it
+constexpr double kPanStep = 30;       // pixels per press of an arrow key
 constexpr double kPlaceTolerance = 9;
-constexpr int kClickSlack = 4;  // pixels that a hand moves while it clicks
+constexpr int kClickSlack = 4;  // pixels that a hand moves during a click
 constexpr double kTurnStep = robotlink::radians(15);
 
 }  // namespace
@@ -48,7 +48,7 @@ FieldCanvas::~FieldCanvas() = default;
 
 void FieldCanvas::setMap(std::shared_ptr<const robotcontrol::GroundMap> map) {
   if (map.get() == this->map()) return;
-  // Of another building a chosen part means nothing.
+  // The viewport of another building means nothing here.
   if (map_ && map) viewport_ = {};
   map_ = map ? std::make_unique<MapGround>(std::move(map)) : nullptr;
   place_ = -1;
@@ -146,7 +146,7 @@ void FieldCanvas::paintGround(QPainter& painter, const QTransform& toWidget, dou
 void FieldCanvas::paintContents(QPainter& painter, double ratio) const {
   const QTransform toWidget = transform();
   paintGround(painter, toWidget, ratio);
-  // Figures first: what robots drew lies on top of them.
+  // Figures first, so that the robots' drawings are on top of them.
   paintFigures(painter, figures_, toWidget, palette());
   paintFromAbove(painter, drawings_, toWidget);
   paintGoals(painter, goals_, toWidget, palette());
@@ -214,7 +214,7 @@ void FieldCanvas::mouseMoveEvent(QMouseEvent* event) {
   if (mode_ == Mode::kPanning) panBy(at - last_);
   last_ = at;
   const Vector2 ground = groundAt(transform(), at);
-  // A click does not move what it selects.
+  // A click must not move what it selects.
   if (mode_ == Mode::kDragging && moved_) Q_EMIT dragMoved(ground.x(), ground.y());
   if (mode_ == Mode::kAiming) Q_EMIT aimMoved(ground.x(), ground.y());
   if (mode_ == Mode::kIdle) {

@@ -16,13 +16,15 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-// About the outline of an ERS-210 from above.
+// Approximate outline of an ERS-210 from above.
 constexpr double kLength = 0.27, kWidth = 0.15;  // m
 
-constexpr double kSmallest = 14;  // pixels of a robot's length: where buildings are small, robots are signs
+constexpr double kSmallest =
+    // Pixels; robots are not drawn shorter than this, so that they are visible on large maps.
+    14;
 
-/// From above and in the robot's frame: a body with its corners cut and a wedge to the front, between four
-/// wheels.
+/// A robot on wheels from above in its own frame: a body with cut corners and a wedge at its front, between
+/// four wheels.
 QPainterPath wheeledOutline(const Vector2& body) {
   const double x = body.x() / 2, y = body.y() / 2, cut = 0.35 * y, wheel = 0.16 * y;
   QPainterPath path;
@@ -48,7 +50,7 @@ QPainterPath wheeledOutline(const Vector2& body) {
   return path.united(wheels).subtracted(nose);
 }
 
-/// The outline in the robot's frame, with the head as a nose.
+/// A four-legged robot from above in its own frame, with the head as a nose.
 QPainterPath bodyOutline(const Vector2& body) {
   if (body.x() > 0) return wheeledOutline(body);
   QPainterPath path;
@@ -75,8 +77,8 @@ QPainterPath outlineAt(const Pose2& pose, const Vector2& body, const QTransform&
   return transform.map(bodyOutline(body));
 }
 
-/// Estimates on the field's green are in a lighter tone of the team's colour, on a map in one that differs
-/// from its ground.
+/// The color of estimates: on the green field a lighter tone of the team's color, on a map a tone that
+/// differs from its ground.
 QColor estimateColor(const FieldFigures& figures, const QColor& team, const QPalette& palette) {
   if (figures.onMap && !isDark(palette)) return mixed(team, Qt::black, 0.25);
   return mixed(team, Qt::white, 0.45);
@@ -112,7 +114,7 @@ void paintEstimate(QPainter& painter, const FieldFigures& figures, const RobotBe
   const QPointF at = map(toWidget, belief.estimate->translation());
   if (radius > 1) {
     QColor area = color;
-    // A robot that has no idea where it is shall not hide the building.
+    // The large deviation of a robot that is not localized must not hide the building.
     area.setAlphaF(figures.onMap ? 0.1 : 0.22);
     painter.setPen(QPen(color, 1));
     painter.setBrush(area);
@@ -157,7 +159,7 @@ void paintBallEstimate(QPainter& painter, const FieldFigures& figures, const Rob
     painter.setBrush(area);
     painter.drawEllipse(at, belief.ballDeviation * scale, belief.ballDeviation * scale);
   }
-  // Which robot believes it: a thin line from its own estimate.
+  // A thin line connects the estimated ball with the estimate of its robot.
   if (belief.estimate) {
     QColor line = estimateColor(figures, belief.team, palette);
     line.setAlphaF(0.6);
@@ -186,10 +188,10 @@ QColor trailColor(const FieldFigures& figures, const std::string& model) {
 }
 
 void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransform& toWidget) {
-  // Lightened where the ground is green; on a map as the robot is.
+  // The robot's color, lighter on the green field.
   for (const auto& [model, places] : figures.trails) {
     QColor color = mixed(trailColor(figures, model), Qt::white, figures.onMap ? 0 : 0.25);
-    // It fades with its age.
+    // Trails fade with age.
     for (std::size_t i = 1; i < places.size(); ++i) {
       color.setAlphaF(0.15 + 0.75 * static_cast<double>(i) / static_cast<double>(places.size()));
       painter.setPen(QPen(color, 2, Qt::SolidLine, Qt::FlatCap));
@@ -198,7 +200,7 @@ void paintTrails(QPainter& painter, const FieldFigures& figures, const QTransfor
   }
 }
 
-/// Whether the figure of a robot at a pose is at a place.
+/// Whether a place is within the figure of a robot at a pose.
 bool covers(const Pose2& pose, const Vector2& body, const Vector2& place, double tolerance) {
   const Vector2 inRobot = pose.inverse() * place;
   const bool wheels = body.x() > 0;

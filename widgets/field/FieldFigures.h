@@ -18,40 +18,46 @@ class QPalette;
 
 namespace widgets {
 
-/// What moves on a field: robots and ball where they are (filled) and where the robots believe that they are
-/// (dashed outlines with the deviation around them). A plain value, in the field's frame.
+/// What moves on a field: robots and ball at their true poses (filled) and at the robots' estimates (dashed
+/// outlines with their standard deviations). A plain value; meters in the field's frame.
 struct FieldFigures {
   std::vector<RobotBelief> robots;
+  /// The true position of the ball; unset: unknown.
   std::optional<robotlink::Vector2> ball;
-  double ballRadius = 0.042;  ///< m
+  /// m
+  double ballRadius = 0.042;
   QColor ballColor = QColor(255, 105, 0);
-  /// Where models were, oldest first, by name. Empty: no trails.
+  /// Former positions by model, oldest first; empty: no trails.
   std::map<std::string, std::deque<robotlink::Vector2>> trails;
-  std::string highlighted;  ///< the model under the cursor
-  bool onMap = false;       ///< the ground is a map in the palette's colours, not the field's green
+  /// The model under the cursor; empty: none.
+  std::string highlighted;
+  /// Whether the ground is a map in the palette's colors instead of the green field.
+  bool onMap = false;
 };
 
-/// A place that a model is wanted at.
+/// A pose to which a model is being dragged.
 struct WantedPlace {
   std::string model;
   robotlink::Pose2 pose;
   bool isBall = false;
+  /// Whether the simulation has refused it.
   bool refused = false;
 };
 
-// Pure painters.
+/// Paints the figures. Pure, like the following painters.
 void paintFigures(QPainter& painter, const FieldFigures& figures, const QTransform& fieldToWidget,
                   const QPalette& palette);
+/// Paints the model at the wanted pose.
 void paintWanted(QPainter& painter, const WantedPlace& place, const FieldFigures& figures,
                  const QTransform& fieldToWidget, const QPalette& palette);
-/// The key to the two ways of drawing, in the lower left corner of `widget`.
+/// Explains filled and dashed figures in the lower left corner; `widget` is its size.
 void paintLegend(QPainter& painter, const QSizeF& widget, const QPalette& palette);
 
-/// The robot whose figure is at a place: the true one, or the estimated one where only that is known. Empty:
-/// none.
+/// The robot whose figure is within `tolerance` (m) of a place: the true one, or the estimated one if the
+/// true pose is unknown. Empty: none.
 std::string robotAt(const FieldFigures& figures, const robotlink::Vector2& place, double tolerance);
 
-/// The name of the model whose figure (the true one) is at a place: robots before the ball. Empty: none.
+/// The model whose true figure is within `tolerance` (m) of a place, robots before the ball. Empty: none.
 std::string figureAt(const FieldFigures& figures, const robotlink::Vector2& place, double tolerance);
 
 }  // namespace widgets

@@ -26,7 +26,7 @@ QRectF centered(double length, double width) {
   return {-length / 2, -width / 2, length, width};
 }
 
-/// The surface, without the triangles that fill its corners.
+/// The carpet without the triangles that fill its corners.
 QPainterPath surface(const FieldDescription& field) {
   const double x = field.length / 2, y = field.width / 2, side = field.cornerTriangleSide;
   QPainterPath path;
@@ -51,7 +51,7 @@ void paintGround(QPainter& painter, const FieldDescription& field) {
   painter.drawPath(surface(field));
 }
 
-/// Lines lie inside of what they bound.
+/// Lines are part of the areas that they enclose.
 void paintLines(QPainter& painter, const FieldDescription& field) {
   painter.setBrush(Qt::NoBrush);
   painter.setPen(
@@ -78,7 +78,7 @@ void paintGoal(QPainter& painter, const FieldDescription& field, const FieldDesc
   painter.setPen(QPen(color.darker(150), 0));
   painter.setBrush(color);
   painter.drawRect(box);
-  // The inside is what one looks down into: a little darker.
+  // The inside of a goal, into which one looks down, is a little darker.
   painter.setPen(Qt::NoPen);
   painter.setBrush(color.darker(118));
   constexpr double kThickness = 0.02;
@@ -88,7 +88,7 @@ void paintGoal(QPainter& painter, const FieldDescription& field, const FieldDesc
           .normalized());
 }
 
-/// From above one would see the upper band only, so the lower one is drawn as a ring around it.
+/// From above only the upper band is visible, so the lower one is drawn as a ring around it.
 void paintBeacon(QPainter& painter, const FieldDescription& field, const FieldDescription::Beacon& beacon) {
   const QPointF at(beacon.position.x(), beacon.position.y());
   const QColor bottom = named(field, beacon.bottomColor);

@@ -10,15 +10,15 @@ namespace robotlink {
 struct FieldDescription;
 }
 
+// Pure functions that paint a field from above by its description. The painter's coordinates are those to
+// which `fieldToWidget` maps.
 namespace widgets {
 
-// Pure functions that paint a field from above, from its description only. The painter's coordinates are
-// those of `fieldToWidget`'s target.
-
-/// Length and width, in metres, of all that belongs to a field, with a little margin.
+/// Length and width in m of everything that belongs to a field, with a small margin.
 QSizeF fieldExtent(const robotlink::FieldDescription& field);
+/// Paints carpet, lines, goals and landmarks.
 void paintField(QPainter& painter, const robotlink::FieldDescription& field, const QTransform& fieldToWidget);
-/// Where no field is known: lines each half metre and the axes.
+/// Paints lines every half meter and the axes, where no field is known.
 void paintGroundGrid(QPainter& painter, const QSizeF& widget, const QTransform& fieldToWidget,
                      const QPalette& palette);
 

@@ -52,7 +52,7 @@ FieldView::FieldView(ViewContext& context, QWidget* parent) : View(context, pare
   connectSignals();
   connectDrag();
   tick();
-  title_.clear();  // nobody heard it yet
+  title_.clear();  // no one is connected to titleChanged() yet, so it must be emitted again
 }
 
 FieldView::~FieldView() = default;
@@ -245,7 +245,7 @@ FieldFigures FieldView::figures(const std::vector<RobotBelief>& beliefs) const {
   for (RobotBelief& belief : figures.robots) {
     if (std::ranges::find(chosen, belief.robot) != chosen.end()) continue;
     belief.ball.reset();
-    // A real robot that is not chosen still stands somewhere.
+    // Other real robots still stand somewhere, so their estimates are shown as well.
     if (belief.truth) belief.estimate.reset();
   }
   figures.onMap = canvas_->map() != nullptr;
@@ -269,7 +269,7 @@ void FieldView::updateTrails() {
     const std::string frame = scene_.modelFrame(model);
     if (!frame.empty()) {
       frames[frame] = model;
-    } else if (drives(model)) {  // only its program knows where a real robot is
+    } else if (drives(model)) {  // only its program knows the pose of a real robot
       estimates[model] = model + '/' + robotlink::kRobotPose.name;
     }
   }

@@ -20,51 +20,71 @@ class GoalTool;
 class RobotChoice;
 struct FieldFigures;
 
-/// The field, or the map of a building, from above: where robots and ball are, where the robots believe that
-/// they are, what they draw, and where robots on wheels are going. Robots and ball of a simulation can be
-/// placed with the mouse, robots on wheels sent to places. Follows the session's time line.
+/// The field, or the map of a building, from above: the true poses of robots and ball, the robots' estimates
+/// and drawings, and the paths of robots on wheels. Robots and ball of a simulation can be placed with the
+/// mouse, robots on wheels sent to goals. Follows the session's timeline.
+///
+/// Registered as "field". GUI thread.
 class FieldView final : public View {
   Q_OBJECT
  public:
   explicit FieldView(ViewContext& context, QWidget* parent = nullptr);
   ~FieldView() override;
 
+  /// Shows the state of the world at the shown instant.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
-  /// Writes what is seen as PNG. False, with a message shown, if that fails.
+  /// Writes what is shown as PNG. False, with a message box, if that fails.
   bool savePicture(const QString& file);
 
  private:
+  /// Zoom, rotation, trails, drawings, placing, copy and save.
   void createActions();
   void createViews();
+  /// Choice of the robots, and buttons.
   QWidget* createToolRow();
+  /// Time, position of the cursor, and zoom.
   QWidget* createFooter();
   void connectSignals();
+  /// Connects dragging of models with ModelDrag.
   void connectDrag();
 
+  /// All robots with the sizes of those on wheels.
   std::vector<RobotBelief> beliefs() const;
+  /// Whether a robot's description says that it has wheels.
   bool drives(const std::string& robot) const;
+  /// Chooses map or field for the canvas.
   void updateGround();
+  /// Passes paths and goals to the canvas.
   void updateGoals(const std::vector<RobotBelief>& beliefs);
+  /// What the canvas paints.
   FieldFigures figures(const std::vector<RobotBelief>& beliefs) const;
+  /// Appends to the trails, or clears them if they are not shown.
   void updateTrails();
+  /// Passes the dragged pose and its refusal to the canvas.
   void updateWanted();
-  /// What the robot that is chosen needs to find out where it is; empty: nothing.
+  /// What the chosen robot needs for its localization; empty: nothing.
   QString noticeOf(const std::vector<RobotBelief>& beliefs) const;
   void showAge(const std::vector<RobotBelief>& beliefs, bool faded);
   void updateStatus();
+  /// Turns the picture by 90 degrees.
   void turn();
 
+  /// The true poses.
   SceneState scene_;
   Trails trails_;
+  /// The model that is being dragged.
   ModelDrag drag_;
   DrawingsModel* drawings_ = nullptr;
   FieldCanvas* canvas_ = nullptr;
   GoalTool* goals_ = nullptr;
-  QString title_;  // as it was told last
+  /// The last title that was emitted.
+  QString title_;
+  /// What noticeOf() returned last.
   QString placeNotice_;
+  /// Requests that the packages shown here are published.
   PackageWish wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;

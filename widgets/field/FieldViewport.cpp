@@ -8,7 +8,7 @@ namespace {
 
 using robotlink::Vector2;
 
-constexpr double kFarthest = 20;  // m from what there is to see
+constexpr double kFarthest = 20;  // the center stays within this distance from the extent, m
 
 FieldViewport unfittedField(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget) {
   if (!viewport.fit) return viewport;

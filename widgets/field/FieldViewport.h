@@ -10,33 +10,39 @@
 
 namespace widgets {
 
-/// Which part of the ground a widget shows from above, how large and how turned. A plain value; all functions
-/// are pure.
+/// The part of the ground that a widget shows from above, its scale and its rotation. A plain value; all
+/// functions are pure.
 ///
-/// Ground coordinates in metres in the field's frame (x to the right of an unturned picture, y up); widget
-/// coordinates in Qt's logical pixels.
+/// Ground coordinates are meters in the field's frame (x to the right of an unrotated picture, y up); widget
+/// coordinates are Qt's logical pixels, y down.
 struct FieldViewport {
+  /// Limits of the scale, pixels per meter.
   static constexpr double kMinimumScale = 1, kMaximumScale = 5000;
 
-  bool fit = true;     ///< all of the ground, as large as it fits; then scale and center mean nothing
-  double scale = 100;  ///< logical pixels for a metre
-  robotlink::Vector2 center = robotlink::Vector2::Zero();  ///< shown in the middle of the widget
-  int quarterTurns = 0;                                    ///< counter-clockwise, 0 to 3
+  /// Whether the whole ground is shown as large as possible; scale and center are not used then.
+  bool fit = true;
+  /// Logical pixels per meter.
+  double scale = 100;
+  /// The point in the middle of the widget.
+  robotlink::Vector2 center = robotlink::Vector2::Zero();
+  /// Rotation of the picture in quarter turns, 0 to 3, counterclockwise.
+  int quarterTurns = 0;
 
   bool operator==(const FieldViewport&) const = default;
 };
 
-/// `extent`: what of the ground shall be seen in a viewport that fits, in metres; its top is where y is
-/// least.
+/// From ground to widget coordinates. `extent`: what a fitted viewport shows, in m; its top() is the smallest
+/// y.
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
+/// The scale in use: the viewport's, or that which fits.
 double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
 /// Pixels for a metre.
 double scaleOf(const QTransform& fieldToPixels);
 robotlink::Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at);
-/// Enlarged by `factor`; what is at `at` (widget) stays there.
+/// Scaled by `factor`, within the limits; the ground at `at` (widget) stays there.
 FieldViewport zoomed(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget, double factor,
                      const QPointF& at);
-/// Moved with the mouse, by widget pixels.
+/// Moved by widget pixels; the center stays within 20 m of the extent.
 FieldViewport panned(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget,
                      const QPointF& by);
 

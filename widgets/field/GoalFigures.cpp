@@ -13,7 +13,7 @@ namespace {
 
 using robotlink::Pose2;
 
-/// A flag whose foot is the place; with a heading an arrow along it.
+/// A flag whose foot is the goal or, with a heading, an arrow along it.
 void paintFlag(QPainter& painter, const Pose2& pose, bool anyHeading, const QColor& color,
                const QTransform& toWidget) {
   const QPointF at = toWidget.map(QPointF(pose.x, pose.y));

@@ -13,10 +13,11 @@ class QPalette;
 
 namespace widgets {
 
-/// Paths and goals of robots on wheels, and the goal that is being chosen or has just been sent. A plain
-/// value.
+/// Paths and goals of robots on wheels, and a goal that is being chosen or was just sent. A plain value;
+/// meters in the field's frame.
 struct GoalFigures {
   std::vector<DriveAim> aims;
+  /// Unset: none.
   std::optional<GoalSender::Aim> wanted;
 };
 

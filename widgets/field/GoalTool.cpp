@@ -14,7 +14,7 @@
 namespace widgets {
 namespace {
 
-constexpr double kTurnPixels = 14;  // a drag of less means no heading
+constexpr double kTurnPixels = 14;  // shorter drags choose no heading
 
 GoalSender::Aim aimAt(const FieldCanvas& canvas, double x, double y, int place) {
   if (place < 0 || canvas.map() == nullptr) return {{x, y, 0}, true, {}};

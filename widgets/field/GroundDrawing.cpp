@@ -56,7 +56,7 @@ class AbovePainter {
   void paintTriangles(const foxglove::TriangleListPrimitive& triangles) {
     const Pose3 pose = robotlink::pose3(triangles.pose());
     const int count = triangles.indices_size() > 0 ? triangles.indices_size() : triangles.points_size();
-    // Without antialiasing: neighbours would show a seam.
+    // Without antialiasing, since neighboring triangles would show a seam.
     painter_.setRenderHint(QPainter::Antialiasing, false);
     for (int i = 0; i + 2 < count; i += 3) {
       QPolygonF corners;
@@ -74,7 +74,7 @@ class AbovePainter {
     const Pose3 pose = robotlink::pose3(cube.pose());
     const Vector3 half = robotlink::vector3(cube.size()) / 2;
     fill(cube.color());
-    // All six faces: those that look away are hidden by those that do not.
+    // All six faces are painted; those in front cover the others.
     for (int axis = 0; axis < 3; ++axis) {
       for (const double side : {-1.0, 1.0}) {
         QPolygonF face;
@@ -154,7 +154,7 @@ class AbovePainter {
   QPainter& painter_;
   const Pose3& frame_;
   const QTransform& toWidget_;
-  const double scale_;  // pixels for a metre
+  const double scale_;  // pixels per meter
 };
 
 }  // namespace

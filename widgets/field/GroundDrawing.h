@@ -16,12 +16,12 @@ namespace widgets {
 struct WorldDrawing;
 
 /// Paints a drawing of the world as seen from above: everything is projected to the ground, in the order in
-/// which it is stored, fills first. `frameInField` is the frame that the entity's coordinates are in. Widths
-/// and font sizes that the drawing says are independent of scale are pixels of the screen. Pure.
+/// which it is stored, fills first. `frameInField` is the frame of the entity's coordinates. Widths and font
+/// sizes that are scale-invariant in the drawing are screen pixels. Pure.
 void paintFromAbove(QPainter& painter, const foxglove::SceneEntity& entity,
                     const robotlink::Pose3& frameInField, const QTransform& fieldToWidget);
 
-/// The same for all of them, what is old faded.
+/// The same for several drawings, lowest first; old ones are faded.
 void paintFromAbove(QPainter& painter, const std::vector<WorldDrawing>& drawings,
                     const QTransform& fieldToWidget);
 

@@ -154,7 +154,7 @@ void paintWalls(QImage& image, const GroundMap& map, const QTransform& toPixels,
   for (const auto& line : map.lines()) {
     if (!isFinite(line.x1() + line.x2(), line.y1() + line.y2())) continue;
     const QLineF mapped = toPixels.map(QLineF(line.x1(), line.y1(), line.x2(), line.y2()));
-    // Lines have no area: QRectF::intersects would miss those along an axis.
+    // A line along an axis has no area, so QRectF::intersects() needs a margin.
     const QRectF box = QRectF(mapped.p1(), mapped.p2()).normalized().adjusted(-1, -1, 1, 1);
     if (box.intersects(seen)) painter.drawLine(mapped);
   }

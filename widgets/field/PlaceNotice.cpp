@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-/// m; robots plan no ways while their place is less certain.
+/// m; robots plan no paths while their pose is less certain than this.
 constexpr double kLost = 1;
 
 QString placeText(const char* source) {
@@ -21,8 +21,7 @@ QString placeText(const char* source) {
 QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* base, bool onMap) {
   const QString name = QString::fromStdString(robot.robot);
   if (robot.estimate && robot.positionDeviation <= kLost) return {};
-  if (base == nullptr && !robot.estimate)
-    return {};  // Nothing was heard of it: other views say what to do then.
+  if (base == nullptr && !robot.estimate) return {};  // without any report other views say what to do
   if (!onMap) {
     return robot.truth
                ? QString()

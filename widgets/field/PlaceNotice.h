@@ -11,8 +11,8 @@ namespace widgets {
 
 struct RobotBelief;
 
-/// What to do so that a robot on wheels finds out where it is on the map; empty once it knows. `base`: what
-/// it says of itself, null: nothing yet.
+/// What the user should do so that a robot on wheels finds its pose on the map; empty once it knows it.
+/// `base`: the robot's DriveState, null: none was received. `onMap`: a map is shown.
 QString placeNotice(const RobotBelief& robot, const robotcontrol::DriveState* base, bool onMap);
 
 }  // namespace widgets

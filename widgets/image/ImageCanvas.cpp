@@ -25,7 +25,7 @@ void ImageCanvas::setPicture(ImagePicture picture, std::vector<robotlink::Packag
   picture_ = std::move(picture);
   keep_ = std::move(keep);
   updatePixel();
-  Q_EMIT pixelChanged();  // the same place may have another colour now
+  Q_EMIT pixelChanged();  // the pixel may have another color now
   update();
 }
 

@@ -12,34 +12,40 @@
 
 namespace widgets {
 
-/// Shows an ImagePicture, zooms it with the wheel to where the cursor is and pans it with the mouse, both
-/// buttons but the right. Keys: arrows pan. Its object name is "imageCanvas".
+/// Shows an ImagePicture. The wheel zooms at the cursor, dragging with the left or middle button and the
+/// arrow keys pan. Object name "imageCanvas". GUI thread.
 class ImageCanvas final : public QWidget {
   Q_OBJECT
  public:
   explicit ImageCanvas(QWidget* parent = nullptr);
 
-  /// `keep`: the messages that the drawings of the picture belong to.
+  /// `keep`: the messages that own the annotations of the picture's drawings.
   void setPicture(ImagePicture picture, std::vector<robotlink::PackagePtr> keep);
+  /// The picture as it was set.
   const ImagePicture& picture() const { return picture_; }
-  /// What is said where no picture is.
+  /// Text in the middle while there is no picture.
   void setHint(const QString& hint);
+  /// Whether the picture is frozen, which a frame shows.
   void setFrozen(bool frozen);
 
   const ImageViewport& viewport() const { return viewport_; }
+  /// Emits viewportChanged() if it differs.
   void setViewport(const ImageViewport& viewport);
-  /// By a key or button: what is in the middle stays there.
+  /// Zooms around the middle.
   void zoomBy(double factor);
+  /// Widget pixels per image pixel.
   double zoom() const;
-  /// The pixel under the cursor, if there is one.
+  /// The pixel under the cursor; unset: none.
   std::optional<QPoint> pixelUnderCursor() const { return pixel_; }
-  /// What is seen, without frame and hints.
+  /// What is shown, without frame and hint.
   QImage rendered() const;
 
   QSize sizeHint() const override { return {352, 288}; }
 
  Q_SIGNALS:
+  /// The user zoomed or panned, or the widget was resized.
   void viewportChanged();
+  /// pixelUnderCursor() changed.
   void pixelChanged();
 
  protected:
@@ -53,18 +59,26 @@ class ImageCanvas final : public QWidget {
   void resizeEvent(QResizeEvent* event) override;
 
  private:
+  /// Size of the image in pixels; empty without a picture.
   QSizeF imageSize() const { return picture_.pixels.size(); }
+  /// Moves the image by widget pixels.
   void panBy(const QPointF& by);
+  /// Finds the pixel under the cursor.
   void updatePixel();
+  /// Emits pixelChanged() if it differs.
   void setPixel(std::optional<QPoint> pixel);
+  /// Fills what the image does not cover.
   void paintBackground(QPainter& painter) const;
 
   ImagePicture picture_;
+  /// Own the annotations of picture_.
   std::vector<robotlink::PackagePtr> keep_;
   ImageViewport viewport_;
   QString hint_;
   bool frozen_ = false;
+  /// Whether the cursor is in the widget.
   bool inside_ = false;
+  /// Last position of the mouse while panning.
   std::optional<QPointF> pressed_;
   QPointF cursor_;
   std::optional<QPoint> pixel_;

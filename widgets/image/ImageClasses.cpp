@@ -16,7 +16,7 @@ namespace {
 constexpr char kUnknown[] = "unknown";
 constexpr robotlink::Rgb kUnknownColor{128, 128, 128};
 
-/// Those that images of the true classes have the numbers of (STREAMS.md).
+/// The classes by their numbers in images of true classes (STREAMS.md).
 colortool::ColorClasses presetClasses() {
   return colortool::findClassPreset("2002")->classes();
 }

@@ -15,20 +15,22 @@ class StreamStore;
 struct FieldDescription;
 }  // namespace robotlink
 
+// Names and colors of the classes in segmented images.
 namespace widgets {
 
 struct PixelValue;
 
-/// The names of the colour classes that an image consists of, by their number: those of the true classes for
-/// "<robot>/oracle/classes", those that its robot told with its regions for debug images (path
-/// "<robot>/images/..."). Empty for all others, which are of colours or grey values.
+/// Names of the color classes by their numbers, if the image consists of classes: the true classes for
+/// "<robot>/oracle/classes", those that the robot published with its regions for debug images
+/// ("<robot>/images/..."). Empty for images of colors or gray values.
 std::vector<std::string> classNames(const robotlink::StreamStore& store, const std::string& path,
                                     const foxglove::RawImage& image, robotlink::Instant time);
-/// What the classes are shown in: the field's colours of these names, else those of the classes of 2002, else
-/// black; "unknown" is grey. The field may be null.
+/// Colors in which the classes are shown: the field's color of the same name, else that of the class preset
+/// of 2002, else black; "unknown" is gray. `field` may be null.
 std::vector<robotlink::Rgb> classColors(const std::vector<std::string>& names,
                                         const robotlink::FieldDescription* field);
-/// The class of a pixel: by its number or, where classes are shown by their colours, by the very colour.
+/// The class of a pixel, by its number or, where classes are shown by their colors, by exactly this color.
+/// Empty: none.
 std::string classNameOf(const PixelValue& pixel, const std::vector<std::string>& names,
                         const robotlink::FieldDescription* field);
 

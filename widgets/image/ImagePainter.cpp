@@ -16,7 +16,7 @@ namespace {
 
 using foxglove::PointsAnnotation;
 
-constexpr double kGridZoom = 12;  // from here on there is room for lines between pixels
+constexpr double kGridZoom = 12;  // from this zoom on there is room for lines between pixels
 
 QPointF qPoint(const foxglove::Point2& point) {
   return {point.x(), point.y()};
@@ -39,7 +39,7 @@ void paintCircle(QPainter& painter, const foxglove::CircleAnnotation& circle, co
   painter.drawEllipse(toWidget.map(qPoint(circle.position())), radius, radius);
 }
 
-/// The colour of the i-th point or segment: its own where there is one for each, else that of all.
+/// The color of the i-th point or segment: its own if there is one for each, else the common one.
 const foxglove::Color& colorOf(const PointsAnnotation& points, int i) {
   return i < points.outline_colors_size() ? points.outline_colors(i) : points.outline_color();
 }

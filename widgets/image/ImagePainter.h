@@ -14,28 +14,29 @@ class ImageAnnotations;
 
 namespace widgets {
 
-/// What an image view shows: pixels and the drawings on them, lowest first. The drawings belong to somebody
-/// else.
+/// What an image view shows: pixels, and drawings on them, lowest first. Drawings are not owned.
 struct ImagePicture {
   QImage pixels;
+  /// A drawing that belongs to the image.
   struct Drawing {
+    /// Must outlive the picture.
     const foxglove::ImageAnnotations* annotations = nullptr;
-    bool old = false;  ///< of an earlier image: painted faded
+    /// Whether it belongs to an earlier image; painted faded.
+    bool old = false;
   };
   std::vector<Drawing> drawings;
 };
 
-// Pure functions: they look the same on a widget and on a QImage.
-
-/// The picture in `widget` (at the painter's origin): pixels, from a certain zoom on with a grid between
-/// them, and the drawings.
+/// Paints the picture into a widget of this size at the painter's origin: pixels, from a certain zoom on with
+/// a grid between them, and the drawings. Pure, like the following functions; looks the same on a widget and
+/// on a QImage.
 void paintPicture(QPainter& painter, const QSizeF& widget, const ImagePicture& picture,
                   const ImageViewport& viewport);
-/// One drawing. Positions are the image's; widths, sizes of points and texts are pixels of the screen,
-/// whatever the zoom.
+/// Paints one drawing. Positions are image coordinates; line widths, point sizes and font sizes are screen
+/// pixels at every zoom.
 void paintAnnotations(QPainter& painter, const foxglove::ImageAnnotations& drawing,
                       const QTransform& imageToWidget);
-/// The whole image with its drawings, `scale` pixels for each of its own.
+/// The whole image with its drawings, enlarged by `scale`.
 QImage renderPicture(const ImagePicture& picture, int scale);
 
 }  // namespace widgets

@@ -10,12 +10,13 @@ namespace {
 using robotlink::PixelFormat;
 using robotlink::Rgb;
 
-constexpr int kFraction = 16;  // bits
+constexpr int kFraction = 16;  // fraction bits of fixed-point numbers
 
-/// What the chroma adds to the three channels (BT.601, full range), in 1/65536; and the clamping of the sums.
+/// Contributions of the chroma to the three channels (BT.601, full range) in 1/65536, and a table that clamps
+/// the sums.
 struct ChromaTables {
   std::array<int, 256> redOfCr{}, greenOfCb{}, greenOfCr{}, blueOfCb{};
-  std::array<std::uint8_t, 1024> clamped{};  // by value + 384
+  std::array<std::uint8_t, 1024> clamped{};  // index is the value + 384
 
   constexpr ChromaTables() {
     constexpr double kOne = 1 << kFraction;

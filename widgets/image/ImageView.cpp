@@ -148,7 +148,7 @@ void ImageView::tick() {
   if (listed) Q_EMIT titleChanged(tr("Image: %1").arg(QString::fromStdString(streams_->path(session()))));
   drawings_->refresh(session(), robot());
   const auto* message = session().store().latest(streams_->path(session()), instant());
-  // What is frozen stays, even when the history no longer reaches back to it.
+  // A frozen image stays, even if the history no longer reaches back to it.
   if (!frozenAt_ || message != nullptr) {
     message_ = message == nullptr ? nullptr : message->value;
     imageTime_ = message == nullptr ? robotlink::Instant() : message->time;

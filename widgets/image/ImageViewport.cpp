@@ -7,7 +7,7 @@
 namespace widgets {
 namespace {
 
-/// The same view, said by zoom and centre.
+/// The same viewport with explicit zoom and center.
 ImageViewport unfitted(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget) {
   if (!viewport.fit) return viewport;
   return {false, shownZoom(viewport, image, widget), QPointF(image.width() / 2, image.height() / 2)};
@@ -27,7 +27,7 @@ double shownZoom(const ImageViewport& viewport, const QSizeF& image, const QSize
 
 QTransform imageToWidget(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget) {
   const ImageViewport shown = unfitted(viewport, image, widget);
-  // Whole pixels, so that the pixels of the image are equally large.
+  // Aligned to whole pixels, so that the pixels of the image are equally large.
   const double left = std::round(widget.width() / 2 - shown.center.x() * shown.zoom);
   const double top = std::round(widget.height() / 2 - shown.center.y() * shown.zoom);
   return {shown.zoom, 0, 0, shown.zoom, left, top};

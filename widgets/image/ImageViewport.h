@@ -7,29 +7,32 @@
 
 namespace widgets {
 
-/// Which part of an image a widget shows and how large. A plain value; all functions are pure.
+/// The part of an image that a widget shows, and its zoom. A plain value; all functions are pure.
 ///
-/// Image coordinates in pixels, (0, 0) is the upper left corner of the upper left pixel; widget coordinates
-/// in Qt's logical pixels.
+/// Image coordinates are pixels with (0, 0) at the upper left corner of the upper left pixel; widget
+/// coordinates are Qt's logical pixels.
 struct ImageViewport {
+  /// Limits of the zoom.
   static constexpr double kMinimumZoom = 0.1, kMaximumZoom = 64;
 
-  bool fit = true;  ///< the whole image, as large as it fits; then zoom and center mean nothing
-  double zoom = 1;  ///< logical pixels of the widget for a pixel of the image
-  QPointF center;   ///< in the image, shown in the middle of the widget
+  /// Whether the whole image is shown as large as possible; zoom and center are not used then.
+  bool fit = true;
+  /// Logical pixels of the widget per image pixel.
+  double zoom = 1;
+  /// The image point in the middle of the widget.
+  QPointF center;
 
   bool operator==(const ImageViewport&) const = default;
 };
 
-/// The zoom that is shown: of a viewport that fits, what fits.
+/// The zoom in use: the viewport's, or that which fits.
 double shownZoom(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget);
 /// From image to widget coordinates.
 QTransform imageToWidget(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget);
-/// Enlarged by `factor`; what is at `at` (widget) stays there.
+/// Zoomed by `factor`, within the limits; what is at `at` (widget) stays there.
 ImageViewport zoomed(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget, double factor,
                      const QPointF& at);
-/// Moved with the mouse, by widget pixels. The image's centre can not leave the widget by more than half of
-/// it.
+/// Moved by widget pixels. The middle of the widget always shows a point of the image.
 ImageViewport panned(const ImageViewport& viewport, const QSizeF& image, const QSizeF& widget,
                      const QPointF& by);
 

@@ -45,7 +45,7 @@ std::string StreamChoice::path(const robotlink::Session& session) const {
 void StreamChoice::setChoice(const QString& choice) {
   if (choice.isEmpty()) return;
   choice_ = choice;
-  listVersion_ = ~0ULL;  // list it, should it not be there
+  listVersion_ = ~0ULL;  // lists the choice even if it does not exist
   Q_EMIT choiceChanged();
 }
 

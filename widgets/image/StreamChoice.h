@@ -10,29 +10,34 @@ class Session;
 
 namespace widgets {
 
-/// Chooses a stream of a session by its path, of one type: a certain one, or with "*" for the robot the same
-/// of the session's selected robot. A stream that is chosen and not there (yet) stays chosen.
+/// A combo box that selects a stream of one message type by its path: a certain one, or with "*" in place of
+/// the robot that of the session's selected robot. A stream that was chosen and does not exist (yet) stays
+/// chosen. GUI thread.
 class StreamChoice final : public QComboBox {
   Q_OBJECT
  public:
-  /// `type`: full name of the messages' type. `choice`: at first.
+  /// `type`: full name of the message type. `choice`: the initial choice.
   StreamChoice(std::string type, QString choice, QWidget* parent = nullptr);
 
-  /// Lists what there is; cheap while it is the same. Whether the list, and so perhaps path(), changed.
+  /// Lists the session's streams; returns early while they are unchanged. True if the list, and so perhaps
+  /// path(), changed.
   bool refresh(robotlink::Session& session);
-  /// The path of the chosen stream, the selected robot's name in place of "*".
+  /// Path of the chosen stream, with the selected robot's name in place of "*".
   std::string path(const robotlink::Session& session) const;
 
-  /// For saved states: "red1/camera/image" or "*/camera/image".
+  /// The choice as saved in a view's state: "red1/camera/image" or "*/camera/image".
   const QString& choice() const { return choice_; }
   void setChoice(const QString& choice);
 
  Q_SIGNALS:
+  /// Emitted when the user or setChoice() chooses.
   void choiceChanged();
 
  private:
+  /// Full name of the message type.
   std::string type_;
   QString choice_;
+  /// The store's list of streams and the selected robot that the combo box shows.
   quint64 listVersion_ = ~0ULL;
   std::string listedRobot_;
 };

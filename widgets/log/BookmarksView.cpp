@@ -113,7 +113,7 @@ void BookmarksView::tick() {
     there = true;
     for (const auto& bookmark : log->bookmarks->all()) rows.push_back({log->path, log->offset, bookmark});
   }
-  // Whoever edits a text is not disturbed by what others change.
+  // Changes from elsewhere must not disturb the editing of a text.
   if (table_->indexWidget(table_->currentIndex()) == nullptr)
     model_.setRows(std::move(rows), session().timeline().origin());
   table_->setColumnHidden(BookmarkModel::kLog, logs_.logs().size() < 2);

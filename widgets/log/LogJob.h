@@ -11,36 +11,48 @@
 
 namespace widgets {
 
-/// Something long that is done to a log (cut, exported, repaired), in a thread of its own. The destructor
-/// gives it up and waits until it ended. The other functions: one thread, that of the GUI.
+/// A long operation on a log (cutting, exporting, repairing) in a thread of its own. Called by one thread,
+/// that of the GUI. The destructor cancels the operation and waits for its end.
 class LogJob {
  public:
+  /// How the operation ended.
   struct Outcome {
-    bool done = false;  ///< else it failed
+    /// Whether it succeeded.
+    bool done = false;
+    /// Whether it failed because it was canceled.
     bool cancelled = false;
-    QString text;               ///< what was done, or why not
-    std::filesystem::path log;  ///< a new log that can be opened; empty: there is none
+    /// What was done, or why it failed; for the user.
+    QString text;
+    /// A new log that can be opened; empty: none.
+    std::filesystem::path log;
   };
-  /// The share done; false: give up.
+  /// Reports the progress, 0 to 1. False: the operation must end soon.
   using Progress = std::function<bool(double)>;
+  /// The operation; called in the job's thread.
   using Work = std::function<Outcome(const Progress&)>;
 
+  /// Starts at once. `title` is shown during the work.
   LogJob(QString title, Work work);
   ~LogJob();
   LogJob(const LogJob&) = delete;
   LogJob& operator=(const LogJob&) = delete;
 
   const QString& title() const { return title_; }
+  /// Progress, 0 to 1.
   double share() const { return share_; }
+  /// Asks the operation to end; it does at its next report of progress.
   void cancel() { cancelled_ = true; }
-  /// Once it ended.
+  /// Unset until the operation has ended.
   std::optional<Outcome> outcome();
 
  private:
   const QString title_;
+  /// Written by the thread.
   std::atomic<double> share_{0};
+  /// Set by cancel(), read by the thread.
   std::atomic<bool> cancelled_{false};
-  std::mutex mutex_;  // protects outcome_
+  /// Protects outcome_.
+  std::mutex mutex_;
   std::optional<Outcome> outcome_;
   std::thread thread_;
 };

@@ -41,12 +41,12 @@ logplayer::ExportOptions exportOptions(const LogRange& range, const Progress& pr
     options.from = range->first;
     options.to = range->second;
   }
-  options.overwrite = true;  // who chose the name was asked
+  options.overwrite = true;  // the file dialog has asked
   options.progress = progress;
   return options;
 }
 
-/// Opens the log and lets `what` export from it.
+/// Opens the log, and exports from it with `what`.
 template <typename What>
 Outcome exported(const std::string& path, const Progress& progress, const char* text,
                  const std::filesystem::path& to, What what) {

@@ -75,7 +75,7 @@ void LogReader::publish(const LogOverview& overview) {
 }
 
 bool LogReader::tell(LogOverview& overview, double share) {
-  // A copy of it all for each percent would cost more than the reading.
+  // Publishing copies the overview; doing so for each percent would take longer than reading.
   if (share - overview.progress >= 0.1 || share < overview.progress) {
     overview.progress = share;
     publish(overview);
@@ -185,7 +185,7 @@ void LogReader::countSizes(LogOverview& overview) {
       if (shown.path == stream.path) shown.bytes = stream.bytes;
     }
   }
-  // What is only found by reading.
+  // Some damage is found only by reading everything.
   overview.damage = QString::fromStdString(log_->damageText());
   overview.stage = Stage::kDone;
   overview.progress = 1;

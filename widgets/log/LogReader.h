@@ -14,11 +14,14 @@ class LogFile;
 
 namespace widgets {
 
-/// Reads a log file in two threads: one goes over it once, from what is shown first to what costs most
-/// (streams and times, warnings and errors, bookmarks, sizes); the other reads small pictures of its images
-/// as they are wanted. The destructor ends both; it waits for at most one read.
+/// Reads a log file in two threads. One goes over the file once, beginning with what is needed first
+/// (streams, times, bookmarks, text messages, sizes) and publishes an overview after each step; the other
+/// reads thumbnails of the images as they are requested. Overviews are immutable and shared. The public
+/// functions are called by one thread and do not block. The destructor ends both threads; it waits for at
+/// most one read.
 class LogReader final : public LogReading {
  public:
+  /// Begins at once; the file is opened in the thread.
   explicit LogReader(std::filesystem::path file);
   ~LogReader() override;
   LogReader(const LogReader&) = delete;
@@ -30,30 +33,44 @@ class LogReader final : public LogReading {
   std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() override;
 
  private:
+  /// The thumbnails that are requested.
   struct Wanted {
     std::string stream;
-    std::vector<robotlink::Instant> times;  // most urgent last
+    /// Most urgent last.
+    std::vector<robotlink::Instant> times;
+    /// Pixels.
     int height = 0;
   };
 
+  /// Function of the thread that makes the overview; the next functions are its steps.
   void readAll();
+  /// False: the file cannot be opened.
   bool open(LogOverview& overview);
   void readTimes(LogOverview& overview);
   void readTexts(LogOverview& overview);
   void readBookmarks();
   void countSizes(LogOverview& overview);
+  /// Makes a copy available to overview().
   void publish(const LogOverview& overview);
+  /// Publishes the progress, at most ten times per step. False: the reader is being destroyed.
   bool tell(LogOverview& overview, double share);
 
+  /// Function of the thread that reads thumbnails.
   void readThumbnails();
+  /// Null: there is no image or it cannot be decoded.
   QImage thumbnail(const std::string& stream, robotlink::Instant time, int height);
 
   const std::filesystem::path file_;
+  /// Set by the destructor; read without the mutex while reading.
   std::atomic<bool> quit_{false};
 
-  std::mutex mutex_;  // protects all that follows
+  /// Protects all following members but the threads. log_ is set once; the threads use it afterwards without
+  /// the mutex.
+  std::mutex mutex_;
+  /// Signaled when log_, wanted_ or quit_ change.
   std::condition_variable wakeUp_;
-  std::shared_ptr<logplayer::LogFile> log_;  // null until it is open
+  /// Null until it is open.
+  std::shared_ptr<logplayer::LogFile> log_;
   std::shared_ptr<const LogOverview> overview_;
   std::optional<robotlink::Result<logplayer::Bookmarks>> bookmarks_;
   Wanted wanted_;
@@ -62,7 +79,7 @@ class LogReader final : public LogReading {
   std::thread overviewThread_, thumbnailThread_;
 };
 
-/// Starts reading a file: what ReadLog is but in tests.
+/// The ReadLog that is used outside of tests.
 std::unique_ptr<LogReading> readLogFile(const std::filesystem::path& file);
 
 }  // namespace widgets

@@ -14,10 +14,10 @@ using robotlink::Instant;
 namespace {
 
 constexpr int kSaveAfterTicks = 60;
-constexpr std::size_t kMostThumbnails = 600;  // some 25 kB each
+constexpr std::size_t kMostThumbnails = 600;  // about 25 kB each
 
-/// One change of the bookmarks of a log. The document keeps its own history; this keeps its place among the
-/// changes of other logs.
+/// A change of a log's bookmarks. The bookmarks keep their own history; this is the change's place among
+/// those of other logs on the undo stack.
 class BookmarkCommand final : public QUndoCommand {
  public:
   BookmarkCommand(const QString& text, std::function<logplayer::Bookmarks*()> document,

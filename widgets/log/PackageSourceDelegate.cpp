@@ -37,7 +37,7 @@ QWidget* PackageSourceDelegate::createEditor(QWidget* parent, const QStyleOption
 }
 
 void PackageSourceDelegate::setEditorData(QWidget* editor, const QModelIndex& index) const {
-  // Once: a status that arrives while somebody chooses must not change the choice.
+  // Only once: a status that arrives while the user chooses must not change the choice.
   if (editor->property("filled").toBool()) return;
   editor->setProperty("filled", true);
   auto* box = qobject_cast<QComboBox*>(editor);

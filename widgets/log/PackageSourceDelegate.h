@@ -5,7 +5,9 @@
 
 namespace widgets {
 
-/// Chooses where a package comes from; what is not possible is greyed and says why.
+/// Edits the source of a package in a ReplayPackageModel (behind a proxy) by a combo box that opens at once.
+/// Sources that are not possible are disabled, with the reason in their text. A status of the replay that
+/// arrives while the editor is open does not change the choice. GUI thread.
 class PackageSourceDelegate final : public QStyledItemDelegate {
   Q_OBJECT
  public:

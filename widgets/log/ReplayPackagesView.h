@@ -13,17 +13,21 @@ namespace widgets {
 
 class EmptyHint;
 
-/// From where the packages of a replay come, each as logged or recomputed by the program; how what is
-/// recomputed differs from what was logged; which tasks of the program cannot run and why.
+/// The packages of a replay, each as logged or recomputed by the robot's program; how the recomputed ones
+/// differ from the logged ones; and which tasks of the program cannot run, and why.
+///
+/// Registered as "replay-packages". GUI thread.
 class ReplayPackagesView final : public View {
   Q_OBJECT
  public:
   explicit ReplayPackagesView(ViewContext& context, QWidget* parent = nullptr);
+  /// Shows the replay's newest status.
   void tick() override;
 
  private:
   void createViews();
   void connectSignals();
+  /// Updates the text about tasks that cannot run.
   void showTasks();
 
   OpenLogs& logs_;

@@ -13,12 +13,15 @@ namespace widgets {
 
 class EmptyHint;
 
-/// The streams of the open logs with count, size, rate and schema. A check gives a stream a row in the time
-/// line; a double click or Enter lets its messages be stepped.
+/// The streams of the open logs with number of messages, size, rate and schema. A check box gives a stream a
+/// row in the timeline; a double click or Enter makes its messages those that are stepped.
+///
+/// Registered as "log-streams". GUI thread.
 class StreamsView final : public View {
   Q_OBJECT
  public:
   explicit StreamsView(ViewContext& context, QWidget* parent = nullptr);
+  /// Lists the streams if the logs changed.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
@@ -26,14 +29,17 @@ class StreamsView final : public View {
  private:
   void createViews();
   void connectSignals();
+  /// Updates the line with the totals.
   void showSummary();
 
   OpenLogs& logs_;
   StreamListModel model_;
+  /// The streams filtered by the search field.
   QSortFilterProxyModel* filtered_;
   QTableView* table_ = nullptr;
   QLabel* summary_ = nullptr;
   EmptyHint* hint_ = nullptr;
+  /// OpenLogs::version() of what is shown.
   std::uint64_t shownVersion_ = 0;
 };
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a time line shows: its contents, zoom, pan and scrolling. TimeLineMouse.cpp is what a person does to
-// it.
+// The part of TimeLineCanvas that shows: contents, zoom, pan and scrolling. TimeLineMouse.cpp has the
+// reaction to mouse and keys.
 #include "widgets/log/TimeLineCanvas.h"
 
 #include <QPainter>
@@ -18,7 +18,7 @@ using robotlink::Instant;
 
 namespace {
 
-constexpr double kMarginShare = 0.02;  // of the width, left free on both sides of what is fitted
+constexpr double kMarginShare = 0.02;  // margin on both sides of what is fitted, as a share of the width
 
 bool sameContents(const std::vector<TimeLineBand>& a, const std::vector<TimeLineBand>& b) {
   const auto same = [](const TimeLineBand& x, const TimeLineBand& y) {
@@ -135,7 +135,7 @@ void TimeLineCanvas::zoom(double factor) {
 }
 
 void TimeLineCanvas::setFrom(Instant from) {
-  // Some of the logs is always in sight.
+  // A part of the logs always stays visible.
   const auto width =
       Duration(std::llround(std::max(1.0, look_.size.width() - look_.gutter) * look_.scale.nsPerPixel));
   const Instant earliest = std::min(look_.begin - width / 20, look_.end - width + width / 20);
@@ -149,13 +149,13 @@ void TimeLineCanvas::setFrom(Instant from) {
 void TimeLineCanvas::keepShownInSight() {
   const double x = look_.scale.x(look_.shown), width = look_.size.width() - look_.gutter;
   if (x >= look_.gutter && x <= look_.size.width() - 0.02 * width) return;
-  // Page by page: quieter, and cheaper, than a picture that always moves.
+  // Page by page, which is calmer and cheaper than a picture that always moves.
   setFrom(look_.scale.time(x) - Duration(std::llround(0.1 * width * look_.scale.nsPerPixel)));
 }
 
 void TimeLineCanvas::updateScrollBars() {
   if (settingBars_) return;
-  settingBars_ = true;  // what they say meanwhile is what is known
+  settingBars_ = true;  // their signals are ignored meanwhile
   const TimeLineLayout all = layout();
   verticalScrollBar()->setPageStep(static_cast<int>(all.body.height()));
   verticalScrollBar()->setSingleStep(static_cast<int>(look_.row));

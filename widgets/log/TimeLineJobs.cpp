@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the time line does with a range and with files.
+// The part of TimeLineView that acts on ranges and files: cutting, exporting, repairing.
 #include <QDir>
 #include <QFileDialog>
 #include <QFileInfo>
@@ -61,7 +61,7 @@ void TimeLineView::cut() {
         return;
       }
     }
-    logs_.saveBookmarks();  // those in the range are cut along
+    logs_.saveBookmarks();  // bookmarks in the range are copied into the new log
     job_->start(tr("Cutting into %1").arg(QFileInfo(file).fileName()),
                 cutLogs(inputs, range, file.toStdString()));
   });

@@ -58,11 +58,11 @@ std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLi
   const double width = std::max(16.0, thumbnailHeight() * band.imageAspect + kImageMargin);
   const double begin = look.scale.x(band.log->begin + band.offset),
                end = look.scale.x(band.log->end + band.offset);
-  // Counted from the log's begin, so that the same images stay while one pans.
+  // Slots count from the log's beginning, so that the same images are shown while panning.
   const double first = std::max(0.0, std::floor((look.gutter - begin) / width));
   for (double i = first; begin + i * width <= std::min(end, look.size.width()); ++i) {
     const double left = begin + i * width;
-    // That of its middle; at its left edge the first one would be empty, and all of them late.
+    // The time of the slot's middle: at its left edge the first slot would be empty, and all others early.
     const Instant time = band.log->begin + Duration(std::llround((i + 0.5) * width * look.scale.nsPerPixel));
     slots.push_back({left, left + width - kImageMargin, time});
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a person does to a time line with mouse and keys.
+// The part of TimeLineCanvas that reacts to mouse and keys.
 #include <QApplication>
 #include <QHelpEvent>
 #include <QKeyEvent>
@@ -24,7 +24,7 @@ using Kind = TimeLineLayout::Kind;
 
 namespace {
 
-constexpr double kGrip = 4;  // pixels beside an edge that still take it
+constexpr double kGrip = 4;  // pixels beside an edge that still grab it
 constexpr double kZoomStep = 1.25;
 
 }  // namespace
@@ -180,7 +180,7 @@ void TimeLineCanvas::mouseReleaseEvent(QMouseEvent* event) {
     if (!moved_) Q_EMIT jumpWanted(heldBookmark_.from + band(held.band).offset);
     for (const auto& bookmark : band(held.band).bookmarks) {
       if (moved_ && bookmark.id == held.bookmark) {
-        const logplayer::Bookmark changed = bookmark;  // the bands may be replaced meanwhile
+        const logplayer::Bookmark changed = bookmark;  // a copy, since the receiver may replace the bands
         Q_EMIT bookmarkChanged(held.band, changed);
         break;
       }
@@ -241,7 +241,7 @@ void TimeLineCanvas::keyPressEvent(QKeyEvent* event) {
     default:
       break;
   }
-  event->ignore();  // the play keys are the view's
+  event->ignore();  // the view handles the keys of the replay
 }
 
 void TimeLineCanvas::editBookmark(int index, std::uint64_t id) {
@@ -292,7 +292,7 @@ QLineEdit* TimeLineCanvas::openEditor(const char* name, const QRect& where, cons
   auto* escape = new QShortcut(QKeySequence(Qt::Key_Escape), edit);
   escape->setContext(Qt::WidgetShortcut);
   const auto close = [this, edit] {
-    if (!edit->isVisible()) return;  // closing takes the focus, which closes
+    if (!edit->isVisible()) return;  // closing takes the focus away, which calls this again
     edit->hide();
     edit->deleteLater();
     setFocus();

@@ -19,7 +19,7 @@ namespace {
 
 constexpr double kLaneMargin = 6;
 
-/// Everything that the functions below need.
+/// The arguments of the functions below.
 struct Canvas {
   QPainter& painter;
   const TimeLineLook& look;
@@ -39,7 +39,7 @@ void paintRuler(const Canvas& canvas, const TimeLineLayout& layout) {
   QPainter& painter = canvas.painter;
   painter.fillRect(QRectF(0, 0, canvas.look.size.width(), layout.ruler.height()),
                    canvas.palette.color(QPalette::Window));
-  if (canvas.look.end <= canvas.look.begin) return;  // without a log there is no time
+  if (canvas.look.end <= canvas.look.begin) return;  // no log is open
   const double label = painter.fontMetrics().horizontalAdvance(QStringLiteral("0000.0000")) + 16;
   const AxisMarks marks = axisMarks(canvas.look.scale, label, canvas.look.origin),
                   fine = axisMarks(canvas.look.scale, label / 6, canvas.look.origin);
@@ -124,7 +124,7 @@ void paintHeader(const Canvas& canvas, const TimeLineBand& band, const Lane& lan
   }
 }
 
-/// The picture that was asked for at this time, or the last before it while that one is being read.
+/// The thumbnail for this time, or the last one before it while it is being read.
 const QImage* thumbnailFor(const TimeLineBand& band, const ThumbnailSlot& slot, Duration reach) {
   auto found = band.thumbnails.upper_bound(slot.time);
   if (found == band.thumbnails.begin()) return nullptr;
@@ -153,7 +153,7 @@ void paintTexts(const Canvas& canvas, const TimeLineBand& band, const Lane& lane
   QPainter& painter = canvas.painter;
   const QRectF plot = canvas.plot(lane.rect);
   painter.fillRect(lane.rect, mixed(canvas.base(), canvas.text(), 0.03));
-  // Errors last, so that no warning hides one.
+  // Errors are painted last, so that warnings do not cover them.
   for (const bool errors : {false, true}) {
     const QColor color = colorOf(errors ? Meaning::kBad : Meaning::kWarning, canvas.palette);
     for (const LogEntry& entry : band.log->said) {
@@ -238,7 +238,7 @@ void paintLane(const Canvas& canvas, const TimeLineBand& band, const Lane& lane,
                    canvas.elided(laneName(band, lane), name.width(), Qt::ElideMiddle));
 }
 
-/// What is outside of the selected range, and outside of all logs, is dimmed.
+/// Dims what is outside of the selected range and outside of all logs.
 void paintRange(const Canvas& canvas, const TimeLineLayout& layout) {
   QPainter& painter = canvas.painter;
   const QRectF plot(canvas.look.gutter, 0, layout.ruler.width(), canvas.look.size.height());

@@ -8,16 +8,16 @@
 class QPainter;
 class QPalette;
 
+// Painting of a timeline: pure functions of the bands, the look and the palette, in the painter's font.
 namespace widgets {
 
-/// How a time line is drawn: pure functions of the bands, the look and the palette, in the painter's font.
-///
-/// All but the play head; it costs some milliseconds, so a widget keeps the outcome until something changes.
+/// Paints everything but the play head. Takes some milliseconds, so a widget should cache the result.
 void paintTimeLine(QPainter& painter, const std::vector<TimeLineBand>& bands, const TimeLineLook& look,
                    const QPalette& palette);
-/// The play head with its time, and the frame that tells the focus.
+/// Paints the play head with its time, and the frame that shows the focus.
 void paintPlayHead(QPainter& painter, const TimeLineLook& look, const QPalette& palette);
 
+/// The color of the play head.
 QColor playHeadColor(const QPalette& palette);
 
 }  // namespace widgets

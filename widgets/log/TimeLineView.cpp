@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the time line shows and how its controls are wired. TimeLineJobs.cpp is what it does with ranges and
-// files.
+// The part of TimeLineView that shows logs and connects controls. TimeLineJobs.cpp has the actions on ranges
+// and files.
 #include "widgets/log/TimeLineView.h"
 
 #include <QAction>
@@ -305,7 +305,7 @@ void TimeLineView::showDamage() {
     const QString& failure = log->overview->failure;
     QString text = failure.isEmpty() ? log->overview->damage : failure;
     for (const auto& played : logs_.replay().status().logs()) {
-      // What went wrong while it was played is newer than what was found when it was opened.
+      // Problems during the replay are newer than those found when the log was opened.
       if (failure.isEmpty() && played.path() == log->path && !played.damage().empty())
         text = QString::fromStdString(played.damage());
     }

@@ -9,7 +9,7 @@
 namespace widgets {
 namespace {
 
-constexpr int kSwatchSide = 32;  // it is shown smaller
+constexpr int kSwatchSide = 32;  // pixels; views scale it down
 
 QString percent(double share) {
   return QStringLiteral("%1 %").arg(100 * share, 0, 'f', 1);
@@ -28,7 +28,7 @@ QIcon swatch(const QColor& color) {
   pixmap.fill(Qt::transparent);
   QPainter painter(&pixmap);
   painter.setRenderHint(QPainter::Antialiasing);
-  // A grey edge keeps white and black apart from what is around them, light or dark.
+  // A gray edge separates white and black from light and dark backgrounds.
   painter.setPen(QPen(QColor(128, 128, 128), 2));
   painter.setBrush(color.isValid() ? QBrush(color) : QBrush(Qt::NoBrush));
   const QRectF square(3, 3, kSwatchSide - 6, kSwatchSide - 6);

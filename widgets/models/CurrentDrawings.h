@@ -14,23 +14,27 @@ class Session;
 
 namespace widgets {
 
-/// A drawing of a robot that is to be seen at the instant that is shown.
+/// A drawing that a robot's program published and that is visible at the shown instant.
 struct CurrentDrawing {
-  QString id;  ///< as DrawingsModel names it: "image/ball-percept/circle"
+  /// Name without the robot, as DrawingsModel has it: "image/ball-percept/circle".
+  QString id;
   std::string robot;
+  /// The drawing: foxglove.ImageAnnotations or foxglove.SceneUpdate.
   robotlink::PackagePtr message;
-  robotlink::Instant time;  ///< of the frame that drew it
-  bool old = false;         ///< its process has had a newer frame, in which it was not drawn: shown faded
+  /// Time of the frame in which it was drawn.
+  robotlink::Instant time;
+  /// Whether its process has executed a newer frame without drawing it; it is painted faded then.
+  bool old = false;
 
   bool operator==(const CurrentDrawing&) const = default;
 };
 
-/// How much of an old drawing is seen: enough to find it, too little to take it for what is seen now.
+/// Opacity of an old drawing: enough to find it, too little to be taken for a current one.
 inline constexpr double kOldDrawingOpacity = 0.3;
 
-/// Those of `ids` that the robot drew in the newest frame of the process that draws them, in the order of
-/// `ids`; and the last ones of keys that are not on in each frame, which are old then. What a process no
-/// longer draws is gone.
+/// Returns the drawings among `ids` that the robot published in the newest frame of the drawing process, in
+/// the order of `ids`, and the last drawings of keys that do not draw in every frame (marked as old).
+/// Drawings that a process no longer makes are left out.
 std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
                                             const QStringList& ids, robotlink::Instant shown);
 

@@ -11,37 +11,49 @@
 
 namespace widgets {
 
-/// The curves of a plot: the plot's legend, with the values of the moment. Points are kept for as long as
-/// `history`. Columns: curve, the newest value, its unit, and the value under the cursor. GUI thread.
+/// The curves of a plot with their points: the data of a PlotCanvas and the rows of the plot's legend. Points
+/// older than kHistory, and beyond kMaxPoints, are dropped. Times are seconds on the session's timeline. GUI
+/// thread.
 class CurveModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Source, newest value, its unit, and the value under the cursor.
   enum Column { kName, kValue, kUnit, kAtCursor, kColumns };
-  static constexpr double kHistory = 300;             // s
-  static constexpr std::size_t kMaxPoints = 300'000;  // of a curve
+  /// Length of the history in s, counted back from a curve's newest point.
+  static constexpr double kHistory = 300;
+  /// Upper bound of the points of one curve.
+  static constexpr std::size_t kMaxPoints = 300'000;
 
+  /// One curve; the canvas keeps its own copy of the points.
   struct Curve {
     explicit Curve(PlotSource source) : series(std::move(source)) {}
+    /// Reads the values from the session's store.
     PlotSeries series;
-    int color = 0;  ///< number for curveColor()
+    /// Index for curveColor(); the lowest that was free.
+    int color = 0;
+    /// Oldest first.
     std::deque<PlotSeries::Point> points;
-    std::size_t taken = 0;   ///< of the points, how many a canvas has
-    bool restarted = false;  ///< the canvas must begin anew
-    bool requested = false;  ///< its debug key was asked for
+    /// Number of points, from the front, that the canvas has copied.
+    std::size_t taken = 0;
+    /// The clock went back: the canvas must drop its copy.
+    bool restarted = false;
+    /// The debug key of the source was requested.
+    bool requested = false;
   };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// False if it is there already.
+  /// Appends a curve. False if there is one of this source already, or the source has no stream.
   bool add(const PlotSource& source);
   void remove(int row);
   void clear();
-  /// Takes what came; true if there is something new to draw.
+  /// Appends the points that arrived since the last call. True if there is something new to draw.
   bool update(const robotlink::StreamStore& store);
-  /// The time that the cursor points at; nothing: it is elsewhere.
+  /// Time under the cursor in s; empty: the cursor is not over the plot.
   void setCursor(std::optional<double> time);
+  /// The curves, in the order of the rows. The canvas updates `taken` and `restarted`.
   std::vector<std::unique_ptr<Curve>>& curves() { return curves_; }
   const std::vector<std::unique_ptr<Curve>>& curves() const { return curves_; }
-  /// All points: a column of times, then one for each curve, empty where it has no value at that time.
+  /// All points as text: a column "time_s", then one per curve, empty where it has no value at that time.
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -50,11 +62,13 @@ class CurveModel final : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  /// The lowest color index that no curve has.
   int freeColor() const;
-  /// The value that a curve has at the cursor: that of the last point before it.
+  /// The value of the last point not later than the cursor; empty without one.
   std::optional<double> atCursor(const Curve& curve) const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
+  /// In s; empty: the cursor is not over the plot.
   std::optional<double> cursor_;
 };
 

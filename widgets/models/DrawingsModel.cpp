@@ -16,14 +16,15 @@
 namespace widgets {
 namespace {
 
-/// "image/ball-percept/circle" of "red1/drawings/image/ball-percept/circle"; empty if it is no drawing.
+/// Returns "image/ball-percept/circle" for "red1/drawings/image/ball-percept/circle"; empty if it is no
+/// drawing.
 QString drawingId(const std::string& path) {
   static constexpr std::string_view kFolder = "/drawings/";
   const auto at = path.find(kFolder);
   return at == std::string::npos ? QString() : QString::fromStdString(path.substr(at + kFolder.size()));
 }
 
-/// Where a debug key draws, as its help says; empty: it does not, or it does not say so.
+/// Where a debug key draws according to its help; empty if it does not draw or does not say so.
 QString kindOf(const QString& help) {
   static const std::pair<QLatin1String, QLatin1String> kinds[] = {
       {QLatin1String("(drawn in the image)"), QLatin1String("image")},
@@ -65,7 +66,7 @@ void DrawingsModel::refreshKeys() {
     const QString id = kind + QLatin1Char('/') + QString::fromStdString(key.name());
     addIfNew(id, key.mode().kind() == robotcontrol::KeyMode::OFF);
     Row& row = *find(id);
-    // One whose n times are over keeps its last drawing.
+    // A key whose n times are over is off, too, but its last drawing remains.
     row.off = key.mode().kind() == robotcontrol::KeyMode::OFF && key.mode().n() == 0;
     row.asked = row.asked && row.off;
     row.help = help;
@@ -208,7 +209,7 @@ Qt::ItemFlags DrawingsModel::flags(const QModelIndex& index) const {
   return Qt::ItemIsEnabled | Qt::ItemIsSelectable | Qt::ItemIsUserCheckable | Qt::ItemNeverHasChildren;
 }
 
-/// Where there are several kinds, those that are relative to the robot say so.
+/// If there are several kinds, drawings relative to the robot are marked as such.
 QString DrawingsModel::title(const QString& id) const {
   const QString name = id.section(QLatin1Char('/'), 1);
   return id.startsWith(QLatin1String("robot/")) ? tr("%1 (robot)").arg(name) : name;

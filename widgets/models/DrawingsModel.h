@@ -14,68 +14,87 @@ class StreamStore;
 
 namespace widgets {
 
-/// The drawings that a view can show, by name and whatever the robot: "image/ball-percept/circle". A row is
-/// checked if it is shown; what is lower in the list is painted later and so on top. New drawings are shown:
-/// somebody switched them on. What the user hid or moved stays so, also while the drawing does not exist (its
-/// row is grey then).
+/// The drawings that a view can show, by name and independent of the robot: "image/ball-percept/circle". A
+/// row is checked if the drawing is shown; what is lower in the list is painted later and therefore on top.
+/// New drawings are checked, since someone switched them on. What the user unchecked or moved stays so even
+/// while the drawing does not exist (its row is gray then).
 ///
-/// Drawings whose debug key is off on the robot are listed, too, unchecked: to check one switches its key on.
-/// That a key draws, and where, its help says: "(drawn in the image)". GUI thread.
+/// Drawings whose debug key is off on the robot are listed, too, unchecked; checking one requests its key.
+/// Whether and where a key draws is part of its help text: "(drawn in the image)", "(drawn on the field)" or
+/// "(drawn around the robot)". GUI thread.
 class DrawingsModel : public QAbstractListModel {
   Q_OBJECT
  public:
+  /// kIdRole: the drawing's id (QString).
+  /// kExistsRole: whether some robot has drawn it (bool).
+  /// kOffRole: whether its debug key is off on the robot (bool).
   enum Role { kIdRole = Qt::UserRole, kExistsRole, kOffRole };
 
-  /// `kinds`: "image"; or "field" and "robot".
+  /// `kinds`: the kinds to list, "image", or "field" and "robot".
   explicit DrawingsModel(QStringList kinds, QObject* parent = nullptr);
 
-  /// Adds what is new: drawings of all robots, and what this robot could draw; cheap while nothing is. The
-  /// session must outlive the model's use.
+  /// Adds new drawings of all robots and the keys with which `robot` could draw; returns early if nothing
+  /// changed. The session must outlive the model.
   void refresh(robotlink::Session& session, const std::string& robot);
-  /// The ids of the drawings to be shown, lowest first.
+  /// Ids of the checked drawings, lowest first.
   QStringList shown() const;
+  /// Checks or unchecks all rows without switching any key.
   void setAllShown(bool shown);
-  /// Asks the robot to switch a drawing's debug key on or off.
+  /// Requests the drawing's debug key on or off; a refusal is shown in the tool tip.
   void switchKey(int row, bool on);
-  /// Up is -1. Rows are those of this model.
+  /// Moves a row by so many rows of this model; -1 is up. Ignored at the ends.
   void move(int row, int by);
 
+  /// {"order": [id, ...], "hidden": [id, ...]}.
   QJsonObject saveState() const;
   void restoreState(const QJsonObject& state);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  /// Checks or unchecks a row; checking one that is off requests its key.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:
-  /// What shown() answers changed.
+  /// shown() returns something else now.
   void shownChanged();
 
  private:
+  /// A drawing, whether or not it exists at present.
   struct Row {
     QString id;
+    /// Checked by the user.
     bool shown = true;
+    /// Some robot's stream of this name is in the store.
     bool exists = false;
-    bool off = false;    ///< its debug key is, on the robot
-    bool asked = false;  ///< the robot was asked to switch it on, and has not done so yet
+    /// Its debug key is off on the robot.
+    bool off = false;
+    /// The key was requested and is not yet on.
+    bool asked = false;
     QString help = {};
-    QString refusal = {};  ///< why it did not
+    /// Why the robot refused the key; empty: it did not.
+    QString refusal = {};
   };
+  /// Updates `exists` from the store's streams.
   void refreshStreams(const robotlink::StreamStore& store);
+  /// Updates `off` and `help` from the robot's key table.
   void refreshKeys();
+  /// Handles the reply to a request for a key.
   void onAnswer(const QString& id, bool accepted, const QString& reason);
   QString toolTip(const Row& row) const;
   QString title(const QString& id) const;
+  /// Null if there is none. Valid until the next change of the rows.
   Row* find(const QString& id);
   void addIfNew(const QString& id, bool off);
 
   QStringList kinds_;
   std::vector<Row> rows_;
+  /// The store's version of its list of streams, as of the last refresh.
   quint64 listVersion_ = ~0ULL;
   robotlink::Session* session_ = nullptr;
   std::string robot_;
-  const void* keys_ = nullptr;  ///< the robot's table of keys that was taken over
+  /// Address of the key table that was read last.
+  const void* keys_ = nullptr;
 };
 
 }  // namespace widgets

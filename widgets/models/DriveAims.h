@@ -16,20 +16,26 @@ class StreamStore;
 
 namespace widgets {
 
-/// Where a robot on wheels is going and how, as models/path tells it; metres and radians, in the field's
-/// frame.
+/// The goal of a robot on wheels and its path to it, as the robot's program publishes them (models/path).
+/// Meters and radians in the field's frame.
 struct DriveAim {
   std::string robot;
-  QColor color;  ///< the robot's
+  /// The robot's color, set by the view.
+  QColor color;
   robotlink::Pose2 goal;
+  /// Whether the robot may arrive with any heading; that of `goal` means nothing then.
   bool anyHeading = true;
-  QString name;  ///< of the goal; may be empty
+  /// Name of the place that is the goal; may be empty.
+  QString name;
+  /// Corners of the path, from where the robot was when it was planned to the goal.
   std::vector<robotlink::Vector2> path;
+  /// Whether no path exists at present.
   bool blocked = false;
-  QString reason;  ///< why there is no way
+  /// Why it is blocked.
+  QString reason;
 };
 
-/// Nothing if it is going nowhere.
+/// The robot's goal at an instant; unset if it has none or it was canceled.
 std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot,
                                  robotlink::Instant shown);
 

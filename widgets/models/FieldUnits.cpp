@@ -13,7 +13,8 @@ namespace {
 using google::protobuf::Descriptor;
 using google::protobuf::FieldDescriptor;
 
-/// By full names. Of a field that is a message: the unit of all in it that has none of its own.
+/// Units by the full names of fields. For a field that is a message, the unit of all numbers in it that have
+/// none of their own.
 const std::map<std::string_view, const char*>& units() {
   static const std::map<std::string_view, const char*> table{
       {"robotcontrol.Pose2.x", "m"},
@@ -102,7 +103,7 @@ const std::map<std::string_view, const char*>& units() {
   return table;
 }
 
-/// "joints" of "joints[head.pan].position"; the rest is what remains.
+/// Returns "joints" for "joints[head.pan].position" and removes it, its index and the dot from the path.
 std::string_view nextName(std::string_view& path) {
   const std::size_t end = std::min(path.find_first_of(".["), path.size());
   const std::string_view name = path.substr(0, end);

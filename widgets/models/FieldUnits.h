@@ -4,10 +4,12 @@
 #include <QString>
 #include <string>
 
+// The units of the numbers in messages, for plots: a table by the fields' names, which repeats the comments
+// in the schemas.
 namespace widgets {
 
-/// The unit of a number in messages of a type, as their schemas say it in words: "rad", "m/s"; empty if it
-/// has none, or if none is known. `field` is a path such as PlotSource has: "joints[head.pan].position".
+/// Unit of a number in messages of a type: "rad", "m/s"; empty if it has none or none is known. `field` is a
+/// path as in PlotSource: "joints[head.pan].position".
 QString unitOf(const std::string& type, const std::string& field);
 
 }  // namespace widgets

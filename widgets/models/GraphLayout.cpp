@@ -11,7 +11,7 @@ std::size_t at(int index) {
   return static_cast<std::size_t>(index);
 }
 
-/// Whether a path of edges that are kept leads from one node to another.
+/// Whether a path of the kept edges leads from one node to another.
 bool reaches(const ProcessGraph& graph, const std::vector<int>& kept, int from, int to) {
   std::vector<bool> seen(graph.nodes.size(), false);
   std::vector<int> open{from};
@@ -28,9 +28,9 @@ bool reaches(const ProcessGraph& graph, const std::vector<int>& kept, int from, 
   return false;
 }
 
-/// Marks the edges that would close a cycle as going back. What blocks its receiver is kept first, then what
-/// follows the order of the layout; what ends at the platform (a node without tasks) comes last, so that data
-/// flow from the sensors to the actuators.
+/// Marks the edges that would close a cycle as `back`. Blocking edges are kept first, then those in the order
+/// of the layout; edges to the platform (a node without tasks) come last, so that data flow from the sensors
+/// on the left to the actuators on the right.
 void turnCycles(ProcessGraph& graph) {
   std::vector<int> order(graph.edges.size()), kept;
   for (std::size_t i = 0; i < order.size(); ++i) order[i] = static_cast<int>(i);

@@ -13,34 +13,46 @@ namespace robotlink {
 struct StreamMessage;
 }
 
+// Debug keys as values for the GUI, converted from and to protobuf messages.
 namespace widgets {
 
-/// When a debug key is active; the kinds are those of robotcontrol.KeyMode, in its order.
+/// The mode of a debug key, that is, when it is active. The kinds are in the order of robotcontrol.KeyMode.
 struct KeyValue {
+  /// kOff, kAlways: no number.
+  /// kTimes: n more times, then off.
+  /// kEveryNth: every n-th time.
+  /// kEveryMs: at most once in n milliseconds of the platform's clock.
   enum class Kind : std::uint8_t { kOff, kAlways, kTimes, kEveryNth, kEveryMs };
   Kind kind = Kind::kOff;
-  unsigned n = 0;  ///< times, or milliseconds of the platform's clock
+  /// The number; for kTimes what is left of it.
+  unsigned n = 0;
   bool operator==(const KeyValue&) const = default;
 };
 
+/// Whether modes of this kind have a number.
 bool hasNumber(KeyValue::Kind kind);
-/// What a mode is called in lists, and with its number: "every 10th", "3 times left".
+/// "off", "every n-th": translated, for lists.
 QString kindName(KeyValue::Kind kind);
+/// "10", "3 left", "100 ms"; empty for modes without a number.
 QString numberText(const KeyValue& value);
+/// Unknown kinds of newer programs become kEveryMs.
 KeyValue keyValue(const robotcontrol::KeyMode& mode);
+/// Writes the mode into the message; the number of modes without one is 0.
 void assign(robotcontrol::KeyMode& to, const KeyValue& from);
 
-/// A debug key of one robot, as all of its processes together tell.
+/// A debug key of one robot, merged over all its processes.
 struct KeyEntry {
   std::string name;
   QString help;
   KeyValue value;
-  bool inUse = false;     ///< a running solution asks for it
-  QStringList solutions;  ///< "ball-percept/scan-lines"
+  /// Whether a running solution queries it.
+  bool inUse = false;
+  /// Solutions that query it: "ball-percept/scan-lines".
+  QStringList solutions;
 };
 
-/// The keys of all these messages that are KeyTables (null ones are skipped), by name. The mode is that of a
-/// table in which the key is in use, if there is one.
+/// The keys in all messages that are KeyTables, by name; null messages are skipped. If several tables contain
+/// a key its mode is that of one in which it is in use.
 std::vector<KeyEntry> mergeKeys(const std::vector<const robotlink::StreamMessage*>& tables);
 
 }  // namespace widgets

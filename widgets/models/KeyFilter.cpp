@@ -25,7 +25,7 @@ void KeyFilter::setActiveOnly(bool on) {
 bool KeyFilter::filterAcceptsRow(int row, const QModelIndex& parent) const {
   const QModelIndex index = sourceModel()->index(row, 0, parent);
   const QVariant kind = index.data(KeyTreeModel::kKindRole);
-  if (!kind.isValid()) return false;  // a group stands for its keys
+  if (!kind.isValid()) return false;  // a group is accepted with its keys
   if (activeOnly_ && kind.toInt() == 0) return false;
   const QString name = index.data(KeyTreeModel::kKeyRole).toString();
   return std::all_of(words_.begin(), words_.end(),

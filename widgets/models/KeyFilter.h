@@ -6,14 +6,17 @@
 
 namespace widgets {
 
-/// Shows those keys of a KeyTreeModel whose whole name contains every word that was typed, with the groups
-/// they are in; on wish only those that are not off.
+/// Filters a KeyTreeModel: accepts keys whose whole name contains every word that was typed, in any case of
+/// letters, together with their groups; optionally only keys that are not off. GUI thread.
 class KeyFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   explicit KeyFilter(QObject* parent = nullptr);
+  /// Words separated by spaces; empty: all keys pass.
   void setWords(const QString& text);
+  /// Whether only keys that are not off pass.
   void setActiveOnly(bool on);
+  /// Whether any filter is set.
   bool filters() const { return activeOnly_ || !words_.isEmpty(); }
 
  protected:

@@ -15,7 +15,7 @@ struct KeyTreeModel::Node {
   std::string path;
   Node* parent = nullptr;
   int row = 0;
-  int key = -1;  // index into keys_; -1 is a mere group
+  int key = -1;  // index into keys_; -1: a group
   std::vector<std::unique_ptr<Node>> children;
 
   Node& child(const std::string& part) {
@@ -34,7 +34,7 @@ struct KeyTreeModel::Node {
 
 namespace {
 
-/// A number that makes sense where none was set before.
+/// Adds a useful default if the mode has a number and none was set.
 KeyValue withNumber(KeyValue value) {
   if (!hasNumber(value.kind)) {
     value.n = 0;

@@ -10,32 +10,39 @@
 
 namespace widgets {
 
-/// The debug keys of one robot as a tree by the parts of their names ("ball-percept/circle"). Columns: name,
-/// mode, number. Editing a mode or a number changes nothing here but what is shown as wished (in italics);
-/// keyChosen() asks the owner to request it, and the next tables or refuse() settle it. Keys of inactive
-/// solutions are greyed and can be set all the same. GUI thread.
+/// The debug keys of one robot as a tree by the parts of their names ("ball-percept/circle"). An edit does
+/// not change the keys: the new mode is shown in italics as pending, keyChosen() lets the owner request it,
+/// and the next table from the robot, or refuse(), settles it. Keys that no running solution queries are gray
+/// and can be set nevertheless. GUI thread.
 class KeyTreeModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
+  /// Name, mode, and the mode's number.
   enum Column { kName, kMode, kNumber, kColumns };
   enum Role {
-    kKeyRole = Qt::UserRole + 1,  ///< the key's whole name; for a group, the names' common part
-    kKindRole,                    ///< KeyValue::Kind as int; invalid for groups
-    kActiveRole,                  ///< bool: this key, or one below this group, is not off
+    /// The key's whole name; for a group the names' common part (QString).
+    kKeyRole = Qt::UserRole + 1,
+    /// KeyValue::Kind as int; invalid for groups.
+    kKindRole,
+    /// Whether this key, or a key below this group, is not off (bool).
+    kActiveRole,
   };
 
   explicit KeyTreeModel(QObject* parent = nullptr);
   ~KeyTreeModel() override;
 
-  /// Takes over what the robot tells. Keeps the rows as long as the names are the same.
+  /// Replaces the keys and drops all pending modes. Rows, and so selection and expansion, are kept if the
+  /// names are the same.
   void setKeys(std::vector<KeyEntry> keys);
   const std::vector<KeyEntry>& keys() const { return keys_; }
-  /// What is wished for the key, else what it is.
+  /// The pending mode of the key if there is one, else its mode.
   KeyValue shownValue(const KeyEntry& key) const;
-  /// A wish is over: the robot refused it, for this reason.
+  /// Drops the pending mode of a key; the reason is shown in its tool tip.
   void refuse(const std::string& key, const QString& reason);
-  /// All keys at or below a row.
+  /// Names of all keys at or below a row; of all keys for an invalid index.
   std::vector<std::string> keysBelow(const QModelIndex& index) const;
+  /// Makes a mode pending and emits keyChosen(). A missing number gets a default: 1 time, every 10th, every
+  /// 1000 ms.
   void choose(const std::string& key, KeyValue value);
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -45,25 +52,36 @@ class KeyTreeModel final : public QAbstractItemModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Calls choose() with the edited mode or number.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  Q_SIGNALS:
+  /// The mode of a key shall be requested from the robot.
   void keyChosen(const QString& key, const widgets::KeyValue& value);
 
  private:
+  /// A key or a group.
   struct Node;
+  /// The root for an invalid index.
   const Node& nodeOf(const QModelIndex& index) const;
+  /// Null for groups.
   const KeyEntry* entryOf(const QModelIndex& index) const;
+  /// Builds the tree from keys_.
   void build();
   QString display(const Node& node, int column) const;
   QString toolTip(const KeyEntry& key) const;
+  /// Number of keys at or below a node that are not off; adds the number of all keys to `all`.
   int activeBelow(const Node& node, int& all) const;
+  /// Announces changed data of a key and its groups.
   void changed(const std::string& key);
 
   std::vector<KeyEntry> keys_;
   std::unique_ptr<Node> root_;
-  std::map<std::string, const Node*> nodes_;  // by key
+  /// By the key's name.
+  std::map<std::string, const Node*> nodes_;
+  /// Pending modes, by the key's name.
   std::map<std::string, KeyValue> wishes_;
+  /// Reasons of refusals, by the key's name; kept until the key is edited again.
   std::map<std::string, QString> refusals_;
 };
 

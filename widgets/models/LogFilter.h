@@ -6,18 +6,20 @@
 
 namespace widgets {
 
-/// The rows of a LogModel that are severe enough, of one robot or of all, and whose text, source or robot
-/// holds what was typed: a part of it in any case of letters, or a regular expression.
+/// Filters a LogModel: accepts rows of at least a level, of one robot or of all, and whose text or source
+/// contains what was typed, either as a part in any case of letters or as a regular expression. GUI thread.
 class LogFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:
   using QSortFilterProxyModel::QSortFilterProxyModel;
+  /// LogEntry::Level as int; 0: all levels.
   void setMinimumLevel(int level);
   /// Empty: all robots.
   void setRobot(const QString& robot);
-  /// Empty if it can be used, else what is wrong with the expression; then the filter stays as it was.
+  /// Sets what text or source must contain; empty: everything passes. Returns an empty text, or what is wrong
+  /// with the regular expression, in which case the filter stays as it was.
   QString setPattern(const QString& text, bool regularExpression);
-  /// Whether the text of a row holds `text`, in the sense of a search.
+  /// Whether text or source of a row contain `text` in any case of letters; used by the search.
   static bool holds(const QAbstractItemModel& model, int row, const QString& text);
 
  protected:
@@ -26,7 +28,9 @@ class LogFilter final : public QSortFilterProxyModel {
  private:
   int minimumLevel_ = 0;
   QString robot_;
+  /// The pattern as it was typed.
   QString part_;
+  /// The last valid expression, in use if usesExpression_.
   QRegularExpression expression_;
   bool usesExpression_ = false;
 };

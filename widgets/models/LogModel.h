@@ -8,42 +8,51 @@
 
 namespace widgets {
 
-/// One text that a robot said.
+/// One text message (foxglove.Log) of a robot's program.
 struct LogEntry {
+  /// Numbered as in foxglove.Log.
   enum class Level : std::uint8_t { kUnknown, kDebug, kInfo, kWarning, kError, kFatal };
   robotlink::Instant time;
   Level level = Level::kInfo;
   QString robot;
-  QString source;  ///< "cognition/ball-percept"
+  /// Name of the process and task: "cognition/ball-percept".
+  QString source;
   QString text;
-  bool logged = false;  ///< an open log holds it, whether or not it was played
+  /// Whether an open log contains it, played or not.
+  bool logged = false;
 };
 
-/// The texts of all robots as a table: time, level, robot, source, text. Bounded: past `capacity` rows the
-/// oldest go, some hundred at a time, so that a full table costs no more than an empty one. A batch is one
-/// insertion. GUI thread.
+/// The text messages of all robots as a table, sorted by time. Memory is bounded: beyond `capacity` rows the
+/// oldest are removed, a hundredth of the capacity at a time, so that a full table costs no more than an
+/// empty one. GUI thread.
 class LogModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Time in s, level, robot, source, text.
   enum Column { kTime, kLevel, kRobot, kSource, kText, kColumns };
+  /// LogEntry::Level as int.
   static constexpr int kLevelRole = Qt::UserRole + 1;
 
+  /// `capacity`: the largest number of rows.
   explicit LogModel(std::size_t capacity = 100'000, QObject* parent = nullptr);
 
+  /// Appends messages that are not earlier than those in the table, as one insertion.
   void append(std::vector<LogEntry> entries);
-  /// Each where its time belongs, behind those of the same time. For few of them, or for those that come
-  /// after all others.
+  /// Inserts each message by its time, behind those of the same time. Messages that are later than all others
+  /// are appended as one insertion; otherwise each one is an insertion, and once the table is full the
+  /// remaining ones are dropped.
   void insert(std::vector<LogEntry> entries);
-  /// Rows later than this are muted: a log holds them, but it was not yet played so far.
+  /// Rows later than this are muted: an open log contains them, but the replay has not reached them.
   void setShown(robotlink::Instant time);
   void clear();
-  /// Removes what no log holds.
+  /// Removes the messages that no open log contains.
   void removePublished();
   const LogEntry& entry(int row) const { return entries_[static_cast<std::size_t>(row)]; }
-  /// The last row that is not later than `time`; -1 if there is none.
+  /// The last row not later than `time`; -1 if there is none.
   int rowAt(robotlink::Instant time) const;
+  /// "warning"; translated.
   static QString levelName(LogEntry::Level level);
-  /// What is shown as 0 s.
+  /// The instant shown as 0 s.
   void setOrigin(robotlink::Instant time);
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -55,6 +64,7 @@ class LogModel final : public QAbstractTableModel {
   std::size_t capacity_;
   std::deque<LogEntry> entries_;
   robotlink::Instant origin_;
+  /// See setShown(); by default nothing is muted.
   robotlink::Instant shown_ = robotlink::Instant::max();
 };
 

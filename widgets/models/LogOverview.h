@@ -17,63 +17,88 @@
 
 namespace widgets {
 
-/// What a log file holds, as much of it as was read so far: what a time line and a list of streams show. All
+/// The contents of a log file, as far as they have been read: what a timeline and a list of streams show. All
 /// times are the log's own, without any offset. A plain value; shared read-only between threads.
 struct LogOverview {
+  /// What is being read: the summary, the times of all messages, the text messages, the sizes; kDone:
+  /// everything was read.
   enum class Stage : std::uint8_t { kOpening, kTimes, kTexts, kSizes, kDone };
+  /// One stream of the log.
   struct Stream {
-    std::string path;  ///< "nao/camera/image"
-    std::string type;  ///< its schema: "foxglove.CompressedImage"
+    /// "nao/camera/image"
+    std::string path;
+    /// Name of its schema: "foxglove.CompressedImage".
+    std::string type;
+    /// Number of messages.
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  ///< 0: not yet counted
+    /// Sum of their sizes; 0: not counted yet.
+    std::uint64_t bytes = 0;
     robotlink::Instant first, last;
-    std::string undecoded = {};   ///< the encoding of its messages, if that is not read; they stay bytes
-    MessageDensity density = {};  ///< empty until Stage::kTexts
+    /// Encoding of the messages if it cannot be decoded (they are kept as bytes); else empty.
+    std::string undecoded = {};
+    /// Times of the messages; empty before Stage::kTexts.
+    MessageDensity density = {};
 
-    /// Messages a second between its first and last; 0 for less than two.
+    /// Mean rate between the first and the last message, Hz; 0 for less than two messages.
     double rate() const;
   };
 
+  /// Path of the log.
   std::string file;
   Stage stage = Stage::kOpening;
-  double progress = 0;   ///< of the stage, 0 to 1
-  QString failure = {};  ///< why the file could not be opened
-  QString damage = {};   ///< what was lost, in words; empty if the file is whole
+  /// Progress of the stage, 0 to 1.
+  double progress = 0;
+  /// Why the file could not be opened; empty: it could.
+  QString failure = {};
+  /// Damage report in words; empty if the file is intact.
+  QString damage = {};
+  /// Whether the log, and so its bookmarks, cannot be written.
   bool readOnly = false;
-  bool converted = false;  ///< is of an older format, so there is nothing to repair
+  /// Whether the file has another format and was converted while reading, so that there is nothing to repair.
+  bool converted = false;
   robotlink::Instant begin = {}, end = {};
+  /// Names of the robots that were logged.
   std::vector<std::string> robots = {};
-  std::vector<Stream> streams = {};  ///< by path
-  std::vector<LogEntry> said = {};   ///< warnings and errors, by time
-  std::uint64_t saidLeftOut = 0;     ///< because there were too many
-  std::shared_ptr<const std::vector<LogEntry>> texts =
-      {};  ///< all of them, by time, up to a bound; null until they were read
+  /// Sorted by path.
+  std::vector<Stream> streams = {};
+  /// Warnings and errors, sorted by time.
+  std::vector<LogEntry> said = {};
+  /// Number of warnings and errors beyond the bound of `said`.
+  std::uint64_t saidLeftOut = 0;
+  /// All text messages up to a bound, sorted by time; null before they were read.
+  std::shared_ptr<const std::vector<LogEntry>> texts = {};
 
+  /// Null if there is none.
   const Stream* find(const std::string& path) const;
-  /// Paths of the streams of images; cameras first.
+  /// Paths of the streams of images that are not empty, those of cameras first.
   std::vector<std::string> imageStreams() const;
-  /// "reading the sizes: 40 %"; empty when all is read.
+  /// "counting sizes: 40 %", translated; empty when everything was read or the file could not be opened.
   QString stageText() const;
 };
 
-/// A small picture of one image of a log.
+/// A small version of one image of a log.
 struct Thumbnail {
-  robotlink::Instant time;  ///< that was asked for; the image is the newest not later
-  QImage image;             ///< null: there is none
+  /// The time that was requested; the image is the newest one not later.
+  robotlink::Instant time;
+  /// Null: there is no such image.
+  QImage image;
 };
 
-/// Reads a log file for the GUI, which calls all of these and never waits.
+/// Interface of what reads a log file for the GUI. All functions are called in the GUI thread and return at
+/// once; the reading is done elsewhere. Implemented by LogReader; tests implement their own.
 class LogReading {
  public:
   virtual ~LogReading() = default;
-  /// As far as it is known; another object whenever there is news.
+  /// What is known now, never null; another object whenever something was added.
   virtual std::shared_ptr<const LogOverview> overview() = 0;
-  /// What is wanted now, most urgent first; what was wanted before and is not yet there is given up.
+  /// Requests thumbnails of a stream, most urgent first; replaces earlier requests that have not been served.
+  /// `height` in pixels.
   virtual void wantThumbnails(const std::string& stream, std::vector<robotlink::Instant> times,
                               int height) = 0;
-  /// Those that came since the last call.
+  /// Those that were read since the last call.
   virtual std::vector<Thumbnail> takeThumbnails() = 0;
-  /// Once, when they were read; the caller goes on with them.
+  /// Returns the bookmarks, or why they cannot be read, once; unset before and after. The caller owns them
+  /// from then on.
   virtual std::optional<robotlink::Result<logplayer::Bookmarks>> takeBookmarks() = 0;
 };
 /// Starts reading a file.

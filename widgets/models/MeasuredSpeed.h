@@ -13,19 +13,23 @@ class StreamStore;
 
 namespace widgets {
 
-/// How a robot moves, in its own frame.
+/// The speed of a robot in its own frame.
 struct Speed {
-  double x = 0;         ///< m/s, forwards
-  double y = 0;         ///< m/s, to the left
-  double rotation = 0;  ///< rad/s, counter-clockwise
+  /// m/s, forwards.
+  double x = 0;
+  /// m/s, to the left.
+  double y = 0;
+  /// rad/s, counterclockwise.
+  double rotation = 0;
 };
 
-/// The mean speed between two poses in the field that lie `elapsed` apart, in the frame of the pose halfway.
+/// The mean speed between two poses in the field's frame that are `elapsed` apart, in the frame of the pose
+/// halfway between them. `elapsed` must not be 0.
 Speed speedBetween(const robotlink::Pose2& before, const robotlink::Pose2& after,
                    robotlink::Duration elapsed);
 
-/// How fast the robot truly moved in the `window` before `time`, from its poses in the stream "transforms".
-/// Nothing if the session does not know true poses or the history is shorter than half the window.
+/// The true mean speed of a robot in the `window` before `time`, from its poses in the stream "transforms".
+/// Unset if true poses are not published (real robots) or the history is shorter than half the window.
 std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const std::string& robot,
                                    robotlink::Instant time,
                                    robotlink::Duration window = std::chrono::milliseconds(500));

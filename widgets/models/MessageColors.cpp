@@ -8,7 +8,7 @@
 namespace widgets {
 
 QColor qColor(const foxglove::Color& color) {
-  // Written so that NaN becomes 0.
+  // The order of the arguments makes NaN become 0.
   const auto channel = [](double value) { return std::min(std::max(0.0, value), 1.0); };
   return QColor::fromRgbF(channel(color.r()), channel(color.g()), channel(color.b()), channel(color.a()));
 }

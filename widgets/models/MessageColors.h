@@ -9,7 +9,7 @@ class Color;
 
 namespace widgets {
 
-/// Of a message's colour; channels out of range are clamped.
+/// Converts a message's color. Channels are clamped to 0 to 1; NaN becomes 0.
 QColor qColor(const foxglove::Color& color);
 
 }  // namespace widgets

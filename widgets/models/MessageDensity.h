@@ -8,35 +8,40 @@
 
 namespace widgets {
 
-/// How many messages of a stream were told when, for any zoom of a time line. Memory is bounded: up to
-/// `kExact` messages their times are kept; of longer streams only how many fell into each of `kBins` equal
-/// spans, between which messages count as evenly spread. A plain value.
+/// The times of a stream's messages in bounded memory, for drawing them at any zoom of a timeline. For up to
+/// `kExact` messages all times are kept; for longer streams only the number of messages in each of `kBins`
+/// intervals of equal length, within which they count as evenly distributed. A plain value.
 class MessageDensity {
  public:
+  /// Largest number of messages whose times are kept.
   static constexpr std::size_t kExact = 1U << 15U;
+  /// Number of intervals for longer streams.
   static constexpr std::size_t kBins = 1U << 15U;
 
   MessageDensity() = default;
-  /// `times` are sorted.
+  /// `times` must be sorted.
   explicit MessageDensity(std::vector<robotlink::Instant> times);
 
   std::uint64_t count() const { return count_; }
-  /// Messages in [from, to); about so many for streams that are too long to be kept exactly.
+  /// Number of messages in [from, to); an estimate for streams longer than kExact.
   std::uint64_t between(robotlink::Instant from, robotlink::Instant to) const {
     return before(to) - before(from);
   }
-  /// The time of the message nearest to `time`, at most `reach` away; `time` itself if there is none or if
-  /// they are not kept exactly.
+  /// The time of the message nearest to `time`, at most `reach` away; `time` itself if there is none or the
+  /// times are not kept.
   robotlink::Instant snapped(robotlink::Instant time, robotlink::Duration reach) const;
 
  private:
-  /// Messages earlier than `time`.
+  /// Number of messages earlier than `time`.
   std::uint64_t before(robotlink::Instant time) const;
 
   std::uint64_t count_ = 0;
-  std::vector<robotlink::Instant> times_;  // empty for long streams
+  /// All times, sorted; empty for long streams.
+  std::vector<robotlink::Instant> times_;
+  /// Ends of the intervals; only for long streams.
   robotlink::Instant first_, last_;
-  std::vector<std::uint64_t> sums_;  // of the bins up to each; kBins + 1 of them, from 0
+  /// sums_[i] is the number of messages in the first i intervals; kBins + 1 entries, empty for short streams.
+  std::vector<std::uint64_t> sums_;
 };
 
 }  // namespace widgets

@@ -82,7 +82,7 @@ QVariant elementValue(const Message& message, const FieldDescriptor* field, int 
   }
 }
 
-/// One setter for both kinds of fields: Reflection has two functions for each type.
+/// One function for singular and repeated fields, for which Reflection has a setter each per type.
 template <typename T, typename Single, typename Element>
 bool store(Message& message, const FieldStep& step, Single single, Element element, T value) {
   const Reflection& r = *message.GetReflection();

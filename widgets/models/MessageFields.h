@@ -12,28 +12,33 @@ class FieldDescriptor;
 class Message;
 }  // namespace google::protobuf
 
+// Access to single values of any protobuf message by reflection, for the tree of parameters.
 namespace widgets {
 
-/// Where a field is in a message: one step from each message to its field; for a repeated field also which
-/// element.
+/// One step of a path: from a message to one of its fields and, for a repeated field, to an element.
 struct FieldStep {
   const google::protobuf::FieldDescriptor* field = nullptr;
-  int element = -1;  ///< -1: the field as a whole
+  /// Index of the element; -1: the field is not repeated, or is meant as a whole.
+  int element = -1;
 };
+/// The path from a root message to a value. It is valid for messages of one type only and as long as its
+/// descriptors live.
 using FieldPath = std::vector<FieldStep>;
 
-// Reads and writes single values of any message by reflection. A path must fit the message.
+/// Whether the path leads to a message; the empty path does.
 bool isMessage(const FieldPath& path);
-/// The message that a path (perhaps empty) leads to; unset ones read as their defaults.
+/// The message at a path (which may be empty). Messages that are unset, and elements past the end, read as
+/// defaults.
 const google::protobuf::Message& messageAt(const google::protobuf::Message& root, const FieldPath& path);
-/// A number, bool or QString; enumerations by name. Invalid for messages and for lists as a whole.
+/// A number, bool or QString; enumerations by name. Invalid for messages, for lists as a whole, and for
+/// elements past the end.
 QVariant valueAt(const google::protobuf::Message& root, const FieldPath& path);
-/// False, and nothing is changed, where the value is none of the field's: a text that is no number, an
-/// unknown name, out of range.
+/// Sets a value. False, without a change, if `value` does not fit the field: a text that is no number, an
+/// unknown name, out of range, or the field is a message, a list or bytes.
 bool setValueAt(google::protobuf::Message& root, const FieldPath& path, const QVariant& value);
-/// The names of an enumeration; empty for other fields.
+/// Names of the field's enumeration; empty for other types.
 QStringList choicesAt(const FieldPath& path);
-/// "number", "whole number", ...: what to type, for tool tips.
+/// "number", "whole number", ...: what can be typed, for tool tips; translated.
 QString typeName(const FieldPath& path);
 /// "walk.step[2].x"
 QString pathText(const FieldPath& path);

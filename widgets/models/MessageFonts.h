@@ -6,8 +6,7 @@
 
 namespace widgets {
 
-/// The size of a font that a message asks for, in pixels: whole, readable and not absurd, also if it is not a
-/// number.
+/// Font size in pixels for the size in a message: rounded and clamped to 6 to 200, NaN included.
 inline int fontPixels(double size) {
   return static_cast<int>(std::lround(std::min(std::max(6.0, size), 200.0)));
 }

@@ -63,7 +63,7 @@ void ModelDrag::send(robotlink::Session& session) {
   robotcontrol::Request request;
   request.mutable_place_model()->set_model(model_);
   robotlink::assign(*request.mutable_place_model()->mutable_pose_in_field(), wanted_);
-  // An older request's answer says nothing of where the model is wanted now.
+  // The reply to an older request says nothing about the pose that is wanted now.
   const auto answered = [answer = answer_](const robotcontrol::RequestResult& result) {
     if (result.id() < answer->newest) return;
     answer->refusal = result.accepted() ? QString() : QString::fromStdString(result.reason());

@@ -14,39 +14,46 @@ class Session;
 
 namespace widgets {
 
-/// Moves a model of the simulation (a robot, the ball) with the mouse: where it is wanted goes out as
-/// requests, at most one a tick, and what the simulation refuses is told. Poses in the field's frame, metres
-/// and radians. GUI thread; answers that come after its end are harmless.
+/// Moves a model of the simulation (a robot, the ball) with the mouse. The poses go out as requests, at most
+/// one per tick, and the simulation's refusals are kept for display. Poses are in the field's frame, meters
+/// and radians. GUI thread. Replies that arrive after its destruction are ignored.
 class ModelDrag {
  public:
   ModelDrag();
 
-  /// `grabbed` is the point of the ground (or of a plane above it) that was taken hold of: it keeps its place
-  /// in the model.
+  /// The button was pressed. `grabbed` is the point of the ground (or of a plane above it) under the cursor;
+  /// the cursor stays at this point of the model during the drag.
   void begin(const std::string& model, const robotlink::Pose2& pose, const robotlink::Vector2& grabbed);
+  /// The mouse was dragged to a point in the same plane.
   void moveTo(const robotlink::Vector2& cursor);
+  /// Turns the model by an angle, counterclockwise.
   void turn(double by);
-  /// Sends where it is wanted if that changed since the last request.
+  /// Requests the pose if it changed since the last request. Called 30 times a second.
   void tick(robotlink::Session& session);
-  /// Sends what is left to be sent.
+  /// The button was released: requests the last pose if that has not been done.
   void end(robotlink::Session& session);
 
+  /// Whether the button is pressed.
   bool active() const { return active_; }
   const std::string& model() const { return model_; }
+  /// The pose at which the model is wanted.
   const robotlink::Pose2& wanted() const { return wanted_; }
-  /// Why the last place was refused; empty if it was not. Forgotten two seconds of ticks after the end.
+  /// Why the newest pose was refused; empty if it was not. Cleared two seconds after the end.
   QString refusal() const;
 
  private:
+  /// The reply to the newest request, shared with its callback.
   struct Answer;
   void send(robotlink::Session& session);
 
   bool active_ = false;
+  /// Whether `wanted_` has not been requested yet.
   bool unsent_ = false;
   int ticksSinceEnd_ = 0;
   std::string model_;
   robotlink::Pose2 wanted_;
-  robotlink::Vector2 offset_ = robotlink::Vector2::Zero();  ///< from what was grabbed to the model's origin
+  /// From the grabbed point to the model's origin.
+  robotlink::Vector2 offset_ = robotlink::Vector2::Zero();
   std::shared_ptr<Answer> answer_;
 };
 

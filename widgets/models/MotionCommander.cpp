@@ -58,7 +58,7 @@ robotcontrol::RemoteMotion MotionCommander::command() const {
     motion.set_kind(motion_ == kGetUp ? Kind::GET_UP : Kind::KEY_FRAMES);
     motion.set_motion(motion_);
   } else if (!axes_.zero()) {
-    // A square of axes becomes a disc of speeds: full deflection means the limit in every direction.
+    // Limits the square of the axes to a disc of speeds: full deflection is the limit in every direction.
     const double length = std::max(1.0, std::hypot(axes_.forward, axes_.left));
     motion.set_kind(Kind::WALK);
     motion.mutable_walk()->set_x(axes_.forward / length * limits_.speed);

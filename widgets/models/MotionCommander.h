@@ -10,18 +10,20 @@ class RemoteMotion;
 
 namespace widgets {
 
-/// How far the sticks are pushed, each -1 to 1: forwards, to the left, counter-clockwise.
+/// Deflection of the sticks, each axis from -1 to 1: forwards, to the left, counterclockwise.
 struct WalkAxes {
   double forward = 0;
   double left = 0;
   double turn = 0;
   bool operator==(const WalkAxes&) const = default;
+  /// Whether nothing is deflected.
   bool zero() const { return forward == 0 && left == 0 && turn == 0; }
 };
 
-/// What the head shall do; the kinds are those of robotcontrol.HeadMode, in its order. Angles in rad, for
-/// kAngles.
+/// What the head is commanded to do. The kinds are in the order of robotcontrol.HeadMode; the angles (rad)
+/// are used by kAngles only.
 struct HeadWish {
+  /// Look ahead, search for the ball, follow the ball with the camera, look around, or hold the angles.
   enum class Kind : std::uint8_t { kLookAhead, kSearchBall, kTrackBall, kLookAround, kAngles };
   Kind kind = Kind::kLookAhead;
   double tilt = 0;
@@ -31,17 +33,20 @@ struct HeadWish {
   bool operator==(const HeadWish&) const = default;
 };
 
-/// Turns what a person does with pad, keys, sliders and gamepad into motion commands, and says when one is
-/// due: at once when something changed, and ten times a second (every third tick) as long as it is active, so
-/// that a robot that hears nothing may stop. Key frames are commanded until the robot says that it plays them
-/// (at most a second), so that they are played once. Pure; one thread.
+/// Turns the inputs of pad, keys, sliders and gamepad into motion commands, and decides when one is due: at
+/// once when something changed, and ten times a second (every third tick) while it is active, so that a robot
+/// can stop when commands no longer arrive. A key-frame motion is commanded until the robot reports that it
+/// plays it, but for at most a second, so that it is played once. No I/O, no clock; not thread-safe.
 class MotionCommander {
  public:
+  /// The speeds that full deflection stands for.
   struct Limits {
-    double speed = 0.15;    ///< m/s at full deflection, in any direction
+    /// m/s, in any direction of walking.
+    double speed = 0.15;
     double rotation = 1.0;  ///< rad/s
     bool operator==(const Limits&) const = default;
   };
+  /// The name under which play() requests getting up.
   static constexpr char kGetUp[] = "get-up";
 
   void setLimits(Limits limits) { limits_ = limits; }
@@ -49,32 +54,39 @@ class MotionCommander {
   void setAxes(const WalkAxes& axes) { axes_ = axes; }
   const WalkAxes& axes() const { return axes_; }
   void setHead(const HeadWish& head) { head_ = head; }
-  /// A key-frame motion, or kGetUp; replaces one that has not begun.
+  /// Commands a key-frame motion, or kGetUp; replaces a motion that has not begun.
   void play(const std::string& motion);
-  /// Stands still: no deflection, no motion; the head stays.
+  /// Commands standing still: no deflection and no motion. The head keeps its mode.
   void halt();
 
-  /// Only who is active commands. Starting to be does not move anything.
+  /// Only an active commander commands, that is, while the user has manual control. Becoming active resets
+  /// all inputs and makes a command due.
   void setActive(bool active);
   bool active() const { return active_; }
 
-  /// Called 30 times a second. True: command() is to be sent now. `status` is what the robot says that it
-  /// does; null if it is silent.
+  /// Called 30 times a second. True if command() is to be sent now. `status` is what the robot reports to
+  /// execute; null: nothing.
   bool tick(const robotcontrol::MotionStatus* status);
-  /// What to send, without its time stamp.
+  /// The command, without its timestamp. Walking speeds are limited to a disc: full deflection is
+  /// `limits().speed` in every direction.
   robotcontrol::RemoteMotion command() const;
 
  private:
+  /// Ends a motion that has begun or has been commanded for a second.
   void settleMotion(const robotcontrol::MotionStatus* status);
 
   Limits limits_;
   WalkAxes axes_;
   HeadWish head_;
+  /// Motion that has not begun; empty: none.
   std::string motion_;
-  int motionTicks_ = 0;  // since it was asked for
+  /// Ticks since play().
+  int motionTicks_ = 0;
   bool active_ = false;
+  /// Ticks since the last command.
   int sinceSent_ = 0;
-  std::string sent_;  // the last command, serialised
+  /// The last command, serialized, to detect a change.
+  std::string sent_;
 };
 
 }  // namespace widgets

@@ -14,7 +14,7 @@ using robotlink::Duration;
 using robotlink::Instant;
 
 constexpr Duration kLongestTick = std::chrono::milliseconds(250);
-constexpr int kOpen = 1, kClose = 2;  // SYNC1 and SYNC2 have their numbers
+constexpr int kOpen = 1, kClose = 2;  // SYNC1 and SYNC2 have the same numbers
 
 arcos::Conversation::Event marker(arcos::Conversation::Kind kind, Duration at) {
   arcos::Conversation::Event event;
@@ -60,7 +60,7 @@ arcos::Conversation conversationOf(const PacketModel& model) {
 std::vector<PacketEntry> entriesOf(const arcos::Conversation& conversation) {
   std::vector<PacketEntry> entries;
   entries.reserve(conversation.events.size());
-  // Each connection counts from its own beginning: in one list they follow each other.
+  // Times of each connection count from its beginning; in one list the connections follow each other.
   Instant start, last;
   for (const auto& event : conversation.events) {
     if (event.kind == arcos::Conversation::Kind::kNewConnection) {

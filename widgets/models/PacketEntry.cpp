@@ -26,13 +26,13 @@ arcos::PacketParser::Found parsed(const std::string& bytes) {
   if (!found) return whole;
   if (const auto* packet = std::get_if<arcos::Packet>(&*found)) {
     if (packet->count() + 3 == bytes.size()) return *packet;
-    return whole;  // more than one packet, or something behind it
+    return whole;  // more than one packet, or trailing bytes
   }
   whole.kind = std::get<arcos::Damage>(*found).kind;
   return whole;
 }
 
-/// What a packet says behind its name, which has a column of its own; where that is nothing, what it is for.
+/// The contents of a packet without its name, which has a column of its own; if it has none, its purpose.
 QString saying(const arcos::PacketDescription& description) {
   std::string line = description.line(240);
   if (line.starts_with(description.name)) line.erase(0, description.name.size());

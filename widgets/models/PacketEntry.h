@@ -9,24 +9,30 @@
 
 namespace widgets {
 
-/// Something that went over the line to a robot, decoded for people. A plain value.
+/// One event on the line to a robot: a packet, or the beginning or end of a connection, decoded for display.
+/// A plain value.
 struct PacketEntry {
+  /// A packet, or a marker between packets. Markers have a time and a name only.
   enum class Kind : std::uint8_t { kPacket, kNewConnection, kClosed };
   Kind kind = Kind::kPacket;
+  /// When the platform sent or received it.
   robotlink::Instant time;
   bool fromRobot = false;
+  /// The bytes are no valid packet, or decoding found a problem.
   bool damaged = false;
-  std::string bytes;  ///< as they were, with header and checksum
-  QString name;       ///< "VEL2", "standard information"; of damage what is wrong with it
-  QString summary;    ///< one line
+  /// The raw bytes with header and checksum.
+  std::string bytes;
+  /// "VEL2", "standard information"; for damaged bytes the kind of damage.
+  QString name;
+  /// The contents in one line.
+  QString summary;
 };
 
-/// Decodes `bytes`; that they are damaged is found by itself, `damaged` says what whoever told them knows
-/// besides.
+/// Decodes `bytes`. Damage is detected here; `damaged` adds what the platform reported.
 PacketEntry packetEntry(robotlink::Instant time, bool fromRobot, std::string bytes, bool damaged = false);
-/// Field by field; of damaged bytes the problem.
+/// Decodes the packet field by field; for damaged bytes only the problem.
 robotlink::arcos::PacketDescription describePacket(const PacketEntry& entry);
-/// 0 to 255; -1 if it is no whole packet.
+/// The packet's id or command number, 0 to 255; -1 if the bytes are not exactly one packet.
 int packetId(const PacketEntry& entry);
 /// "fa fb 03 00 00 00"
 QString hexText(const std::string& bytes);

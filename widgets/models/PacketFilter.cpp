@@ -8,7 +8,7 @@
 namespace widgets {
 namespace {
 
-/// The bytes that a text spells, two digits each; empty if it spells none.
+/// The bytes that a text spells as hexadecimal digits; empty if it is anything else or fewer than two bytes.
 QByteArray spelled(QString text) {
   text.remove(QLatin1Char(' '));
   const auto isDigit = [](QChar c) { return QStringLiteral("0123456789abcdefABCDEF").contains(c); };

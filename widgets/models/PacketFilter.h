@@ -6,19 +6,23 @@
 
 namespace widgets {
 
-/// Shows of a PacketModel what passes all of: a direction, names that are not hidden, a text, only what is
-/// damaged.
+/// Filters a PacketModel: accepts rows that pass all of direction, hidden names, text, and "damaged only".
+/// GUI thread.
 class PacketFilter final : public QSortFilterProxyModel {
   Q_OBJECT
  public:
+  /// The sender of the packets that pass.
   enum class From : std::uint8_t { kBoth, kRobot, kClient };
   using QSortFilterProxyModel::QSortFilterProxyModel;
 
   void setFrom(From from);
+  /// Packets of these names do not pass.
   void setHiddenNames(QSet<QString> names);
   const QSet<QString>& hiddenNames() const { return hidden_; }
-  /// What name or summary hold, whatever the case; or bytes, as hexadecimal digits with or without spaces.
+  /// Text that name or summary contain, in any case of letters, or bytes that the packet contains, as at
+  /// least two pairs of hexadecimal digits with or without spaces. Empty: everything passes.
   void setText(const QString& text);
+  /// Whether only damaged packets pass.
   void setDamagedOnly(bool only);
 
  protected:
@@ -28,7 +32,8 @@ class PacketFilter final : public QSortFilterProxyModel {
   From from_ = From::kBoth;
   QSet<QString> hidden_;
   QString text_;
-  QByteArray bytes_;  ///< that the text spells; empty: it spells none
+  /// The bytes that the text spells; empty: none.
+  QByteArray bytes_;
   bool damagedOnly_ = false;
 };
 

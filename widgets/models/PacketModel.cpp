@@ -21,7 +21,7 @@ void PacketModel::append(std::vector<PacketEntry> entries) {
   const int first = static_cast<int>(entries_.size());
   beginInsertRows({}, first, first + static_cast<int>(entries.size()) - 1);
   for (PacketEntry& entry : entries) {
-    // Texts that are equal share their memory.
+    // Equal names share their memory (QString is implicitly shared).
     const auto name = names_.try_emplace(entry.name, 0).first;
     ++name->second;
     entry.name = name->first;

@@ -27,7 +27,7 @@ struct ParameterModel::Node {
 };
 
 struct ParameterModel::Values {
-  google::protobuf::DescriptorPool pool;  // of types that only the robot knows
+  google::protobuf::DescriptorPool pool;  // descriptors of types that are not compiled in
   google::protobuf::DynamicMessageFactory factory;
   std::unique_ptr<Message> now;
   std::unique_ptr<Message> standard;
@@ -88,7 +88,7 @@ bool ParameterModel::setParameters(const robotcontrol::ParameterValues& from) {
   }
   if (!told) values->standard->CopyFrom(*values->now);
   beginResetModel();
-  root_ = std::make_unique<Node>();  // before the descriptors that its paths name go
+  root_ = std::make_unique<Node>();  // destroyed before the descriptors to which its paths point
   values_ = std::move(values);
   build();
   endResetModel();
@@ -145,7 +145,7 @@ void ParameterModel::addFields(Node& node) {
 }
 
 const ParameterModel::Node& ParameterModel::nodeOf(const QModelIndex& index) const {
-  const auto* node = static_cast<const Node*>(index.internalPointer());  // none of an invalid index
+  const auto* node = static_cast<const Node*>(index.internalPointer());  // null for an invalid index
   return node == nullptr ? *root_ : *node;
 }
 

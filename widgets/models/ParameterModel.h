@@ -12,33 +12,40 @@ class ParameterValues;
 
 namespace widgets {
 
-/// The parameters of a solution, any protobuf message, as a tree of fields. Columns: field, value, default.
-/// An edit changes nothing here: edited() carries the message before and after it, and whoever keeps the undo
-/// stack calls setValue(). Types that this program does not know are built from the descriptors that come
-/// with the values. GUI thread.
+/// The parameters of a solution, a protobuf message of any type, as a tree of its fields. An edit changes
+/// nothing here: edited() carries the message before and after it, and the owner of the undo stack calls
+/// setValue(). Types that are not compiled into this program are built from the descriptors that come with
+/// the values. GUI thread.
 class ParameterModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
+  /// Name of the field, its value, its default.
   enum Column { kField, kValue, kDefault, kColumns };
   enum Role {
-    kChoicesRole = Qt::UserRole + 1,  ///< QStringList: an enumeration's names
-    kChangedRole,                     ///< bool: differs from the default
-    kPathRole,                        ///< QString: "walk.step_height"
+    /// QStringList: the names of an enumeration; empty for other types.
+    kChoicesRole = Qt::UserRole + 1,
+    /// bool: the value, or one below it, differs from the default.
+    kChangedRole,
+    /// QString: "walk.step_height".
+    kPathRole,
   };
 
   explicit ParameterModel(QObject* parent = nullptr);
   ~ParameterModel() override;
 
-  /// False, and empty, if the type is unknown or the bytes are not of it. Without defaults told, the first
-  /// values seen are the defaults.
+  /// Shows the parameters. False, and the model is empty, if the type is unknown or the bytes cannot be
+  /// parsed. If the message has no defaults, its values count as the defaults.
   bool setParameters(const robotcontrol::ParameterValues& values);
   void clear();
-  /// The message, serialised; what setValue() takes.
+  /// The message, serialized, as setValue() takes it; empty without parameters.
   QByteArray value() const;
+  /// Replaces the values. Bytes that cannot be parsed are ignored. The rows are not rebuilt, so lists should
+  /// have as many elements as before.
   void setValue(const QByteArray& value);
   QByteArray defaults() const;
+  /// Full name of the message's type; empty without parameters.
   std::string typeName() const;
-  /// Asks for the default of a row and of all below it.
+  /// Emits edited() with the defaults of a row and of all below it; of all rows for an invalid index.
   void reset(const QModelIndex& index);
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -48,21 +55,29 @@ class ParameterModel final : public QAbstractItemModel {
   QVariant data(const QModelIndex& index, int role) const override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
+  /// Emits edited() if the value is valid and differs.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
 
  Q_SIGNALS:
+  /// Messages before and after an edit, serialized; `what` names the edit for an undo stack.
   void edited(const QByteArray& before, const QByteArray& after, const QString& what);
 
  private:
+  /// A field of the message.
   struct Node;
+  /// The messages with values and defaults and, if need be, the descriptors of their type.
   struct Values;
   const Node& nodeOf(const QModelIndex& index) const;
   void build();
+  /// Adds the fields of the message at a node, recursively.
   void addFields(Node& node);
+  /// Whether the node, or one below it, differs from its default.
   bool differs(const Node& node) const;
+  /// Writes the defaults of a node and of all below it into `values`.
   void resetInto(const Node& node, Values& values) const;
 
-  std::unique_ptr<Values> values_;  // null: no parameters
+  /// Null: no parameters.
+  std::unique_ptr<Values> values_;
   std::unique_ptr<Node> root_;
 };
 

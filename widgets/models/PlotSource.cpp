@@ -31,7 +31,7 @@ std::string typeOf(const std::string& type) {
   return known != nullptr && !leftOut(type) ? type : std::string();
 }
 
-/// The packages that a robot's processes exchange, with their types.
+/// Adds the packages that the robots' processes exchange, with their types.
 void addPackages(const robotlink::StreamStore& store, std::map<std::string, std::string>& types) {
   for (const auto* stream : streamsOfType(store, {}, "robotcontrol.ProcessTable")) {
     const auto* table = dynamic_cast<const robotcontrol::ProcessTable*>(stream->messages.back().value.get());
@@ -45,7 +45,7 @@ void addPackages(const robotlink::StreamStore& store, std::map<std::string, std:
   }
 }
 
-/// Compares texts with their numbers as numbers.
+/// Natural order of texts: numbers in them are compared as numbers.
 bool comesBefore(const std::string& a, const std::string& b) {
   const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
   std::size_t i = 0, j = 0;

@@ -28,7 +28,7 @@ void addUnit(QStandardItem* item, const QString& unit) {
   parent->setChild(item->row(), PlotTreeModel::kUnit, beside);
 }
 
-/// The folders of a path, made where they are missing.
+/// The folders of the tree by their paths; missing ones are created.
 class Folders {
  public:
   explicit Folders(QStandardItem* root) { items_[std::string()] = root; }

@@ -20,7 +20,8 @@ const ProcessTable::Process* findProcess(const ProcessTable* table, const std::s
   return found == all.end() ? nullptr : &*found;
 }
 
-/// How many a second, of a count that only grows; a smaller one means that counting began anew.
+/// Rate of a counter that only grows. If it is smaller than before, counting has started over, and the rate
+/// is 0.
 double rateOf(std::uint64_t now, std::uint64_t before, robotlink::Duration elapsed) {
   const double seconds = robotlink::seconds(elapsed);
   return seconds > 0 && now >= before ? static_cast<double>(now - before) / seconds : 0;
@@ -56,12 +57,12 @@ std::vector<ProcessGraph::Port> portsOf(const Ports& now, const Ports* before, r
   return ports;
 }
 
-/// Hz, sent to an input.
+/// Rate of packages sent to an input, read or missed, in Hz.
 double offeredRate(const ProcessGraph::Port& input) {
   return input.rate + input.missedRate;
 }
 
-/// Finds the inputs of which a process is meant to read every package and does not.
+/// Sets `falls` at the inputs of which a process is meant to read every package and does not.
 void findFalling(ProcessGraph::Node& node) {
   constexpr double kTolerance = 0.98;
   double meant = node.period > 0 ? 1 / node.period : std::numeric_limits<double>::infinity();
@@ -92,7 +93,7 @@ ProcessGraph::Node nodeOf(const ProcessTable::Process& from, const ProcessTable:
   return node;
 }
 
-/// The output of a node that sends this package; one that no table tells of is added.
+/// Index of the node's output for the package of an input; added if no table describes it.
 int outputOf(ProcessGraph::Node& node, const ProcessGraph::Port& input) {
   for (std::size_t i = 0; i < node.outputs.size(); ++i) {
     if (node.outputs[i].package == input.package) return static_cast<int>(i);
@@ -113,7 +114,7 @@ void connectPorts(ProcessGraph& graph) {
       const ProcessGraph::Port port = graph.nodes[to].inputs[input];
       if (port.peer.isEmpty()) continue;
       int from = graph.find(port.peer);
-      if (from < 0) {  // a platform of which no table tells
+      if (from < 0) {  // a platform, which no table describes
         from = static_cast<int>(graph.nodes.size());
         graph.nodes.emplace_back().name = port.peer;
       }

@@ -14,60 +14,84 @@ class ProcessTable;
 
 namespace widgets {
 
-/// The processes of a robot and the packages between them, as a picture: nodes with their ports, edges, and
-/// where all of it lies, in pixels at zoom 1. Made anew from each table; rates follow from an older one. A
-/// plain value.
+/// The processes of a robot and the packages between them as a picture: nodes with ports, edges, and their
+/// places in pixels at zoom 1. Built from a ProcessTable; rates are differences to an older one. A plain
+/// value.
 struct ProcessGraph {
+  /// An input or output of a process: one package.
   struct Port {
     QString package;
     QString type;
-    QString peer;  ///< at inputs: who sends
+    /// At inputs: the sending process.
+    QString peer;
+    /// At inputs: the process waits for this package.
     bool blocking = false;
-    double rate = 0;  ///< Hz, sent or taken
+    /// Packages sent or received, Hz.
+    double rate = 0;
+    /// Packages since the start.
     quint64 count = 0;
-    quint64 missed = 0;     ///< since the start
-    double missedRate = 0;  ///< Hz
-    /// At inputs: packages are lost that the layout means to be read, each of them: its process waits for
-    /// this package and for no slower one, and still does not keep up. A process that only looks at the
-    /// newest, or has a longer period, loses none.
+    /// At inputs: packages since the start that were replaced by newer ones before they were read.
+    quint64 missed = 0;
+    /// The same per second, Hz.
+    double missedRate = 0;
+    /// At inputs: the process is meant to read every package and does not: it waits for this package and for
+    /// no slower one, and still misses some. A process that reads only the newest package, or has a longer
+    /// period, is not marked.
     bool falls = false;
+    /// The port's row in its node.
     QRectF rect;
   };
+  /// A process, or a platform, which no table describes.
   struct Node {
     QString name;
-    QString state;  ///< "running", "stopped", "failed: ..."; empty if no table tells of it
+    /// "running", "stopped", "failed: ..."; empty if no table describes it.
+    QString state;
     bool failed = false;
-    double rate = 0;  ///< frames a second
+    /// Frames per second.
+    double rate = 0;
     quint64 frames = 0;
-    double period = 0;  ///< s; 0 is event-driven
+    /// s; 0: the process is driven by events.
+    double period = 0;
+    /// Its nice value.
     int priority = 0;
+    /// Debug messages that it dropped.
     quint64 dropped = 0;
     QStringList tasks;
     std::vector<Port> inputs;
     std::vector<Port> outputs;
+    /// Column of the layout, from the left.
     int layer = 0;
     QRectF rect;
+    /// Sum over all inputs.
     quint64 missed() const;
+    /// Whether some input `falls`.
     bool fallsBehind() const;
   };
+  /// A package from an output to an input.
   struct Edge {
-    int from = 0, output = 0, to = 0, input = 0;  ///< indices of nodes and of their ports
-    bool back = false;                            ///< against the flow
+    /// Indices of the nodes and of their ports.
+    int from = 0, output = 0, to = 0, input = 0;
+    /// Closes a cycle, and is drawn against the flow.
+    bool back = false;
   };
+  /// What of a table is shown.
   struct Options {
-    bool debugLinks = false;  ///< shows the packages "debug/..." and their ports, too
+    /// Whether packages named "debug/..." and their ports are shown.
+    bool debugLinks = false;
   };
 
   std::vector<Node> nodes;
   std::vector<Edge> edges;
+  /// Everything, with a margin.
   QRectF bounds;
 
-  int find(const QString& name) const;  ///< -1 if there is none
+  /// Index of a node; -1 if there is none.
+  int find(const QString& name) const;
   const Port& output(const Edge& edge) const;
   const Port& input(const Edge& edge) const;
 };
 
-/// `before` is an older table, `elapsed` before `now`; without one, rates are 0.
+/// Builds and lays out the graph. `before` is an older table, `elapsed` before `now`; null: all rates are 0.
 ProcessGraph processGraph(const robotcontrol::ProcessTable& now, const robotcontrol::ProcessTable* before,
                           robotlink::Duration elapsed, const ProcessGraph::Options& options);
 

@@ -7,14 +7,15 @@
 
 namespace widgets {
 
-/// The processes of a graph as a table, with what the picture has no room for. GUI thread.
+/// The processes of a ProcessGraph as a table, with figures for which the picture has no room. GUI thread.
 class ProcessTableModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Rate in Hz, period in ms, priority as nice value; kMissed counts packages, kDropped debug messages.
   enum Column { kName, kState, kRate, kFrames, kPeriod, kPriority, kMissed, kDropped, kTasks, kColumns };
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// Keeps the rows as long as the processes are the same.
+  /// Rows, and so the selection, are kept if the processes are the same.
   void setGraph(const ProcessGraph& graph);
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;

@@ -22,7 +22,7 @@ using robotlink::Pose2;
 using robotlink::StreamStore;
 using robotlink::Vector2;
 
-constexpr double kLaserMaximum = 32;  // m, where no description tells it
+constexpr double kLaserMaximum = 32;  // m, if there is no description
 constexpr robotlink::Duration kLaserMemory = std::chrono::seconds(2);
 constexpr int kMostReadings = 20'000;  // of one message: what is beyond is no laser's
 
@@ -48,7 +48,7 @@ void addState(RadarReadings& readings, const robotcontrol::DriveState& state) {
   readings.heading = state.odometry().heading();
 }
 
-/// When a reading was taken: its own time where it tells one that can be, else its message's.
+/// The time of a reading: its own timestamp if that is plausible, else the message's.
 Instant timeOf(const robotcontrol::SonarReadings::Reading& reading, Instant message) {
   if (!reading.has_timestamp()) return message;
   const Instant own = robotlink::instant(reading.timestamp());

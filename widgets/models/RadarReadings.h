@@ -15,30 +15,45 @@ struct RobotDescription;
 
 namespace widgets {
 
-/// What is around a robot on wheels at an instant, as its sonars, laser and bumpers tell: in the robot's
-/// frame of that instant, metres and radians. A plain value.
+/// The surroundings of a robot on wheels at an instant, by its sonars, laser and bumpers. Coordinates are in
+/// the robot's frame at that instant (x forwards, y to the left), in meters and radians. A plain value.
 struct RadarReadings {
+  /// One reading of a sonar.
   struct Echo {
-    int number = 0;                  ///< of the sonar
-    robotlink::Pose2 sensorInRobot;  ///< where it was when it fired: moved with the odometry since then
+    /// Number of the sonar.
+    int number = 0;
+    /// Pose of the sonar when it fired, moved by the odometry since then.
+    robotlink::Pose2 sensorInRobot;
+    /// m, along the sonar's x axis.
     double range = 0;
-    bool nothing = false;  ///< there was no echo up to the greatest range
-    bool newest = false;   ///< of this sonar
-    double age = 0;        ///< s
+    /// No echo up to the maximum range.
+    bool nothing = false;
+    /// The newest reading of this sonar.
+    bool newest = false;
+    /// Seconds before the shown instant.
+    double age = 0;
   };
-  std::vector<Echo> echoes;  ///< oldest first
+  /// Oldest first.
+  std::vector<Echo> echoes;
+  /// Opening angle of a sonar; 0: unknown.
   double openingAngle = 0;
+  /// Maximum range of the sonars, m; 0: unknown.
   double sonarMaximum = 0;
 
-  std::vector<robotlink::Vector2> laser;  ///< what its beams hit
-  std::vector<robotlink::Vector2>
-      laserFree;  ///< outline of what they crossed, from the laser's place and back to it
+  /// The points that the laser's beams hit.
+  std::vector<robotlink::Vector2> laser;
+  /// Outline of the free area that the beams crossed, beginning at the laser's position.
+  std::vector<robotlink::Vector2> laserFree;
+  /// Position of the laser.
   robotlink::Vector2 laserInRobot = robotlink::Vector2::Zero();
+  /// Whether there is a scan that is not older than two seconds.
   bool hasLaser = false;
 
-  robotlink::Vector2 body = robotlink::Vector2(0.5, 0.4);  ///< length and width
-  std::vector<bool> frontBumpers,
-      rearBumpers;  ///< pressed; from left to right, the front up; empty: it has none
+  /// Length and width of the robot, m.
+  robotlink::Vector2 body = robotlink::Vector2(0.5, 0.4);
+  /// Pressed bumpers from left to right, seen with the robot's front up; empty: the robot has none.
+  std::vector<bool> frontBumpers, rearBumpers;
+  /// Stalled motors, and whether the emergency stop is pressed.
   bool leftStalled = false, rightStalled = false, emergencyStop = false;
   double speed = 0, rotation = 0;          ///< m/s, rad/s
   double heading = 0;                      ///< where it looks, as its odometry says
@@ -46,12 +61,14 @@ struct RadarReadings {
   /// s since its base said anything: all of this is as old. Unset: it speaks.
   std::optional<double> silence;
 
-  /// The nearest echo of the newest ones and of the laser; unset: nothing is near.
+  /// Range of the nearest of each sonar's newest echoes, m; unset: no echo.
   std::optional<double> nearestSonar() const;
+  /// Distance of the nearest hit from the laser, m; unset: no hit.
   std::optional<double> nearestLaser() const;
 };
 
-/// `description` may be null. `memory`: how old an echo may be.
+/// Collects the readings from the session's history. `description` may be null; `memory` is the maximum age
+/// of an echo.
 RadarReadings radarReadings(const robotlink::StreamStore& store, const std::string& robot,
                             const robotlink::RobotDescription* description, robotlink::Instant shown,
                             robotlink::Duration memory);

@@ -17,7 +17,7 @@ using robotlink::Instant;
 namespace {
 
 constexpr char kStream[] = "replay";
-constexpr int kMostTicksToWait = 90;  // three seconds: then the answer was lost
+constexpr int kMostTicksToWait = 90;  // three seconds; then the reply counts as lost
 
 ControlReplay action(ControlReplay::Action what) {
   ControlReplay control;
@@ -37,7 +37,7 @@ ReplayControl::ReplayControl(robotlink::Session& session, QObject* parent)
 ReplayControl::~ReplayControl() = default;
 
 void ReplayControl::refresh() {
-  // The newest that was told, whatever its time: a jump back must show at once.
+  // The message published last, whatever its time: a jump back must be shown at once.
   const auto* stream = session_.store().find(kStream);
   const auto* message = stream != nullptr && !stream->messages.empty() ? &stream->messages.back() : nullptr;
   auto status = message != nullptr

@@ -17,57 +17,67 @@ class Session;
 
 namespace widgets {
 
-/// A replay as views see it: the session's stream "replay", and requests. refresh() is called once a tick.
-/// GUI thread; the session must outlive it.
+/// The replay of logs as views see it: its state from the session's stream "replay", and its control by
+/// requests. refresh() is called once per tick. GUI thread; the session must outlive it.
 ///
-/// Jumps that follow each other quickly (a person drags the play head) are thinned out: while one is on its
-/// way only the newest of the others is kept.
+/// While a jump has not been answered only the newest of further jumps is kept, so that dragging the play
+/// head does not flood the replay with requests.
 class ReplayControl final : public QObject {
   Q_OBJECT
  public:
   explicit ReplayControl(robotlink::Session& session, QObject* parent = nullptr);
   ~ReplayControl() override;
 
-  /// Also sets where the times that views show are counted from: see setShowsTimeStamps().
+  /// Reads the newest status, sends a jump that is waiting, and sets the origin of times; see
+  /// setShowsTimeStamps().
   void refresh();
-  /// Is a log open?
+  /// Whether a log is open.
   bool open() const { return status_ != nullptr; }
-  /// As last told; an empty one if no log is open.
+  /// The newest status; a default one if no log is open.
   const robotcontrol::ReplayStatus& status() const;
-  /// Where the play head stands: where it was last asked to jump to, as long as that is on its way, or what
-  /// status() says.
+  /// Position of the play head: the target of a jump that has not been answered, else the status's time.
   robotlink::Instant shown() const;
+  /// Beginning of the first log, on the timeline.
   robotlink::Instant begin() const;
-  /// Where the log is opened: its first image. Before it there is little to see.
+  /// Where the play head stands when the log is opened: its first image, before which there is little to see.
   robotlink::Instant start() const;
+  /// End of the last log, on the timeline.
   robotlink::Instant end() const;
-  /// Nothing if none is selected.
+  /// The selected range; unset if none is selected.
   std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range() const;
 
   void play();
   void pause();
   void playOrPause();
   void stop();
+  /// Steps by so many frames of the stepping process; negative: backwards.
   void stepFrames(int count);
-  /// Of `stream`; without one, of the chosen stream.
+  /// Steps by so many messages of `stream`, or of steppedStream() if it is empty.
   void stepMessages(int count, const std::string& stream = {});
+  /// Moves the play head; clamped to [begin(), end()].
   void jumpTo(robotlink::Instant time);
   void jumpBy(robotlink::Duration by) { jumpTo(shown() + by); }
   void jumpToFrame(std::uint64_t frame);
+  /// 1 is real time.
   void setSpeed(double speed);
   void setLoop(bool on);
+  /// Whether pauses in the log are skipped.
   void setSkipGaps(bool on);
+  /// The process whose frames are stepped.
   void setStepProcess(const std::string& process);
+  /// Selects a range, for loops, cuts and exports; the ends may be swapped.
   void setRange(robotlink::Instant from, robotlink::Instant to);
   void clearRange();
-  /// One end at the play head; the other stays, or is the log's.
+  /// Sets one end of the range to the play head; the other one stays, or is the log's.
   void beginRangeHere();
   void endRangeHere();
+  /// Chooses whether a package is played as logged or recomputed.
   void choosePackage(const std::string& package, robotcontrol::ControlReplay::PackageSource source);
+  /// Sets the time that is added to a log's times.
   void setOffset(const std::string& log, robotlink::Duration offset);
 
-  /// Whether views show times as the messages bear them; else, as long as a log is open, they count from its
-  /// begin.
+  /// Whether views show the timestamps of the messages. Otherwise, while a log is open, times count from its
+  /// beginning.
   bool showsTimeStamps() const { return showsTimeStamps_; }
   void setShowsTimeStamps(bool on);
   /// The instant that views show as 0 s.
@@ -75,27 +85,36 @@ class ReplayControl final : public QObject {
   /// What views show for an instant, in seconds: "12.340".
   QString shownText(robotlink::Instant time) const;
 
-  /// The stream whose messages are stepped: chosen by a person, else that of the images.
+  /// The stream whose messages are stepped: the user's choice, else that of the first images (chosen by
+  /// OpenLogs). Empty while none is known.
   std::string steppedStream() const { return steppedStream_; }
   void setSteppedStream(const std::string& stream);
 
  Q_SIGNALS:
-  /// Something was refused: why.
+  /// A request was refused, for this reason.
   void refused(const QString& reason);
   void steppedStreamChanged();
 
  private:
+  /// Sets the timeline's origin.
   void setOrigin();
+  /// Sends a request; a refusal is emitted as refused().
   void send(robotcontrol::ControlReplay control);
+  /// Requests a jump to aim_.
   void sendJump();
 
   robotlink::Session& session_;
+  /// Null: no log is open.
   std::shared_ptr<const robotcontrol::ReplayStatus> status_;
   std::string steppedStream_;
   bool showsTimeStamps_ = false;
-  std::optional<robotlink::Instant> aim_;  // of a jump that was not yet answered
-  bool jumping_ = false;                   // one is on its way
-  bool newerAim_ = false;                  // and aim_ is another one
+  /// Target of a jump that was not answered, or of a newer one.
+  std::optional<robotlink::Instant> aim_;
+  /// A jump was requested and not answered.
+  bool jumping_ = false;
+  /// aim_ differs from the target that was requested.
+  bool newerAim_ = false;
+  /// Ticks since the jump was requested; after three seconds its reply counts as lost.
   int ticksWaited_ = 0;
 };
 

@@ -10,31 +10,41 @@ namespace widgets {
 
 class ReplayControl;
 
-/// What keys do with a replay, as in video players. Those that play and step mean the same wherever the focus
-/// is but in a text field; see isEverywhere().
+/// What the keyboard does with a replay, with the bindings of video players. Each action has one key; see
+/// replayKey() and keySequence().
 enum class ReplayKey : std::uint8_t {
+  /// Space.
   kPlayOrPause,
+  /// Left, Right.
   kFrameBack,
   kFrameOn,
+  /// Shift+Left, Shift+Right.
   kTenFramesBack,
   kTenFramesOn,
+  /// Ctrl+Left, Ctrl+Right.
   kSecondBack,
   kSecondOn,
+  /// Comma, period.
   kMessageBack,
   kMessageOn,
+  /// Home, End.
   kStart,
   kEnd,
+  /// I, O.
   kRangeStart,
   kRangeEnd,
+  /// Ctrl+B.
   kBookmark,
 };
 
+/// The action of a key event; unset: none.
 std::optional<ReplayKey> replayKey(const QKeyEvent& event);
+/// The key of an action, for tool tips and menus.
 QKeySequence keySequence(ReplayKey key);
-/// Whether the key goes before what the focus would do with it. The others are letters, which lists search
-/// by.
+/// Whether the key has precedence over the focused widget's own use of it. False for I and O, which are
+/// letters that search in lists.
 bool isEverywhere(ReplayKey key);
-/// Does it, but for kBookmark, which is no matter of the replay.
+/// Executes the action. Does nothing for kBookmark, which OpenLogs does.
 void press(ReplayKey key, ReplayControl& replay);
 
 }  // namespace widgets

@@ -9,46 +9,56 @@
 
 namespace widgets {
 
-/// The packages of a replay: from where each comes, and how what is recomputed differs from what was logged.
-/// The source can be chosen. GUI thread.
+/// The packages of a replay: the source of each (as logged or recomputed), and how the recomputed packages
+/// differ from the logged ones. The source can be edited; an edit is a signal to the owner, who requests it.
+/// GUI thread.
 class ReplayPackageModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Name, source, number of compared messages, number of different ones, time of the first difference, and
+  /// field and size of the largest one.
   enum Column { kPackage, kSource, kCompared, kDifferent, kFirst, kLargest, kColumns };
+  /// Numbers and times as numbers.
   static constexpr int kSortRole = Qt::UserRole + 1;
-  /// robotcontrol.ControlReplay.PackageSource: what a person chose (AUTOMATIC: nothing), also to be set.
+  /// robotcontrol.ControlReplay.PackageSource as int: the user's choice (AUTOMATIC: none). Can be set.
   static constexpr int kChoiceRole = Qt::UserRole + 2;
-  /// When the first difference is, ns; invalid if there is none.
+  /// Time of the first difference in ns; invalid if there is none.
   static constexpr int kFirstRole = Qt::UserRole + 3;
-  /// When the largest is.
+  /// Time of the largest difference in ns; invalid if there is none.
   static constexpr int kLargestRole = Qt::UserRole + 4;
 
   using Source = robotcontrol::ControlReplay::PackageSource;
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// `origin`: what is shown as 0 s.
+  /// Replaces the rows; selections survive unless the packages changed. `origin` is the instant shown as 0 s.
   void setStatus(const robotcontrol::ReplayStatus& status, robotlink::Instant origin);
   QString packageName(int row) const;
-  /// Whether this source is possible, and if not, why.
+  /// Whether a source is possible.
   bool allows(int row, Source source) const;
+  /// Why a source is not possible; empty if it is.
   QString reason(int row, Source source) const;
+  /// "as logged", "recomputed", "automatic": translated.
   static QString sourceName(Source source);
 
   int rowCount(const QModelIndex& parent = {}) const override;
   int columnCount(const QModelIndex& parent = {}) const override;
   QVariant data(const QModelIndex& index, int role) const override;
+  /// Emits sourceWanted() if the source is possible.
   bool setData(const QModelIndex& index, const QVariant& value, int role) override;
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
   Qt::ItemFlags flags(const QModelIndex& index) const override;
 
  Q_SIGNALS:
+  /// The user chose a source (robotcontrol.ControlReplay.PackageSource as int).
   void sourceWanted(const QString& package, int source);
 
  private:
+  /// A package and its differences.
   struct Row {
     robotcontrol::ReplayStatus::Package package;
     robotcontrol::ReplayStatus::Difference difference;
-    std::string bytes;  // of both, to see what changed
+    /// Both messages serialized, to detect changes.
+    std::string bytes;
   };
   QVariant text(const Row& row, int column) const;
   QString shownTime(std::int64_t ns) const;
@@ -57,7 +67,8 @@ class ReplayPackageModel final : public QAbstractTableModel {
   const Row& at(int row) const { return rows_[static_cast<std::size_t>(row)]; }
 
   std::vector<Row> rows_;
-  robotlink::Instant origin_{};  // what is shown as 0 s
+  /// The instant shown as 0 s.
+  robotlink::Instant origin_{};
 };
 
 }  // namespace widgets

@@ -18,32 +18,41 @@ namespace widgets {
 
 class SceneState;
 
-/// Where a robot is and where it believes that it and the ball are, in the field's frame; metres and radians.
+/// A robot's true pose, its pose estimate, and its estimate of the ball, all in the field's frame; meters and
+/// radians. A plain value.
 struct RobotBelief {
   std::string robot;
+  /// See teamColor().
   QColor team;
+  /// Whether it is the session's selected robot.
   bool selected = false;
-  /// Length and width in metres of a robot on wheels; zero: it is a four-legged one.
+  /// Length and width in m of a robot on wheels, set by the view from the robot's description; zero: a
+  /// four-legged robot.
   robotlink::Vector2 body = robotlink::Vector2::Zero();
   /// Its base has not been heard for a while: it may be elsewhere by now, and is shown in gray.
   bool silent = false;
   std::optional<robotlink::Pose2> truth;  ///< known of simulated robots only
   std::optional<robotlink::Pose2> estimate;
+  /// Standard deviation of the estimate, m.
   double positionDeviation = 0;
+  /// Standard deviation of the estimate, rad.
   double headingDeviation = 0;
-  std::optional<robotlink::Vector2> ball;  ///< its estimate; unset if it does not know
+  /// Its estimate of the ball's position; unset if the robot does not know.
+  std::optional<robotlink::Vector2> ball;
+  /// Standard deviation of the ball's position, m.
   double ballDeviation = 0;
 
   bool operator==(const RobotBelief&) const = default;
-  /// Where its own drawings belong: at the true pose, else at the estimated one.
+  /// The pose relative to which the robot's own drawings are placed: the true one if known, else the
+  /// estimate.
   std::optional<robotlink::Pose2> pose() const { return truth ? truth : estimate; }
 };
 
-/// All robots of the session at an instant.
+/// All robots of the session at an instant. `field` may be null.
 std::vector<RobotBelief> robotBeliefs(robotlink::Session& session, const SceneState& scene,
                                       const robotlink::FieldDescription* field, robotlink::Instant shown);
-/// The colour of a robot's team, which its name begins with ("red1"): that of the field's palette. Robots of
-/// no team ("p3at2") differ by their numbers; without one they are grey.
+/// The color of a robot's team, whose name begins the robot's ("red1"), from the field's palette. Robots
+/// without a team ("p3at2") have colors by their number, or gray without one. `field` may be null.
 QColor teamColor(const std::string& robot, const robotlink::FieldDescription* field);
 
 }  // namespace widgets

@@ -30,7 +30,8 @@ Pose3 poseOf(const foxglove::FrameTransform& transform) {
   return robotlink::pose3(pose);
 }
 
-/// What is told once may be told after the instant that is shown, when that lies before the history.
+/// Messages that are published once may be later than the shown instant if that is before the history begins;
+/// then the first one counts.
 const robotlink::StreamMessage* latestOrFirst(const robotlink::StreamStore& store, const char* path,
                                               robotlink::Instant shown) {
   const auto* message = store.latest(path, shown);
@@ -82,7 +83,8 @@ void SceneState::apply(const foxglove::SceneUpdate& update, const robotlink::Pac
   for (const auto& entity : update.entities()) items_[entity.id()] = {&entity, modelOf(entity), keep};
 }
 
-/// Parents may come after their children, so the tree is walked until nothing more is found.
+/// Parents may follow their children in the message, so the transforms are scanned until no more can be
+/// resolved.
 void SceneState::updatePoses(const foxglove::FrameTransforms& transforms) {
   std::vector<const foxglove::FrameTransform*> open;
   for (const auto& transform : transforms.transforms()) open.push_back(&transform);

@@ -22,40 +22,52 @@ class StreamStore;
 
 namespace widgets {
 
-/// The world at the instant that is shown, as the streams "scene" and "transforms" tell it: what there is,
-/// and where. All poses are in the field's frame. Valid until the next update(). GUI thread.
+/// The world at the shown instant, from the streams "scene" and "transforms": which entities exist and where
+/// they are. All poses are in the field's frame, in meters. References are valid until the next update(). GUI
+/// thread.
 class SceneState {
  public:
+  /// An entity of the scene.
   struct Item {
     const foxglove::SceneEntity* entity = nullptr;
-    std::string model;  ///< the movable model it is part of; empty: it is part of the field
+    /// Name of the movable model that the entity is part of; empty: it is part of the field.
+    std::string model;
+    /// The message that owns `entity`.
     robotlink::PackagePtr keep;
   };
 
+  /// Reads the world from the history. Returns early where the messages are unchanged. If the history no
+  /// longer reaches back to the scene, its oldest message counts.
   void update(const robotlink::StreamStore& store, robotlink::Instant shown);
 
   /// By the entities' ids.
   const std::map<std::string, Item>& items() const { return items_; }
-  /// Grows when items() changed.
+  /// Grows whenever items() changes.
   std::uint64_t itemsVersion() const { return itemsVersion_; }
 
-  /// The pose of a frame in the field's frame; that of the field itself is the identity.
+  /// Pose of a frame in the field's frame; the identity for "field" and the empty name, unset for unknown
+  /// frames.
   std::optional<robotlink::Pose3> framePose(const std::string& frame) const;
-  /// What can be moved, by name.
+  /// Names of the models that can be moved, sorted.
   const std::vector<std::string>& models() const { return models_; }
-  /// The frame of a model: that of its name or, without one, its first entity's; empty if there is none.
+  /// Frame of a model: the one with its name or, without such, that of its first entity; empty if there is
+  /// none.
   std::string modelFrame(const std::string& model) const;
+  /// Unset if the model is unknown.
   std::optional<robotlink::Pose3> modelPose(const std::string& model) const;
 
  private:
+  /// Applies deletions and entities of one message to items_.
   void apply(const foxglove::SceneUpdate& update, const robotlink::PackagePtr& keep);
   void updateItems(const robotlink::StreamStore& store, robotlink::Instant shown);
   void updatePoses(const foxglove::FrameTransforms& transforms);
+  /// Updates models_ from the SimulationStatus and the items.
   void collectModels(const robotlink::StreamStore& store, robotlink::Instant shown);
 
   std::map<std::string, Item> items_;
   std::map<std::string, robotlink::Pose3> poses_;
   std::vector<std::string> models_;
+  /// The messages of the last update, to detect new ones.
   robotlink::PackagePtr newestScene_, transforms_, status_;
   std::uint64_t itemsVersion_ = 0;
 };

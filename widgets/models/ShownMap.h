@@ -12,8 +12,8 @@ class Session;
 
 namespace widgets {
 
-/// The map of the instant that is shown; null if the world has none. It is told once, at the start: where the
-/// history no longer reaches back to it, the oldest one that is there counts.
+/// The map at the shown instant; null if the world has none. The map is published once, at the start; if the
+/// history no longer reaches back to it, the oldest one that is kept counts.
 std::shared_ptr<const robotcontrol::GroundMap> shownMap(robotlink::Session& session);
 
 }  // namespace widgets

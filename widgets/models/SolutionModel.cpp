@@ -94,7 +94,7 @@ void SolutionModel::taskChanged(const std::string& task) {
   }
 }
 
-// A task's index carries 0, a solution's the number of its task from 1.
+// The internal id of a task's index is 0, that of a solution's index its task's row + 1.
 QModelIndex SolutionModel::index(int row, int column, const QModelIndex& parent) const {
   if (!hasIndex(row, column, parent)) return {};
   return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);

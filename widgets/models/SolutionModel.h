@@ -12,51 +12,65 @@ struct StreamMessage;
 
 namespace widgets {
 
-/// A task of a robot with the solutions that exist for it.
+/// A task of a robot and the solutions that exist for it.
 struct TaskEntry {
+  /// One solution of the task.
   struct Solution {
     std::string name;
     QString help;
-    QString unavailable;  ///< empty: it can be chosen
+    /// Why it cannot be chosen; empty: it can.
+    QString unavailable;
     bool hasParameters = false;
     bool operator==(const Solution&) const = default;
   };
   std::string name;
+  /// The process that executes the task.
   std::string process;
+  /// The solution that runs; empty: none.
   std::string active;
-  std::string standard;  ///< the layout's default; empty if the robot does not tell it
+  /// The layout's default solution; empty if the robot does not publish it.
+  std::string standard;
   QString help;
   std::vector<Solution> solutions;
   bool operator==(const TaskEntry&) const = default;
 };
 
-/// The tasks of all these messages that are SolutionTables (null ones are skipped), in the order of the
-/// tables.
+/// The tasks in all messages that are SolutionTables, in the order of the tables; null messages are skipped.
 std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*>& tables);
 
-/// Tasks as rows, their solutions below them. Columns: name, process, state. What was asked for and is not
-/// yet confirmed is shown as such; a refusal stays at its solution, with its reason, until something else is
-/// asked of the task. GUI thread.
+/// Tasks as rows with their solutions below them. A solution that was requested is shown as pending until a
+/// table confirms it; a refusal and its reason are shown at the solution until the task gets another request.
+/// GUI thread.
 class SolutionModel final : public QAbstractItemModel {
   Q_OBJECT
  public:
+  /// Name, process (tasks only), and state.
   enum Column { kName, kProcess, kState, kColumns };
   enum Role {
-    kTaskRole = Qt::UserRole + 1,  ///< the task's name, at its solutions too
-    kSolutionRole,                 ///< the solution's name; invalid at tasks
-    kChoiceRole,                   ///< Choice as int; invalid at tasks
-    kParametersRole,               ///< bool: it has parameters
+    /// The task's name, for its solutions as well (QString).
+    kTaskRole = Qt::UserRole + 1,
+    /// The solution's name (QString); invalid for tasks.
+    kSolutionRole,
+    /// Choice as int; invalid for tasks.
+    kChoiceRole,
+    /// Whether the solution has parameters (bool); invalid for tasks.
+    kParametersRole,
   };
+  /// kFree: can be chosen; kActive: runs; kPending: requested; kUnavailable: cannot be chosen.
   enum class Choice { kFree, kActive, kPending, kUnavailable };
 
   using QAbstractItemModel::QAbstractItemModel;
 
+  /// Replaces the tasks and settles pending solutions that run now. Rows, and so selection and expansion, are
+  /// kept if the names are the same.
   void setTasks(std::vector<TaskEntry> tasks);
   const std::vector<TaskEntry>& tasks() const { return tasks_; }
-  /// Asked for, not yet confirmed.
+  /// The solution was requested.
   void setPending(const std::string& task, const std::string& solution);
+  /// The request was refused.
   void refuse(const std::string& task, const std::string& solution, const QString& reason);
-  /// What the task would run by default: what its robot says, else what it ran when it was first seen.
+  /// The task's default solution: the layout's or, if the robot does not publish it, the one that ran when
+  /// the model first saw the task.
   std::string standardOf(const TaskEntry& task) const;
 
   QModelIndex index(int row, int column, const QModelIndex& parent = {}) const override;
@@ -71,17 +85,23 @@ class SolutionModel final : public QAbstractItemModel {
   QVariant solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,
                         int role) const;
   Choice choiceOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
+  /// Text of the column kState.
   QString stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const;
+  /// Announces changed data of a task and its solutions.
   void taskChanged(const std::string& task);
 
+  /// The last refusal of a task.
   struct Refusal {
     std::string solution;
     QString reason;
   };
   std::vector<TaskEntry> tasks_;
-  std::map<std::string, std::string> pending_;      // by task
-  std::map<std::string, Refusal> refusals_;         // by task
-  std::map<std::string, std::string> firstActive_;  // by task
+  /// Requested solutions, by task.
+  std::map<std::string, std::string> pending_;
+  /// By task.
+  std::map<std::string, Refusal> refusals_;
+  /// The solutions that ran first, by task; see standardOf().
+  std::map<std::string, std::string> firstActive_;
 };
 
 }  // namespace widgets

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kPictureSide = 32;
 
-/// What the stroke touched, and beside it, as a bar, the colour of its class.
+/// The stroke's thumbnail, with a bar in the color of its class beside it.
 QIcon picture(const colortool::Thumbnail& thumbnail, const QColor& color) {
   QPixmap pixmap(kPictureSide + 6, kPictureSide);
   pixmap.fill(Qt::transparent);
@@ -45,7 +45,7 @@ void StrokeModel::setSamples(const colortool::Samples& samples) {
     samples_ = samples;
     return endResetModel();
   }
-  // What most changes are: a stroke came, or the last one went.
+  // Most changes append a stroke or remove the last one.
   if (after > before) {
     beginInsertRows({}, static_cast<int>(before), last(after));
     samples_ = samples;
@@ -112,12 +112,12 @@ QVariant StrokeModel::text(const colortool::Stroke& stroke, int column) const {
 QVariant StrokeModel::sortKey(const colortool::Stroke& stroke, int column) const {
   switch (column) {
     case kClass:
-      // Within a class in the order in which they were made.
+      // Strokes of a class are in the order in which they were made.
       return stroke.colorClass * 1e9 + static_cast<double>(stroke.id);
     case kMustNotBe:
       return stroke.mustNotBe ? 0 : 1;
     case kRight:
-      return right(stroke).value_or(2);  // those that are not known, last
+      return right(stroke).value_or(2);  // unknown shares come last
     default:
       return text(stroke, column);
   }

@@ -16,8 +16,7 @@ bool obeys(const TaskEntry& task) {
                      [](const auto& solution) { return solution.name == TakeOver::kObey; });
 }
 
-/// A task may be done by several processes' tables; the first counts. Without one that obeys, the one that
-/// should.
+/// The first task with a solution "obey"; if there is none, the first task that should have one. Null: none.
 const TaskEntry* findTask(const std::vector<TaskEntry>& tasks) {
   auto found = std::find_if(tasks.begin(), tasks.end(), obeys);
   if (found == tasks.end()) {

@@ -6,7 +6,7 @@
 namespace widgets {
 namespace {
 
-/// The same hue once dark enough for white paper and once light enough for a dark one.
+/// A hue dark enough for a light background, and light enough for a dark one.
 struct Pair {
   QRgb onLight;
   QRgb onDark;

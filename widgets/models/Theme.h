@@ -6,16 +6,18 @@
 
 namespace widgets {
 
-/// Colours that mean something, for the palette in use: all of them read on its base colour, light or dark.
-/// Follows the palette given, so a repaint after a palette change is enough. Team and class colours are not
-/// here; they come from data.
+/// Colors with a meaning, chosen for the palette in use: all are legible on its base color, light or dark.
+/// They are functions of the palette, so a repaint after a palette change suffices. Colors of teams and
+/// classes are not here; they are data.
 enum class Meaning : std::uint8_t { kGood, kNote, kWarning, kBad, kMuted };
 
+/// Whether the palette's text is lighter than its base.
 bool isDark(const QPalette& palette);
+/// The color for a meaning on the palette's base color.
 QColor colorOf(Meaning meaning, const QPalette& palette);
-/// The colour of the n-th curve; twelve differ, then they repeat.
+/// Color of the n-th curve (from 0); they repeat after twelve.
 QColor curveColor(int index, const QPalette& palette);
-/// `share` of b and the rest of a.
+/// (1 - share) * a + share * b, alpha included; `share` from 0 to 1.
 QColor mixed(const QColor& a, const QColor& b, double share);
 
 }  // namespace widgets

@@ -13,7 +13,7 @@ using robotlink::Instant;
 namespace {
 
 constexpr double kSecond = 1e9;
-/// Instants past this would overflow when they are added up.
+/// ns; sums of larger instants would overflow.
 constexpr double kMost = 4e18;
 
 Duration duration(double ns) {

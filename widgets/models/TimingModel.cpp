@@ -23,14 +23,14 @@ bool has(const robotcontrol::ProcessTable& program, const std::string& process, 
 
 void TimingModel::Frames::add(Frame frame) {
   if (frame.number == 0) frame.number = recent.empty() ? 1 : recent.back().number + 1;
-  // A clock or a count that went back begins anew: a reset, a jump, another program.
+  // If the clock or the frame number went back (a reset, a jump, another program), start over.
   if (!recent.empty() && (frame.time < recent.back().time || frame.number <= recent.back().number))
     recent.clear();
   recent.push_back(frame);
   while (recent.size() > 2 && recent[1].time <= frame.time - kRateOver) recent.pop_front();
 }
 
-/// By the frames' numbers, so that it does not matter if not all were told.
+/// By the frames' numbers, so that frames that were not published do not matter.
 double TimingModel::Frames::rate() const {
   if (recent.size() < 2) return 0;
   const double elapsed = robotlink::seconds(recent.back().time - recent.front().time);

@@ -16,26 +16,30 @@ class StopwatchTimes;
 
 namespace widgets {
 
-/// How long the tasks of a robot's processes took, by process, task and solution, since the last reset. Times
-/// are real ones in milliseconds, rates refer to the platform's clock over the last two seconds, the share is
-/// that of the time from one frame to the next ("frame" is the row of whole frames): at 100 % the process
-/// cannot keep its rate in real time. A solution that does not run any more has neither rate nor share. add()
-/// collects; update() shows it, once a tick. GUI thread.
+/// Run times of the tasks of a robot's processes since the last reset, by process, task and solution. Times
+/// are real time in milliseconds. Rates are frames per second on the platform's clock over the last two
+/// seconds. The share is that of a task's mean time in its process's period; the row "frame" stands for whole
+/// frames, and at 100 % the process cannot keep its rate in real time. A solution that no longer runs has
+/// neither rate nor share. add() collects; update() announces the changes once per tick. GUI thread.
 class TimingModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
+  /// Times in ms, kRate in Hz, kShare as a share of 1.
   enum Column { kProcess, kTask, kSolution, kLast, kMean, kMinimum, kMaximum, kRate, kShare, kColumns };
-  static constexpr int kNumberRole = Qt::UserRole + 1;  ///< to sort by; a text's is the text
+  /// The number of a cell, for sorting; the text in columns of texts.
+  static constexpr int kNumberRole = Qt::UserRole + 1;
 
   using QAbstractTableModel::QAbstractTableModel;
-  /// `frame`: its number, or 0 if it is not known.
+  /// Adds the times of one frame. `frame` is its number; 0: unknown, then it is counted.
   void add(const std::string& process, std::uint64_t frame, robotlink::Instant time,
            const robotcontrol::StopwatchTimes& times);
-  /// Forgets processes and tasks that the program does not have any more.
+  /// Removes processes and tasks that are not in the table.
   void keepOnly(const robotcontrol::ProcessTable& program);
+  /// Announces new rows and changed numbers to the views.
   void update();
+  /// Clears all statistics.
   void reset();
-  /// All cells with a header, separated by commas; numbers in milliseconds and hertz.
+  /// All cells with a header, separated by commas; milliseconds, hertz and shares of 1.
   QString csv() const;
 
   int rowCount(const QModelIndex& parent = {}) const override;
@@ -44,13 +48,16 @@ class TimingModel final : public QAbstractTableModel {
   QVariant headerData(int section, Qt::Orientation orientation, int role) const override;
 
  private:
+  /// Statistics of one solution; an empty task stands for whole frames.
   struct Row {
     std::string process, task, solution;
     std::uint64_t count = 0;
-    double sum = 0, minimum = 0, maximum = 0, last = 0;  // s
+    /// In s.
+    double sum = 0, minimum = 0, maximum = 0, last = 0;
+    /// Time of the last frame in which it ran.
     robotlink::Instant latest;
   };
-  /// The frames of a process in the last seconds.
+  /// Time and number of a frame.
   struct Frames {
     struct Frame {
       robotlink::Instant time;
@@ -58,16 +65,20 @@ class TimingModel final : public QAbstractTableModel {
     };
     std::deque<Frame> recent;
     void add(Frame frame);
-    double rate() const;  ///< Hz; 0 if it is not known yet
+    /// Hz, from the frames' numbers, so that missing frames do not matter; 0 if it is not known yet.
+    double rate() const;
   };
   Row& rowFor(const std::string& process, const std::string& task, const std::string& solution);
+  /// The number of a cell, in the column's unit.
   double number(const Row& row, int column) const;
-  /// Of its process, while its solution runs.
+  /// Rate of the row's process if the solution ran in its newest frame, else 0.
   double rateOf(const Row& row) const;
 
   std::vector<Row> rows_;
-  std::map<std::string, Frames> frames_;  // by process
-  int shown_ = 0;                         // rows that views know of
+  /// By process.
+  std::map<std::string, Frames> frames_;
+  /// Number of rows that views know of.
+  int shown_ = 0;
 };
 
 }  // namespace widgets

@@ -48,7 +48,7 @@ void Trails::addPlace(const std::string& model, const robotlink::Vector2& place)
   if (places.size() > static_cast<std::size_t>(reach_ / stepFor(reach_))) places.pop_front();
 }
 
-/// Models are children of the field itself, so no tree needs to be walked here.
+/// Models are direct children of the field's frame, so there is no tree to be walked.
 void Trails::add(const robotlink::StreamStore& store, const Sources& sources, Instant at) {
   for (const auto& [robot, path] : sources.estimates) {
     const auto* pose = store.latestAs<robotcontrol::RobotPose>(path, at);

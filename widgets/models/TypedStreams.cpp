@@ -53,7 +53,7 @@ bool StreamCursor::seen(const robotlink::StreamMessage& message) const {
 }
 
 StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stream) {
-  constexpr std::size_t kRemembered = 256;  // more than come out of order
+  constexpr std::size_t kRemembered = 256;  // more than ever arrive out of order
   News news;
   if (stream.generation != generation_) {
     news.restarted = count_ > 0;

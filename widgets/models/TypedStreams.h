@@ -7,50 +7,60 @@
 
 #include "robotlink/session/StreamStore.h"
 
+// Finding streams by their message types, and reading their new messages. Views choose streams by type, not
+// by name, so that they work for every program.
 namespace widgets {
 
-/// The streams of one message type below one robot (below nothing: of the whole session), whatever they are
-/// called: what a view shows follows from what is said, not from where. By path.
+/// The streams of one message type of a robot (empty: of the whole session), sorted by path.
 std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink::StreamStore& store,
                                                                  const std::string& robot, const char* type);
 
-/// A robot's table of that time by its path ("tables/keys"), as a list of one; empty if there is none.
-/// Processes tell their own parts of tables below these paths; the joined one is what views show.
+/// A robot's table at a time by its path ("tables/keys"), as a list of one; empty if there is none. Processes
+/// publish their parts of the table at paths below; the debug process publishes this one, which has all
+/// parts.
 std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store,
                                                          const std::string& robot, const char* path,
                                                          robotlink::Instant time);
 
-/// The newest messages not later than `time` of those streams; null where a stream began later. Their
-/// addresses change whenever their contents do, which makes it cheap to see in a tick that nothing is new.
+/// The newest messages of those streams not later than `time`; null where a stream began later. The addresses
+/// of their values change whenever their contents do, so comparing them (see valuesOf()) detects news
+/// cheaply.
 std::vector<const robotlink::StreamMessage*> latestOfType(const robotlink::StreamStore& store,
                                                           const std::string& robot, const char* type,
                                                           robotlink::Instant time);
-/// The addresses of their values, to compare with those of the last tick.
+/// The addresses of the messages' values, to be compared with those of the last tick.
 std::vector<const void*> valuesOf(const std::vector<const robotlink::StreamMessage*>& messages);
 
-/// What follows the last '/': "cognition" of "red1/stopwatches/cognition".
+/// The part behind the last '/': "cognition" of "red1/stopwatches/cognition".
 std::string lastPart(const std::string& path);
-/// What precedes the first '/': the robot of a stream; empty for what belongs to the world.
+/// The part before the first '/': the robot of a stream; empty if there is none.
 std::string robotPart(const std::string& path);
 
-/// Hands out each message of a stream once; also one that came late and was put in its place among those
-/// handed out before. After a reset of the clock it begins anew.
+/// Returns each message of a stream once, including one that arrived late and was inserted among messages
+/// that were returned before. Starts over after a reset of the clock.
 class StreamCursor {
  public:
+  /// The messages since the last call.
   struct News {
-    std::vector<const robotlink::StreamMessage*> messages;  ///< oldest first; valid until the store changes
-    bool restarted = false;  ///< what was handed out before is no longer true: the clock went back
+    /// Oldest first; valid until the store changes.
+    std::vector<const robotlink::StreamMessage*> messages;
+    /// The clock went back: messages that were returned before are no longer valid.
+    bool restarted = false;
   };
+  /// Returns the new messages of `stream`, which must be the same one in each call.
   News take(const robotlink::StreamStore::Stream& stream);
 
  private:
+  /// Whether the message was returned before.
   bool seen(const robotlink::StreamMessage& message) const;
 
+  /// Generation and message count of the stream at the last call.
   std::uint64_t generation_ = 0;
   std::uint64_t count_ = 0;
   robotlink::Instant newest_;
-  std::deque<robotlink::PackagePtr>
-      recent_;  // kept alive, so that no new message has the address of an old one
+  /// The last 256 messages that were returned, kept alive so that no new message has the address of an old
+  /// one.
+  std::deque<robotlink::PackagePtr> recent_;
 };
 
 }  // namespace widgets

@@ -21,20 +21,23 @@ namespace widgets {
 
 class SceneState;
 
-/// A drawing in the world and the frame that its coordinates are in.
+/// A drawing in the world, and the frame of its coordinates.
 struct WorldDrawing {
   const foxglove::SceneEntity* entity = nullptr;
+  /// Pose of the drawing's frame; meters.
   robotlink::Pose3 frameInField = robotlink::Pose3::Identity();
+  /// The message that owns `entity`.
   robotlink::PackagePtr keep;
-  bool old = false;  ///< as CurrentDrawing says
+  /// See CurrentDrawing::old.
+  bool old = false;
 };
 
-/// The inverse of robotlink::groundPose() for what stands upright on the ground.
+/// The inverse of robotlink::groundPose() for poses that are upright on the ground.
 robotlink::Pose3 poseOnGround(const robotlink::Pose2& pose);
 
-/// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first. Those that are
-/// relative to a robot lie at its true pose or, where that is not known, at its estimated one; without either
-/// they are left out.
+/// The current drawings of `robots` among `ids` ("field/...", "robot/..."), lowest first. Drawings relative
+/// to a robot are placed at its true pose or, if that is unknown, at its pose estimate; without either they
+/// are left out.
 std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
                                         const std::vector<RobotBelief>& beliefs,
                                         const std::vector<std::string>& robots, const QStringList& ids,

@@ -11,12 +11,12 @@ using robotlink::normalizedAngle;
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr double kShare = 0.1;      // of what is missing, in each step
-constexpr double kJump = 1.0;       // m; who is carried so far is not followed on the way
-constexpr double kStill = 2e-4;     // m and rad; less is not worth a new picture
-constexpr double kLead = 0.5;       // m at most, towards the ball
+constexpr double kShare = 0.1;      // share of the remaining distance per step
+constexpr double kJump = 1.0;       // m; the way of a robot that is carried this far is not followed
+constexpr double kStill = 2e-4;     // m and rad; smaller changes are not worth a new picture
+constexpr double kLead = 0.5;       // m; largest lead towards the ball
 constexpr double kNearBall = 2.0;   // m
-constexpr double kShoulder = 0.25;  // m before the robot, where a camera behind it looks to
+constexpr double kShoulder = 0.25;  // m; a camera behind the robot looks at a point this far in front of it
 
 }  // namespace
 
@@ -38,7 +38,6 @@ Pose2 CameraRide::wanted(const Subject& subject) const {
   return {place.x + lead.x(), place.y + lead.y(), 0};
 }
 
-/// As at the first step.
 SceneCamera CameraRide::boarded(const SceneCamera& camera, const Subject& subject, bool far) const {
   if (mode_ == Mode::kBehind) return SceneCamera::behind(subject.robot, subject.distance);
   const Pose2 place = wanted(subject);
@@ -63,8 +62,7 @@ SceneCamera CameraRide::step(const SceneCamera& camera, const Subject& subject, 
   const double share = jumped ? 1 : kShare;
   const Pose2 next{at_->x + share * missing.x(), at_->y + share * missing.y(),
                    normalizedAngle(at_->heading + share * turn)};
-  // What the camera is to the place that it follows stays: direction, distance, and what a person moved it
-  // by.
+  // Keeps the camera's pose relative to the place that it follows, including what the user has changed.
   SceneCamera moved = camera;
   moved.target.head<2>() = next * (at_->inverse() * Vector2(camera.target.head<2>()));
   moved.azimuth = normalizedAngle(camera.azimuth + normalizedAngle(next.heading - at_->heading));

@@ -7,35 +7,44 @@
 
 namespace widgets {
 
-/// Takes a camera along with a robot, gently: what a walking robot sways the picture does not. How the camera
-/// stands to the robot is up to whoever turns and moves it meanwhile. A plain state machine, told the robot's
-/// place 30 times a second.
+/// Moves a camera along with a robot: smoothly, so that the swaying of a walking robot does not move the
+/// picture. The user may orbit, pan and zoom meanwhile; the camera keeps its pose relative to the place that
+/// it follows. A plain state machine that is fed with the robot's pose 30 times a second. Meters and radians
+/// in the field's frame.
 class CameraRide {
  public:
-  /// Beside: the camera keeps its direction, and leads towards a ball that is near. Behind: it turns with the
-  /// robot.
+  /// kOff: step() returns the camera unchanged.
+  /// kBeside: keeps the direction of view, and looks ahead towards a ball within 2 m.
+  /// kBehind: turns with the robot, looking over its shoulder.
   enum class Mode : std::uint8_t { kOff, kBeside, kBehind };
+  /// What the camera follows.
   struct Subject {
     robotlink::Pose2 robot;
+    /// Unset: unknown.
     std::optional<robotlink::Vector2> ball;
-    double distance = 2.4;  ///< m, from which it is seen well
+    /// Distance of the camera from which the robot is seen well, m.
+    double distance = 2.4;
   };
 
   Mode mode() const { return mode_; }
-  /// From the next step on.
+  /// Another mode starts over at the next step.
   void setMode(Mode mode);
-  /// The robot is another one now: goes there at once.
+  /// Another robot is followed: the next step goes there at once.
   void forget() { at_.reset(); }
 
-  /// Where the camera is next. `far`: it shows everything, so that at first it comes near.
+  /// Returns the next camera. `far`: the camera shows the whole scene, so the first step moves it close to
+  /// the robot. A jump of the robot by more than a meter is followed at once.
   SceneCamera step(const SceneCamera& camera, const Subject& subject, bool far);
 
  private:
+  /// The place that the camera should follow.
   robotlink::Pose2 wanted(const Subject& subject) const;
+  /// The camera after the first step.
   SceneCamera boarded(const SceneCamera& camera, const Subject& subject, bool far) const;
 
   Mode mode_ = Mode::kOff;
-  std::optional<robotlink::Pose2> at_;  // what it follows, without the swaying; none: it begins
+  /// The smoothed place that is followed; unset before the first step.
+  std::optional<robotlink::Pose2> at_;
 };
 
 }  // namespace widgets

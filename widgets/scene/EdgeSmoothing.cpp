@@ -10,9 +10,9 @@
 namespace widgets {
 namespace {
 
-constexpr int kLeastContrast = 20;    // of 255; what differs less is no edge
-constexpr int kShareOfBrightest = 8;  // nor is less than one in so many of the brightest around
-constexpr int kReach = 14;            // pixels along an edge, in each direction
+constexpr int kLeastContrast = 20;    // of 255; smaller differences are no edge
+constexpr int kShareOfBrightest = 8;  // nor are differences below this fraction of the brightest pixel around
+constexpr int kReach = 14;            // pixels searched along an edge in each direction
 
 /// The brightness of all pixels, 0 to 255.
 std::vector<std::uint8_t> brightnessOf(const QImage& picture) {
@@ -30,8 +30,7 @@ std::vector<std::uint8_t> brightnessOf(const QImage& picture) {
   return result;
 }
 
-/// How much the brightness of pixels and their four neighbors differs, of a row that is not at the picture's
-/// rim.
+/// The contrast of pixels with their four neighbors, for a row that is not at the picture's border.
 void findContrasts(const std::uint8_t* row, std::ptrdiff_t width, std::uint8_t* contrasts) {
   for (std::ptrdiff_t x = 1; x < width - 1; ++x) {
     const std::uint8_t center = row[x], left = row[x - 1], right = row[x + 1], above = row[x - width],
@@ -44,7 +43,7 @@ void findContrasts(const std::uint8_t* row, std::ptrdiff_t width, std::uint8_t* 
   }
 }
 
-/// A pixel of an edge: which neighbor lies across it, and how much of that belongs into the pixel.
+/// A pixel at an edge: the direction of the neighbor across it, and that neighbor's share in the pixel.
 struct Mixture {
   std::ptrdiff_t across = 0;
   int share = 0;  ///< of 256
@@ -73,11 +72,11 @@ class EdgeFinder {
  private:
   struct End {
     int distance = 0;
-    int change = 0;  ///< of the brightness on the edge, from here to there
+    int change = 0;  ///< change of the brightness along the edge up to its end
   };
 
-  /// Where the edge between a pixel and its neighbor ends. Twice the brightness on the edge is that of both
-  /// together.
+  /// Finds the end of the edge between a pixel and its neighbor across. Brightness on the edge is the sum of
+  /// both pixels, that is, twice their mean.
   static End endOf(const std::uint8_t* p, std::ptrdiff_t side, std::ptrdiff_t step, int here, int gradient,
                    int room) {
     End end;
@@ -97,9 +96,9 @@ class EdgeFinder {
               other = endOf(p, side, along, here, gradient, room[1]);
     const End& near = one.distance <= other.distance ? one : other;
     const int length = one.distance + other.distance;
-    // An edge that goes on as far as anyone looks is straight.
+    // An edge that does not end within reach is straight.
     if (2 * std::abs(near.change) < gradient) return 0;
-    // Behind the near end the edge goes on one row away: only on the side to which it does, pixels are mixed.
+    // Beyond its near end the edge continues one row further; only pixels on that side are mixed.
     const bool centerIsDarker = 2 * p[0] < here;
     if (length == 0 || (near.change < 0) == centerIsDarker) return 0;
     return 128 - 256 * near.distance / length;

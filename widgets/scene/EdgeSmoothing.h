@@ -5,11 +5,11 @@
 
 namespace widgets {
 
-/// The picture with its jagged edges smoothed, after T. Lottes, "FXAA" (NVIDIA, 2009): where brightness
-/// changes steeply, the ends of the edge are looked for along it, and pixels are mixed with the one across it
-/// by how far away these are. What is flat and what is straight along rows and columns stays as it is.
+/// Smooths jagged edges after T. Lottes, "FXAA" (NVIDIA, 2009): where brightness changes steeply, the ends of
+/// the edge are searched along it, and pixels are mixed with their neighbors across the edge by their
+/// distance from these ends. Flat areas and edges along rows and columns are unchanged.
 ///
-/// For pictures that a processor draws: it costs a tenth of what drawing with several samples a pixel does.
+/// For pictures that are drawn in software: it costs a tenth of drawing with several samples per pixel.
 /// Format_RGB32; any thread.
 QImage smoothEdges(const QImage& picture);
 

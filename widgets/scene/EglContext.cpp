@@ -13,9 +13,9 @@
 namespace widgets {
 namespace {
 
-// Before main(), while there is one thread: Mesa's software shall draw in the thread that asks, so that the
-// other cores stay with the simulation, and what a picture costs can be measured. Who sets it has his
-// reasons.
+// Set before main(), while there is only one thread: Mesa's software renderer shall draw in the calling
+// thread, so that the other cores remain for the simulation and the cost of a picture can be measured. A
+// value set by the user is respected.
 [[maybe_unused]] const int kSoftwareThreads = setenv("LP_NUM_THREADS", "0", 0);
 
 std::string eglErrorText(const char* what) {

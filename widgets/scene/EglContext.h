@@ -7,28 +7,29 @@
 
 namespace widgets {
 
-/// An OpenGL 3.3 core context that needs no window and no display: EGL on Mesa's surfaceless platform, or
-/// else on the first device that EGL lists. A GPU where there is one, Mesa's software otherwise. One draws
-/// into a frame buffer object.
+/// An OpenGL 3.3 core context without window and display: EGL on Mesa's surfaceless platform, or else on the
+/// first device that EGL lists. Uses a GPU if there is one, else Mesa's software renderer. There is no
+/// default frame buffer; draw into a frame buffer object.
 ///
-/// Belongs to the thread in which it was made current; made and destroyed there. EGL itself is never
-/// terminated: that would unload drivers which others use.
+/// The context belongs to the thread in which it is created, where it stays current and must be destroyed.
+/// EGL itself is never terminated, since that would unload drivers that others use.
 class EglContext {
  public:
-  /// Made current. Fails, with what EGL said, where there is no EGL or no such context.
+  /// Creates a context and makes it current. Fails, with EGL's error, if there is no EGL or no such context.
   static robotlink::Result<EglContext> create();
   ~EglContext();
   EglContext(EglContext&& other) noexcept;
   EglContext& operator=(EglContext&&) = delete;
 
-  /// "llvmpipe (LLVM 15.0.6, 256 bits)".
+  /// The name of the renderer: "llvmpipe (LLVM 15.0.6, 256 bits)".
   const std::string& renderer() const { return renderer_; }
-  /// No GPU: the processor draws.
+  /// Whether the processor draws, not a GPU.
   bool software() const;
 
  private:
   EglContext(void* display, void* context, std::string renderer);
 
+  /// EGLDisplay and EGLContext; the latter is null after a move.
   void* display_;
   void* context_;
   std::string renderer_;

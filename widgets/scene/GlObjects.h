@@ -10,21 +10,23 @@
 #include "robotlink/base/Error.h"
 #include "widgets/scene/SceneMesh.h"
 
+// OpenGL objects that delete themselves. All of them belong to the thread in which their context is current,
+// and must be destroyed before it. OpenGL's names are plain unsigned integers here, so that its header is
+// needed in sources only.
 namespace widgets {
 
-// Objects of OpenGL that delete themselves. All of them belong to the thread in which their context is
-// current, and must go before it does. Names of OpenGL are plain unsigned numbers, so that its header stays
-// out of this one.
-
-/// A vertex and a fragment shader.
+/// A linked program of a vertex and a fragment shader.
 class GlProgram {
  public:
+  /// Compiles and links; fails with the driver's message.
   static robotlink::Result<GlProgram> build(const char* vertexShader, const char* fragmentShader);
   ~GlProgram();
   GlProgram(GlProgram&& other) noexcept;
   GlProgram& operator=(GlProgram&&) = delete;
 
+  /// Makes it the current program.
   void use() const;
+  /// Sets a uniform of the current program; unknown names are ignored.
   void set(const char* uniform, const Eigen::Matrix4f& value);
   void set(const char* uniform, const Eigen::Vector4f& value);
   void set(const char* uniform, const Eigen::Vector3f& value);
@@ -32,19 +34,22 @@ class GlProgram {
 
  private:
   explicit GlProgram(unsigned program) : program_(program) {}
+  /// Location of a uniform, cached; -1: there is none.
   int location(const char* uniform);
 
+  /// 0 after a move.
   unsigned program_;
   std::map<std::string, int> locations_;
 };
 
-/// A mesh in the memory of the graphics card.
+/// A triangle mesh in the memory of the graphics card. Attributes: 0 position, 1 normal, 2 color.
 class GlMesh {
  public:
   explicit GlMesh(const SceneMesh& mesh);
   ~GlMesh();
   GlMesh(const GlMesh&) = delete;
   GlMesh& operator=(const GlMesh&) = delete;
+  /// Draws all triangles with the current program.
   void draw() const;
 
  private:
@@ -52,13 +57,14 @@ class GlMesh {
   int count_ = 0;
 };
 
-/// Lines, each an instance of a rectangle.
+/// Line segments, drawn as instances of a rectangle. Attributes per instance: 0 from, 1 to, 2 color, 3 width.
 class GlLines {
  public:
   explicit GlLines(const SceneLines& lines);
   ~GlLines();
   GlLines(const GlLines&) = delete;
   GlLines& operator=(const GlLines&) = delete;
+  /// Draws all segments with the current program.
   void draw() const;
 
  private:
@@ -66,8 +72,8 @@ class GlLines {
   int count_ = 0;
 };
 
-/// Pixels with depth and stencil to be drawn into, with one sample each or several, and plain pixels to be
-/// read from.
+/// A frame buffer with color, depth and stencil and one or several samples per pixel, and a second one with a
+/// single sample, from which pixels are read.
 class GlTarget {
  public:
   GlTarget(QSize size, int samples);
@@ -76,15 +82,20 @@ class GlTarget {
   GlTarget& operator=(const GlTarget&) = delete;
 
   QSize size() const { return size_; }
+  /// False if the driver does not support this size or number of samples.
   bool complete() const { return complete_; }
+  /// Makes it the target of drawing and sets the viewport.
   void bind() const;
-  /// BGRA, top row first if the picture was drawn upside down; `to` has 4 bytes a pixel and no gaps.
+  /// Reads the pixels as BGRA, 4 bytes each without gaps between rows, bottom row of OpenGL first; with a
+  /// projection that turns the picture upside down that is its top row.
   void read(std::uint8_t* to) const;
 
  private:
   QSize size_;
   bool complete_ = false;
+  /// Frame buffers: for drawing, for reading.
   unsigned frames_[2] = {0, 0};
+  /// Color and depth-stencil for drawing, color for reading.
   unsigned buffers_[3] = {0, 0, 0};
 };
 

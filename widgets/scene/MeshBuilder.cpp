@@ -14,7 +14,7 @@ using robotlink::Pose3;
 using robotlink::Vector3;
 
 constexpr int kAround = 32;  // corners of a circle
-constexpr int kSlices = 16;  // of a sphere, from pole to pole
+constexpr int kSlices = 16;  // slices of a sphere from pole to pole
 constexpr double kSmoothAngle = robotlink::radians(40);
 
 Vector3 unitNormal(const Vector3& v) {
@@ -22,7 +22,7 @@ Vector3 unitNormal(const Vector3& v) {
   return length > 1e-15 ? Vector3(v / length) : Vector3(Vector3::UnitZ());
 }
 
-/// Corners at the same place to within a tenth of a millimetre meet there.
+/// Key of a corner's place: corners within a tenth of a millimeter are the same.
 std::array<std::int64_t, 3> gridPlace(const Vector3& v) {
   constexpr double kCell = 1e-4;
   return {std::llround(v.x() / kCell), std::llround(v.y() / kCell), std::llround(v.z() / kCell)};
@@ -117,7 +117,7 @@ void MeshBuilder::cylinder(const Pose3& pose, const Vector3& size, double bottom
 
 void MeshBuilder::triangles(std::span<const Vector3> corners, std::span<const Color> colors) {
   const std::size_t count = corners.size() / 3;
-  std::vector<Vector3> normals;  // with the area of the triangle as length
+  std::vector<Vector3> normals;  // length is twice the triangle's area
   std::map<std::array<std::int64_t, 3>, std::vector<std::size_t>> meeting;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3& a = corners[3 * i];
@@ -125,7 +125,7 @@ void MeshBuilder::triangles(std::span<const Vector3> corners, std::span<const Co
     for (std::size_t corner = 3 * i; corner < 3 * i + 3; ++corner)
       meeting[gridPlace(corners[corner])].push_back(i);
   }
-  // Corners that look the same are one vertex.
+  // Corners with equal place, normal and color become one vertex.
   std::map<std::tuple<std::array<std::int64_t, 3>, std::array<std::int64_t, 3>, Color>, std::uint32_t> made;
   for (std::size_t i = 0; i < count; ++i) {
     const Vector3 own = unitNormal(normals[i]);

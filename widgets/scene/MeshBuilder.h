@@ -20,17 +20,24 @@ class MeshBuilder {
 
   explicit MeshBuilder(SceneMesh& to) : to_(to) {}
 
+  /// `size`: lengths along x, y and z.
   void box(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
+  /// `size`: diameters along x, y and z.
   void sphere(const robotlink::Pose3& pose, const robotlink::Vector3& size, Color color);
-  /// Along z; the radii at its ends are those of `size` times the scales.
+  /// Along z. `size`: diameters along x and y, and height. The diameters at the lower and upper end are
+  /// multiplied by the scales.
   void cylinder(const robotlink::Pose3& pose, const robotlink::Vector3& size, double bottomScale,
                 double topScale, Color color);
-  /// Three points for each triangle. `colors` has one for each triangle.
+  /// Three corners and one color per triangle. Normals are smooth where triangles meet at an angle below 40
+  /// degrees.
   void triangles(std::span<const robotlink::Vector3> corners, std::span<const Color> colors);
 
  private:
+  /// Appends a vertex and returns its index.
   std::uint32_t add(const robotlink::Vector3& position, const robotlink::Vector3& normal, Color color);
+  /// Appends a triangle of three vertices.
   void triangle(std::uint32_t a, std::uint32_t b, std::uint32_t c);
+  /// Appends the lid of a cylinder at height `z`.
   void disc(const robotlink::Pose3& pose, const robotlink::Vector3& size, double z, double scale,
             Color color);
 

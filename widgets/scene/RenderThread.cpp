@@ -15,13 +15,13 @@ using namespace std::chrono_literals;
 constexpr auto kShortestInterval = 33ms;
 constexpr double kShareOfCore = 0.4, kShareInHurry = 0.9;
 
-/// How long after the start of one picture the next may begin.
+/// Minimum time from the start of one picture to the start of the next.
 std::chrono::duration<double> interval(std::chrono::duration<double> cost, bool hurry) {
   return std::max<std::chrono::duration<double>>(kShortestInterval,
                                                  cost / (hurry ? kShareInHurry : kShareOfCore));
 }
 
-/// What this thread has used of the processor. Software draws in this very thread (EglContext).
+/// Processor time of this thread. The software renderer draws in this very thread (see EglContext.cpp).
 std::chrono::duration<double> threadTime() {
   timespec time{};
   clock_gettime(CLOCK_THREAD_CPUTIME_ID, &time);

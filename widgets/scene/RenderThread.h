@@ -17,46 +17,51 @@
 namespace widgets {
 
 /// Draws scenes in a thread of its own, so that the GUI never waits for a picture. Latest wins: a request
-/// replaces one that has not begun. At most 30 pictures a second, and so many fewer that drawing takes no
-/// more than 40 % of one core (90 % while somebody moves something); nothing at all while nothing is
-/// requested.
+/// replaces one that has not begun. At most 30 pictures per second, and fewer if drawing would take more than
+/// 40 % of one core (90 % while the user moves something). The thread sleeps while nothing is requested.
 ///
-/// The public functions may be called from the thread that made it. Its end waits for the picture that is
-/// being drawn.
+/// All functions are called by the thread that made it. The destructor waits for the picture that is being
+/// drawn.
 class RenderThread {
  public:
+  /// Creates the renderer; called once, in the drawing thread.
   using MakeRenderer = std::function<robotlink::Result<SceneRenderer>()>;
+  /// A picture and the request that it shows.
   struct Picture {
     QImage image;
     std::shared_ptr<const SceneFrame> frame;
   };
 
-  /// `finished` is called from the thread when there is a picture to be taken or an error to be told; it must
-  /// not wait.
+  /// `finished` is called in the drawing thread when there is a picture to take, or an error; it must not
+  /// block.
   RenderThread(MakeRenderer makeRenderer, std::function<void()> finished);
   ~RenderThread();
   RenderThread(const RenderThread&) = delete;
   RenderThread& operator=(const RenderThread&) = delete;
 
+  /// Replaces a request that has not begun.
   void request(std::shared_ptr<const SceneFrame> frame);
   /// The newest picture that was not taken yet.
   std::optional<Picture> take();
-  /// Why there will never be a picture; empty if there will.
+  /// Why there will never be a picture, because the renderer could not be created; empty: it could, or has
+  /// not been tried.
   std::string error() const;
-  /// What draws; empty until the first picture.
+  /// The name of the renderer; empty until it was created.
   std::string device() const;
 
  private:
   using Clock = std::chrono::steady_clock;
 
   void run();
-  /// Null when the thread shall end. Waits for a request, and until the last picture, begun at `start`, has
-  /// been paid for.
+  /// Waits for a request and until the last picture, begun at `start`, no longer exceeds its share of the
+  /// core. `cost`: its processor time. Null when the thread shall end.
   std::shared_ptr<const SceneFrame> next(Clock::time_point start, std::chrono::duration<double> cost);
 
+  /// This and finished_ are used by the thread only.
   MakeRenderer makeRenderer_;
   std::function<void()> finished_;
-  mutable std::mutex mutex_;  // protects all that follows but the thread
+  /// Protects all following members but the thread.
+  mutable std::mutex mutex_;
   std::condition_variable changed_;
   bool ending_ = false;
   std::shared_ptr<const SceneFrame> wanted_;

@@ -14,34 +14,44 @@
 
 namespace widgets {
 
-/// Makes what is to be drawn from the scene, the poses and the drawings; shapes are made once for each
-/// entity. GUI thread.
+/// Converts the scene, its poses and the robots' drawings into bodies for the renderer. The shape of each
+/// entity is computed once and kept while the entity is shown. GUI thread.
 class SceneAssembly {
  public:
+  /// The entities of the scene at their poses; those in unknown frames are left out.
   std::vector<SceneBody> bodies(const SceneState& scene);
+  /// The drawings at their poses, lowest first.
   std::vector<SceneBody> drawings(const std::vector<WorldDrawing>& drawings);
   /// The texts of the drawings.
   static std::vector<SceneLabel> labels(const std::vector<SceneBody>& drawings);
 
  private:
+  /// A cached shape.
   struct Shape {
-    robotlink::PackagePtr keep;  ///< so that no other entity takes this one's address
+    /// Keeps the entity alive, so that no other one can have its address.
+    robotlink::PackagePtr keep;
     std::shared_ptr<const SceneShape> shape;
+    /// Whether it was used since the last forgetUnused().
     bool used = true;
   };
+  /// By the entities' addresses.
   using Shapes = std::map<const foxglove::SceneEntity*, Shape>;
   static const std::shared_ptr<const SceneShape>& shape(Shapes& shapes, const foxglove::SceneEntity* entity,
                                                         const robotlink::PackagePtr& keep);
+  /// Drops the shapes that were not used in this call.
   static void forgetUnused(Shapes& shapes);
 
   Shapes sceneShapes_, drawingShapes_;
 };
 
-/// What a ray, in the field's frame, meets first.
+/// The first thing on a ray.
 struct SceneHit {
-  std::string model;  ///< empty: something that can not be moved
+  /// Name of the movable model; empty: something that cannot be moved.
+  std::string model;
+  /// In the field's frame.
   robotlink::Vector3 point;
 };
+/// Unset if the ray, which is in the field's frame, hits nothing.
 std::optional<SceneHit> firstHit(const std::vector<SceneBody>& bodies, const Ray& ray);
 
 }  // namespace widgets

@@ -81,7 +81,7 @@ void SceneCamera::pan(const QSizeF& widget, const QPointF& by) {
   const double perPixel = 2 * distance * std::tan(kVerticalAngle / 2) / widget.height();
   const Vector3 right(-std::sin(azimuth), std::cos(azimuth), 0);
   const Vector3 ahead(-std::cos(azimuth), -std::sin(azimuth), 0);
-  // On the ground: what is foreshortened moves further.
+  // The target moves on the ground, which is foreshortened vertically, so it moves further in that direction.
   const double foreshortened = std::max(0.25, std::sin(elevation));
   target += -by.x() * perPixel * right + by.y() * perPixel / foreshortened * ahead;
   target = target.cwiseMax(-kFarthestTarget).cwiseMin(kFarthestTarget);
@@ -98,7 +98,7 @@ void SceneCamera::zoom(const QSizeF& widget, double factor, const QPointF& at) {
 }
 
 void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
-  constexpr double kMargin = 0.03;  // of the widget
+  constexpr double kMargin = 0.03;  // share of the widget
   const QRectF room(kMargin * widget.width(), kMargin * widget.height(), (1 - 2 * kMargin) * widget.width(),
                     (1 - 2 * kMargin) * widget.height());
   const auto allSeen = [&] {
@@ -121,10 +121,10 @@ void SceneCamera::fit(const QSizeF& widget, const SceneBox& box) {
 
 SceneCamera SceneCamera::overview(const QSizeF& widget, const SceneBox& box) {
   SceneCamera camera;
-  // A tall picture is filled better from higher up.
+  // A tall picture is filled better by a view from higher up.
   const double aspect = widget.width() / std::max(1.0, widget.height());
   camera.elevation = std::clamp(radians(80 - 20 * aspect), radians(30), radians(62));
-  // A little nearer to the viewer than the centre: what is near looks larger.
+  // The target is a little nearer to the viewer than the center, since near things look larger.
   camera.target = {box.center.x(), box.center.y() - 0.06 * box.size.y(), 0};
   camera.fit(widget, box);
   return camera;
@@ -141,7 +141,7 @@ SceneCamera SceneCamera::fromAbove(const QSizeF& widget, const SceneBox& box) {
 SceneCamera SceneCamera::beside(double distance) {
   SceneCamera camera;
   camera.target.z() = 0.05;
-  camera.azimuth = robotlink::radians(-115);  // the goal at which the first team plays is seen behind it
+  camera.azimuth = robotlink::radians(-115);  // shows the goal at which the first team plays behind the field
   camera.elevation = robotlink::radians(30);
   camera.distance = distance;
   return camera;

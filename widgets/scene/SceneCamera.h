@@ -15,58 +15,71 @@ struct Ray {
   robotlink::Vector3 origin = robotlink::Vector3::Zero();
   robotlink::Vector3 direction = robotlink::Vector3::UnitX();
 
+  /// The point at a distance (m) from the origin.
   robotlink::Vector3 at(double distance) const { return origin + distance * direction; }
-  /// Where it meets the plane z = height, in front of its origin; not if that is more than 500 m away.
+  /// The intersection with the plane z = height in front of the origin; unset if there is none within 500 m.
   std::optional<robotlink::Vector3> onPlane(double height) const;
 };
 
-/// What shall be seen: a box that stands on the ground.
+/// A box on the ground that should be visible.
 struct SceneBox {
   robotlink::Vector2 center = robotlink::Vector2::Zero();
-  robotlink::Vector3 size{4.6, 3.1, 0.4};  ///< length, width and height, m
+  /// Length, width and height, m.
+  robotlink::Vector3 size{4.6, 3.1, 0.4};
   bool operator==(const SceneBox&) const = default;
 };
 
-/// A camera that looks at a point of the field from a distance and can be moved around it. A plain value;
-/// metres, radians, the field's frame; widget coordinates in Qt's logical pixels.
+/// A camera that orbits a point of the field at a distance. A plain value; meters and radians in the field's
+/// frame, widget coordinates in Qt's logical pixels.
 struct SceneCamera {
+  /// Limits of the distance.
   static constexpr double kMinimumDistance = 0.15, kMaximumDistance = 200;
-  static constexpr double kVerticalAngle = robotlink::radians(36);  ///< whole opening angle
+  /// The whole vertical opening angle.
+  static constexpr double kVerticalAngle = robotlink::radians(36);
 
+  /// The point that the camera looks at.
   robotlink::Vector3 target{0, 0, 0};
   double distance = 6.4;
-  double azimuth =
-      robotlink::radians(-90);  ///< of the camera, as seen from the target, from +x counter-clockwise
+  /// Direction from the target to the camera around z, counterclockwise from +x.
+  double azimuth = robotlink::radians(-90);
+  /// Of the camera above the target's horizon.
   double elevation = robotlink::radians(38);
 
   bool operator==(const SceneCamera&) const = default;
 
+  /// Position of the camera.
   robotlink::Vector3 position() const;
+  /// From the field's frame to the camera's: x right, y up, -z in the direction of view, as OpenGL has it.
   Eigen::Matrix4d view() const;
+  /// OpenGL's perspective projection for a widget of this size.
   Eigen::Matrix4d projection(const QSizeF& widget) const;
+  /// The ray through a widget position.
   Ray ray(const QSizeF& widget, const QPointF& at) const;
-  /// Nothing behind the camera.
+  /// Widget position of a point; unset behind the camera.
   std::optional<QPointF> project(const QSizeF& widget, const robotlink::Vector3& point) const;
 
-  /// Moved with the mouse, by widget pixels.
+  /// Turns around the target as for a drag by so many widget pixels.
   void orbit(const QPointF& by);
+  /// Moves the target as for a drag by so many widget pixels.
   void pan(const QSizeF& widget, const QPointF& by);
-  /// Nearer by `factor` above 1; what lies on the ground under `at` stays there.
+  /// Comes nearer by a factor above 1; the ground under `at` (widget) stays there.
   void zoom(const QSizeF& widget, double factor, const QPointF& at);
-  /// As near as possible while all of the box is seen.
+  /// Sets the smallest distance from which the whole box is visible; target and direction are kept.
   void fit(const QSizeF& widget, const SceneBox& box);
 
-  /// So that all of a box is seen.
+  /// A camera that shows the whole box from an oblique direction.
   static SceneCamera overview(const QSizeF& widget, const SceneBox& box);
+  /// A camera that shows the whole box from straight above.
   static SceneCamera fromAbove(const QSizeF& widget, const SceneBox& box);
-  /// Over the shoulder of what stands at a pose and is seen well from a distance.
+  /// A camera over the shoulder of a robot at a pose.
   static SceneCamera behind(const robotlink::Pose2& pose, double distance = 2.4);
-  /// From the side, at a distance from the field's middle.
+  /// A camera that looks at the field's center from the side, at a distance.
   static SceneCamera beside(double distance);
 };
 
-/// For saved window layouts. What is missing is as in a new camera, what is out of range is brought back.
+/// For saved window layouts.
 QJsonObject stateOf(const SceneCamera& camera);
+/// The inverse of stateOf(). Missing values get their defaults, values out of range are clamped.
 SceneCamera cameraOf(const QJsonObject& state);
 
 }  // namespace widgets

@@ -34,7 +34,7 @@ SceneCanvas::SceneCanvas(RenderThread::MakeRenderer makeRenderer, QWidget* paren
   setMouseTracking(true);
   setAttribute(Qt::WA_OpaquePaintEvent);
   setMinimumSize(120, 90);
-  // A queued call into this thread; it is dropped with this widget, which outlives the thread.
+  // A queued call into the GUI thread; it is dropped if this widget, which outlives the thread, is destroyed.
   const auto finished = [this] {
     QMetaObject::invokeMethod(
         this, [this] { takePicture(); }, Qt::QueuedConnection);
@@ -240,7 +240,7 @@ void SceneCanvas::mouseMoveEvent(QMouseEvent* event) {
       break;
   }
   const auto ground = camera_.ray(size(), last_).onPlane(dragHeight_);
-  // A click does not move what it selects.
+  // A click must not move what it selects.
   if (ground && moved_) Q_EMIT dragMoved(ground->x(), ground->y());
 }
 

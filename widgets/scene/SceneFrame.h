@@ -15,7 +15,7 @@
 
 namespace widgets {
 
-/// Something in the world: a shape and where it is.
+/// A shape in the world.
 struct SceneBody {
   std::shared_ptr<const SceneShape> shape;
   robotlink::Pose3 inField = robotlink::Pose3::Identity();
@@ -28,20 +28,23 @@ struct SceneBody {
   }
 };
 
-/// A text at a place, written over the finished picture.
+/// A text at a place, painted over the finished picture.
 struct SceneLabel {
   robotlink::Vector3 inField = robotlink::Vector3::Zero();
   QString text;
   QColor color;
-  double size = 11;    ///< positive: pixels; negative: metres
-  bool boxed = false;  ///< on a dark plate, centred: the name of something
+  /// Height of the font: positive in pixels, negative in meters.
+  double size = 11;
+  /// Whether it is centered on a dark rectangle, as names are.
+  bool boxed = false;
 
   bool operator==(const SceneLabel&) const = default;
 };
 
-/// What there is to be seen.
+/// Everything that is visible.
 struct SceneContents {
   std::vector<SceneBody> bodies;
+  /// Drawings of the robots, lowest first.
   std::vector<SceneBody> drawings;
   std::vector<SceneBody> ghosts;  ///< where something is wanted; shown translucent
   bool refused = false;           ///< it cannot be there
@@ -51,28 +54,34 @@ struct SceneContents {
   bool operator==(const SceneContents&) const = default;
 };
 
-/// A picture that is wanted: everything that the renderer needs to know, once handed over immutable.
+/// A request for a picture: everything that the renderer needs, immutable once it was handed to its thread.
 struct SceneFrame {
+  /// Colors that depend on the palette.
   struct Colors {
     QColor skyTop, skyBottom;
     QColor grid;
-    QColor ink;  ///< contrasts with the sky
+    /// Contrasts with the sky.
+    QColor ink;
     QColor highlight;
     QColor ghost, refused;
   };
 
-  QSize pixels;           ///< of the device
-  double pixelRatio = 1;  ///< of the device to Qt's logical pixels
+  /// Size of the picture in device pixels.
+  QSize pixels;
+  /// Device pixels per logical pixel.
+  double pixelRatio = 1;
   SceneCamera camera;
   Colors colors;
   bool wireFrame = false;
   bool grid = true;
   SceneContents contents;
-  std::string highlighted;  ///< a model
-  /// With several samples a pixel, which costs a processor more than three times as much; else the edges of
-  /// the finished picture are smoothed.
+  /// Name of a model; empty: none.
+  std::string highlighted;
+  /// Whether the picture is drawn with several samples per pixel, which takes more than three times as long
+  /// in software; else the edges of the finished picture are smoothed.
   bool smooth = false;
-  bool hurry = false;  ///< somebody moves the camera or a model: be quick rather than thrifty
+  /// Whether the user is moving the camera or a model, so that more processor time may be used.
+  bool hurry = false;
 };
 
 }  // namespace widgets

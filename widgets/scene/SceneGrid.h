@@ -7,8 +7,8 @@
 
 namespace widgets {
 
-/// Lines each half metre, each second one stronger, fainter with the distance from the middle, just below the
-/// ground.
+/// A grid just below the ground with lines every half meter, every second one stronger; they fade with the
+/// distance from the center.
 SceneLines gridLines(const QColor& color);
 
 }  // namespace widgets

@@ -87,7 +87,7 @@ void addLines(SceneShape& shape, const LinePrimitive& lines) {
   }
 }
 
-/// Moeller and Trumbore 1997, both sides.
+/// T. Moeller and B. Trumbore, "Fast, minimum storage ray/triangle intersection" (1997), without culling.
 std::optional<double> distanceToTriangle(const Vector3& a, const Vector3& b, const Vector3& c,
                                          const Ray& ray) {
   const Vector3 ab = b - a, ac = c - a;

@@ -13,53 +13,65 @@ namespace foxglove {
 class SceneEntity;
 }
 
+// Shapes of scene entities as a graphics card takes them, and their intersection with rays.
 namespace widgets {
 
 struct Ray;
 
-/// Triangles as a graphics card takes them, in metres.
+/// A triangle mesh, in meters.
 struct SceneMesh {
+  /// Layout as uploaded to the graphics card.
   struct Vertex {
     std::array<float, 3> position;
-    std::array<float, 3> normal;  ///< of length 1
+    /// Of length 1.
+    std::array<float, 3> normal;
+    /// RGBA.
     std::array<std::uint8_t, 4> color;
   };
   std::vector<Vertex> vertices;
-  std::vector<std::uint32_t> indices;  ///< three for each triangle
+  /// Three per triangle.
+  std::vector<std::uint32_t> indices;
 
   bool empty() const { return indices.empty(); }
 };
 
-/// Straight pieces with a width.
+/// Line segments with a width.
 struct SceneLines {
+  /// Layout as uploaded to the graphics card.
   struct Segment {
     std::array<float, 3> from, to;
     std::array<std::uint8_t, 4> color;
-    float width;  ///< positive: pixels; negative: metres
+    /// Positive in pixels, negative in meters.
+    float width;
   };
   std::vector<Segment> segments;
 };
 
+/// A text at a position.
 struct SceneText {
   robotlink::Vector3 position;
   std::string text;
   std::array<std::uint8_t, 4> color;
-  double size;  ///< positive: pixels; negative: metres
+  /// Positive in pixels, negative in meters.
+  double size;
 };
 
-/// What an entity of a scene or drawing looks like, in the entity's frame.
+/// The shape of an entity of the scene or of a drawing, in the entity's frame.
 struct SceneShape {
-  SceneMesh opaque;  ///< alpha is 255 everywhere
+  /// Alpha is 255 everywhere.
+  SceneMesh opaque;
   SceneMesh translucent;
   SceneLines lines;
   std::vector<SceneText> texts;
 };
 
-/// Spheres, cubes, cylinders and arrows become triangles; triangles get normals, smooth where neighbours meet
-/// in an angle below 40 degrees. What an entity says wrongly (an index past the end) is left out. Pure.
+/// Converts an entity. Spheres, cubes, cylinders and arrows become triangles; triangles get normals, smooth
+/// where neighbors meet at an angle below 40 degrees. Invalid parts (an index past the end) are left out.
+/// Pure.
 SceneShape shapeOf(const foxglove::SceneEntity& entity);
 
-/// How far along the ray, which is in the mesh's frame, it meets the mesh first.
+/// Distance along the ray, which is in the mesh's frame, to its first intersection with the mesh; unset:
+/// none.
 std::optional<double> distanceTo(const SceneMesh& mesh, const Ray& ray);
 
 }  // namespace widgets

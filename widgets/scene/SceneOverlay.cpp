@@ -31,7 +31,7 @@ void paintPlate(QPainter& painter, const QPointF& at, const SceneLabel& label) {
   painter.drawText(box, Qt::AlignCenter, label.text);
 }
 
-/// With a dark rim, so that it reads on everything.
+/// With a dark rim, so that the text is legible on every color.
 void paintPlain(QPainter& painter, const QPointF& at, const SceneLabel& label) {
   QPainterPath path;
   path.addText(at, painter.font(), label.text);
@@ -64,7 +64,7 @@ void paintAxes(QPainter& painter, const QSizeF& widget, const SceneCamera& camer
   const Eigen::Matrix3d toCamera = camera.view().block<3, 3>(0, 0);
   const std::array<QColor, 3> colors{QColor(222, 70, 60), QColor(70, 170, 80), QColor(80, 140, 235)};
   std::array<int, 3> order{0, 1, 2};
-  // The one that points to the viewer is painted last.
+  // The axis that points towards the viewer is painted last.
   std::ranges::sort(order, {}, [&](int axis) { return toCamera(2, axis); });
   painter.save();
   painter.setRenderHint(QPainter::Antialiasing);

@@ -6,17 +6,16 @@
 
 class QPainter;
 
+// What is painted over a picture of a scene. Pure functions.
 namespace widgets {
 
 struct SceneCamera;
 struct SceneLabel;
 
-// What is painted over a picture of a scene. Pure functions.
-
-/// Texts at their places; those behind the camera are left out.
+/// Paints texts at their places; those behind the camera are left out.
 void paintLabels(QPainter& painter, const QSizeF& widget, const SceneCamera& camera,
                  const std::vector<SceneLabel>& labels);
-/// Where x, y and z of the field point to, in the lower left corner.
+/// Paints the directions of the field's x, y and z in the lower left corner.
 void paintAxes(QPainter& painter, const QSizeF& widget, const SceneCamera& camera);
 
 }  // namespace widgets

@@ -19,7 +19,7 @@ using Eigen::Matrix4f;
 using Eigen::Vector3f;
 using Eigen::Vector4f;
 
-constexpr int kLargest = 8192;           // pixels in a row or column
+constexpr int kLargest = 8192;           // largest width and height in pixels
 constexpr float kShadowHeight = 0.003F;  // m above the ground
 
 Vector3f lampDirection() {
@@ -31,7 +31,7 @@ Vector3f rgb(const QColor& color) {
           static_cast<float>(color.blueF())};
 }
 
-/// Projects along the lamp's light onto the ground.
+/// The projection along the lamp's light onto the ground.
 Matrix4f shadowMatrix() {
   const Vector3f lamp = lampDirection();
   Matrix4f matrix = Matrix4f::Identity();
@@ -64,7 +64,7 @@ struct SceneRenderer::State {
     glGenVertexArrays(1, &nothing);
   }
 
-  /// Whether there is one of this size.
+  /// Sets `target` for the frame's size and number of samples. False: the driver supports none.
   bool chooseTarget(const SceneFrame& frame);
   GpuShape& uploaded(const std::shared_ptr<const SceneShape>& shape);
   void forgetUnused();
@@ -87,7 +87,7 @@ struct SceneRenderer::State {
   GlProgram sky, mesh, shadow, line;
   unsigned nothing = 0;  // a vertex array without attributes
   std::unique_ptr<GlTarget> plainTarget, smoothTarget;
-  GlTarget* target = nullptr;  // that of the frame
+  GlTarget* target = nullptr;  // the target of this frame
   std::map<const SceneShape*, GpuShape> shapes;
   std::unique_ptr<GlLines> grid;
   QColor gridColor;
@@ -223,7 +223,7 @@ void SceneRenderer::State::drawOpaque(const SceneFrame& frame) {
   glPolygonMode(GL_FRONT_AND_BACK, frame.wireFrame ? GL_LINE : GL_FILL);
   if (frame.wireFrame) mesh.set("lit", 0.F);
   Vector4f plain(0, 0, 0, 0), highlighted;
-  // White lines on a light sky would be lost.
+  // White lines would be invisible on a light sky.
   if (frame.wireFrame) plain << rgb(frame.colors.ink), 0.35F;
   highlighted << rgb(frame.colors.highlight), 0.35F;
   for (const SceneBody& body : frame.contents.bodies) {
@@ -238,7 +238,7 @@ void SceneRenderer::State::drawOpaque(const SceneFrame& frame) {
 void SceneRenderer::State::drawShadows(const SceneFrame& frame) {
   shadow.use();
   shadow.set("viewProjection", Matrix4f(viewProjection * shadowMatrix()));
-  // Each pixel is darkened once.
+  // The stencil makes each pixel be darkened only once.
   glEnable(GL_STENCIL_TEST);
   glStencilFunc(GL_EQUAL, 0, 0xFF);
   glStencilOp(GL_KEEP, GL_KEEP, GL_INCR);

@@ -1,12 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+// The shaders of SceneRenderer in GLSL 3.30. Matrices are stored as in Eigen (column-major). `projection`
+// turns the picture upside down, so that the row that is read first is the upper one.
 namespace widgets::shaders {
 
-// GLSL 3.30. All matrices are as Eigen stores them; `projection` turns the picture upside down, so that the
-// row which is read first is the upper one.
-
-/// A triangle over everything: the sky, from top to bottom.
+/// The sky: a triangle over the whole picture.
 inline constexpr char kSkyVertex[] = R"(#version 330 core
 out float height;
 void main() {
@@ -14,6 +13,7 @@ void main() {
   height = 0.5 - 0.5 * at.y;
   gl_Position = vec4(at, 0.0, 1.0);
 })";
+/// A gradient from `top` to `bottom`.
 inline constexpr char kSkyFragment[] = R"(#version 330 core
 in float height;
 uniform vec3 top;
@@ -21,8 +21,8 @@ uniform vec3 bottom;
 out vec4 color;
 void main() { color = vec4(mix(bottom, top, smoothstep(0.0, 1.0, height)), 1.0); })";
 
-/// Soft light from the whole sky, a lamp, a little shine. What lies flat has exactly its own colour. Light is
-/// calculated at the corners: on a processor, pixels are what costs.
+/// Meshes: soft light from the whole sky, a lamp, a weak specular reflection. Horizontal faces keep exactly
+/// their own color. Light is computed at the vertices, since in software pixels are expensive.
 inline constexpr char kMeshVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 layout(location = 1) in vec3 normal;
@@ -49,22 +49,24 @@ void main() {
   surface = vec4(mix(shaded, tint.rgb, tint.a), color.a * opacity);
   gl_Position = viewProjection * world;
 })";
+/// Meshes and lines: the interpolated color.
 inline constexpr char kPlainFragment[] = R"(#version 330 core
 in vec4 surface;
 out vec4 color;
 void main() { color = surface; })";
 
-/// Flattened onto the ground along the lamp's light.
+/// Shadows: meshes that `model` flattens onto the ground along the lamp's light.
 inline constexpr char kShadowVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 position;
 uniform mat4 model;
 uniform mat4 viewProjection;
 void main() { gl_Position = viewProjection * model * vec4(position, 1.0); })";
+/// A translucent black.
 inline constexpr char kShadowFragment[] = R"(#version 330 core
 out vec4 color;
 void main() { color = vec4(0.0, 0.0, 0.0, 0.30); })";
 
-/// Rectangles along lines, facing the camera.
+/// Lines: rectangles along the segments that face the camera; one instance per segment, four vertices each.
 inline constexpr char kLineVertex[] = R"(#version 330 core
 layout(location = 0) in vec3 from;
 layout(location = 1) in vec3 to;

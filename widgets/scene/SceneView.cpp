@@ -38,7 +38,7 @@ const ViewRegistration kSceneViewRegistration{
                        "The world in three dimensions, with what the robots draw into it"),
      "scene", true, create<SceneView>}};
 
-constexpr double kWheelsDistance = 4.5;  // m, from which a robot on wheels is seen well
+constexpr double kWheelsDistance = 4.5;  // m; distance from which a robot on wheels is seen well
 
 }  // namespace
 
@@ -167,7 +167,7 @@ void SceneView::connectCamera() {
     letGo();
     canvas_->setCamera(SceneCamera::fromAbove(canvas_->size(), box()));
   });
-  // One of the two at most.
+  // At most one of the two is checked.
   connect(behind_, &QAction::toggled, this, [this](bool on) {
     if (on) follow_->setChecked(false);
     ride();
@@ -276,7 +276,7 @@ void SceneView::letGo() {
 }
 
 void SceneView::follow() {
-  // What is dragged would run away from the mouse.
+  // Following would move the dragged model away from the mouse.
   if (drag_.active()) return;
   const auto pose = robotPose();
   if (!pose) return ride_.forget();
@@ -288,7 +288,6 @@ void SceneView::follow() {
   canvas_->setCamera(ride_.step(canvas_->camera(), subject, canvas_->overview()));
 }
 
-/// Of all that belongs to the field, or of the building whose map there is.
 SceneBox SceneView::box() const {
   if (mapBox_) return *mapBox_;
   const auto& field = context().field;
@@ -350,7 +349,7 @@ void SceneView::restoreState(const QJsonObject& state) {
   robots_->setChoice(state[QStringLiteral("robot")].toString());
   canvas_->setCamera(cameraOf(state[QStringLiteral("camera")].toObject()));
   if (state[QStringLiteral("overview")].toBool(true)) canvas_->setOverview(box());
-  // The camera stands where it stood to the robot.
+  // The camera keeps its pose relative to the robot.
   behind_->setChecked(state[QStringLiteral("behind")].toBool());
   follow_->setChecked(state[QStringLiteral("follow")].toBool(!behind_->isChecked()));
   ride_.forget();

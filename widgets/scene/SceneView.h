@@ -27,49 +27,63 @@ class RobotChoice;
 class SceneCanvas;
 struct SceneCamera;
 
-/// The world in three dimensions, with what the robots draw into it. The camera turns around, moves, zooms
-/// and follows a robot; robots and ball of a simulation can be placed with the mouse. Follows the session's
-/// time line.
+/// The world in three dimensions, with the robots' drawings. The camera orbits, pans, zooms and follows a
+/// robot; robots and ball of a simulation can be placed with the mouse. Follows the session's timeline.
+///
+/// Registered as "scene". GUI thread.
 class SceneView final : public View {
   Q_OBJECT
  public:
   explicit SceneView(ViewContext& context, QWidget* parent = nullptr);
   ~SceneView() override;
 
+  /// Shows the world at the shown instant and moves the camera along with a robot.
   void tick() override;
   QJsonObject saveState() const override;
   void restoreState(const QJsonObject& state) override;
 
-  /// Writes what is seen as PNG. False, with a message shown, if that fails.
+  /// Writes what is shown as PNG. False, with a message box, if that fails.
   bool savePicture(const QString& file);
 
  private:
   void createActions();
+  /// Actions for the camera: reset, from above, behind, follow, zoom.
   void createCameraActions();
   void createViews();
   QWidget* createToolRow();
   void connectSignals();
   void connectCamera();
+  /// Connects dragging of models with ModelDrag.
   void connectDrag();
 
+  /// Everything that the canvas shows.
   SceneContents contents(const std::vector<RobotBelief>& beliefs);
+  /// The dragged model at the pose to which it is dragged.
   std::vector<SceneBody> ghosts(const std::vector<SceneBody>& bodies) const;
   void showState(bool faded);
   void addNames(const std::vector<RobotBelief>& beliefs, std::vector<SceneLabel>& labels) const;
-  /// Takes the camera along with the robot.
+  /// Moves the camera along with the robot.
   void follow();
+  /// Chooses how the camera follows: beside or behind the robot.
   void ride();
+  /// Pose of the chosen robot; unset: unknown.
   std::optional<robotlink::Pose2> robotPose() const;
+  /// The field or the map, as a box.
   SceneBox box() const;
+  /// Reads the map that is shown.
   void followMap();
+  /// Stops following the robot, because the user chose another camera.
   void letGo();
   void showContextMenu(const QPoint& at);
 
   SceneState scene_;
   SceneAssembly assembly_;
   ModelDrag drag_;
+  /// Null: the world has none.
   std::shared_ptr<const robotcontrol::GroundMap> map_;
-  std::optional<SceneBox> mapBox_;  // of map_
+  /// Extent of map_.
+  std::optional<SceneBox> mapBox_;
+  /// The robots in the last tick.
   std::vector<RobotBelief> beliefs_;
   CameraRide ride_;
   DrawingsModel* drawings_ = nullptr;
