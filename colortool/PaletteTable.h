@@ -18,8 +18,7 @@ struct LightingRange {
   double usual = 0.75;
   /// Maximum distance of a color from its line, in values of Cb and Cr, caused by noise and by mixed pixels
   /// at edges.
-  double tolerance =
-      26;  ///< how far a colour may be off, in values of Cb and Cr, by noise and by mixing at edges
+  double tolerance = 26;
   /// Weight of a difference in Y relative to one in Cb or Cr.
   double brightnessWeight = 0.35;
   bool operator==(const LightingRange&) const = default;

@@ -17,8 +17,7 @@ struct DiscStroke {
   /// Name of the class, or kBackground for none of them.
   std::string colorClass;
   /// Center, in pixels of the image scaled to a width of kReferenceWidth; pixel centers are at whole numbers.
-  double x = 0,
-         y = 0;  ///< centre; pixels of an image that is kReferenceWidth wide, pixel centres at whole numbers
+  double x = 0, y = 0;
   /// In the same pixels.
   double radius = 0;
 

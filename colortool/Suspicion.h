@@ -57,11 +57,11 @@ struct Suspicion {
 /// that color can be. The image alone shows only some of them, and only for classes of things, not for those
 /// of ground and walls, which are everywhere (see isThingColor()):
 /// - specks: things are connected and, within useful distance, not tiny; the false colors of a table that
-/// generalizes too far are many small areas, mostly along edges, where colors mix;
+///   generalizes too far are many small areas, mostly along edges, where colors mix;
 /// - enclosed areas: a patch of one color inside a thing of another color is usually a misclassified part of
-/// that thing; carpet and lines may enclose things, so only colored classes count;
+///   that thing; carpet and lines may enclose things, so only colored classes count;
 /// - ambiguous pixels: another class, or none, had nearly as many votes, so that the next stroke may change
-/// them;
+///   them;
 /// - vast areas: a table that confuses the wall with a thing does so all over the image.
 /// A wrong area that is neither small nor vast, and whose colors are certain, looks like a thing and is not
 /// found.

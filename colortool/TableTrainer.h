@@ -44,7 +44,7 @@ class TableTrainer {
     /// Whether the stroke is still among the samples; used by follow().
     bool current = true;
   };
-  /// Whether classes, settings and corrections still allow an incremental update.
+  /// Whether number of classes and corrections are unchanged, so that an incremental update is possible.
   bool sameGround(const Samples& samples) const;
   /// Adds new strokes to the votes and removes those that are gone.
   void follow(const Samples& samples);
