@@ -6,7 +6,7 @@
 
 namespace logplayer::mcap {
 
-/// What a reader consists of. Members refer to each other: it stays where it was made.
+/// The members of a Reader. They refer to each other, so that the object must not move.
 struct Reader::Implementation {
   Implementation(Source from, Options choices, FileIndex found)
       : options(std::move(choices)),
@@ -19,15 +19,18 @@ struct Reader::Implementation {
     listChunks();
   }
 
+  /// Fills chunks from the index.
   void listChunks();
-  /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True:
-  /// the index is another one now.
+  /// If the summary has turned out to be inconsistent with the file, replaces the index by that of a scan; at
+  /// most once. Returns whether the index was replaced.
   bool refit();
-  /// Null: there is none at this place of the file.
+  /// Null if no section begins at this offset.
   const Section* sectionAt(std::uint64_t offset);
+  /// Advances a walk, and repeats the step if the index had to be replaced.
   std::optional<MessagePosition> step(Walk& walk, const MessagePosition& than,
                                       const std::vector<std::uint16_t>& channelIds);
   robotlink::Result<MessageData> read(const MessagePosition& position);
+  /// An error with the place in the file.
   tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
                                            const std::string& what) const {
     return robotlink::failure(id, what + " (at byte " + std::to_string(offset) + ")",
@@ -38,12 +41,17 @@ struct Reader::Implementation {
   Source source;
   FileIndex index;
   SectionCache cache;
+  /// Positions of next() and previous().
   Walk forward, backward;
-  Walk newest;  // for latest(), so that it does not disturb previous()
+  /// For latest(), so that it does not disturb previous().
+  Walk newest;
   std::vector<ChunkInfo> chunks;
+  /// Empty until it is read.
   std::optional<std::vector<Metadata>> metadata;
+  /// Whether refit() was tried.
   bool refitted = false;
-  std::size_t lastSection = 0;  // that was asked for
+  /// The last result of sectionAt(), where the search begins.
+  std::size_t lastSection = 0;
 };
 
 }  // namespace logplayer::mcap
