@@ -22,7 +22,7 @@ class ChunkBuilder {
   bool empty() const { return records_.empty(); }
   /// Number of messages in the chunk.
   std::uint64_t messages() const { return messages_; }
-  /// Times of the earliest and the latest message; meaningless without messages.
+  /// Times of the earliest and the latest message; 0 without messages.
   Instant start() const { return start_; }
   Instant end() const { return end_; }
   /// The encoded, uncompressed records. Valid until the next change.

@@ -68,7 +68,7 @@ class Reader {
     Compression compression = Compression::kNone;
     std::uint64_t compressedBytes = 0;
     std::uint64_t uncompressedBytes = 0;
-    /// Number of messages, if the file has indexes for the chunk.
+    /// Number of messages, as far as known.
     std::uint64_t messages = 0;
   };
 

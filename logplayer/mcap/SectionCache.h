@@ -47,7 +47,7 @@ class SectionCache {
  private:
   /// Corrects the times of a section in the index by those of its messages.
   void correctTimes(Section& section, const MessageList& list);
-  /// Adds a section to the index's damage, unless it is there.
+  /// Adds a section to the index's damage, unless it was added before, and doubts the summary.
   void noteDamage(std::size_t section, const std::string& what);
   /// Verifies that a section is where the summary says, and sets misfit_ otherwise.
   void doubt(const Section& section);
