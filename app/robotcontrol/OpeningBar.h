@@ -12,20 +12,21 @@ namespace app {
 class CommandActions;
 class Workbench;
 
-/// How far the opening of a log is, with a button that gives it up. Hidden while none is opened, and for what
-/// takes no longer than a moment. GUI thread.
+/// Shows the progress of opening a log, with a button that cancels it. Visible only if opening takes longer
+/// than a moment. GUI thread; the workbench must outlive its use.
 class OpeningBar : public QWidget {
   Q_OBJECT
  public:
   OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* parent);
-  /// Called after each tick.
+  /// Updates the progress; called after each tick.
   void refresh();
 
  private:
   Workbench& workbench_;
   QProgressBar* progress_;
   QToolButton* cancel_;
-  int ticks_ = 0;  // for which something has been opened
+  /// Number of ticks for which something has been opening.
+  int ticks_ = 0;
 };
 
 }  // namespace app

@@ -24,9 +24,9 @@ struct ArcosOptions {
   std::string teams = "both";
   /// Number of robots to add; see robotsFor() for the default.
   int robots = 0;
-  /// Whether robots on wheels are moved without physics.
+  /// Whether robots on wheels are moved by their odometry instead of by forces.
   bool kinematic = false;
-  /// Whether all sonars report in each cycle instead of in turns.
+  /// Whether all sonars report with each information packet, instead of in turns.
   bool allSonars = false;
   /// TCP port of the first robot; the following robots use the following ports.
   std::uint16_t port = 8101;

@@ -14,7 +14,7 @@ struct RunRobotArguments {
   std::string url;
   /// A file, or the name of a shipped layout; empty: the default of the robot's kind.
   std::string layout;
-  /// File of the map for localization; empty: none.
+  /// Map file (.map) of the building in which the robot drives; empty: none.
   std::string map;
   /// Name of the robot.
   std::string robot = "p3at1";
@@ -22,7 +22,7 @@ struct RunRobotArguments {
   std::map<std::string, std::string> solutions;
   /// Duration; 0: until interrupted.
   double seconds = 0;
-  /// Whether the motors are switched on at once.
+  /// Whether the motors are switched on as soon as the robot is connected.
   bool motorsOn = false;
   /// Whether the figures are printed as JSON.
   bool asJson = false;
@@ -31,7 +31,8 @@ struct RunRobotArguments {
   RecordOptions record;
 };
 
-/// Whether a platform's name is the address of a robot: tcp://... or serial://...
+/// Whether a platform's name is the address of a robot: tcp://..., serial://..., or a short form that
+/// robotlink::arcos::parseUrl() accepts, such as a device in /dev.
 bool isRobotAddress(const std::string& platform);
 
 /// Connects to a robot and runs its program until the time is over or the user presses Ctrl-C; reports the
