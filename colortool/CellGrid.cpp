@@ -13,7 +13,7 @@ constexpr int kSide = ColorTable::kCells;
 constexpr std::size_t kMostParts = 8;
 static_assert(CellGrid::kMostCells == 2 * kSide);
 
-/// The cells of the grid that a cell of the table covers along one axis.
+/// The range of cells of the grid, along one axis, that one cell of the table covers.
 struct Stretch {
   int begin, end;
 };
@@ -22,7 +22,7 @@ Stretch stretchOf(int cell, int side) {
   return {begin, std::max(begin + 1, (cell + 1) * side / kSide)};
 }
 
-/// Of sorted classes the most frequent.
+/// The most frequent class of a sorted list; see RegriddedCells::mixedCells for ties.
 std::uint8_t mostFrequent(std::span<const std::uint8_t> sorted) {
   std::uint8_t best = ColorClasses::kNone;
   std::ptrdiff_t most = 0;
@@ -37,7 +37,7 @@ std::uint8_t mostFrequent(std::span<const std::uint8_t> sorted) {
   return best;
 }
 
-/// Goes over the table's cells.
+/// Computes the class of each cell of the table.
 class Regridder {
  public:
   explicit Regridder(const CellGrid& grid) : grid_(grid) {}

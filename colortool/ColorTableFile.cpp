@@ -12,7 +12,7 @@ using robotlink::Result;
 namespace {
 
 constexpr std::size_t kLengthBytes = 4;
-/// Every cell its own run.
+/// The maximum size: every cell is a run of its own.
 constexpr std::size_t kMaximumFileBytes = ColorTableFile::kCellCount * (kLengthBytes + 1) + kLengthBytes;
 
 std::uint32_t lengthAt(std::string_view bytes, std::size_t offset) {

@@ -40,7 +40,7 @@ std::optional<robotlink::Rgb> color(std::string_view text) {
                         static_cast<std::uint8_t>(value & 0xFFU)};
 }
 
-/// Reads a file of classes line by line.
+/// Parses a file of classes line by line.
 class Parser {
  public:
   explicit Parser(const std::string& file) : file_(file) {}
@@ -181,7 +181,7 @@ Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
     return named;
   const auto saved = file.save(table);
   if (saved) return saved;
-  // The old table, if there was one, keeps its names.
+  // The previous table, if there was one, keeps its names.
   if (before)
     static_cast<void>(robotlink::writeFileAtomically(beside, *before));
   else

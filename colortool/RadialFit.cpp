@@ -10,25 +10,25 @@ namespace colortool {
 namespace {
 
 constexpr int kIterations = 12;
-/// Of r^2 within the groups; over a whole image it is 0.2.
+/// Minimum standard deviation of r^2 within the groups; over a whole image it is 0.2.
 constexpr double kLeastDeviation = 0.12;
 constexpr double kLeastFreedom = 4;
-/// Residuals above so many standard deviations count less.
+/// Residuals above this number of standard deviations get less weight.
 constexpr double kHuber = 1.5;
-/// By how much the sum of squares must fall, in variances: chance does that once in a thousand times.
+/// Minimum decrease of the sum of squares, in variances; by chance it occurs once in a thousand times.
 constexpr double kLeastGain = 14;
-/// The shade of an image's corners stays above this while it is being fitted.
+/// Minimum shade of the corners during the fit.
 constexpr double kDarkest = 0.15;
 
 struct Limits {
-  double noise;    ///< no sample is known better
-  double typical;  ///< coefficients of this size are nothing unusual
+  double noise;    ///< minimum standard deviation of a sample
+  double typical;  ///< typical size of coefficients
 };
 Limits limitsOf(RadialModel model) {
   return model == RadialModel::kShade ? Limits{0.005, 0.5} : Limits{0.3, 15};
 }
 
-/// A sample against the model at some coefficients.
+/// The residual of a sample and its derivatives at some coefficients.
 struct Equation {
   std::size_t group;
   double weight;
@@ -40,8 +40,8 @@ double curve(const Eigen::Vector2d& c, double squaredRadius) {
   return (c[0] + c[1] * squaredRadius) * squaredRadius;
 }
 
-/// Takes the weighted mean of each group away from its equations: what is left does not depend on the group's
-/// own mean.
+/// Subtracts the weighted mean of each group from its equations: the rest is independent of the group's own
+/// mean.
 void center(std::vector<Equation>& equations) {
   struct Sums {
     double weight = 0, residual = 0;
@@ -86,12 +86,12 @@ double freedomOf(std::span<const RadialSample> samples) {
     groups.push_back(sample.group);
   }
   std::ranges::sort(groups);
-  // Not std::ranges::unique, with which clang 14 cannot read the standard library.
+  // std::ranges::unique() does not compile with clang 14 and this standard library.
   const auto different = std::unique(groups.begin(), groups.end()) - groups.begin();
   return sum - static_cast<double>(different);
 }
 
-/// Of most of the residuals.
+/// A robust estimate of the standard deviation of the residuals.
 double deviationOf(const std::vector<Equation>& equations) {
   std::vector<double> sizes;
   sizes.reserve(equations.size());
@@ -107,7 +107,7 @@ double squares(const std::vector<Equation>& equations) {
   return sum;
 }
 
-/// Whether the samples of the groups are at different distances from the centre, and enough of them.
+/// Whether there are enough samples at different distances from the center.
 bool isWideEnough(std::span<const RadialSample> samples) {
   const double freedom = freedomOf(samples);
   if (freedom < kLeastFreedom) return false;
@@ -118,7 +118,7 @@ bool isWideEnough(std::span<const RadialSample> samples) {
   return std::sqrt(sum / freedom) >= kLeastDeviation;
 }
 
-/// Shorter, so that no corner becomes darker than can be.
+/// Scales the coefficients down until no corner becomes darker than kDarkest.
 Eigen::Vector2d limited(const Eigen::Vector2d& c, RadialModel model) {
   const double corner = 1 + c.sum();
   return model == RadialModel::kShade && corner < kDarkest ? c * (1 - kDarkest) / (1 - corner) : c;

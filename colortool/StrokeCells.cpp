@@ -7,10 +7,10 @@
 namespace colortool {
 namespace {
 
-/// From so many pixels on it is quicker to count in all cells than to sort.
+/// From this number of pixels on, counting in an array of all cells is faster than sorting.
 constexpr std::size_t kManyPixels = 4096;
 
-/// Of each pixel of the stroke, in its order.
+/// The cell of each pixel of the stroke, in their order.
 std::vector<std::uint32_t> cellsOfPixels(const Samples& samples, const Stroke& stroke) {
   const SampleImage* image = samples.image(stroke.image);
   const ColorCorrection correction =

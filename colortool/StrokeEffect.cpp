@@ -7,7 +7,7 @@ namespace colortool {
 namespace {
 
 constexpr double kLeastOfAll = 0.001;
-/// So much of a stroke must be uncontested for the rest to be outliers.
+/// Minimum share of uncontested pixels for the contested ones to be outliers.
 constexpr double kLeastUncontested = 0.1;
 
 std::size_t indexOf(std::size_t from, std::size_t to) {

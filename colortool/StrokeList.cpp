@@ -21,7 +21,7 @@ constexpr std::size_t kMostErrors = 20;
 
 struct Field {
   std::string_view text;
-  int column = 1;  // in the line, from 1
+  int column = 1;  // counts from 1
 };
 
 std::string_view trimmed(std::string_view text) {
@@ -40,7 +40,7 @@ std::vector<Field> fieldsOf(std::string_view line) {
   }
 }
 
-/// Reads a list line by line.
+/// Parses a list line by line.
 class Parser {
  public:
   explicit Parser(const std::string& file) : file_(file) {}

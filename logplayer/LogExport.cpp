@@ -33,7 +33,7 @@ const char* levelText(foxglove::Log::Level level) {
   }
 }
 
-/// Lines behind the first are indented, and what would act on a terminal is not printed.
+/// Indents further lines, and replaces control characters that would affect a terminal.
 std::string printable(const std::string& text) {
   std::string result;
   for (const char c : text) {

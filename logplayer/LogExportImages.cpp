@@ -23,7 +23,7 @@ bool isImage(const LogFile::Stream& stream) {
          stream.holds(foxglove::CompressedImage::descriptor()->full_name());
 }
 
-/// Whether it would be images if its encoding were read.
+/// Whether a stream contains images in an unsupported encoding.
 bool isUndecodedImage(const LogFile::Stream& stream) {
   return !stream.isDecoded() && (stream.type == foxglove::RawImage::descriptor()->full_name() ||
                                  stream.type == foxglove::CompressedImage::descriptor()->full_name());

@@ -19,7 +19,8 @@ using robotlink::Instant;
 
 namespace {
 
-/// What a frame told may lie before its end, and so in the part before.
+/// The tolerated overlap: messages of a frame may be older than its end, and thus belong to the previous
+/// part.
 Duration toleranceOf(const LogPart& part) {
   return std::min<Duration>(std::chrono::seconds(1), (part.end() - part.begin()) / 20);
 }
@@ -29,7 +30,7 @@ std::string typeOf(Reader& reader, const mcap::Channel& channel) {
   return schema == reader.schemas().end() ? std::string() : schema->second.name;
 }
 
-/// A robot's set-up as it is told first, or last.
+/// The first or the last setup of a robot's program.
 std::optional<ProgramSetup> setupOf(Reader& reader, const std::string& robot, bool last) {
   std::vector<std::uint16_t> channels;
   for (const auto& [id, channel] : reader.channels()) {

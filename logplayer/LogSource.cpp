@@ -15,9 +15,9 @@ using mcap::Reader;
 using robotlink::Instant;
 using robotlink::Result;
 
-// How far what a frame told may lie from its FrameInfo.
+// Maximum distance of a frame's messages from its FrameInfo.
 constexpr robotlink::Duration kFrameSpan = std::chrono::seconds(1);
-// Frames of a process that may be open at a time, should their messages be told in turns.
+// Maximum number of incomplete frames of a process, in case their messages are interleaved.
 constexpr std::size_t kOpenFrames = 8;
 
 std::string robotOf(const std::string& path) {
@@ -109,7 +109,7 @@ void LogSource::choose(std::optional<Instant> from, std::optional<Instant> to, c
       process->second->ends = notExcluded.has(process->second->frames);
     }
   }
-  // FrameInfos tell which frames are whole, even if they are not copied.
+  // FrameInfos show which frames are complete, even if they are not copied.
   for (const auto& [id, process] : processOf_) {
     const bool frameInfo = reader_->channels().at(id).topic == process->frames;
     if (frameInfo && std::find(channels_.begin(), channels_.end(), id) == channels_.end())
@@ -149,7 +149,7 @@ std::optional<LogUnit> LogSource::next() {
     const auto position = reader_->next(before_, channels_);
     if (!position || (to_ && *to_ + kFrameSpan < position->time)) {
       atEnd_ = true;
-      // What goes on behind the range is no loss.
+      // A frame that continues after the range is no loss.
       if (!position && !to_) {
         for (Process& process : processes_) forgetOpenFrames(process, 0);
       }

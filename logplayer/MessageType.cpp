@@ -20,7 +20,8 @@ using google::protobuf::Message;
 
 namespace {
 
-/// A file from anywhere may hold anything: nothing is printed, the failure is the answer.
+/// Suppresses error messages: files of unknown origin may contain anything, and the result says whether the
+/// type was built.
 class Silence final : public DescriptorPool::ErrorCollector {
  public:
   void AddError(const std::string&, const std::string&, const Message*, ErrorLocation,
@@ -38,7 +39,7 @@ struct MessageType::Dynamic {
   const Message* prototype(const std::string& name);
   bool build(const std::string& file);
 
-  std::map<std::string, FileDescriptorProto> files;  // that are not built yet
+  std::map<std::string, FileDescriptorProto> files;  // not built yet
   Silence silence;
   DescriptorPool pool;
   google::protobuf::DynamicMessageFactory factory{&pool};
@@ -51,7 +52,8 @@ MessageType::Dynamic::Dynamic(FileDescriptorSet set) {
   }
 }
 
-/// With what it imports, whatever the order in the set. Each file is tried once, so circles end.
+/// Builds a file and its imports, whatever their order in the set. Each file is tried once, so that cycles
+/// end.
 bool MessageType::Dynamic::build(const std::string& name) {
   if (pool.FindFileByName(name) != nullptr) return true;
   const auto found = files.find(name);
@@ -100,7 +102,7 @@ void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sampl
     const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
     if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
   }
-  // One that is called like a type of this program, but is another one.
+  // A type with the name of one of this program's types, but another structure.
   if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr)
     name_ = json_->name();
 }

@@ -11,7 +11,7 @@ using robotlink::PixelFormat;
 using robotlink::Result;
 
 constexpr std::size_t kMaximumPixels = 4U << 20U;
-/// Bytes of a pixel: Y0 Cb Y1 Cr of two neighbours in a row of the camera.
+/// Bytes per pixel of the log: Y0 Cb Y1 Cr of two neighboring pixels in a row of the camera.
 constexpr std::size_t kQuad = 4;
 
 struct ImageHeader {
@@ -37,9 +37,9 @@ Result<ImageHeader> readHeader(PayloadReader& payload) {
   return header;
 }
 
-/// The robot's program took the second Y of each quadruple for its pixel and saw every second of the camera's
-/// rows; so does this, that its colour tables hold and pixels are square. Two pixels of a Yuyv image share
-/// the mean of their Cb and Cr.
+/// The robot's program used the second Y of each quadruple for its pixel and every second row of the camera.
+/// This does the same, so that the robot's color tables remain valid and pixels are square. Two pixels of a
+/// Yuyv image share the mean of their Cb and Cr.
 Image fromQuads(const ImageHeader& header, std::span<const std::uint8_t> quads) {
   Image image(header.width, header.height, PixelFormat::kYuyv);
   for (std::size_t at = 0, to = 0; at + 2 * kQuad <= quads.size(); at += 2 * kQuad, to += 4) {
@@ -67,8 +67,9 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   PayloadReader reader(payload);
   const auto header = readHeader(reader);
   if (!header) return tl::unexpected(header.error());
-  reader.skip(sizeof(std::int32_t));  // the JPEG's size: the rest
-  // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
+  reader.skip(sizeof(std::int32_t));  // the size of the JPEG, which is the rest
+  // According to its header it is an inverted CMYK image of Adobe, but the components are those of a
+  // quadruple, not inverted.
   auto jpeg = decodeJpegComponents(reader.rest(), kMaximumPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
   if (jpeg->width != header->width || jpeg->height != header->height ||

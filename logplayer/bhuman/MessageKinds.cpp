@@ -6,7 +6,7 @@
 namespace logplayer::bhuman {
 namespace {
 
-/// By id. The first 23 are data and belong into logs, then come those of team communication and of debugging.
+/// Indexed by id. The first 23 are data for logs; the others belong to team communication and debugging.
 constexpr std::array kNames = {"undefined",
                                "ProcessBegin",
                                "ProcessFinished",

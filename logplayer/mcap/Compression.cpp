@@ -79,7 +79,7 @@ struct Decompressor::Context {
       out = out.subspan(outBytes);
       in = in.subspan(inBytes);
       if (wanted == 0) return out.empty() && in.empty();
-      if (outBytes == 0 && inBytes == 0) return false;  // it wants more of one or the other
+      if (outBytes == 0 && inBytes == 0) return false;  // it needs more input or more output
     }
   }
 
@@ -93,15 +93,16 @@ Decompressor::Decompressor() : context_(std::make_unique<Context>()) {}
 Decompressor::~Decompressor() = default;
 
 bool Decompressor::canYield(Compression compression, Bytes records, std::uint64_t bytes) {
-  constexpr std::uint64_t kLz4Most = 255;          // a byte that lengthens a match
-  constexpr std::uint64_t kZstdMost = 128U << 8U;  // a repeated byte, with its block's head of three
+  constexpr std::uint64_t kLz4Most = 255;  // one byte extends a match by up to 255
+  // A block of a repeated byte with its header of three bytes.
+  constexpr std::uint64_t kZstdMost = 128U << 8U;
   switch (compression) {
     case Compression::kLz4:
       return bytes / kLz4Most <= records.size();
     case Compression::kZstd: {
       const unsigned long long told = ZSTD_getFrameContentSize(records.data(), records.size());
       if (told == ZSTD_CONTENTSIZE_ERROR) return false;
-      // The frame may be followed by others.
+      // Other frames may follow.
       return (told == ZSTD_CONTENTSIZE_UNKNOWN || told <= bytes) && bytes / kZstdMost <= records.size();
     }
     case Compression::kNone:

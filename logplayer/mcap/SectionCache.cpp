@@ -97,7 +97,7 @@ std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
   return shared;
 }
 
-/// Nothing guards the times in a chunk's head.
+/// No CRC protects the times in a chunk's head.
 void SectionCache::correctTimes(Section& section, const MessageList& list) {
   const Reader::ChunkInfo before = section.info;
   for (const MessageList::Entry& entry : list.entries()) {
