@@ -17,7 +17,7 @@ constexpr double kReach = 3, kShadeReach = 2.3;
 constexpr double kShadeWidth = 1.5, kShadeLength = 2;
 /// Standard deviation of the gray guard, in cells of Cb and Cr.
 constexpr double kGuardWidth = 2;
-/// N samples of a class in a cell count as n^kExponent.
+/// A number n of samples of a class in a cell counts as n^kExponent.
 constexpr double kExponent = 0.7;
 /// Maximum number of pixels of one class in one cell that count.
 constexpr std::int64_t kMostPixels = 1024;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the main window connects robots.
+// MainWindow: connecting real robots.
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "robotlink/base/Resources.h"
@@ -9,7 +9,7 @@
 namespace app {
 namespace {
 
-/// The layouts that a Pioneer's program can run in, by their names.
+/// The names of the layouts for Pioneers.
 std::vector<std::pair<QString, QString>> pioneerLayouts() {
   std::vector<std::pair<QString, QString>> layouts;
   const auto description = robotlink::readRobotDescription(robotlink::resource("robots/p3at.yaml"));

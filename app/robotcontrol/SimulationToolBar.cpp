@@ -33,7 +33,8 @@ void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
   }
 }
 
-/// Shows a file, as an item of its own if it is none of the shipped ones; no file: the box's placeholder.
+/// Selects a file, which is added if it is not among the shipped ones; without a file the placeholder is
+/// shown.
 void selectFile(QComboBox* box, const std::filesystem::path& file) {
   if (file.empty()) return box->setCurrentIndex(-1);
   const QString path = QString::fromStdString(file.string());
@@ -102,7 +103,7 @@ void SimulationToolBar::createBoxes() {
   auto* stop = new QToolButton(this);
   stop->setObjectName(QStringLiteral("stopButton"));
   stop->setDefaultAction(stop_);
-  stop->setToolButtonStyle(Qt::ToolButtonTextOnly);  // the icon's color would be the palette's
+  stop->setToolButtonStyle(Qt::ToolButtonTextOnly);  // the icon would have the color of the palette
   stop->setStyleSheet(widgets::stopStyle(QStringLiteral("QToolButton")));
   addWidget(stop);
 }
@@ -125,7 +126,7 @@ void SimulationToolBar::connectSignals() {
           [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
 }
 
-/// Those that at least one of the robots can be run in.
+/// The layouts in which at least one of the robots can run.
 void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
   layout_->clear();
   std::set<std::string> kinds;
@@ -140,7 +141,7 @@ void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
 void SimulationToolBar::showLoaded() {
   const auto* loaded = workbench_.loaded();
   if (loaded == nullptr) return;
-  // A log has a toolbar of its own to play it, and a real robot's time cannot be stopped.
+  // Logs have a toolbar of their own, and the time of a real robot cannot be stopped.
   for (QAction* action : ofSimulation_) action->setVisible(loaded->logs.empty() && !loaded->pioneer);
   selectFile(scene_, loaded->simulation ? loaded->simulation->scene : std::filesystem::path());
   layout_->setPlaceholderText(loaded->logs.empty() ? tr("none") : tr("of the log"));

@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-/// s without a word of its base, which speaks ten times a second, until a robot counts as silent.
+/// Seconds without a packet from its base, which sends ten per second, until a robot counts as silent.
 constexpr double kSilence = 1.5;
 
 QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int characters) {

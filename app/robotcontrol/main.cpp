@@ -20,11 +20,11 @@ struct Arguments {
   std::vector<std::string> files;
   std::string layout;
   std::string map;
-  std::string robot;  ///< model of those that are put into the world; empty: see simcore::RobotsToAdd
+  std::string robot;  ///< model of the robots to add; empty: see simcore::RobotsToAdd
   std::string teams = "both";
-  int robots = -1;  ///< put into the world; negative: one into a map, none elsewhere
+  int robots = -1;  ///< number of robots to add; negative: one to a map, else none
   bool kinematic = false;
-  int port = 0;  ///< of the first robot; 0: none
+  int port = 0;  ///< TCP port of the first robot; 0: none
   std::uint64_t seed = 1;
   bool paused = false;
   std::string perspective;
@@ -82,7 +82,8 @@ bool isScene(const std::string& file) {
   return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
 }
 
-/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+/// Whether an argument is the address of a robot: "tcp://localhost:8101", or in short "localhost:8101" and
+/// "/dev/ttyUSB0".
 bool isRobot(const std::string& file) {
   if (file.starts_with("tcp://") || file.starts_with("serial://")) return true;
   std::error_code ignored;
@@ -99,7 +100,8 @@ bool opensLogs(const Arguments& arguments) {
   return !arguments.files.empty() && !connectsRobot(arguments) && !isScene(arguments.files.front());
 }
 
-/// Empty: the one that was shown last. Who opens a map, a Pioneer or a log wants to see what belongs to it.
+/// The perspective to show at the start; empty: the one of the last run. Maps, Pioneers and logs are shown in
+/// perspectives that fit them.
 std::string perspectiveOf(const Arguments& arguments) {
   if (!arguments.perspective.empty() || arguments.files.empty()) return arguments.perspective;
   if (opensLogs(arguments)) return "Log";
@@ -126,7 +128,7 @@ app::RunOptions simulationOf(const Arguments& arguments) {
   return options;
 }
 
-/// Starts what the command line asks for. False: it makes no sense.
+/// Loads what the command line asks for. Returns false if that is invalid.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
   if (connectsRobot(arguments)) {
     app::PioneerOptions options{.url = arguments.files.front()};
@@ -157,8 +159,8 @@ bool load(app::Workbench& workbench, const Arguments& arguments) {
   return true;
 }
 
-/// Starts the simulation that is being loaded, and runs what was asked for on the command line, one after the
-/// other, each when what the one before opens is there.
+/// Starts the simulation when it is loaded, then runs the commands of the command line one after the other,
+/// each after everything that the previous one opens is loaded.
 class Script : public QObject {
  public:
   Script(app::Workbench& workbench, const Arguments& arguments, QObject* parent)
@@ -204,8 +206,7 @@ const char* wordFor(QtMsgType type) {
   return "Qt error";
 }
 
-/// What Qt has to complain about goes to the terminal. Without a display it says of each window what it
-/// cannot do with it; nobody wants to know.
+/// Prints messages of Qt to stderr, except for warnings about what windows cannot do without a display.
 void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QString& text) {
   if (text.startsWith(QLatin1String("This plugin does not support"))) return;
   std::cerr << "robotcontrol: " << wordFor(type) << ": " << text.toStdString();
@@ -215,7 +216,7 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QStr
   if (type == QtFatalMsg) std::abort();
 }
 
-/// The offscreen plugin knows no desktop whose font size it could take.
+/// Sets a usual font size, since the offscreen plugin has no desktop from which to take it.
 void useFontOfDesktops() {
   if (QGuiApplication::platformName() != QLatin1String("offscreen")) return;
   QFont font = QApplication::font();
@@ -253,7 +254,7 @@ int run(const Arguments& arguments) {
   return status;
 }
 
-/// The program; its arguments are those of main().
+/// The program without the handling of exceptions; the arguments are those of main().
 int start(int argc, char** argv) {
   Arguments arguments;
   CLI::App parser("RobotControl, a workbench for debugging the control programs of robots", "robotcontrol");

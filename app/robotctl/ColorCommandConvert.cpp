@@ -24,7 +24,7 @@ const TableFormatName* findFormat(const std::string& name) {
   return found == colortool::tableFormats().end() ? nullptr : &*found;
 }
 
-/// Says what the new table lacks.
+/// Reports to stderr what the new table lacks.
 int tellLosses(const std::string& file, const colortool::ImportedTable& imported) {
   if (imported.mixedCells != 0)
     std::cerr

@@ -25,7 +25,7 @@ struct EvaluateArguments {
   bool json = false;
 };
 
-/// Background that is sorted into one of these is what a robot stumbles over.
+/// The classes that are harmful to a robot if background is classified as one of them.
 std::vector<std::uint8_t> falseClasses(const ColorClasses& classes) {
   std::vector<std::uint8_t> numbers;
   for (const char* name : {"orange", "blue", "yellow", "red"}) {
@@ -74,7 +74,7 @@ void printText(const Evaluation& evaluation, const ColorClasses& classes) {
               100 * evaluation.falseColor(falseClasses(classes)));
 }
 
-/// The labels are those of the log that the images are of.
+/// Whether the labels are in the log that also contains the images.
 bool inLog(const EvaluateArguments& arguments) {
   std::error_code error;
   return std::filesystem::is_regular_file(arguments.labels, error);
@@ -92,7 +92,7 @@ Result<std::optional<robotlink::Image>> labelsOf(const ColorImages& images, cons
   return std::move(*labels);
 }
 
-/// Adds an image if it has labels. How many images were added.
+/// Adds an image, if it has labels. Returns the number of images added.
 Result<int> add(const ColorImages& images, const std::string& name, const EvaluateArguments& arguments,
                 const colortool::ColorTable& table, Evaluation& evaluation) {
   const auto labels = labelsOf(images, name, arguments);
@@ -108,7 +108,7 @@ Result<int> add(const ColorImages& images, const std::string& name, const Evalua
   return 1;
 }
 
-/// What the labels' numbers stand for: what was said, or else what stands beside the labels.
+/// The classes of the labels' numbers: those of the option, or else those of the file beside the labels.
 tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArguments& arguments) {
   if (inLog(arguments) && arguments.labelClasses.empty()) return TrueClasses::classes();
   const std::filesystem::path file = std::filesystem::path(arguments.labels) / kLabelClassesFile;
@@ -138,7 +138,7 @@ int run(const EvaluateArguments& arguments) {
           {},
           {arguments.labels, 0, 0}}});
   }
-  // Classes are the same by their names; labels and table may number them each in its way.
+  // Classes are matched by name, since labels and table may have different numbers.
   const ColorClasses classes = unite(*labelled, named->classes);
   const auto table =
       colortool::ColorTable::translated(named->file.singleClasses(), classNumbers(named->classes, classes));

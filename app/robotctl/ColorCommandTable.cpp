@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done with tables alone.
+// The commands that need only tables, without images.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>

@@ -18,7 +18,7 @@ struct LayoutArguments {
   std::string robot = "ers210";
 };
 
-/// Reads and checks; then gives a usable layout to `use`.
+/// Reads and checks a layout; if it is valid, passes it to `use`.
 template <typename Use>
 int withLayout(const LayoutArguments& arguments, Use use) {
   const auto robot =

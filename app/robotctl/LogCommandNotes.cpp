@@ -53,7 +53,7 @@ void print(const Bookmarks& bookmarks, bool asJson) {
   if (asJson) std::cout << all.dump(2, ' ', false, json::error_handler_t::replace) << "\n";
 }
 
-/// Adds the one that is asked for; "usage" if the times make no sense.
+/// Adds the requested bookmark; fails with "usage" if the times are invalid.
 Result<void> add(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
   const auto range = arguments.range.of(arguments.file);
   if (!range) return tl::unexpected(range.error());

@@ -51,7 +51,7 @@ struct SimArguments {
   RecordOptions record;
 };
 
-/// "task=solution" pairs into the options; false and a message if one is none.
+/// Parses "task=solution" pairs; prints an error and returns false if one is invalid.
 bool takeSolutions(SimArguments& arguments) {
   for (const std::string& text : arguments.solutions) {
     const auto equals = text.find('=');
@@ -88,8 +88,8 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
   return listeners;
 }
 
-/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
-/// recording: nothing is in a hurry here.
+/// Steps to the end; returns false if a signal arrives before. The run waits for the recording, and that for
+/// the disk, since nothing here is in a hurry.
 bool play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
   Pace pace;
   pace.setSpeed(arguments.speed);
@@ -109,7 +109,7 @@ bool play(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder*
   return true;
 }
 
-/// Says what became of the labelled images, if there are any.
+/// Reports the result of writing labeled images, if there are any.
 int finishImages(const LabelledImages* images, const std::string& folder) {
   if (images == nullptr) return kDone;
   if (!images->outcome()) return printErrors({images->outcome().error()});
@@ -123,7 +123,7 @@ int runOnce(const SimArguments& arguments) {
   if (!images) return printErrors({images.error()});
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
-  // Until something is in it.
+  // Removes the file of the recording if the program ends before anything is recorded.
   std::optional<robotlink::UnfinishedFile> unfinished;
   if (*recorder) unfinished.emplace(arguments.record.file);
   auto run = SimulatedRun::create(arguments.run, listenersFor(arguments, images->get()), recorder->get());
@@ -188,7 +188,7 @@ int runTrials(const SimArguments& arguments) {
   return results->size() < static_cast<std::size_t>(arguments.trials) ? kFailed : kDone;
 }
 
-/// Robots that are driven from outside, without programs of their own.
+/// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
       !arguments.solutions.empty()) {
@@ -224,7 +224,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
-  // Nobody waits for threads: they need the time that a real robot would give them.
+  // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
