@@ -21,7 +21,7 @@ std::string freeClassName(const ColorClasses& classes);
 
 /// Appends a class. Fails on an invalid or used name, and if there are ColorClasses::kMost classes already.
 robotlink::Result<Samples> withNewClass(Samples samples, NamedColor added);
-/// Fails on an invalid or used name.
+/// Fails on an invalid name, and on one that another class has.
 robotlink::Result<Samples> withRenamedClass(Samples samples, int colorClass, const std::string& name);
 /// Changes the color in which views show a class; the table is not affected.
 Samples withRecoloredClass(Samples samples, int colorClass, robotlink::Rgb color);

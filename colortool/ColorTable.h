@@ -59,7 +59,7 @@ class ColorTable {
   }
 
   /// kCellCount cells, followed by kCellPadding bytes that vector code may read.
-  std::vector<std::uint8_t> cells_;  // and what vector code may read behind them
+  std::vector<std::uint8_t> cells_;
 };
 
 /// Renders an image of class numbers (kMono8) in the display colors of the classes (kRgb8).

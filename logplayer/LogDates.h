@@ -9,7 +9,7 @@
 
 namespace logplayer {
 
-// Logs of real robots have times since 1970, which users see as dates; those of simulations start at 0.
+// Logs of real robots have times since 1970, which users see as dates; those of simulations start near 0.
 
 /// Whether a time lies in this century and is therefore a date.
 bool isDate(robotlink::Instant time);

@@ -75,7 +75,7 @@ class MainWindow : public QMainWindow {
   void closeEvent(QCloseEvent* event) override;
   /// Repaints after a change of the palette.
   bool event(QEvent* event) override;
-  /// Handles keys that no view wanted: those that play a log.
+  /// Handles keys that views have ignored: those that play a log.
   void keyPressEvent(QKeyEvent* event) override;
   /// The same for keys in floating windows.
   bool eventFilter(QObject* watched, QEvent* event) override;

@@ -95,7 +95,9 @@ class Reader {
   /// Number of bytes that the file has lost at its end since it was opened; queries the operating system.
   std::uint64_t cutOffBytes() const;
 
-  // The newest message of a channel that is not later than `time`; empty if there is none.
+  // Positions of messages in order of time, whatever their order in the file. They are taken from the message
+  // indexes, if there are any, without decompressing chunks; the indexes of some chunks are cached.
+  /// The newest message of a channel that is not later than `time`; empty if there is none.
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
   /// The first message after, or the last before, a position among the messages of some channels; `than` need
   /// not be the position of a message. Fast when called with its last result.

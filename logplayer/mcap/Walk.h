@@ -52,7 +52,7 @@ class Walk {
 
   /// Sorts the sections by opening time; needed again after their times were corrected.
   void sortSections();
-  /// Starts anew behind `than`.
+  /// Restarts behind `than`.
   void seek(const MessagePosition& than, const std::vector<std::uint16_t>& channels);
   /// Adds the runs of a section that have messages beyond `than`.
   void enter(std::size_t section, const MessagePosition& than);
