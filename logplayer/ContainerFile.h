@@ -15,7 +15,7 @@ namespace logplayer {
 /// of a log share one copy, which is removed with the last of them. Any thread.
 class ContainerFile {
  public:
-  /// Fails if a file of an older format cannot be converted. Any other file is accepted unread; the reader
+  /// Fails if a file of an older format cannot be converted. Any other file is accepted as it is; the reader
   /// reports what is wrong with it.
   static robotlink::Result<ContainerFile> of(const std::filesystem::path& log,
                                              const LogFile::Progress& progress);

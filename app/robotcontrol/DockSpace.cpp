@@ -29,7 +29,8 @@ void useIconsOfThePalette() {
   icons.registerCustomIcon(ads::DockAreaUndockIcon, widgets::icon("float"));
 }
 
-/// The signs where a dock can be dropped; the library takes them from the palette, where an arrow is as dark as what it lies on.
+/// Sets the colors of the signs that show where a dock can be dropped; the library takes them from the palette,
+/// where an arrow is as dark as its background.
 void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::FrameColor, QColor(0x2b, 0x6c, 0xc4));
   cross.setIconColor(ads::CDockOverlayCross::WindowBackgroundColor, Qt::white);
@@ -38,14 +39,15 @@ void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::ShadowColor, QColor(0, 0, 0, 64));
 }
 
-/// Is a dock perhaps dropped by an event? Windows that the window manager moves are dropped when they become active again.
+/// Whether an event may drop a dock. Windows that the window manager moves are dropped when they become active
+/// again.
 bool mayDrop(const QObject* object, QEvent::Type event) {
   if (event == QEvent::ActivationChange) return qobject_cast<const ads::CFloatingDockContainer*>(object) != nullptr;
   return event == QEvent::MouseButtonRelease && (qobject_cast<const ads::CDockWidgetTab*>(object) != nullptr ||
                                                  qobject_cast<const ads::CDockAreaTitleBar*>(object) != nullptr);
 }
 
-/// "Messages", "Image, Field": what is in front in each area of a floating window.
+/// The titles of the views in front in each area of a floating window: "Messages", "Image, Field".
 QString titleOf(const ads::CFloatingDockContainer& floating) {
   QStringList names;
   for (const ads::CDockAreaWidget* area : floating.dockContainer()->openedDockAreas()) {
@@ -58,14 +60,14 @@ QString titleOf(const ads::CFloatingDockContainer& floating) {
 
 DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   window()->removeEventFilter(this);
-  setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colors.
+  setStyleSheet(QString());  // the colors of the application's palette, not those of the library
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
   connect(this, &ads::CDockManager::dockAreaCreated, this, [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,
           [this](ads::CFloatingDockContainer* floating) {
             floating->installEventFilter(this);
-            // Only windows of this kind are tied to their parent on X.
+            // On X, only windows of this kind are associated with their parent.
             floating->setWindowFlags(Qt::Dialog | Qt::CustomizeWindowHint | Qt::WindowTitleHint | Qt::WindowCloseButtonHint |
                                      Qt::WindowMaximizeButtonHint);
           });
@@ -110,7 +112,7 @@ void DockSpace::reopenFloats() {
       for (ads::CDockWidget* dock : area->openedDockWidgets()) {
         if (dock != area->currentDockWidget()) docks.emplace_back(dock);
       }
-      docks.emplace_back(area->currentDockWidget());  // the last one will be in front
+      docks.emplace_back(area->currentDockWidget());  // the last one comes to the front
     }
     floating->hide();
   }
@@ -143,7 +145,7 @@ ads::CDockAreaWidget* DockSpace::largestArea() const {
 }
 
 bool DockSpace::eventFilter(QObject* watched, QEvent* event) {
-  // While it takes a dropped dock in, the library lets other events through: shortcuts, timers.
+  // While the library processes a dropped dock, it also runs other events, such as shortcuts and timers.
   if (!mayDrop(watched, event->type())) return QObject::eventFilter(watched, event);
   const QScopedValueRollback<bool> dropping(dropping_, true);
   return watched->event(event);

@@ -71,7 +71,7 @@ std::optional<std::vector<Reading>> readKeyStates(std::span<const std::uint8_t> 
 /// The accumulated odometry, in m and rad.
 std::optional<robotlink::Pose2> readOdometryData(std::span<const std::uint8_t> payload);
 
-/// The pose of the camera, computed from joint angles and body posture.
+/// The pose of the camera as computed by the robot's program.
 struct CameraPlace {
   robotlink::Pose3 cameraInRobot = robotlink::Pose3::Identity();
   /// Whether the robot moved steadily enough for the pose to be reliable.
