@@ -15,6 +15,7 @@ namespace logplayer {
 /// live outside of it. Warnings are stored, not printed.
 class JpegErrors {
  public:
+  /// Installs the callbacks below and disables output to stderr.
   JpegErrors() {
     jpeg_std_error(&errors_);
     errors_.error_exit = &fail;

@@ -15,11 +15,13 @@ class TemporaryFolder {
  public:
   /// Creates the folder in the system's folder for temporary files (TMPDIR); fails if that is impossible.
   static robotlink::Result<TemporaryFolder> make();
+  /// The other object no longer owns the folder.
   TemporaryFolder(TemporaryFolder&& other) noexcept
       : path_(std::exchange(other.path_, {})), unfinished_(std::move(other.unfinished_)) {}
   TemporaryFolder& operator=(TemporaryFolder&&) = delete;
   ~TemporaryFolder();
 
+  /// Empty after a move.
   const std::filesystem::path& path() const { return path_; }
 
  private:

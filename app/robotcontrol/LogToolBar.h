@@ -75,16 +75,21 @@ class LogToolBar : public QToolBar {
 
   CommandActions& actions_;
   widgets::OpenLogs& logs_;
+  /// The actions with keys.
   std::map<widgets::ReplayKey, QAction*> keyed_;
+  /// The actions without keys.
   QAction* stop_ = nullptr;
   QAction* loop_ = nullptr;
   QAction* skipGaps_ = nullptr;
   QAction* clearRange_ = nullptr;
   QAction* timeStamps_ = nullptr;
+  /// Speed of the playback, and the process whose frames are stepped.
   QComboBox* speed_ = nullptr;
   QComboBox* process_ = nullptr;
+  /// The current time, editable, and the time of the log's end.
   QLineEdit* time_ = nullptr;
   QLabel* end_ = nullptr;
+  /// The current frame number, editable, and the number of frames.
   QLineEdit* frame_ = nullptr;
   QLabel* frames_ = nullptr;
   /// Whether a log was open at the last refresh.

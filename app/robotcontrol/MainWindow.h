@@ -62,6 +62,7 @@ class MainWindow : public QMainWindow {
   void tick();
   /// Shows errors above the views until they are dismissed or something else is loaded.
   void showErrors(const robotlink::Errors& errors);
+  /// The docks, for tests and pictures.
   ViewDocks& docks() { return *docks_; }
   /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples.
   void keep();
@@ -71,7 +72,9 @@ class MainWindow : public QMainWindow {
   void closed();
 
  protected:
+  /// Shows floating docks again once the window is visible.
   void showEvent(QShowEvent* event) override;
+  /// Asks about unsaved samples, then saves the layout; ignored if the user cancels.
   void closeEvent(QCloseEvent* event) override;
   /// Repaints after a change of the palette.
   bool event(QEvent* event) override;
@@ -87,18 +90,24 @@ class MainWindow : public QMainWindow {
  private:
   /// Docks and perspectives (MainWindowDocks.cpp).
   void createDocks();
+  /// Updates the visible views, and now and then the history of the layout.
   void tickDocks();
   /// Calls a function now, or as soon as no dock is being dragged or dropped and no menu or dialog is open.
   void whenDocksRest(std::function<void()> change);
+  /// Shows the current perspective as it is shipped; can be undone.
   void resetPerspective();
+  /// Removes the current perspective, which must be one of the user's, and shows Play.
   void deletePerspective();
+  /// Toolbars of simulation and recording, and the status line.
   void createActions();
+  /// Toolbar and bars for logs, and their connections (MainWindowLogs.cpp).
   void createLogs();
   /// addBookmarkCommand() and addViewCommand() add the commands "log.bookmark" and "view.show" for scripts.
   void addBookmarkCommand();
   void addViewCommand();
   /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
   void createColors(const std::filesystem::path& userFolder);
+  /// Maximizing a view by F11.
   void createMaximizing();
   /// Keys that work in the whole window (MainWindowKeys.cpp).
   void createKeys();
@@ -116,6 +125,7 @@ class MainWindow : public QMainWindow {
   bool mayReplace(const QString& command);
   /// Asks the user before unsaved samples would be lost at the end.
   bool mayLoseColors();
+  /// The bar above the views that shows errors.
   void createErrorBar();
   /// Menus and their commands (MainWindowMenus.cpp).
   void createMenus();
@@ -128,8 +138,10 @@ class MainWindow : public QMainWindow {
   void createWindowMenu();
   void createAppearanceMenu(QMenu& menu);
   void createHelpMenu();
+  /// Rebuilds the menu of perspectives after one was added, removed or shown.
   void fillPerspectiveMenu();
   void connectSignals();
+  /// Updates everything that concerns logs and recordings.
   void tickLogs();
   /// restoreWindow() and keepWindow() read and write the file with everything that the user arranged.
   void restoreWindow();
@@ -165,9 +177,12 @@ class MainWindow : public QMainWindow {
   UndoOrder* undoOrder_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
+  /// Entries of the window menu that are enabled by tickDocks().
   QAction* undoLayout_ = nullptr;
   QAction* redoLayout_ = nullptr;
+  /// The text that is shown while no view is open.
   widgets::EmptyHint* noViews_ = nullptr;
+  /// Toolbars and bars, see their classes.
   SimulationToolBar* toolBar_ = nullptr;
   RecordingToolBar* recordingBar_ = nullptr;
   LogToolBar* logToolBar_ = nullptr;

@@ -23,6 +23,7 @@ class OpeningBar : public QWidget {
 
  private:
   Workbench& workbench_;
+  /// In thousandths.
   QProgressBar* progress_;
   QToolButton* cancel_;
   /// Number of ticks for which something has been opening.

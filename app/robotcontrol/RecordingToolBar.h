@@ -61,20 +61,25 @@ class RecordingToolBar : public QToolBar {
 
   Workbench& workbench_;
   CommandActions& actions_;
+  /// Starts and ends the recording.
   QAction* record_ = nullptr;
   /// Whether the button currently ends the recording.
   bool showsEnd_ = false;
   QAction* saveLast_ = nullptr;
   QAction* bookmark_ = nullptr;
   QMenu* menu_ = nullptr;
+  /// Exclusive choices in the menu, checked as the recorder reports them.
   QActionGroup* images_ = nullptr;
   QActionGroup* compression_ = nullptr;
   QActionGroup* keep_ = nullptr;
   QAction* trigger_ = nullptr;
+  /// The name of the file.
   QLabel* file_ = nullptr;
   /// The toolbar's action for file_, to show and hide it.
   QAction* fileAction_ = nullptr;
+  /// See statusText().
   QLabel* status_ = nullptr;
+  /// record_, saveLast_ and bookmark_.
   QList<QAction*> recordingActions_;
 };
 

@@ -32,6 +32,7 @@ class ShortcutsDialog final : public QDialog {
   ShortcutsDialog(const WindowKeys& keys, QWidget* window);
 
  private:
+  /// Builds the list.
   void fill(const std::vector<Shortcut>& shortcuts);
   /// Shows only the entries that contain a text.
   void filter(const QString& text);

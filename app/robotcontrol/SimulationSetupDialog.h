@@ -21,6 +21,8 @@ namespace app {
 class SimulationSetupDialog final : public QDialog {
   Q_OBJECT
  public:
+  /// The arguments of the command: scene, kind of robots, number of robots, kinematic, first port (0: none),
+  /// open to the network, teams.
   using Arguments = std::vector<robotlink::CommandTable::Value>;
 
   /// `last`: the last arguments, or empty.
@@ -39,20 +41,24 @@ class SimulationSetupDialog final : public QDialog {
   void createPorts();
   /// Sets the widgets to arguments; ignores those that are missing.
   void restore(const Arguments& last);
+  /// Asks for a scene file.
   void chooseFile();
   /// Adapts the choices to the kind of scene.
   void followScene();
   /// Enables widgets, shows hints, and checks whether the dialog can be accepted.
   void update();
 
+  /// A shipped scene or a file, and the robots to add.
   QComboBox* scene_ = nullptr;
   QComboBox* kind_ = nullptr;
   QSpinBox* robots_ = nullptr;
   QComboBox* teams_ = nullptr;
   QCheckBox* kinematic_ = nullptr;
+  /// Whether robots get ports, the first one, and whether other computers may connect.
   QCheckBox* ports_ = nullptr;
   QSpinBox* port_ = nullptr;
   QCheckBox* network_ = nullptr;
+  /// Says what the choices mean where that is not obvious.
   QLabel* hint_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;
 };

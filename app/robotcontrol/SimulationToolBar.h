@@ -46,10 +46,12 @@ class SimulationToolBar : public QToolBar {
 
   Workbench& workbench_;
   CommandActions& actions_;
+  /// Items have the path of their file as data; robot_ has names only.
   QComboBox* scene_ = nullptr;
   QComboBox* layout_ = nullptr;
   QComboBox* robot_ = nullptr;
   QComboBox* speed_ = nullptr;
+  /// Start and pause are checked as the simulation reports.
   QAction* start_ = nullptr;
   QAction* pause_ = nullptr;
   QAction* step_ = nullptr;

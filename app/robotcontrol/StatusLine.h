@@ -27,6 +27,7 @@ class StatusLine : public QObject {
   void refresh();
 
  private:
+  /// showSimulation(), showLog() and showNothing() set all labels for what is open.
   void showSimulation(const robotcontrol::SimulationStatus& status);
   /// The state of the connection to a real robot, and for how long nothing was received.
   QString robotState();
@@ -36,6 +37,7 @@ class StatusLine : public QObject {
   Workbench& workbench_;
   /// The subscription of the packages that robotState() needs.
   widgets::PackageWish wish_;
+  /// The labels, owned by the status bar, from left to right.
   QLabel* state_;
   QLabel* time_;
   QLabel* speed_;

@@ -30,6 +30,7 @@ class StreamChooser : public QDialog {
  private:
   void createWidgets();
   void connectSignals();
+  /// Shows the selection in the check boxes.
   void showSelection();
   /// Applies the text of the pattern field, if it is valid.
   void takePatterns();
@@ -37,8 +38,10 @@ class StreamChooser : public QDialog {
   void takeTick(const QListWidgetItem& item);
 
   robotcontrol::StreamSelection selection_;
+  /// The paths in the list.
   std::vector<std::string> streams_;
   QLineEdit* patterns_ = nullptr;
+  /// What is wrong with the patterns; then the dialog cannot be accepted.
   QLabel* problem_ = nullptr;
   QListWidget* list_ = nullptr;
   QDialogButtonBox* buttons_ = nullptr;

@@ -14,6 +14,7 @@ namespace logplayer::bhuman {
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
+  /// Number of bytes.
   virtual std::uint64_t size() const = 0;
   /// Reads bytes from `offset` on into `to`. Returns the number of bytes read, which is less than requested
   /// only at the end or after an I/O error.

@@ -22,6 +22,7 @@ enum class Kind : std::uint8_t {
   kText = 36,
 };
 
+/// The first byte of a message of this kind.
 constexpr std::uint8_t idOf(Kind kind) {
   return static_cast<std::uint8_t>(kind);
 }

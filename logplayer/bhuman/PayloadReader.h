@@ -13,6 +13,7 @@ class PayloadReader {
  public:
   explicit PayloadReader(std::span<const std::uint8_t> bytes) : bytes_(bytes) {}
 
+  /// Each function reads the next value.
   std::uint8_t takeByte() { return static_cast<std::uint8_t>(take(1)); }
   std::int16_t takeInt16() { return static_cast<std::int16_t>(take(2)); }
   std::int32_t takeInt32() { return static_cast<std::int32_t>(take(4)); }
@@ -21,6 +22,7 @@ class PayloadReader {
   double takeDouble() { return std::bit_cast<double>(take(8)); }
   /// B-Human's streams store a bool in four bytes.
   bool takeBool() { return take(4) != 0; }
+  /// Skips bytes; fails like reading if there are fewer.
   void skip(std::size_t count) { taken(count); }
 
   /// Whether all values were available and no bytes are left.

@@ -12,6 +12,7 @@ namespace logplayer::mcap {
 /// would crash the program. Const functions use pread() and may be called from several threads.
 class Source {
  public:
+  /// Fails if the file cannot be opened for reading.
   static robotlink::Result<Source> open(const std::filesystem::path& file);
   Source(Source&& other) noexcept;
   Source& operator=(Source&&) = delete;
