@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Export of texts, one per line.
 #include "logplayer/LogExport.h"
 
 #include <array>

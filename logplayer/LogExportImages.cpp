@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Export of images as PNG files.
 #include <array>
 #include <cctype>
 #include <cstdio>

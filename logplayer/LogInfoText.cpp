@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// LogInfo as text for the user, see toText().
 #include <algorithm>
 #include <array>
 #include <cstdio>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// MainWindow: construction, tick, errors, and saving of its state.
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/MaximizedView.h"
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The program robotcontrol: command line, Qt setup, and the window.
 #include <CLI/CLI.hpp>
 #include <QApplication>
 #include <QTimer>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color segment`.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl layout`: checks and draws process layouts.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log`: the command itself, and what its subcommands share.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` cut, merge, filter and convert.
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>

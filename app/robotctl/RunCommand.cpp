@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl run`: robot programs on logs; see RunRobotCommand.h for real robots.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 

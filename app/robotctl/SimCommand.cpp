@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl sim`: simulation of a scene with the programs of its robots.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The program robotctl: everything that works without a window.
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <csignal>
