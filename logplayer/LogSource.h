@@ -44,7 +44,7 @@ class LogSource {
   /// are selected together with any of its streams, unless they are excluded.
   void choose(std::optional<robotlink::Instant> from, std::optional<robotlink::Instant> to,
               const StreamChoice& streams);
-  /// The latched messages just before `from`, one per stream.
+  /// The latched messages just before `from`, one per channel.
   std::vector<mcap::Reader::MessageData> held();
   /// Returns the next unit; empty at the end.
   std::optional<LogUnit> next();
