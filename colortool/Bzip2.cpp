@@ -35,12 +35,12 @@ robotlink::Result<std::string> decompressBzip2(std::string_view bytes, std::size
   if (BZ2_bzDecompressInit(&stream, 0, 0) != BZ_OK)
     return robotlink::failure("bzip2.memory", "there is not enough memory to decompress this", {file, 0, 0});
   const std::unique_ptr<bz_stream, EndOfStream> end(&stream);
-  // The library takes what it reads as char*, but does not write to it.
+  // The library declares its input as char*, but does not write to it.
   stream.next_in = const_cast<char*>(bytes.data());
   stream.avail_in = static_cast<unsigned>(bytes.size());
   std::string contents;
   while (true) {
-    // One byte more than allowed, to see whether there is more.
+    // Request one byte more than allowed, to detect contents that are too large.
     const std::size_t before = contents.size(), room = std::min(kStep, mostBytes + 1 - before);
     contents.resize(before + room);
     stream.next_out = contents.data() + before;

@@ -13,7 +13,7 @@ constexpr int kSide = ColorTable::kCells;
 constexpr std::size_t kMaxParts = 8;
 static_assert(CellGrid::kMaxCells == 2 * kSide);
 
-/// The cells of the grid that a cell of the table covers along one axis.
+/// The range of cells of the grid, along one axis, that one cell of the table covers.
 struct Stretch {
   int begin, end;
 };
@@ -37,7 +37,7 @@ std::uint8_t mostFrequent(std::span<const std::uint8_t> sorted) {
   return best;
 }
 
-/// Goes over the table's cells.
+/// Computes the class of each cell of the table.
 class Regridder {
  public:
   explicit Regridder(const CellGrid& grid) : grid_(grid) {}

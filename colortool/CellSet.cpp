@@ -23,10 +23,10 @@ PaddedRows padded(const CellSet& cells) {
   return rows;
 }
 
-/// The runs of `within` that have a bit of `seeds`, which are in it.
+/// The runs of `within` that contain a bit of `seeds`, which must be a subset of `within`.
 Row connectedInRow(Row seeds, Row within) {
-  // Upwards a carry runs from the lowest seed to the end of the run; downwards the reach is doubled each
-  // time.
+  // Upwards the carry of an addition runs from the lowest seed to the end of the run; downwards the reach
+  // doubles in each step.
   Row filled = seeds | (within & ~(within + seeds));
   Row open = within;
   for (int step = 1; step < 64; step *= 2) {
@@ -46,7 +46,7 @@ Row nearCorners(const PaddedRows& rows, std::size_t at) {
   return near | near << 1U | near >> 1U;
 }
 
-/// Sweeps to and fro over the rows that are not full until nothing changes.
+/// Sweeps back and forth over the rows that are not full until nothing changes.
 template <Row (*near)(const PaddedRows&, std::size_t)>
 void sweep(PaddedRows& filled, const PaddedRows& within, std::vector<std::size_t> pending) {
   for (bool changed = true; changed;) {

@@ -9,12 +9,14 @@
 
 namespace colortool {
 
-/// Any cells of a colour table, a bit each: rows of 64 cells along Cr, so that what is done to all cells is
-/// done to a row at a time. A plain value of 32 KB.
+/// A set of cells of a color table with one bit per cell, stored as rows of 64 cells along Cr, so that set
+/// operations work on a row at a time. A plain value of 32 KB. Cells are numbered as by ColorTable::cellOf().
 class CellSet {
  public:
-  using Row = std::uint64_t;                       ///< bit i: the cell with Cr i
-  static constexpr std::size_t kRows = 64U * 64U;  ///< row y * 64 + cb
+  /// A row of cells; bit i is the cell with Cr = i.
+  using Row = std::uint64_t;
+  /// Number of rows; the row of (y, cb) has the index y * 64 + cb.
+  static constexpr std::size_t kRows = 64U * 64U;
 
   bool contains(std::size_t cell) const { return (rows_[cell / 64] >> (cell % 64) & 1U) != 0; }
   void set(std::size_t cell, bool in = true) {
@@ -27,6 +29,7 @@ class CellSet {
   bool empty() const {
     return std::ranges::all_of(rows_, [](Row row) { return row == 0; });
   }
+  /// Number of cells in the set; counts them, which takes some microseconds.
   std::size_t size() const;
   bool operator==(const CellSet&) const = default;
 
@@ -34,13 +37,14 @@ class CellSet {
   std::array<Row, kRows> rows_{};
 };
 
-/// Which cells are next to each other: those that share a face, or those that share at least a corner.
+/// Which cells count as adjacent: those that share a face (6), or those that share at least a corner (26).
 enum class CellNeighbors : std::uint8_t { k6, k26 };
 
-/// All cells of `within` that are connected, inside of it, with one of `seeds` that is in it. The order of
-/// 0.1 ms for the whole cube.
+/// Returns all cells of `within` that are connected, through cells of `within`, to a cell of `seeds`. Seeds
+/// outside `within` are ignored. Takes about 0.1 ms for the whole cube.
 CellSet connectedCells(const CellSet& seeds, const CellSet& within, CellNeighbors neighbors);
-/// The cells that have one of `cells` as a neighbour by a face; some of them may be of `cells` themselves.
+/// Returns all cells that share a face with one of `cells`. The result may contain some of `cells`
+/// themselves.
 CellSet facesOf(const CellSet& cells);
 
 }  // namespace colortool

@@ -16,13 +16,13 @@ std::vector<NamedColor> named(const ColorClasses& classes) {
   return result;
 }
 
-/// Same classes, other names or colours.
+/// Replaces names or colors; the class numbers stay the same.
 Samples withFaces(Samples samples, std::vector<NamedColor> faces) {
   samples.classes = ColorClasses(std::move(faces));
   return samples;
 }
 
-/// Strokes follow the names of their classes.
+/// Replaces the classes; strokes keep the class of the same name.
 Samples mappedByName(Samples samples, ColorClasses classes) {
   const auto numbers = classNumbers(samples.classes, classes);
   changeClasses(samples, std::move(classes), numbers);

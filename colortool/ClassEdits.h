@@ -9,24 +9,28 @@
 
 namespace colortool {
 
-// What a person does with the classes of samples. All of them yield the changed samples; strokes stay with
-// the class of their name. Class numbers are from 1 to the number of classes; 0, background, is always there.
-// Any thread.
+// Edits of the color classes of samples. Each function returns the changed samples; strokes stay with the
+// name of their class when its number changes. Class numbers run from 1 to the number of classes; class 0,
+// the background, always exists. Numbers must be valid, this is not checked. All functions are pure: any
+// thread may call them.
 
+/// Number of strokes of a class.
 std::size_t strokesOf(const Samples& samples, int colorClass);
-/// "class 9": a name that no class has.
+/// Returns a name that no class has, such as "class 9".
 std::string freeClassName(const ColorClasses& classes);
 
 /// After the others. Fails on a name that cannot be or is taken, and if there are ColorClasses::kMax.
 robotlink::Result<Samples> withNewClass(Samples samples, NamedColor added);
+/// Fails on an invalid name, and on one that another class has.
 robotlink::Result<Samples> withRenamedClass(Samples samples, int colorClass, const std::string& name);
+/// Changes the color in which views show a class; the table is not affected.
 Samples withRecoloredClass(Samples samples, int colorClass, robotlink::Rgb color);
-/// Its strokes go with it.
+/// Removes a class together with its strokes.
 Samples withoutClass(Samples samples, int colorClass);
-/// The classes in between move by one.
+/// Gives a class the number `to`; the classes in between move by one.
 Samples withMovedClass(Samples samples, int colorClass, int to);
-/// Those of `classes`; after them, so that nothing is lost, those that only the samples have and that have
-/// strokes.
+/// Replaces the classes by `classes`. Classes that exist in the samples only and have strokes are appended,
+/// so that no stroke is lost.
 Samples withClasses(Samples samples, const ColorClasses& classes);
 
 }  // namespace colortool

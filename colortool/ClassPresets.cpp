@@ -73,8 +73,8 @@ robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names
 }
 
 robotlink::Rgb spareColor(int number) {
-  // Hues a golden section apart never come near each other soon; six phases make the saturated colour of a
-  // hue.
+  // Successive hues are a golden section apart, so that they repeat late; six phases yield the saturated
+  // color of a hue.
   const double phase = std::fmod(0.78 + 0.618034 * number, 1.0) * 6;
   const auto channel = [phase](double offset) {
     const double at = std::fmod(offset + phase, 6);

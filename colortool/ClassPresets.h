@@ -10,38 +10,44 @@
 
 namespace colortool {
 
-/// Colour classes to begin with, under a name that files and command lines use. Constant data.
+/// A predefined list of color classes with the name by which files and command lines refer to it. Constant
+/// data.
 struct ClassPreset {
+  /// One class of a preset.
   struct Color {
     std::string_view name;
-    robotlink::Rgb rgb;  ///< that views show the class in
+    /// The color in which views show the class.
+    robotlink::Rgb rgb;
   };
 
-  std::string_view name;          ///< "2002"
-  std::string_view title;         ///< for people, English
-  std::span<const Color> colors;  ///< of the classes from 1 on
+  /// The name in files and on command lines: "2002".
+  std::string_view name;
+  /// The title that users see, in English.
+  std::string_view title;
+  /// The classes from 1 on.
+  std::span<const Color> colors;
 
   ColorClasses classes() const;
 };
 
-/// All there are; "2002" first.
+/// Returns all presets; "2002" is the first.
 ///
-/// 2002: the field and the robots of the four-legged league of 2002, in the colours of
-/// resources/fields/2002.yaml. bhuman2009: the classes that B-Human's tables and logs of 2009 number, in the
-/// order of ColorTableFile::kBHuman2009Classes.
+/// 2002: the field and the robots of the four-legged league of 2002, in the colors of
+/// resources/fields/2002.yaml. bhuman2009: the classes of B-Human's tables and logs of 2009, in the order of
+/// ColorTableFile::kBHuman2009Classes.
 std::span<const ClassPreset> classPresets();
-/// Null if there is none of that name.
+/// Returns null if there is no preset of that name.
 const ClassPreset* findClassPreset(std::string_view name);
 
-/// What command lines take: the name of a preset alone, or the names of classes in the order of their
-/// numbers. A class that a preset has is shown in that preset's colour, others in spare ones. Fails on names
-/// that cannot be, and on those that stand there twice.
+/// Interprets the class list of a command line: the name of a preset alone, or the names of classes in the
+/// order of their numbers. A class that also occurs in a preset gets the color of that preset, any other a
+/// spare color. Fails on invalid names and on duplicates.
 robotlink::Result<ColorClasses> chooseClasses(std::span<const std::string> names);
 
-/// A colour for a class that has none; those of the first dozen numbers can be told apart.
+/// A display color for a class that has none; the colors of the first dozen numbers are easy to distinguish.
 robotlink::Rgb spareColor(int number);
-/// What a class of which only the number is known is called and shown in: "class 9", and something behind it
-/// where one of `others` has that name.
+/// Name and display color for a class of which only the number is known: "class 9", with a suffix if one of
+/// `others` already has that name.
 NamedColor spareClass(int number, std::span<const NamedColor> others);
 
 }  // namespace colortool

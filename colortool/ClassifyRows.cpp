@@ -15,7 +15,7 @@ constexpr std::size_t brightnessIndex(std::uint8_t y) {
   return static_cast<std::size_t>(y >> 2) << 12U;
 }
 
-/// Bytes of a pair of pixels: where its brightnesses and its chroma are.
+/// The template arguments are the positions of luma and chroma in the four bytes of a pair of pixels.
 template <int y0, int cb, int y1, int cr>
 void classifyPairs(const std::uint8_t* cells, const PixelRow& row, std::uint8_t* classes) {
   const std::uint8_t* pair = row.pixels;

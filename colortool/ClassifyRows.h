@@ -7,20 +7,26 @@
 
 namespace colortool {
 
-/// A row of pixels, as ImageView has it.
+/// One row of pixels in the layout of ImageView. The pointers are not owned.
 struct PixelRow {
+  /// First byte of the row; for kNv12 the row of Y values.
   const std::uint8_t* pixels = nullptr;
-  const std::uint8_t* chroma = nullptr;  ///< of kNv12 the pairs Cb Cr
+  /// Only for kNv12: the Cb Cr pairs that the row shares with its neighbor.
+  const std::uint8_t* chroma = nullptr;
+  /// Pixels.
   int width = 0;
 };
 
-/// Looks up the class of each pixel of a row. `cells` has kCellPadding readable bytes behind it.
+/// Writes the class of each pixel of a row to `classes`, which has room for `row.width` bytes. `cells` must
+/// have kCellPadding readable bytes behind its end, since vector code reads four bytes at each cell.
 using ClassifyRow = void (*)(const std::uint8_t* cells, const PixelRow& row, std::uint8_t* classes);
+/// Bytes that must be readable behind the last cell.
 constexpr int kCellPadding = 3;
 
-/// In plain C++. Null for formats without colours (kMono8).
+/// Returns the portable version; null for formats without color (kMono8).
 ClassifyRow plainClassifyRow(robotlink::PixelFormat format);
-/// With AVX2, to the same results; null where the processor lacks it.
+/// Returns the version for AVX2, which yields the same results; null if the processor lacks AVX2 or the
+/// format has no color.
 ClassifyRow avx2ClassifyRow(robotlink::PixelFormat format);
 
 }  // namespace colortool

@@ -1,5 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Compiled for AVX2 (see CMakeLists.txt); nothing here may run before the processor was asked.
+// This file is compiled for AVX2 (see CMakeLists.txt); nothing here may run before the processor has been
+// checked.
 #include "colortool/ClassifyRows.h"
 
 #if defined(__AVX2__)
@@ -10,18 +11,18 @@ namespace {
 
 using robotlink::PixelFormat;
 
-/// The classes of eight cells, in the lowest byte of each element.
+/// Looks up eight cells; the class is in the lowest byte of each element.
 __m256i lookUp(const std::uint8_t* cells, __m256i indices) {
   const __m256i found = _mm256_i32gather_epi32(reinterpret_cast<const int*>(cells), indices, 1);
   return _mm256_and_si256(found, _mm256_set1_epi32(0xFF));
 }
 
-/// Eight pairs of cells, of the left and the right pixels, to sixteen classes in order.
+/// Looks up the cells of eight left and eight right pixels and interleaves the sixteen classes.
 __m256i lookUpPairs(const std::uint8_t* cells, __m256i left, __m256i right) {
   return _mm256_or_si256(lookUp(cells, left), _mm256_slli_epi32(lookUp(cells, right), 8));
 }
 
-/// Two times eight elements of which the lower half counts, to 32 bytes in order.
+/// Packs the lower halves of two times eight elements into 32 bytes in order.
 __m256i packed(__m256i first, __m256i second) {
   return _mm256_permute4x64_epi64(_mm256_packus_epi32(first, second), 0xD8);
 }
@@ -30,7 +31,7 @@ __m256i loaded(const std::uint8_t* from) {
   return _mm256_loadu_si256(reinterpret_cast<const __m256i*>(from));
 }
 
-/// Eight elements Y0 Cb Y1 Cr, lowest byte first.
+/// Each of the eight elements contains Y0 Cb Y1 Cr, the lowest byte first.
 __m256i classesOfYuyv(const std::uint8_t* cells, __m256i pairs) {
   const __m256i cb = _mm256_and_si256(_mm256_srli_epi32(pairs, 4), _mm256_set1_epi32(0xFC0));
   const __m256i chroma = _mm256_or_si256(cb, _mm256_srli_epi32(pairs, 26));
@@ -39,7 +40,7 @@ __m256i classesOfYuyv(const std::uint8_t* cells, __m256i pairs) {
   return lookUpPairs(cells, _mm256_or_si256(left, chroma), _mm256_or_si256(right, chroma));
 }
 
-/// Eight elements Cb Y0 Cr Y1.
+/// Each of the eight elements contains Cb Y0 Cr Y1, the lowest byte first.
 __m256i classesOfUyvy(const std::uint8_t* cells, __m256i pairs) {
   const __m256i cb = _mm256_slli_epi32(_mm256_and_si256(pairs, _mm256_set1_epi32(0xFC)), 4);
   const __m256i cr = _mm256_and_si256(_mm256_srli_epi32(pairs, 18), _mm256_set1_epi32(0x3F));
@@ -60,7 +61,7 @@ void classifyPairs(const std::uint8_t* cells, const PixelRow& row, std::uint8_t*
   plainClassifyRow(format)(cells, {row.pixels + std::ptrdiff_t{2} * x, nullptr, row.width - x}, classes + x);
 }
 
-/// Sixteen pixels of which eight elements hold Y0 Y1 and eight Cb Cr.
+/// Sixteen pixels: eight elements contain Y0 Y1, and eight contain Cb Cr.
 __m256i classesOfNv12(const std::uint8_t* cells, const std::uint8_t* luma, const std::uint8_t* chromaPairs) {
   const auto widened = [](const std::uint8_t* from) {
     return _mm256_cvtepu16_epi32(_mm_loadu_si128(reinterpret_cast<const __m128i*>(from)));
@@ -83,7 +84,7 @@ void classifyNv12(const std::uint8_t* cells, const PixelRow& row, std::uint8_t* 
   plainClassifyRow(PixelFormat::kNv12)(cells, {row.pixels + x, row.chroma + x, row.width - x}, classes + x);
 }
 
-/// As robotlink::toYCbCr: a channel times 2^15 from products with R and G, and with B and 1.
+/// As robotlink::toYCbCr(): the sum of products with R and G, and with B and 1, scaled by 2^15.
 __m256i channel(__m256i redGreen, __m256i blueOne, int r, int g, int b, int offset) {
   const __m256i sum =
       _mm256_add_epi32(_mm256_madd_epi16(redGreen, _mm256_set1_epi32((g << 16) | (r & 0xFFFF))),
@@ -92,10 +93,10 @@ __m256i channel(__m256i redGreen, __m256i blueOne, int r, int g, int b, int offs
   return _mm256_min_epi32(value, _mm256_set1_epi32(255));
 }
 
-/// The cells of the eight pixels at `from`, of which 32 bytes are read.
+/// The cells of the eight pixels at `from`, where 32 bytes are read.
 template <int r, int b>
 __m256i cellsOfTriples(const std::uint8_t* from) {
-  // Four pixels, 12 bytes, in each half.
+  // Each half contains four pixels of three bytes.
   const __m256i halves = _mm256_permutevar8x32_epi32(loaded(from), _mm256_setr_epi32(0, 1, 2, 0, 3, 4, 5, 0));
   constexpr char z = -1;
   const __m256i pickRedGreen =
@@ -117,7 +118,7 @@ __m256i cellsOfTriples(const std::uint8_t* from) {
 template <int r, int b, PixelFormat format>
 void classifyTriples(const std::uint8_t* cells, const PixelRow& row, std::uint8_t* classes) {
   int x = 0;
-  // The last load reads 8 bytes past its pixels, which must still be of this row.
+  // The last load reads 8 bytes past its pixels, which must still belong to this row.
   for (; x + 32 + 3 <= row.width; x += 32) {
     const std::uint8_t* from = row.pixels + std::ptrdiff_t{3} * x;
     __m256i found[4];

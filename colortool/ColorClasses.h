@@ -11,8 +11,9 @@
 
 namespace colortool {
 
-/// A colour of the world by its name, as white light of full strength shows it.
+/// A named color of the world, as it appears under white light of full strength.
 struct NamedColor {
+  /// Unique within a list of colors, see classNameProblem().
   std::string name;
   robotlink::Rgb rgb;
   bool operator==(const NamedColor&) const = default;
@@ -22,41 +23,45 @@ struct NamedColor {
 /// colour that views show it in. A plain value, small; at most kMax classes besides "none".
 class ColorClasses {
  public:
+  /// The class of pixels that belong to no color.
   static constexpr std::uint8_t kNone = 0;
   static constexpr int kMax = 255;
 
   ColorClasses() : classes_{{"none", {0, 0, 0}}} {}
   /// Classes from 1 on; those after kMax are left out.
   explicit ColorClasses(std::vector<NamedColor> classes);
-  /// Those of `palette` whose name is one of `names`, in the order of `names`; names without a colour are
-  /// left out.
+  /// Returns the colors of `palette` whose names occur in `names`, in the order of `names`. Names that the
+  /// palette lacks are dropped.
   static ColorClasses select(std::span<const NamedColor> palette, std::span<const std::string_view> names);
 
-  /// With class 0.
+  /// Number of classes, including class 0.
   int size() const { return static_cast<int>(classes_.size()); }
+  /// `index` must be less than size().
   const std::string& name(int index) const { return classes_[static_cast<std::size_t>(index)].name; }
+  /// The color in which views show a class.
   robotlink::Rgb shownColor(int index) const { return classes_[static_cast<std::size_t>(index)].rgb; }
-  /// kNone if there is no such class.
+  /// Returns kNone if there is no such class.
   std::uint8_t index(std::string_view name) const;
-  /// The classes from 1 on: class n is colors()[n - 1]. Valid as long as this is.
+  /// The classes from 1 on: class n is colors()[n - 1]. Valid as long as this object.
   std::span<const NamedColor> colors() const { return std::span(classes_).subspan(1); }
-  /// The same, their names alone.
+  /// The names of the classes from 1 on.
   std::vector<std::string> names() const;
 
   bool operator==(const ColorClasses&) const = default;
 
  private:
+  /// Indexed by class number; the first one is "none".
   std::vector<NamedColor> classes_;
 };
 
-/// The classes of `first`, and after them those that only `second` has, by name.
+/// Returns the classes of `first`, followed by those whose names only `second` has.
 ColorClasses unite(const ColorClasses& first, const ColorClasses& second);
-/// For each class of `from`, 0 included, the number of the one of the same name in `to`, or kNone; what
-/// ColorTable::translated() takes.
+/// Maps the classes of `from`, including 0, to those of `to` by name; the result at n is the number in `to`,
+/// or kNone. ColorTable::translated() takes such a map.
 std::vector<std::uint8_t> classNumbers(const ColorClasses& from, const ColorClasses& to);
 
-/// Why a class cannot be called so, as a sentence; empty if it can. "none" and "background" stand for pixels
-/// of no class in files and on command lines.
+/// Returns a sentence that says why a name is not allowed for a class; empty if it is allowed. "none" and
+/// "background" are reserved for pixels of no class in files and on command lines.
 std::string classNameProblem(std::string_view name);
 
 }  // namespace colortool

@@ -7,25 +7,29 @@
 
 namespace colortool {
 
-/// How a camera's image differs from the middle of itself: lenses darken corners and tint them. With r^2 =
-/// squared distance from the image's centre, 1 at the corners:
-/// Y is divided by 1 + luma[0] r^2 + luma[1] r^4; of Cb and Cr blue[0] r^2 + blue[1] r^4 and red[...] is
-/// taken away.
+/// How the colors of a camera's image change from its center outwards: lenses darken the corners and tint
+/// them. With r^2 the squared distance from the image center, scaled to 1 at the corners, Y is divided by 1 +
+/// luma[0] r^2 + luma[1] r^4; blue[0] r^2 + blue[1] r^4 is subtracted from Cb, and the same with `red` from
+/// Cr.
 struct Vignetting {
+  /// Coefficients of r^2 and r^4; all 0: no vignetting.
   std::array<double, 2> luma{}, blue{}, red{};
   bool operator==(const Vignetting&) const = default;
 };
 
-/// One channel of a camera against that of another: other = gain * value + offset.
+/// A linear map of one channel of a camera to that of the reference camera: other = gain * value + offset.
 struct ChannelLine {
+  /// Factor without unit.
   double gain = 1;
+  /// In values of the channel, 0 to 255.
   double offset = 0;
+  /// The mapped value, neither rounded nor clamped.
   double of(double value) const { return gain * value + offset; }
   bool operator==(const ChannelLine&) const = default;
 };
 
-/// What is done to the colours of a camera before a table sees them: vignetting is taken out, then each
-/// channel (Y, Cb, Cr) goes through its line. A plain value; by default nothing is changed.
+/// The correction of a camera's colors that precedes the look-up in a table: vignetting is removed, then each
+/// channel is mapped linearly. A plain value; the default changes nothing.
 struct ColorCorrection {
   /// What vignetting divides Y by stays within these.
   static constexpr double kMinShade = 0.125, kMaxShade = 8;
@@ -34,21 +38,25 @@ struct ColorCorrection {
   static constexpr double kMaxGain = 15, kMaxOffset = 1000;
 
   Vignetting vignetting;
+  /// Y, Cb, Cr.
   std::array<ChannelLine, 3> channels{};
 
+  /// Whether the correction changes nothing.
   bool none() const { return *this == ColorCorrection{}; }
-  /// Whether all are numbers; what is not must not be applied.
+  /// Whether all coefficients are finite. Others must not be applied.
   bool isFinite() const;
   /// Returns the corrected color of a pixel at (x, y) of an image of that size, rounded and within 0 to 255.
   robotlink::YCbCr apply(robotlink::YCbCr color, int x, int y, int width, int height) const;
-  /// All that is done to a channel at a distance from the centre of the image.
+  /// The whole correction of a channel at a squared distance from the image center (see
+  /// squaredImageRadius()).
   ChannelLine lumaAt(double squaredRadius) const;
   ChannelLine blueAt(double squaredRadius) const;
   ChannelLine redAt(double squaredRadius) const;
   bool operator==(const ColorCorrection&) const = default;
 };
 
-/// The r^2 of Vignetting at a place of an image; the centre of the upper left pixel is at (0, 0).
+/// The r^2 of Vignetting at a point of an image, 1 at the corners. The center of the upper left pixel is (0,
+/// 0).
 double squaredImageRadius(double x, double y, int width, int height);
 
 }  // namespace colortool

@@ -8,7 +8,8 @@
 
 namespace colortool {
 
-/// The colours of an image, one a pixel, top row first, whatever format they came in. A plain value.
+/// An image with one YCbCr color per pixel, top row first, independent of the format it came in. A plain
+/// value.
 struct ColorImage {
   int width = 0;
   int height = 0;
@@ -22,15 +23,18 @@ struct ColorImage {
   /// Reads an image of any format that robotlink knows; pixels that share their chroma get the same.
   static ColorImage of(const robotlink::ImageView& image);
 
+  /// Whether (x, y) is a pixel of the image.
   bool contains(int x, int y) const { return x >= 0 && y >= 0 && x < width && y < height; }
+  /// The pixel must lie in the image; this is not checked.
   const robotlink::YCbCr& at(int x, int y) const {
     return pixels[static_cast<std::size_t>(y) * static_cast<std::size_t>(width) +
                   static_cast<std::size_t>(x)];
   }
 };
 
-/// Calls `use` for each pixel of an image of that size whose centre is within a disc, centre and radius in
-/// pixels (a radius of 3 around a pixel's centre: 29 pixels), row by row.
+/// Calls `use(x, y)`, row by row, for each pixel of an image of this size whose center lies in a disc. Center
+/// and radius are in pixels, pixel centers at whole numbers; a radius of 3 around a pixel center covers 29
+/// pixels.
 void visitDisc(int width, int height, double x, double y, double radius,
                const std::function<void(int, int)>& use);
 

@@ -9,10 +9,10 @@ namespace colortool {
 namespace {
 
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
-/// What is nearer to grey has no angle worth the name.
+/// Colors closer to gray than this have no meaningful angle.
 constexpr float kGrey = 1e-6F;
 
-/// In turns, from 0 to less than 1.
+/// Converts an angle from radians to turns in [0, 1).
 float turns(float angle) {
   const float turn = angle / kTurn;
   const float fraction = turn - std::floor(turn);
@@ -67,7 +67,7 @@ UnitColor hsiOf(const UnitColor& rgb) {
   const float intensity = rgb.sum() / 3;
   if (intensity < kGrey) return {0, 0, intensity};
   const float saturation = std::max(0.F, 1 - rgb.minCoeff() / intensity);
-  // The book's arc cosine as an arc tangent: exact near red and its opposite, too.
+  // The book's arc cosine as an arc tangent, which is accurate near red and its opposite, too.
   const float along = rgb[0] - (rgb[1] + rgb[2]) / 2;
   const float across = std::sqrt(3.F) / 2 * (rgb[1] - rgb[2]);
   const bool grey = std::hypot(along, across) < kGrey;

@@ -11,18 +11,22 @@
 
 namespace colortool {
 
-/// Which class each colour belongs to: a cube of 64 x 64 x 64 cells over Y, Cb and Cr, each cell 4 values
-/// wide, one byte a cell, in the order of the GermanTeam's ColorTable64: [Y / 4][Cb / 4][Cr / 4]. A plain
-/// value of 256 KB.
+/// A look-up table from colors to classes: a cube of 64 x 64 x 64 cells over Y, Cb and Cr, each cell 4 values
+/// wide, with one byte per cell in the order of the GermanTeam's ColorTable64: [Y / 4][Cb / 4][Cr / 4]. A
+/// plain value of 256 KB. Const functions may be called from several threads at a time.
 class ColorTable {
  public:
-  static constexpr int kCells = 64;       ///< a side
-  static constexpr double kCellSize = 4;  ///< values of a channel
+  /// Cells per side.
+  static constexpr int kCells = 64;
+  /// Width of a cell, in values of a channel.
+  static constexpr double kCellSize = 4;
 
   static constexpr std::size_t kCellCount = std::size_t{kCells} * kCells * kCells;
 
+  /// An empty table: all cells are of no class.
   ColorTable() : cells_(kCellCount + kCellPadding, ColorClasses::kNone) {}
 
+  /// The index of a color's cell in cells().
   static constexpr std::size_t cellOf(robotlink::YCbCr color) {
     return (static_cast<std::size_t>(color.y >> 2) << 12) | (static_cast<std::size_t>(color.cb >> 2) << 6) |
            static_cast<std::size_t>(color.cr >> 2);
@@ -35,13 +39,16 @@ class ColorTable {
   }
   bool operator==(const ColorTable&) const = default;
 
-  /// A table of other classes: `numbers[n]` is the class that its class n is here. Cells of classes past the
-  /// end of `numbers` are of none, and all are if there are not as many as a table has.
+  /// Builds a table from `cells` in other class numbers: `numbers[n]` is the new number of class n. Cells of
+  /// classes past the end of `numbers` become "none"; the table is empty if the number of cells is not
+  /// kCellCount.
   static ColorTable translated(std::span<const std::uint8_t> cells, std::span<const std::uint8_t> numbers);
 
+  /// kPlain disables vector instructions, for tests and benchmarks.
   enum class Instructions : std::uint8_t { kFastest, kPlain };
-  /// The class of each pixel, as a kMono8 image of the same size; kMono8 yields "none" everywhere. Uses AVX2
-  /// where there is AVX2, to the same results. `classes` keeps its memory from call to call.
+  /// Writes the class of each pixel into `classes`, a kMono8 image of the same size; a kMono8 input yields
+  /// "none" everywhere. Uses AVX2 where available, with the same results. `classes` reuses its memory from
+  /// call to call.
   void classify(const robotlink::ImageView& image, robotlink::Image& classes,
                 Instructions instructions = Instructions::kFastest) const;
 
@@ -51,10 +58,11 @@ class ColorTable {
            static_cast<std::size_t>(cr);
   }
 
-  std::vector<std::uint8_t> cells_;  // and what vector code may read behind them
+  /// kCellCount cells, followed by kCellPadding bytes that vector code may read.
+  std::vector<std::uint8_t> cells_;
 };
 
-/// An image of classes in the colours that the classes are shown in (kRgb8).
+/// Renders an image of class numbers (kMono8) in the display colors of the classes (kRgb8).
 robotlink::Image shownImage(const robotlink::ImageView& classImage, const ColorClasses& classes);
 
 }  // namespace colortool

@@ -10,11 +10,12 @@ namespace {
 
 constexpr int kCells = ColorTable::kCells;
 constexpr std::size_t kCellCount = std::size_t{kCells} * kCells * kCells;
-/// Past this many standard deviations a vote is none; along the shade.
+/// Numbers of standard deviations beyond which a vote is 0: of the near kernel, and of the one along the
+/// shade.
 constexpr double kReach = 3, kShadeReach = 2.3;
-/// How much wider the vote along the shade is, in Cb and Cr; and how much less it heeds brightness.
+/// How much wider the kernel along the shade is in Cb and Cr, and how much longer in Y.
 constexpr double kShadeWidth = 1.5, kShadeLength = 2;
-/// Standard deviation of what the gray guard looks at, in cells of Cb and Cr.
+/// Standard deviation of the gray guard, in cells of Cb and Cr.
 constexpr double kGuardWidth = 2;
 /// The number of samples in a cell is raised to this power.
 constexpr double kExponent = 0.7;
@@ -29,7 +30,7 @@ constexpr double kMaxPrior = 1.0e8;
 /// The largest vote of a kernel, for a cell's own samples, if the sum allows it.
 constexpr double kFinestPeak = 2048;
 
-/// So many cells of a row are decided at a time: loops of a known length are vectorised.
+/// Number of cells that are decided at a time: the compiler vectorizes loops of constant length.
 constexpr int kBlock = 16;
 std::uint32_t keyOf(std::size_t cell, std::uint8_t colorClass) {
   return static_cast<std::uint32_t>(cell) << 8U | colorClass;
@@ -67,7 +68,7 @@ void ColorVotes::makeGuard(double peak) {
   guard_.clear();
   for (int cb = 0; cb < kCells; ++cb) {
     for (int cr = 0; cr < kCells; ++cr) {
-      // From gray, which is where four cells meet.
+      // Distance from gray, which is the common corner of four cells.
       const double blue = cb + 0.5 - kCells / 2, red = cr + 0.5 - kCells / 2;
       const double squared = (blue * blue + red * red) / (kGuardWidth * kGuardWidth);
       guard_.push_back(static_cast<std::int32_t>(highest * std::exp(-0.5 * squared)));
@@ -123,7 +124,7 @@ void ColorVotes::add(std::size_t cell, std::uint8_t colorClass, std::int64_t pix
 void ColorVotes::vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength) {
   // The differences fit: strengths are those of kMaxPixels at most.
   near_.add(votes_[colorClass], cell, static_cast<std::int16_t>(strength - before), changed_);
-  // What must not be of a class says nothing of other lights.
+  // A sample that excludes a class says nothing about other light.
   const std::int32_t shaded = std::max(strength, 0) - std::max(before, 0);
   if (shaded != 0 && options_.shading > 0)
     shade_.add(votes_[colorClass], cell, static_cast<std::int16_t>(shaded), changed_);

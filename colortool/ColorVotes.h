@@ -13,20 +13,23 @@
 
 namespace colortool {
 
-/// How far samples are generalised, and when a colour is of no class.
+/// How far samples generalize in color space, and when a color belongs to no class. ColorVotes::setOptions()
+/// clamps values that are out of range. A plain value.
 struct VoteOptions {
   /// Standard deviation of a sample's vote in Cb and Cr, in values of a channel; kMinRadius to kMaxRadius.
   double radius = 8;
   /// A difference in Y counts this much against one in Cb or Cr; kMinBrightnessWeight to 1. Below 1, since
   /// light and shadow change a colour's brightness first.
   double brightnessWeight = 0.3;
-  /// What a class needs at least, as a share of a single sample pixel's vote for its own cell; 0 or more.
+  /// Minimum votes that a class needs to win a cell, as a share of the vote of a single sample pixel for its
+  /// own cell; 0 or more.
   double rejection = 0.05;
-  /// What a sample of the background counts against one of a class; background is of many colours, and most
-  /// of it is never touched by a stroke.
+  /// Weight of a background sample relative to one of a class, 0 to 1. It is below 1 because background has
+  /// many colors, most of which no stroke ever touches.
   double backgroundWeight = 0.3;
-  /// What a sample votes with along its shade, as a share of its vote for its own cell; 0: not at all. It
-  /// decides where no sample is near: shadow and glare change Cb and Cr along with Y.
+  /// Strength of the second, wider vote along the shade of the color, as a share of the vote for the sample's
+  /// own cell; 0 disables it, kMostShading is the maximum. It decides where no sample is near: shadow and
+  /// glare change Cb and Cr along with Y.
   double shading = 0.1;
   /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel: walls,
   /// clothes and shadows that no stroke has touched are gray, or nearly so.
@@ -38,69 +41,86 @@ struct VoteOptions {
   bool operator==(const VoteOptions&) const = default;
 };
 
-/// Makes a colour table of samples by voting: each sample votes for its class in the cells around its own,
-/// the less the farther, as a Gaussian; each cell goes to the class with most votes (rUNSWift 2005, with the
-/// Y axis stretched). A second, weak vote reaches farther, along what more or less light makes of the color.
-/// Samples of one class in one cell count as (their number)^0.7, so that a large area does not drown a
+/// Learns a color table from samples by voting. Each sample votes for its class in the cells around its own
+/// with a Gaussian weight, and each cell goes to the class with the most votes (rUNSWift 2005, with the Y
+/// axis stretched). A second, weak vote reaches farther, along the colors that the same thing has in more or
+/// less light. n samples of one class in one cell count as n^0.7, so that a large area does not outweigh a
 /// careful stroke.
 ///
-/// All sums are integers: to add samples and to take them away again leaves exactly what was there before.
-/// Incremental: only the cells that a change can reach are looked at. About 1 MB a class. One thread.
+/// All sums are integers: adding samples and removing them again restores exactly the state before.
+/// Incremental: update() visits only the cells that a change can reach. About 1 MB per class. One thread.
 class ColorVotes {
  public:
-  /// `classes`: how many there are with class 0, which is the background.
+  /// `classes`: the number of classes, including class 0, the background.
   explicit ColorVotes(int classes, const VoteOptions& options = {});
-  /// Which classes are colors of things, by number; see thingClasses(). Of these the gray guard asks for
-  /// more. At first none is.
+  /// Sets which classes are colors of things, by class number, see thingClasses(). The gray guard applies to
+  /// these only. Initially there are none.
   void setThings(std::vector<bool> things);
 
-  /// Adds `pixels` samples of a colour (negative: takes them away, or says that it must not be of that
-  /// class). Weighs in kUnit-ths of a pixel. The table follows with the next call of update().
+  /// Adds `pixels` samples of a color, in kUnit-ths of a pixel. A negative number removes samples, or, below
+  /// zero in total, says that the color must not be of this class. Unknown classes and cells are ignored. The
+  /// table changes at the next call of update().
   void add(std::size_t cell, std::uint8_t colorClass, std::int64_t pixels);
+  /// Units per sample pixel, so that strokes can have fractional weights.
   static constexpr std::int64_t kUnit = 16;
 
-  /// The options of all that was added so far, too: everything is voted anew.
+  /// Changes the options for all samples, also for those added before: all votes are computed again.
   void setOptions(const VoteOptions& options);
   const VoteOptions& options() const { return options_; }
 
-  /// The table of all that was added. Valid until the next call.
+  /// Decides the cells that changed and returns the table. Valid until the next call.
   const ColorTable& update();
-  /// How sure the table is of a cell: what the best one has more than the second, as a share of what it has,
-  /// 0 to 1. Background takes part: it has its votes and what the rejection asks for. As of the last
-  /// update().
+  /// The confidence of the table in a cell as of the last update(), 0 to 1: the lead of the winner over the
+  /// second, as a share of the winner's votes. Background takes part with its own votes plus those that the
+  /// rejection adds.
   double margin(std::size_t cell) const;
-  /// Each class that comes near the best one, as bit i for class i + 1: those with at least `share` of its
-  /// votes.
+  /// All classes that come near the winner of a cell, as a bit mask (bit i for class i + 1): those with at
+  /// least `share` of its votes. 0 if the cell is of no class; classes above 16 have no bit.
   std::uint16_t classesOf(std::size_t cell, double share) const;
 
-  /// All that was added and not taken away, where it speaks for its class; by cell and class.
+  /// All samples that speak for their class, sorted by cell and class; those that exclude a class are left
+  /// out.
   std::vector<CellSamples> samples() const;
-  /// The cells of samples(), by class. Valid until the next call.
+  /// The cells of samples(), indexed by class. Valid until the next call.
   std::span<const CellSet> sampledCells() const { return sampled_; }
 
+  /// Number of classes, including class 0.
   int classes() const { return static_cast<int>(votes_.size()); }
 
  private:
+  /// The sum of all samples of one class in one cell.
   struct Sample {
-    std::int64_t pixels = 0;    ///< in kUnit-ths
-    std::int32_t strength = 0;  ///< what it votes with
+    /// In kUnit-ths of a pixel.
+    std::int64_t pixels = 0;
+    /// The weight of the vote: the pixels, limited, raised to the power of 0.7, and scaled to an integer.
+    std::int32_t strength = 0;
   };
+  /// Computes kernels, prior and guard from the options.
   void makeKernels();
+  /// `peak`: the vote of a kernel for the sample's own cell.
   void makeGuard(double peak);
   std::int32_t strengthOf(std::int64_t pixels, std::uint8_t colorClass) const;
+  /// Replaces the vote of a cell's samples by one of another strength.
   void vote(std::size_t cell, std::uint8_t colorClass, std::int32_t before, std::int32_t strength);
-  /// What a class has in a cell, prior and guard included.
+  /// Votes of a class in a cell, with prior (background) and gray guard (things) applied.
   std::int32_t votesOf(std::size_t colorClass, std::size_t cell) const;
+  /// Determines the winners of one block of cells along Cr.
   void decide(int y, int cb, int block);
 
   VoteOptions options_;
+  /// The vote around the sample's own color, and the weak one along its shade.
   VoteKernel near_, shade_;
+  /// Votes that background has everywhere: the rejection.
   std::int32_t priorVotes_ = 0;
-  std::vector<std::int32_t> guard_;  // what a thing's votes must exceed the others' by, by Cb and Cr
-  std::vector<bool> things_;         // by class
-  std::unordered_map<std::uint32_t, Sample> samples_;  // by cell and class
-  std::vector<CellSet> sampled_;                       // by class
-  std::vector<std::vector<std::int32_t>> votes_;       // by class and cell
+  /// Votes by which a thing must exceed the others, by Cb and Cr.
+  std::vector<std::int32_t> guard_;
+  std::vector<bool> things_;  // by class
+  /// Keyed by cell and class.
+  std::unordered_map<std::uint32_t, Sample> samples_;
+  std::vector<CellSet> sampled_;  // by class
+  /// Indexed by class and cell.
+  std::vector<std::vector<std::int32_t>> votes_;
+  /// The cells that may have changed since the last update().
   CellBox changed_;
   ColorTable table_;
 };

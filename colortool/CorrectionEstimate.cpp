@@ -14,12 +14,13 @@
 namespace colortool {
 namespace {
 
-/// An image is divided into so many fields in each direction. What a stroke touches in one of them is a
-/// sample: its pixels are too much alike to be counted one by one.
+/// Number of fields in each direction into which an image is divided. The pixels of a stroke in one field
+/// form one sample, since they are too similar to count individually.
 constexpr int kFields = 8;
-/// A sample of more than this part of its field weighs 1; those of a stroke that is smaller do so together.
+/// A sample that covers at least this share of its field has weight 1; a smaller stroke has this weight in
+/// total.
 constexpr double kFullShare = 0.25;
-/// Y from here to here is neither clipped nor coarse.
+/// The range of Y that is neither clipped nor too coarse.
 constexpr int kDarkestY = 8, kBrightestY = 247;
 
 constexpr std::size_t kMinClasses = 3;
@@ -30,15 +31,16 @@ constexpr double kMeanError = 2, kTypicalGain = 0.2;
 constexpr double kMinGain = 0.5, kMaxGain = 2, kMaxOffset = 100;
 constexpr std::array kChannels = {"Y", "Cb", "Cr"};
 
-/// Colours that are compared: of a class, in one lighting.
+/// Colors are compared within a class and a lighting.
 using Kind = std::pair<std::uint8_t, std::string>;
 
-/// What a stroke touched in a field of its image.
+/// The pixels of a stroke in one field of its image.
 struct Patch {
   Kind kind;
   double pixels = 0, weight = 0, squaredRadius = 0;
-  double usable = 0, logarithm = 0;  ///< of Y, of the pixels that are neither too dark nor too bright
-  std::array<double, 3> values{};    ///< Y, Cb, Cr
+  /// Number and mean log Y of the pixels that are neither too dark nor too bright.
+  double usable = 0, logarithm = 0;
+  std::array<double, 3> values{};  ///< Mean Y, Cb, Cr.
 };
 
 struct Camera {
@@ -104,7 +106,7 @@ std::string nameOf(const Camera& camera) {
   return camera.name.empty() ? "The camera" : "Camera " + camera.name;
 }
 
-/// The samples of a channel: 0 for Y, 1 and 2 for Cb and Cr.
+/// The samples of a channel: 0 is Y, 1 is Cb, 2 is Cr.
 std::vector<RadialSample> radialSamples(const std::vector<Patch>& patches, std::size_t channel) {
   std::map<Kind, std::size_t> groups;
   std::vector<RadialSample> samples;
@@ -140,7 +142,7 @@ void estimateVignetting(Camera& camera, std::vector<std::string>& notes) {
                   " and Cr by " + formatted("%+.1f", atCorner(red)) + ".");
 }
 
-/// What the kinds of a camera look like without vignetting, and how well that is known.
+/// The mean color of a kind as a camera sees it without vignetting, and its accuracy.
 struct KindMean {
   double weight = 0;
   std::array<double, 3> values{};
@@ -162,12 +164,12 @@ std::map<Kind, KindMean> meansOf(const Camera& camera) {
   return means;
 }
 
-/// A kind as both cameras see it, in one channel.
+/// The same kind seen by both cameras, in one channel.
 struct Pair {
   double weight, own, reference;
 };
 
-/// By least squares that prefer a gain of 1.
+/// A least squares fit with a prior for a gain of 1.
 ChannelLine lineThrough(const std::vector<Pair>& pairs, bool withGain) {
   double weight = 0, own = 0, reference = 0;
   for (const Pair& pair : pairs) {

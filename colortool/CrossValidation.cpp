@@ -15,7 +15,7 @@ namespace {
 /// The most folds for methods that learn from scratch each time.
 constexpr std::size_t kMaxFolds = 5;
 
-/// A stroke, its cells, and what was found of it.
+/// A stroke with its cells and its score.
 struct Candidate {
   const Stroke* stroke = nullptr;
   std::vector<StrokeCell> cells;
@@ -23,8 +23,8 @@ struct Candidate {
 };
 using Fold = std::vector<Candidate*>;
 
-/// The strokes by class. Those of one class are near each other, so that to go from one to the next changes a
-/// small part of the table.
+/// Sorts the strokes by class. Strokes of one class are close to each other in color space, so that the step
+/// from one to the next changes only a small part of the table.
 std::vector<std::vector<Candidate*>> byClass(std::vector<Candidate>& candidates, int classes) {
   std::vector<std::vector<Candidate*>> sorted(static_cast<std::size_t>(classes));
   for (Candidate& candidate : candidates) {
@@ -51,7 +51,7 @@ std::vector<Fold> foldsOf(const std::vector<std::vector<Candidate*>>& sorted, Tr
   return folds;
 }
 
-/// Adds a stroke's pixels, by what was found, as shares of one stroke.
+/// Adds the pixels of a stroke by the class found, as shares of one stroke.
 void addShares(Evaluation& evaluation, std::uint8_t label, const std::map<std::uint8_t, std::uint64_t>& found,
                std::uint64_t all) {
   std::uint64_t left = StrokeQuality::kStroke;

@@ -11,38 +11,42 @@
 
 namespace colortool {
 
-/// How many of a stroke's pixels a table finds right that was made without that stroke.
+/// The share of a stroke's pixels that a table classifies correctly although it was trained without this
+/// stroke.
 struct StrokeScore {
   std::uint64_t stroke = 0;  ///< Stroke::id
-  double right = 0;          ///< share of its pixels
+  /// Share of the pixels, 0 to 1.
+  double right = 0;
   bool operator==(const StrokeScore&) const = default;
 };
 
-/// How well samples predict each other: what is to be expected of colours that nobody has touched.
+/// How well samples predict each other, which estimates how a table treats colors that no stroke has touched.
 struct StrokeQuality {
-  /// What a stroke counts in `evaluation`, however many pixels it has: a large stroke says no more of other
-  /// images than a small one.
+  /// The weight of one stroke in `evaluation`, independent of its size: a large stroke says no more about
+  /// other images than a small one.
   static constexpr std::uint64_t kStroke = 1'000'000;
 
-  /// Shares of strokes, in kStroke-ths, by what the stroke says and what was found. Weights do not count.
-  /// What must not be of a class is background here: found as that class, or as none if it is anything else.
+  /// The confusion matrix of strokes, in kStroke-ths, by the class of the stroke and the class found. Stroke
+  /// weights are ignored. A stroke that excludes a class counts as background: its pixels were found as that
+  /// class, or as none if they have any other class.
   Evaluation evaluation;
-  /// How many strokes each class has, by its number, that it was scored by; 0: the background.
+  /// Number of scored strokes by class number; 0 is the background.
   std::vector<int> strokesOf;
-  std::vector<StrokeScore> strokes;  ///< in the order of the samples
-  /// Classes with a single stroke, also the background. There is nothing to predict it from, so that their
-  /// recall is 0 or little more, and says nothing but that a second stroke is needed.
+  /// One score per stroke, in the order of the samples.
+  std::vector<StrokeScore> strokes;
+  /// Classes with a single stroke, possibly the background. No other stroke can predict it, so that their
+  /// recall is near 0 and only means that a second stroke is needed.
   std::vector<std::uint8_t> alone;
 };
 
-/// Scores each stroke with a table that is made without it, as the samples' settings say, corrections and
-/// clean-up included: with TrainingMethod::kVotes without this stroke alone (about 0.5 ms each), with the
-/// other methods without a fifth of the strokes at a time (five tables). Any thread; `goOn` is asked in
-/// between, and if it says no there is no result.
+/// Scores each stroke with a table that is trained without it, using the samples' settings including
+/// corrections and clean-up. TrainingMethod::kVotes leaves out one stroke at a time (about 0.5 ms each); the
+/// other methods leave out a fifth of the strokes at a time (five tables). Any thread. `goOn` is called
+/// between strokes; if it returns false, the result is empty.
 std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::function<bool()>& goOn = {});
 
-/// The same of a table that was not made of these strokes, such as another team's: each stroke counts once.
-/// `table` is of the samples' classes.
+/// Evaluates a table that was not trained on these strokes, such as one of another team, in the same way:
+/// each stroke has the same weight. The class numbers of `table` must be those of the samples.
 Evaluation scoreStrokes(const Samples& samples, const ColorTable& table);
 
 }  // namespace colortool

@@ -11,28 +11,33 @@
 
 namespace colortool {
 
-/// How well a table sorts pixels whose class is known. A plain value; pixels of several images are added up.
+/// A confusion matrix: how well a table classifies pixels whose true class is known. A plain value; add()
+/// accumulates pixels of several images.
 class Evaluation {
  public:
-  static constexpr std::uint8_t kIgnored = 255;  ///< a label: nobody knows
+  /// The label of pixels whose class is unknown.
+  static constexpr std::uint8_t kIgnored = 255;
 
-  /// `classes`: how many there are, with class 0, the background.
+  /// `classes`: the number of classes, including class 0, the background.
   explicit Evaluation(int classes);
 
+  /// Counts pixels of the true class `label` that were classified as `found`. Labels that are no class here
+  /// are ignored; a `found` that is none counts as background.
   void add(std::uint8_t label, std::uint8_t found, std::uint64_t pixels = 1);
-  /// Labels are class numbers, one a pixel, or kIgnored; what is not labelled with a class here is passed
-  /// over.
+  /// Classifies an image and compares it with `labels`: class numbers, one per pixel, or kIgnored. Labels
+  /// that are no class here are skipped.
   void add(const ColorTable& table, const ColorImage& image, std::span<const std::uint8_t> labels);
 
   int classes() const { return classes_; }
-  /// Pixels that are labelled `label` and were found to be `found`.
+  /// Number of pixels labeled `label` that were classified as `found`.
   std::uint64_t count(int label, int found) const;
+  /// Number of pixels with a label.
   std::uint64_t labelled(int label) const;
-  /// Share of a class's pixels that were found to be of it; 0 if there are none.
+  /// Share of a class's pixels that were classified correctly, 0 to 1; 0 if there are none.
   double recall(int label) const;
-  /// The mean over the classes, without background, that occur in the labels.
+  /// Mean recall of all classes that occur in the labels, without the background; 0 if there are none.
   double meanRecall() const;
-  /// Share of the background's pixels that were found to be of one of `classes`.
+  /// Share of background pixels that were classified as one of `classes`, 0 to 1.
   double falseColor(std::span<const std::uint8_t> classes) const;
 
  private:

@@ -11,17 +11,17 @@ namespace {
 
 using robotlink::PixelFormat;
 
-// A gain has 11 binary places and an offset 5: both fit 16 bits within the limits of ColorCorrection.
+// Gains have 11 fractional bits and offsets 5: both fit into 16 bits within the limits of ColorCorrection.
 constexpr int kGainBits = 11, kOffsetBits = 5;
 constexpr int kHalf = 1 << (kGainBits - 1);
-/// Bytes that are corrected at a time: loops of a known length are vectorised.
+/// Number of bytes that are corrected at a time: the compiler vectorizes loops of constant length.
 constexpr std::size_t kStride = 16;
 
 std::int16_t fixed(double value, int bits) {
   return static_cast<std::int16_t>(std::lround(value * (1 << bits)));
 }
 
-/// `from` and `to` may be the same.
+/// `from` and `to` may be equal.
 void correctStride(const std::uint8_t* from, const std::int16_t* gains, const std::int16_t* offsets,
                    std::uint8_t* to) {
   std::array<std::uint8_t, kStride> corrected;
@@ -51,7 +51,7 @@ std::uint8_t toByte(int value) {
   return static_cast<std::uint8_t>(std::clamp(value, 0, 255));
 }
 
-/// As robotlink::toRgb, to within 1, without floating point.
+/// robotlink::toRgb() without floating point; differs by at most 1.
 robotlink::Rgb quickRgb(const std::uint8_t* color) {
   constexpr int kMiddle = 1 << 15;
   const int y = (color[0] << 16) + kMiddle, cb = color[1] - 128, cr = color[2] - 128;
@@ -91,7 +91,7 @@ ImageCorrector::Row ImageCorrector::pixelRow(int y) const {
     const double chromaX = pairs ? (x & ~1) + 0.5 : x;
     const double radius = squaredImageRadius(chromaX, y, layout_->width, layout_->height);
     const ChannelLine blue = correction_.blueAt(radius), red = correction_.redAt(radius);
-    if (!pairs) {  // Y Cb Cr, as colours come from kRgb8 and kBgr8
+    if (!pairs) {  // kRgb8 and kBgr8 are converted to Y Cb Cr before
       row.add(luma);
       row.add(blue);
       row.add(red);

@@ -33,7 +33,7 @@ CellColor cellColorOf(std::size_t cell) {
   return {middle(cell >> 12U), middle(cell >> 6U & 63U), middle(cell & 63U)};
 }
 
-/// As the header says.
+/// The features are described in the header.
 std::array<float, kDimensions> featureOf(std::size_t cell) {
   const CellColor color = cellColorOf(cell);
   const double k = 160 / (color.y + 24);
@@ -50,14 +50,14 @@ cv::Mat featuresOfAllCells() {
   return features;
 }
 
-/// What is learned from: a feature and a class in each row, some of them several times.
+/// The training data: a feature and a class per row, with repetitions.
 struct Lesson {
   cv::Mat features = cv::Mat(0, kDimensions, CV_32F);
   cv::Mat classes = cv::Mat(0, 1, CV_32S);
   std::set<int> known;
 
-  /// `blur`: each sample is learned from at this distance in all directions, too; without that, few samples
-  /// have next to no spread.
+  /// `blur`: each sample is repeated at this distance in all directions; otherwise few samples would have
+  /// hardly any variance.
   Lesson(std::span<const CellSamples> samples, float blur, double mostRepeats) {
     for (const CellSamples& sample : samples) {
       const auto feature = featureOf(sample.cell);
@@ -78,11 +78,11 @@ struct Lesson {
     features.push_back(cv::Mat(1, kDimensions, CV_32F, feature.data()));
     classes.push_back(colorClass);
   }
-  /// Nothing is told apart by fewer than two classes.
+  /// Classification requires at least two classes.
   bool teaches() const { return known.size() >= 2; }
 };
 
-/// The cells in the order of the table with what `classOf` says of each.
+/// Builds a table from the class that `classOf` returns for each cell.
 template <typename ClassOf>
 ColorTable tableOf(ClassOf classOf) {
   ColorTable table;
@@ -97,7 +97,7 @@ ColorTable tableOf(ClassOf classOf) {
   return table;
 }
 
-/// How far a feature is from a class's, in its own standard deviations.
+/// The Mahalanobis distance of features from the mean of a class.
 class Spread {
  public:
   Spread(const Lesson& lesson, int colorClass) {
@@ -126,7 +126,7 @@ class Spread {
   cv::Mat mean_, inverse_;
 };
 
-/// Whether a cell is near a sample of anything.
+/// Whether a cell is close to a sample of any class.
 class Neighborhood {
  public:
   Neighborhood(std::span<const CellSamples> samples, double mostDistance)
@@ -174,7 +174,7 @@ ColorTable gaussianTable(std::span<const CellSamples> samples, const GaussianOpt
 }
 
 ColorTable supportVectorTable(std::span<const CellSamples> samples, const SupportVectorOptions& options) {
-  const Lesson lesson(samples, 0, 1);  // it takes longer than in proportion to how many there are
+  const Lesson lesson(samples, 0, 1);  // no repetitions: the training time grows more than linearly
   if (!lesson.teaches()) return {};
   const auto machine = cv::ml::SVM::create();
   machine->setType(cv::ml::SVM::C_SVC);

@@ -181,7 +181,7 @@ Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
     return named;
   const auto saved = file.save(table);
   if (saved) return saved;
-  // The old table, if there was one, keeps its names.
+  // The previous table, if there was one, keeps its names.
   if (before)
     static_cast<void>(robotlink::writeFileAtomically(beside, *before));
   else

@@ -10,29 +10,32 @@
 
 namespace colortool {
 
-/// Classes as text, one a line with the colour that views show it in (COLORTABLES.md).
+/// Formats classes as text: one per line, with its name and display color (COLORTABLES.md).
 std::string colorClassesText(const ColorClasses& classes);
-/// All that is wrong is told at once, with its line. `file` is the name that errors carry.
+/// Parses such a text and reports all problems at once, each with its line. `file` is the name that errors
+/// carry.
 tl::expected<ColorClasses, robotlink::Errors> parseColorClasses(std::string_view text,
                                                                 const std::string& file);
 
-/// A `.c64` table with the names of its classes, which stand in a file beside it, `NAME.c64.classes`, since
-/// the format has no room for them. A table without that file is of the classes of the preset bhuman2009, as
-/// the known files are. A plain value.
+/// A `.c64` table with the names of its classes, which are stored in a file beside it, `NAME.c64.classes`,
+/// since the format has no room for them. A table without that file has the classes of the preset bhuman2009,
+/// as all known files do. A plain value.
 struct NamedColorTable {
   ColorTableFile file;
+  /// The names and display colors; at least up to the highest class of the table.
   ColorClasses classes;
 
-  /// Classes that are numbered, but not named by the preset, are called "class 9". Fails on a broken file of
-  /// names, and on one that names fewer classes than the table has.
+  /// Reads table and names. Classes that occur in the table but not in the preset get names such as "class
+  /// 9". Fails on a damaged file of names, and if it names fewer classes than the table has.
   static tl::expected<NamedColorTable, robotlink::Errors> load(const std::filesystem::path& table);
-  /// Writes both, or none. The file of names is left out, and an old one removed, for the preset's classes.
-  /// Fails where there are more classes than a .c64 can number.
+  /// Writes both files, or none. For the classes of the preset the file of names is not written, and an old
+  /// one is removed. Fails if there are more classes than a .c64 can number.
   robotlink::Result<void> save(const std::filesystem::path& table) const;
 
-  /// Names the classes that the table has, but that have no name: "class 9".
+  /// Gives names such as "class 9" to classes that occur in the table but have none.
   void nameAll();
 
+  /// The path of the file of names that belongs to a table.
   static std::filesystem::path classesFile(const std::filesystem::path& table);
 };
 

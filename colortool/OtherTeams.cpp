@@ -39,7 +39,7 @@ constexpr std::array<NumberedTable::Class, 7> kUPennClasses = {{{1, "orange", {2
 
 }  // namespace
 
-// rUNSWift 2005 (robot/vision/CorrectedImage.h): their "u" is Cr, and 127 is none.
+// rUNSWift 2005 (robot/vision/CorrectedImage.h): their "u" is Cr, and 127 means no class.
 constexpr NumberedTable kRunswiftTable{
     "color-table.runswift", "a table of rUNSWift 2005", {128, 128, 128}, true, 127, kRunswiftClasses};
 // NUbots 2013 (LookUpTable.h).

@@ -12,21 +12,32 @@
 
 namespace colortool {
 
-/// A colour table that is nothing but its cells, one byte each: how many, in which order, and what the bytes
-/// stand for. Constant data.
+/// Describes a color table format that consists of nothing but one byte per cell: its size, the order of its
+/// cells and the meaning of the bytes. Constant data.
 struct NumberedTable {
+  /// A byte value and the class that it stands for.
   struct Class {
+    /// The value in the file.
     std::uint8_t byte;
-    std::string_view name;  ///< as its team calls it
-    robotlink::Rgb rgb;     ///< that views show it in
+    /// The name that the team uses.
+    std::string_view name;
+    /// The color in which views show the class.
+    robotlink::Rgb rgb;
   };
-  std::string_view id;     ///< of errors
-  std::string_view title;  ///< "a table of rUNSWift"
+  /// The id of errors.
+  std::string_view id;
+  /// The format's name in errors: "a table of rUNSWift".
+  std::string_view title;
+  /// Cells along Y and the two chroma channels.
   std::array<int, 3> sides;
+  /// Whether Cr comes before Cb.
   bool crFirst;
+  /// The byte of cells without a class.
   std::uint8_t none;
-  std::span<const Class> known;  ///< become our classes 1, 2, ...
+  /// All classes of the format; they become our classes 1, 2, ...
+  std::span<const Class> known;
 
+  /// The size of a file in this format.
   std::size_t bytes() const { return CellGrid::count(sides); }
   ColorClasses classes() const;
 };
@@ -37,8 +48,8 @@ extern const NumberedTable kNUbotsTable;
 /// The bytes of this one are masks with a bit for each class.
 extern const NumberedTable kUPennTable;
 
-/// Fails, with the offset, where there are not as many bytes as the format has, or a byte that stands for
-/// nothing. For tables of numbers.
+/// Fails, with the offset, if the number of bytes is not that of the format, or on a byte that stands for no
+/// class.
 robotlink::Result<CellGrid> parseNumberedTable(const NumberedTable& format, std::string_view bytes,
                                                const std::string& file);
 

@@ -10,7 +10,7 @@
 namespace colortool {
 namespace {
 
-/// The line of one colour, in coordinates (weighted Y, Cb - 128, Cr - 128).
+/// The line of a color, in the coordinates (weighted Y, Cb - 128, Cr - 128).
 struct Line {
   float y, cb, cr;
   float inverseSquare;
@@ -30,7 +30,7 @@ std::vector<Line> lines(std::span<const NamedColor> palette, const ColorClasses&
   return result;
 }
 
-/// Middle of the values that fall into a cell.
+/// The center of the values that fall into a cell.
 float middle(int cell) {
   return static_cast<float>(cell * ColorTable::kCellSize + 1.5);
 }
@@ -46,7 +46,7 @@ class ColumnClassifier {
         limit_(static_cast<float>(lighting.tolerance * lighting.tolerance)),
         weight_(static_cast<float>(lighting.brightnessWeight)) {}
 
-  /// All cells of one Cb and Cr.
+  /// Classifies all cells with the same Cb and Cr.
   void classify(int cbCell, int crCell, ColorTable& table) {
     const float cb = middle(cbCell) - 128, cr = middle(crCell) - 128;
     for (std::size_t i = 0; i < lines_.size(); ++i) dots_[i] = cb * lines_[i].cb + cr * lines_[i].cr;
@@ -63,7 +63,7 @@ class ColumnClassifier {
       const float dot = dots_[i] + y * line.y;
       const float light = std::clamp(dot * line.inverseSquare, darkest_, brightest_);
       const float distance = chromaSquare + y * y - 2 * light * dot + light * light * line.square;
-      // Much less than the tolerance, so that it matters only where lines coincide.
+      // Much smaller than the tolerance, so that it matters only where lines coincide.
       const float unusual = (light - usual_) * 10;
       if (distance <= limit_ && distance + unusual * unusual < best) {
         best = distance + unusual * unusual;

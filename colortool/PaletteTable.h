@@ -7,23 +7,30 @@
 
 namespace colortool {
 
-/// How the colours of a scene may look to its camera.
+/// The range in which the colors of a scene can appear in its camera's images. Light is a share of full
+/// light.
 struct LightingRange {
-  double darkest = 0.3;  ///< share of full light in the deepest shadow
+  /// The deepest shadow.
+  double darkest = 0.3;
+  /// The brightest light; above 1 to allow for noise.
   double brightest = 1.05;
-  double usual = 0.75;  ///< decides between greys, which differ in nothing but brightness
-  double tolerance =
-      26;  ///< how far a colour may be off, in values of Cb and Cr, by noise and by mixing at edges
-  double brightnessWeight = 0.35;  ///< of a difference in Y against one in Cb or Cr
+  /// The usual light; it decides between grays, which differ in brightness only.
+  double usual = 0.75;
+  /// Maximum distance of a color from its line, in values of Cb and Cr, caused by noise and by mixed pixels
+  /// at edges.
+  double tolerance = 26;
+  /// Weight of a difference in Y relative to one in Cb or Cr.
+  double brightnessWeight = 0.35;
   bool operator==(const LightingRange&) const = default;
 };
 
-/// The colour table of a scene whose colours are known: the start-up table of simulated robots, and what a
-/// calibration can start from.
+/// Computes the color table of a scene whose colors are known: the initial table of simulated robots, and a
+/// starting point for a calibration.
 ///
-/// A dull surface of colour c under light of strength f shows f * c; in YCbCr (with Cb and Cr from 128) these
-/// colours are a stretch of a straight line through black. Each cell goes to the nearest such stretch, if one
-/// is near enough. All of `palette` compete; cells won by a colour without a class are "none". About 5 ms.
+/// A matte surface of color c under light of strength f appears as f * c; in YCbCr (with Cb and Cr relative
+/// to 128) these colors form a segment of a straight line through black. Each cell goes to the nearest
+/// segment within the tolerance. All colors of `palette` compete; cells won by a color that is not in
+/// `classes` are "none". Takes about 5 ms.
 ColorTable paletteTable(std::span<const NamedColor> palette, const ColorClasses& classes,
                         const LightingRange& lighting = {});
 

@@ -10,7 +10,7 @@
 namespace colortool {
 namespace {
 
-/// Which pixels of a part of an image are taken, its sides inclusive; areas are made of it.
+/// A bit mask for a part of an image, its sides inclusive, from which areas are built.
 class Mask {
  public:
   Mask(int left, int top, int right, int bottom)
@@ -46,7 +46,7 @@ int bounded(double value, int most) {
   return static_cast<int>(std::clamp(value, -1.0, static_cast<double>(most)));
 }
 
-/// Squared distance of a point from the line between two others.
+/// The squared distance of a point from a line segment.
 double squaredDistance(ImagePoint from, ImagePoint to, double x, double y) {
   const double dx = to.x - from.x, dy = to.y - from.y;
   const double length = dx * dx + dy * dy;
@@ -56,11 +56,11 @@ double squaredDistance(ImagePoint from, ImagePoint to, double x, double y) {
   return ex * ex + ey * ey;
 }
 
-/// Merges rows of runs; `keep` says of (in a, in b) whether a pixel belongs to the result.
+/// Combines two areas row by row; `keep(inA, inB)` says whether a pixel belongs to the result.
 template <typename Keep>
 PixelArea combined(const PixelArea& a, const PixelArea& b, const Keep& keep) {
   PixelArea result;
-  std::vector<std::array<int, 2>> ends;  // x and which of the two begins or ends there
+  std::vector<std::array<int, 2>> ends;  // x, and which of the two areas begins or ends there
   std::size_t i = 0, j = 0;
   while (i < a.size() || j < b.size()) {
     const int y = std::min(i < a.size() ? a[i].y : b[j].y, j < b.size() ? b[j].y : a[i].y);
@@ -82,7 +82,7 @@ PixelArea combined(const PixelArea& a, const PixelArea& b, const Keep& keep) {
   return result;
 }
 
-/// Grows over like colours, nearest first.
+/// Grows over similar colors, the nearest pixels first.
 class Wand {
  public:
   Wand(const ColorImage& image, const WandOptions& options)
@@ -160,7 +160,7 @@ PixelArea brushArea(int width, int height, std::span<const ImagePoint> points, d
 
 PixelArea carefulBrushArea(const ColorImage& image, std::span<const ImagePoint> points, double radius,
                            double tolerance) {
-  // The pixels that the line goes through are meant, whatever they are.
+  // The pixels on the line are meant, whatever their color.
   const PixelArea middle = brushArea(image.width, image.height, points, std::min(radius, 0.71));
   struct Meant {
     int x, y;
@@ -266,7 +266,7 @@ std::size_t pixelCount(const PixelArea& area) {
 
 std::vector<PixelEdge> outline(const PixelArea& area) {
   std::vector<PixelEdge> edges;
-  // Upright sides; those of rows that follow each other become one.
+  // Vertical sides; those of consecutive rows are joined.
   std::vector<std::pair<int, int>> sides;
   for (const PixelRun& run : area) sides.insert(sides.end(), {{run.begin, run.y}, {run.end, run.y}});
   std::ranges::sort(sides);
@@ -276,7 +276,7 @@ std::vector<PixelEdge> outline(const PixelArea& area) {
     else
       edges.push_back({x, y, x, y + 1});
   }
-  // Between a pixel of the area and one above or below that is not.
+  // Horizontal sides: between a pixel of the area and one above or below that is not in it.
   PixelArea below = area;
   for (PixelRun& run : below) ++run.y;
   for (const PixelRun& run : without(area, below)) edges.push_back({run.begin, run.y, run.end, run.y});
@@ -285,7 +285,7 @@ std::vector<PixelEdge> outline(const PixelArea& area) {
 }
 
 bool contains(const PixelArea& area, int x, int y) {
-  // Not by std::ranges::equal_range, with which clang 14 cannot read the standard library.
+  // std::ranges::equal_range() does not compile with clang 14 and this standard library.
   for (auto run = std::ranges::lower_bound(area, y, {}, &PixelRun::y); run != area.end() && run->y == y;
        ++run) {
     if (run->begin <= x && x < run->end) return true;

@@ -21,14 +21,14 @@ constexpr double kMinRadialGain = 14;
 constexpr double kDarkest = 0.15;
 
 struct Limits {
-  double noise;    ///< no sample is known better
-  double typical;  ///< coefficients of this size are nothing unusual
+  double noise;    ///< minimum standard deviation of a sample
+  double typical;  ///< typical size of coefficients
 };
 Limits limitsOf(RadialModel model) {
   return model == RadialModel::kShade ? Limits{0.005, 0.5} : Limits{0.3, 15};
 }
 
-/// A sample against the model at some coefficients.
+/// The residual of a sample and its derivatives at some coefficients.
 struct Equation {
   std::size_t group;
   double weight;
@@ -40,8 +40,8 @@ double radialCurve(const Eigen::Vector2d& c, double squaredRadius) {
   return (c[0] + c[1] * squaredRadius) * squaredRadius;
 }
 
-/// Takes the weighted mean of each group away from its equations: what is left does not depend on the group's
-/// own mean.
+/// Subtracts the weighted mean of each group from its equations: the rest is independent of the group's own
+/// mean.
 void center(std::vector<Equation>& equations) {
   struct Sums {
     double weight = 0, residual = 0;
@@ -86,7 +86,7 @@ double freedomOf(std::span<const RadialSample> samples) {
     groups.push_back(sample.group);
   }
   std::ranges::sort(groups);
-  // Not std::ranges::unique, with which clang 14 cannot read the standard library.
+  // std::ranges::unique() does not compile with clang 14 and this standard library.
   const auto different = std::unique(groups.begin(), groups.end()) - groups.begin();
   return sum - static_cast<double>(different);
 }
@@ -107,7 +107,7 @@ double squares(const std::vector<Equation>& equations) {
   return sum;
 }
 
-/// Whether the samples of the groups are at different distances from the centre, and enough of them.
+/// Whether there are enough samples at different distances from the center.
 bool isWideEnough(std::span<const RadialSample> samples) {
   const double freedom = freedomOf(samples);
   if (freedom < kMinFreedom) return false;

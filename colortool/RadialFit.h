@@ -7,32 +7,42 @@
 
 namespace colortool {
 
-/// A channel of something of one colour, somewhere in an image.
+/// One channel of a patch of uniform color somewhere in an image.
 struct RadialSample {
-  std::size_t group = 0;  ///< of the same colour, in the same light
+  /// Samples of equal group have the same color in the same light.
+  std::size_t group = 0;
+  /// See squaredImageRadius().
   double squaredRadius = 0;
-  double value = 0;  ///< for RadialModel::kShade the logarithm of Y
+  /// The value of the channel; for RadialModel::kShade the logarithm of Y.
+  double value = 0;
+  /// Its weight in the fit; positive.
   double weight = 1;
 };
 
-/// What the distance r from the image's centre does to a value that is `mean` there.
+/// How a value that is `mean` at the image center depends on the distance r from there.
 enum class RadialModel : std::uint8_t {
   kShade,  ///< log(value) = mean + log(1 + c0 r^2 + c1 r^4)
   kTint,   ///< value = mean + c0 r^2 + c1 r^4
 };
 
+/// The result of fitRadial().
 struct RadialFit {
+  /// Whether the fit yielded coefficients, or why not.
   enum class Outcome : std::uint8_t {
+    /// The effect is significant.
     kFound,
-    kTooNarrow,  ///< the samples of each group are about equally far from the centre
-    kNothing,    ///< they differ no more than by chance
+    /// All samples of each group are about equally far from the center.
+    kTooNarrow,
+    /// The differences may be chance.
+    kNothing,
   };
   Outcome outcome = Outcome::kTooNarrow;
-  std::array<double, 2> coefficients{};  ///< 0 unless found
+  /// c0 and c1; 0 unless the outcome is kFound.
+  std::array<double, 2> coefficients{};
 };
 
-/// Fits c0 and c1, and a mean of its own for each group, by least squares in which outliers count less
-/// (Huber 1964), and small coefficients are preferred where samples say little.
+/// Fits c0 and c1 together with a separate mean for each group, by robust least squares (Huber 1964). A prior
+/// pulls the coefficients to 0 where the samples say little.
 RadialFit fitRadial(std::span<const RadialSample> samples, RadialModel model);
 
 }  // namespace colortool

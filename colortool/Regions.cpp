@@ -12,8 +12,8 @@ using robotlink::ImageView;
 
 namespace {
 
-/// Where the run ends that begins there: the first pixel of another class. Eight pixels at a time, since most
-/// runs of an image are long.
+/// The end of the run that begins at `begin`: the first pixel of another class. Compares eight pixels at a
+/// time, since most runs are long.
 int endOfRun(const std::uint8_t* pixels, int begin, int count) {
   const std::uint64_t same = 0x0101'0101'0101'0101U * std::uint64_t{pixels[begin]};
   int at = begin + 1;
@@ -62,7 +62,7 @@ int RegionFinder::root(int run) {
 void RegionFinder::connectLines(std::size_t previousBegin, std::size_t previousEnd) {
   std::size_t above = previousBegin;
   for (std::size_t i = previousEnd; i < runs_.size(); ++i) {
-    // Runs that touch by a corner belong together, too.
+    // Runs that touch at a corner are connected, too.
     while (above < previousEnd && runs_[above].end < runs_[i].begin) ++above;
     for (std::size_t j = above; j < previousEnd && runs_[j].begin <= runs_[i].end; ++j) {
       if (runs_[j].colorClass != runs_[i].colorClass) continue;

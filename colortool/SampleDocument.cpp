@@ -10,7 +10,7 @@ namespace {
 constexpr auto kById = [](const StrokePtr& stroke) { return std::pair(stroke->id, stroke.get()); };
 constexpr auto kIdOf = [](const StrokePtr& stroke) { return stroke->id; };
 
-/// What is in `a` and not in `b`, by identity; both sorted by id.
+/// The strokes that are in `a` but not in `b`, by identity; both are sorted by id.
 std::vector<StrokePtr> difference(const std::vector<StrokePtr>& a, const std::vector<StrokePtr>& b) {
   std::vector<StrokePtr> result;
   auto other = b.begin();

@@ -28,12 +28,12 @@ void appendHex(std::string& text, std::uint8_t byte) {
   text += kDigits[byte & 15U];
 }
 
-/// Thrown within this file only, by what a line lacks; the sentence ends up in an error with its line.
+/// Thrown only within this file when a line is invalid; the text becomes an error with the line number.
 struct Wrong : std::runtime_error {
   using std::runtime_error::runtime_error;
 };
 
-/// Groups of three bytes, two digits each.
+/// Parses groups of three bytes, two hexadecimal digits each.
 std::vector<std::array<std::uint8_t, 3>> triplesOf(const std::string& hex, const char* what) {
   const auto digit = [&](char c) -> unsigned {
     if (c >= '0' && c <= '9') return static_cast<unsigned>(c - '0');
@@ -47,7 +47,7 @@ std::vector<std::array<std::uint8_t, 3>> triplesOf(const std::string& hex, const
   return triples;
 }
 
-/// The value of a whole number, if it fits.
+/// The value of an integer, if it is in range.
 template <typename T>
 T whole(const Json& value, const std::string& name) {
   if (value.is_number_unsigned()) {
@@ -74,7 +74,8 @@ struct ListOf<std::array<T, kCount>> {
   }
 };
 
-/// The value, if it is of the type: the library converts numbers that do not fit, and throws for the rest.
+/// The value, if it has the right type: the library converts numbers that do not fit, and throws for other
+/// types.
 template <typename T>
 T checked(const Json& value, const std::string& name) {
   if constexpr (std::is_same_v<T, std::string>) {
@@ -104,7 +105,7 @@ const Json& part(const Json& object, const char* name) {
   return *found;
 }
 
-/// A member that holds others; an empty one if there is none.
+/// A member with further members; an empty one if it is missing.
 const Json& optionalPart(const Json& object, const char* name) {
   static const Json none = Json::object();
   const auto found = object.find(name);
@@ -118,7 +119,7 @@ T member(const Json& object, const char* name) {
   return checked<T>(part(object, name), name);
 }
 
-/// Leaves `value` as it is without such a member.
+/// Leaves `value` unchanged if there is no such member.
 template <typename T>
 void optional(const Json& object, const char* name, T& value) {
   if (const auto found = object.find(name); found != object.end()) value = checked<T>(*found, name);
@@ -130,7 +131,7 @@ int side(const Json& object, const char* name) {
   return value;
 }
 
-// Lines, written and read side by side.
+// The functions for writing and reading each kind of line are next to each other.
 
 Json written(const TrainingSettings& s) {
   return {{"settings",
@@ -302,12 +303,12 @@ NamedColor readClass(const Json& line) {
   return named;
 }
 
-/// Collects what the lines say.
+/// Collects the contents of all lines.
 class Reader {
  public:
   explicit Reader(std::string file) : file_(std::move(file)) {}
 
-  /// The first line says what file it is.
+  /// The first line identifies the file format.
   Result<void> begin(std::string_view line) {
     const Json head = Json::parse(line, nullptr, false);
     const auto format = head.is_object() ? head.find("format") : head.end();
@@ -417,7 +418,7 @@ Result<ReadSamples> loadSamples(const std::filesystem::path& file) {
 
 std::string samplesText(const Samples& samples) {
   std::string text = Json{{"format", kFormat}, {"version", kVersion}}.dump() + "\n";
-  // Names are the user's: what is no UTF-8 is replaced.
+  // Names come from the user: invalid UTF-8 is replaced.
   const auto add = [&](const Json& line) {
     text += line.dump(-1, ' ', false, Json::error_handler_t::replace) + "\n";
   };

@@ -10,20 +10,23 @@
 
 namespace colortool {
 
-/// What could be read of a file of samples. A damaged line costs what it says, and no more.
+/// The readable contents of a file of samples. A damaged line loses only what it contains.
 struct ReadSamples {
   Samples samples;
-  robotlink::Errors problems;  ///< with file and line; what is wrong and what of it is left out
+  /// What is wrong and what was therefore left out, with file and line.
+  robotlink::Errors problems;
 };
 
-// Samples are kept as text (JSON lines, see SAMPLES.md), so that they can be compared, merged and mended.
+// Samples are stored as text (JSON lines, see SAMPLES.md), so that they can be compared, merged and repaired
+// by hand.
 
-/// Fails if it is no file of samples at all, or one of a newer version. `file` is the name that errors carry.
+/// Fails if the text is no file of samples, or one of a newer version; anything else is in
+/// ReadSamples::problems. `file` is the name that errors carry.
 robotlink::Result<ReadSamples> parseSamples(std::string_view text, const std::string& file);
 robotlink::Result<ReadSamples> loadSamples(const std::filesystem::path& file);
 
 std::string samplesText(const Samples& samples);
-/// Whole or not at all.
+/// Replaces the file atomically: it is written completely or not at all.
 robotlink::Result<void> saveSamples(const Samples& samples, const std::filesystem::path& file);
 
 }  // namespace colortool

@@ -9,7 +9,7 @@
 namespace colortool {
 namespace {
 
-/// A picture of the area's box and as much around it, made smaller by leaving out pixels.
+/// A picture of the area's bounding box with the same amount of surroundings, reduced by skipping pixels.
 Thumbnail thumbnailOf(const ColorImage& image, const PixelArea& area) {
   int left = image.width, right = 0;
   for (const PixelRun& run : area) {
@@ -39,7 +39,7 @@ std::uint64_t lastId(const Samples& samples) {
   return samples.strokes.empty() ? 0 : samples.strokes.back()->id;
 }
 
-/// The id of an image that is the same but for its id; it is added if there is none.
+/// The id of an image with equal properties; it is added if there is none.
 std::uint64_t imageLike(Samples& samples, const SampleImage& where) {
   std::uint64_t last = 0;
   for (const SampleImage& known : samples.images) {
@@ -54,7 +54,7 @@ std::uint64_t imageLike(Samples& samples, const SampleImage& where) {
   return last + 1;
 }
 
-/// The stroke without an area; null if nothing is left.
+/// The stroke without the area; null if nothing remains.
 StrokePtr without(const StrokePtr& stroke, const PixelArea& area) {
   auto rest = std::make_shared<Stroke>(*stroke);
   rest->area = colortool::without(stroke->area, area);
@@ -76,7 +76,7 @@ void removeUnusedImages(Samples& samples) {
   std::erase_if(samples.images, [&](const SampleImage& image) { return !used.contains(image.id); });
 }
 
-/// Calls `change` with a copy of each stroke of these ids, which takes its place.
+/// Replaces the strokes with these ids by copies that `change` modifies.
 template <typename Change>
 void replace(Samples& samples, const std::vector<std::uint64_t>& ids, const Change& change) {
   for (StrokePtr& stroke : samples.strokes) {

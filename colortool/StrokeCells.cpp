@@ -7,7 +7,7 @@
 namespace colortool {
 namespace {
 
-/// From so many pixels on it is quicker to count in all cells than to sort.
+/// From this number of pixels on, counting in an array of all cells is faster than sorting.
 constexpr std::size_t kManyPixels = 4096;
 
 /// Returns the cell of each pixel of the stroke, in its order.

@@ -10,21 +10,23 @@
 
 namespace colortool {
 
-/// What a stroke says of a cell of the colour table.
+/// What a stroke says about one cell of the color table.
 struct StrokeCell {
+  /// As ColorTable::cellOf() numbers them.
   std::size_t cell = 0;
-  /// Its pixels there times its weight, in ColorVotes::kUnit-ths of a pixel; less than 0 if they must not be
-  /// of the stroke's class.
+  /// The number of its pixels there times its weight, in ColorVotes::kUnit-ths of a pixel; negative if they
+  /// must not be of the stroke's class.
   std::int64_t units = 0;
-  std::uint32_t pixels = 0;  ///< of the stroke, whatever its weight
+  /// The number of its pixels there, without weight.
+  std::uint32_t pixels = 0;
   bool operator==(const StrokeCell&) const = default;
 };
 
-/// The cells of a stroke's pixels, after what the samples' settings correct of its camera's colours: sorted
-/// by cell, each of them once. Some microseconds for a brush's stroke.
+/// The cells of a stroke's pixels after the correction of its camera's colors: sorted by cell, each cell
+/// once. Takes some microseconds for a stroke of the brush.
 std::vector<StrokeCell> strokeCells(const Samples& samples, const Stroke& stroke);
 
-/// Adds a stroke's cells to what `votes` knows of `colorClass`, or takes them away again (`sign` -1).
+/// Adds the cells of a stroke to the votes for `colorClass`, or removes them again (`sign` -1).
 void addTo(ColorVotes& votes, std::span<const StrokeCell> cells, std::uint8_t colorClass, int sign = 1);
 
 }  // namespace colortool

@@ -9,38 +9,42 @@
 
 namespace colortool {
 
-/// What one class gets of another one, or of the background, when a table changes. A plain value.
+/// The pixels that move from one class to another, or to or from the background, when a table changes. A
+/// plain value.
 struct ClassLoss {
   std::uint8_t from = ColorClasses::kNone;
   std::uint8_t to = ColorClasses::kNone;
-  std::uint64_t pixels = 0;  ///< that were `from` and are `to`
-  double share = 0;          ///< of all that were `from`
+  /// Number of pixels that were `from` and are `to`.
+  std::uint64_t pixels = 0;
+  /// Share of the pixels that were `from`, 0 to 1.
+  double share = 0;
   bool operator==(const ClassLoss&) const = default;
 };
 
-/// Adds up, over images, what a change of the table takes from each class. One thread.
+/// Sums up over images how many pixels a change of the table moves from each class to each other. One thread.
 class StrokeEffect {
  public:
-  /// Both must outlive this.
+  /// Both tables must outlive this object.
   StrokeEffect(const ColorTable& before, const ColorTable& after) : before_(before), after_(after) {}
 
-  /// An image as the table sees it. What lies in `area`, the stroke itself, does not count. About 2 ns a
-  /// pixel.
+  /// Adds an image, with colors as the table expects them (corrected). The pixels in `area`, the stroke
+  /// itself, do not count. Takes about 2 ns per pixel.
   void add(const robotlink::ImageView& image, const PixelArea& area = {});
-  /// The largest share first. Losses of less than `leastShare` of what the class had, or less than a
-  /// thousandth of all pixels, are left out. What becomes of no class is no other class's gain, but a loss
-  /// all the same.
+  /// Returns the losses, the largest share first. Those below `leastShare` of the class's pixels, or below a
+  /// thousandth of all pixels, are left out. Pixels that become background count as a loss of their class,
+  /// too.
   std::vector<ClassLoss> losses(double leastShare = 0.02) const;
 
  private:
   const ColorTable& before_;
   const ColorTable& after_;
+  /// Pixels by class before and after: [before * 256 + after].
   std::vector<std::uint64_t> counts_ = std::vector<std::uint64_t>(256U * 256U, 0);
 };
 
-/// The pixels of a stroke that a table made without it takes for another class, while it takes others for
-/// none or for the stroke's own: what a brush touched beside a thin line. Empty if all are of other classes,
-/// since then the stroke is meant to correct them, or if less than a tenth is not.
+/// Returns the pixels of a stroke that `before`, a table trained without the stroke, assigns to another
+/// class: what a brush covered beside a thin line. Empty if the stroke excludes a class, or if less than a
+/// tenth of it is uncontested, since then it is meant to correct the table.
 PixelArea contestedPixels(const Samples& samples, const Stroke& stroke, const ColorTable& before);
 
 }  // namespace colortool

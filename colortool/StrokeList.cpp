@@ -21,7 +21,7 @@ constexpr std::size_t kMaxListErrors = 20;
 
 struct Field {
   std::string_view text;
-  int column = 1;  // in the line, from 1
+  int column = 1;  // counts from 1
 };
 
 std::string_view unquoted(std::string_view text) {

@@ -8,7 +8,7 @@
 namespace colortool {
 namespace {
 
-/// 1 where cells of things have too small a margin.
+/// A table that is 1 in the cells of things whose margin is too small.
 ColorTable ambiguousCells(const ColorTable& table, std::span<const std::uint8_t> margins,
                           const std::vector<bool>& things, std::uint8_t leastMargin) {
   std::vector<std::uint8_t> cells(ColorTable::kCellCount);
@@ -29,7 +29,7 @@ bool isThingColor(robotlink::Rgb shown) {
   const auto [least, most] = std::minmax({shown.r, shown.g, shown.b});
   const int range = most - least;
   if (4 * range < most) return false;
-  // Green from 80 to 160 degrees of hue, on a scale of 60 for the six sectors.
+  // Green is a hue from 80 to 160 degrees.
   const int hue = 120 + 60 * (shown.b - shown.r) / std::max(1, range);
   return most != shown.g || hue < 80 || hue > 160;
 }
@@ -61,11 +61,11 @@ std::uint32_t SuspicionMeter::root(std::uint32_t run) {
 void SuspicionMeter::connect(std::size_t aboveBegin, std::size_t begin) {
   std::size_t above = aboveBegin;
   for (std::size_t i = begin; i < runs_.size(); ++i) {
-    // Runs that touch by a corner belong together, as those of a RegionFinder.
+    // Runs that touch at a corner are connected, as in a RegionFinder.
     while (above < begin && runs_[above].end < runs_[i].begin) ++above;
     for (std::size_t j = above; j < begin && runs_[j].begin <= runs_[i].end; ++j) {
       if (runs_[j].colorClass != runs_[i].colorClass) continue;
-      // Not of two values: that would yield references to what is gone.
+      // The form of std::minmax() with two arguments would return dangling references.
       const auto [first, second] =
           std::minmax({root(static_cast<std::uint32_t>(i)), root(static_cast<std::uint32_t>(j))});
       runs_[second].parent = first;

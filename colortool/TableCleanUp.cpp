@@ -19,7 +19,7 @@ void setCells(ColorTable& table, const CellSet& cells, std::uint8_t colorClass) 
   }
 }
 
-/// The cells at the sides of the cube.
+/// All cells at the sides of the cube.
 CellSet sides() {
   CellSet cells;
   for (std::size_t row = 0; row < CellSet::kRows; ++row) {
@@ -109,14 +109,14 @@ void TableCleanUp::removeCells() {
 }
 
 void TableCleanUp::fillHoles() {
-  CellSet enclosed;  // cells of none that the sides cannot be reached from
+  CellSet enclosed;  // cells of none that are not connected to the sides
   for (std::size_t row = 0; row < CellSet::kRows; ++row) enclosed.row(row) = ~Row{0};
   for (std::size_t i = 1; i < classes_.size(); ++i) combine(enclosed, classes_[i].kept, kWithout);
   combine(enclosed, connectedCells(sides(), enclosed, CellNeighbors::k6), kWithout);
   if (enclosed.empty()) return;
 
-  std::vector<CellSet> touched;  // by each class, beginning with class 1
-  CellSet once, twice;           // by any class, and by more than one
+  std::vector<CellSet> touched;  // by class, from class 1 on
+  CellSet once, twice;           // by at least one class, by at least two
   for (std::size_t i = 1; i < classes_.size(); ++i) {
     touched.push_back(facesOf(classes_[i].kept));
     combine(touched.back(), enclosed, kAnd);
@@ -127,7 +127,7 @@ void TableCleanUp::fillHoles() {
   }
   for (std::size_t i = 1; i < classes_.size(); ++i) {
     if (touched[i - 1].empty()) continue;
-    // What is connected with another class's neighbour, or with background, is no hole of this class.
+    // Cells that are connected to another class's neighbor, or to background, are no hole of this class.
     CellSet others = once;
     combine(others, touched[i - 1], kWithout);
     combine(others, twice, kOr);

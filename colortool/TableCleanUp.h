@@ -11,51 +11,62 @@
 
 namespace colortool {
 
-/// What is done to a table after it was learned.
+/// The steps of the clean-up of a learned table.
 struct CleanUpOptions {
-  /// Connected cells of a class (of 26 neighbours) among which there is no sample of it become none.
+  /// Connected cells of a class (26 neighbors) become none if they contain no sample of that class.
   bool removeUnsupported = true;
-  /// Cells of none that one class encloses become of it, unless background was sampled among them.
+  /// Cells of none that a single class encloses become that class, unless they contain background samples.
   bool fillHoles = true;
   bool operator==(const CleanUpOptions&) const = default;
 };
 
-/// Takes out of a table what no sample speaks for, and fills its holes. A hole is a connected set of cells of
-/// none (of 6 neighbours) that does not reach the sides of the cube and whose neighbours are all of one
-/// class; what was taken out can become part of one.
+/// Removes cells of a table that no sample supports, and fills its holes. A hole is a connected set of cells
+/// of none (6 neighbors) that does not reach the sides of the cube and whose neighbors are all of one class.
+/// Removed cells can become part of a hole.
 ///
-/// What comes out depends on what goes in only; what is remembered of the last call makes the next one
-/// quicker: classes whose cells and samples are as they were are not looked at again. About 0.2 ms after a
-/// stroke, 1 ms from scratch. One thread.
+/// The result depends on the arguments only. The cache of the last call makes the next one faster: classes
+/// whose cells and samples did not change are skipped. Takes about 0.2 ms after a stroke, 1 ms from scratch.
+/// One thread.
 class TableCleanUp {
  public:
-  /// `sampled`: the cells that each class was sampled in, by class; that of class 0 is background. Classes
-  /// past its end were not sampled. The result is valid until the next call.
+  /// `sampled`: for each class the cells that contain its samples; class 0 is the background. Classes past
+  /// its end have no samples. The result is valid until the next call.
   const ColorTable& clean(const ColorTable& raw, std::span<const CellSet> sampled,
                           const CleanUpOptions& options);
+  /// The result of the last call of clean().
   const ColorTable& table() const { return table_; }
 
  private:
+  /// The cached state of one class.
   struct Class {
+    /// Its cells in the raw table.
     CellSet raw;
+    /// The cells that contain its samples.
     CellSet sampled;
-    CellSet kept;         ///< of raw, what is supported
-    bool changed = true;  ///< since kept was found
+    /// The supported cells of raw.
+    CellSet kept;
+    /// Whether raw or sampled changed since kept was computed.
+    bool changed = true;
   };
+  /// Updates the cached cell sets from the arguments of clean().
   void follow(const ColorTable& raw, std::span<const CellSet> sampled);
+  /// Updates the cell sets in one row of cells.
   void followRow(std::size_t row, std::span<const std::uint8_t> cells);
+  /// Computes Class::kept of the classes that changed.
   void findSupported(bool removeUnsupported);
-  /// Writes what was removed into table_, and what holes become.
+  /// removeCells() writes the unsupported cells into table_ as none, fillHoles() the holes.
   void removeCells();
   void fillHoles();
 
-  std::vector<Class> classes_;     ///< by number; 0: background
-  std::optional<ColorTable> raw_;  ///< of the last call
+  /// Indexed by class number; 0 is the background.
+  std::vector<Class> classes_;
+  /// The raw table of the last call.
+  std::optional<ColorTable> raw_;
   CleanUpOptions options_;
   ColorTable table_;
 };
 
-/// What TableCleanUp asks for, of samples of `classes` classes.
+/// Computes the argument of TableCleanUp::clean() from samples; `classes` is the number of classes.
 std::vector<CellSet> sampledCells(std::span<const CellSamples> samples, int classes);
 
 }  // namespace colortool

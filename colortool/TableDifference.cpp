@@ -8,7 +8,7 @@ ColorTable numberedAs(const ColorClasses& classes, const ColorTable& table, cons
   return ColorTable::translated(table.cells(), classNumbers(own, classes));
 }
 
-/// The cells of which `holds` is true, told what each was and is.
+/// The cells for which `holds(before, after)` is true.
 template <typename Holds>
 CellSet cellsWhere(const ColorTable& before, const ColorTable& after, const Holds& holds) {
   const auto was = before.cells(), is = after.cells();

@@ -37,12 +37,12 @@ tl::unexpected<Errors> refusal(std::string id, std::string text, const std::stri
 
 Result<TableFormat> recognise(std::string_view bytes, const std::string& file) {
   if (isTekkotsuMap(bytes)) return TableFormat::kTekkotsu;
-  // A .c64 can be of any size; that its runs add up to a table is hardly chance.
+  // A .c64 file can have any size, but runs that add up to a table are hardly a coincidence.
   const auto c64 = ColorTableFile::parse(bytes, file);
   if (c64) return TableFormat::kC64;
   if (bytes.size() == kUPennTable.bytes()) return TableFormat::kUPenn;
   if (bytes.size() == kRunswiftTable.bytes()) {
-    // Both have 128 cells a side, but only rUNSWift's "none" is not 0.
+    // Both formats have 128 cells per side, but only the "none" of rUNSWift is not 0.
     if (bytes.find(static_cast<char>(kRunswiftTable.none)) != std::string_view::npos)
       return TableFormat::kRunswift;
     return TableFormat::kNUbots;
@@ -120,7 +120,7 @@ tl::expected<ImportedTable, Errors> fromMasks(std::string_view bytes, const std:
   return imported;
 }
 
-/// The .col of a threshold map: of the same name, or the only one beside it.
+/// The .col file of a threshold map: the one of the same name, or the only one in its folder.
 std::filesystem::path colorsBeside(const std::filesystem::path& map) {
   std::error_code error;
   std::filesystem::path same = map;
@@ -182,7 +182,7 @@ tl::expected<ImportedTable, Errors> importTable(const std::filesystem::path& fil
                                                 const ImportOptions& options) {
   const auto bytes = robotlink::readFile(file, kMaxImportedBytes);
   if (!bytes) return tl::unexpected(Errors{bytes.error()});
-  // Only the maps of Tekkotsu have their colours in another file.
+  // Only the maps of Tekkotsu have their classes in another file.
   const auto colors = colorsOf(file, options);
   auto imported = parseTable(*bytes, file.string(), options.format, colors ? *colors : std::nullopt);
   if (!imported) return imported;

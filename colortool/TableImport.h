@@ -12,8 +12,8 @@
 
 namespace colortool {
 
-/// The colour tables of other teams that can be read; COLORTABLES.md describes each and says where it is
-/// from.
+/// The color table formats of other teams that can be read; COLORTABLES.md describes each and names its
+/// source.
 enum class TableFormat : std::uint8_t {
   kC64,       ///< GermanTeam, B-Human
   kTekkotsu,  ///< Tekkotsu, CMPack: a threshold map of CMVision
@@ -21,33 +21,43 @@ enum class TableFormat : std::uint8_t {
   kRunswift,  ///< rUNSWift, 2005
   kNUbots     ///< NUbots, 2013
 };
+/// The names of a format.
 struct TableFormatName {
   TableFormat format;
-  std::string_view name;   ///< "upenn"
-  std::string_view title;  ///< for people, English
+  /// The name on command lines: "upenn".
+  std::string_view name;
+  /// The title that users see, in English.
+  std::string_view title;
 };
+/// Returns all formats.
 std::span<const TableFormatName> tableFormats();
 
-/// A table of another team, in the cells of ours. A plain value.
+/// A table of another team, converted to our cells. A plain value.
 struct ImportedTable {
   TableFormat format = TableFormat::kC64;
   NamedColorTable table;
-  std::array<int, 3> sides{};  ///< of the table read: cells along Y and the chroma channels
-  /// Cells that were of several classes, and are of the one most of their parts have now (see CellGrid).
+  /// The original size: cells along Y and the two chroma channels.
+  std::array<int, 3> sides{};
+  /// Number of cells that cover original cells of several classes; each got the most frequent one (see
+  /// CellGrid).
   std::size_t mixedCells = 0;
-  /// Cells of several classes that a .c64 has no room for: see ColorTableFile::Packed.
+  /// Number of cells with several classes that do not fit into a .c64: see ColorTableFile::Packed.
   std::size_t reducedCells = 0;
 };
 
+/// How importTable() reads a file.
 struct ImportOptions {
-  std::optional<TableFormat> format;  ///< recognised by contents and size, if it is not said
-  /// A Tekkotsu table's .col; empty: that of the same name beside it, or the only one of its folder.
+  /// Empty: recognized by contents and size.
+  std::optional<TableFormat> format;
+  /// The .col file of a Tekkotsu table; empty: the one of the same name beside it, or the only one in its
+  /// folder.
   std::filesystem::path colors;
 };
-/// Reads a table, also a .bz2 of one. Every refusal says what was wanted, with its offset or line.
+/// Reads a table, optionally compressed as .bz2. Errors say what was expected, with the offset or line.
 tl::expected<ImportedTable, robotlink::Errors> importTable(const std::filesystem::path& file,
                                                            const ImportOptions& options = {});
-/// The same from its bytes. `file` is the name that errors carry; `colors` are a Tekkotsu table's.
+/// Reads a table from bytes. `file` is the name that errors carry; `colors` are the classes of a Tekkotsu
+/// table.
 tl::expected<ImportedTable, robotlink::Errors> parseTable(std::string_view bytes, const std::string& file,
                                                           std::optional<TableFormat> format = {},
                                                           const std::optional<ColorClasses>& colors = {});

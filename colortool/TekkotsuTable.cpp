@@ -21,7 +21,7 @@ constexpr std::string_view kMagic = "TMAP\n", kType = "YUV";
 constexpr std::size_t kMaxLine = 64;
 constexpr std::size_t kMaxTekkotsuErrors = 20;
 
-/// Takes numbers and signs from the front of a text.
+/// Parses numbers and punctuation from the front of a text.
 class Scanner {
  public:
   explicit Scanner(std::string_view text) : rest_(text) {}
@@ -66,7 +66,7 @@ tl::unexpected<robotlink::Error> wrongTekkotsu(const std::string& file, std::siz
                             {file, 0, 0});
 }
 
-/// The line that begins there, without its end; none if it does not end soon.
+/// The line at an offset, without its end; empty if it is too long.
 std::optional<std::string_view> lineAt(std::string_view bytes, std::size_t offset) {
   const std::string_view line = bytes.substr(offset, kMaxLine);
   const std::size_t end = line.find('\n');
@@ -74,7 +74,7 @@ std::optional<std::string_view> lineAt(std::string_view bytes, std::size_t offse
   return line.substr(0, end);
 }
 
-/// Reads the lines `1 (255 128 0) "orange" 8 0.75`.
+/// Parses lines of the form `1 (255 128 0) "orange" 8 0.75`.
 class ColorsParser {
  public:
   explicit ColorsParser(const std::string& file) : file_(file) {}

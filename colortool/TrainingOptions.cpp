@@ -80,7 +80,7 @@ constexpr std::array kOptions = {
                    [](Settings& s, double value) { s.correctCameras = value != 0; }},
 };
 
-/// "radius, brightness-weight, ..."
+/// Joins names: "radius, brightness-weight, ..."
 template <typename Range, typename Name>
 std::string listed(const Range& range, const Name& name) {
   std::string list;

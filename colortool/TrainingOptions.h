@@ -10,26 +10,34 @@
 
 namespace colortool {
 
-/// A number of the training settings by its name, for scripts and for sliders. Constant data.
+/// One number of TrainingSettings with its name and range, for scripts and sliders. Constant data.
 struct TrainingOption {
-  std::string_view name;                 ///< "brightness-weight"
-  std::optional<TrainingMethod> method;  ///< that it is of; none: of all
-  bool isSwitch = false;                 ///< 0 or 1
+  /// The name in scripts: "brightness-weight".
+  std::string_view name;
+  /// The method that uses it; empty: all.
+  std::optional<TrainingMethod> method;
+  /// Whether only 0 (off) and 1 (on) are allowed.
+  bool isSwitch = false;
+  /// The range of values, both ends inclusive.
   double least = 0, most = 1;
-  bool logarithmic = false;  ///< its scale; `least` is more than 0 then
+  /// Whether a slider should be logarithmic; then `least` is positive.
+  bool logarithmic = false;
+  /// Access to the number in the settings.
   double (*get)(const TrainingSettings&) = nullptr;
   void (*set)(TrainingSettings&, double) = nullptr;
 };
 
 std::span<const TrainingOption> trainingOptions();
-/// Null if there is none of that name.
+/// Returns null if there is no option of that name.
 const TrainingOption* findTrainingOption(std::string_view name);
-/// Fails on names that are not known and on values out of range, with what there is instead.
+/// Returns the settings with one option changed. Fails on an unknown name or a value out of range; the error
+/// lists the alternatives.
 robotlink::Result<TrainingSettings> withOption(TrainingSettings settings, std::string_view name,
                                                double value);
 
-/// "votes", "gaussians", "support-vectors".
+/// The name in scripts and files: "votes", "gaussians", "support-vectors".
 std::string_view nameOf(TrainingMethod method);
+/// The inverse of nameOf(); fails on an unknown name.
 robotlink::Result<TrainingMethod> trainingMethod(std::string_view name);
 
 }  // namespace colortool

@@ -11,18 +11,19 @@ namespace colortool {
 namespace {
 
 constexpr int kCells = ColorTable::kCells;
-/// The cell at whose lower edge Cb and Cr are those of gray.
+/// The cell whose lower edge is gray, for Cb and Cr.
 constexpr int kGray = kCells / 2;
-/// Where the colors of one thing in all lights meet is so much below black, in cells: cameras lift the dark.
+/// The colors of one thing in all lights converge at this distance below black, in cells: cameras raise dark
+/// values.
 constexpr double kBlackOffset = 6.5;
-/// Votes are added to so many cells at a time, where the row is long enough.
+/// Number of cells to which votes are added at a time, where the row is long enough.
 constexpr int kStride = 8;
 
 void addProducts(std::int32_t* __restrict votes, const std::int16_t* __restrict kernel, std::int16_t factor) {
   for (int i = 0; i < kStride; ++i) votes[i] += factor * kernel[i];
 }
 
-/// How far from gray a color at brightness `to` is, as a multiple of what it is at `from`.
+/// The ratio of the distances from gray at brightness `to` and at brightness `from`.
 double shadeRatio(int from, int to) {
   return (to + kBlackOffset) / (from + kBlackOffset);
 }

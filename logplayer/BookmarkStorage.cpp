@@ -22,7 +22,8 @@ using nlohmann::json;
 using robotlink::Instant;
 using robotlink::Result;
 
-constexpr std::int64_t kLargestId = (std::int64_t{1} << 53U) - 1;  // what JSON readers take exactly
+// The largest integer that is exact in JSON.
+constexpr std::int64_t kLargestId = (std::int64_t{1} << 53U) - 1;
 const robotlink::VersionedFormat kFormat{"robotcontrol-bookmarks", 1, "bookmarks"};
 
 const std::string* metadata(const foxglove::Event& event, std::string_view key) {
@@ -38,7 +39,7 @@ void addMetadata(foxglove::Event& event, const char* key, const std::string& val
   pair->set_value(value);
 }
 
-// FNV-1a.
+// The hash function FNV-1a.
 std::uint64_t hashOf(mcap::Bytes data) {
   std::uint64_t hash = 0xcbf29ce484222325;
   for (const std::uint8_t byte : data) hash = (hash ^ byte) * 0x100000001b3;
@@ -53,7 +54,7 @@ std::uint64_t idOf(const foxglove::Event& event, mcap::Bytes data) {
   return id;
 }
 
-// What other programs say of their events, if there is no text.
+// A text for an event of another program that has none.
 std::string textOf(const foxglove::Event& event) {
   if (const std::string* text = metadata(event, "text")) return *text;
   std::string all;
@@ -103,7 +104,7 @@ json jsonOf(std::uint64_t id, const std::optional<Bookmark>& bookmark) {
           {"text", bookmark->text}};
 }
 
-// A whole number within the bounds; nothing for anything else, such as a fraction.
+// An integer within the bounds; empty for anything else, such as a fraction.
 std::optional<std::int64_t> wholeNumber(const json& entry, const char* name, std::int64_t min,
                                         std::int64_t max) {
   const auto found = entry.find(name);
@@ -114,9 +115,9 @@ std::optional<std::int64_t> wholeNumber(const json& entry, const char* name, std
   return number < min || number > max ? std::nullopt : std::optional(number);
 }
 
-// What is wrong with an entry; null if nothing is. It is put into the changes then.
+// Adds an entry to the changes. Returns what is wrong with it, or null.
 const char* readEntry(const json& entry, BookmarkChanges& changes) {
-  // Differences of two times fit, too.
+  // The difference of two times must fit, too.
   constexpr std::int64_t kLatest = std::numeric_limits<std::int64_t>::max() / 2;
   if (!entry.is_object()) return "it is not an object in braces";
   const auto id = wholeNumber(entry, "id", 0, kLargestId);
@@ -155,7 +156,8 @@ BookmarkChanges readBookmarks(mcap::Reader& log) {
     positions.push_back(*position);
     before = *position;
   }
-  // Which was said last tells the order of the file: a bookmark may have been moved to an earlier time.
+  // Sorted by the order of the file, since the last message counts and a bookmark may have been moved to an
+  // earlier time.
   std::sort(positions.begin(), positions.end(), [](const auto& a, const auto& b) {
     return std::tie(a.chunkOffset, a.offset) < std::tie(b.chunkOffset, b.offset);
   });
@@ -173,7 +175,7 @@ Result<void> writeBookmarks(mcap::Writer& log, const BookmarkChanges& changes) {
   if (!schema) return tl::unexpected(schema.error());
   const auto channel = log.addChannel(robotlink::streams::kBookmarks, *schema, "protobuf", {});
   if (!channel) return tl::unexpected(channel.error());
-  // A removal is told at the log's end, which it does not move.
+  // A removal is written at the log's end, which it does not change.
   const Instant end = log.statistics().messageEnd;
   for (const auto& [id, bookmark] : changes) {
     const std::string data = eventOf(id, bookmark).SerializeAsString();

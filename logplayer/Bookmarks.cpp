@@ -24,7 +24,7 @@ std::uint64_t newId() {
   return std::max<std::uint64_t>(bits >> 11U, 1);
 }
 
-/// Keeps other programs of this project from saving bookmarks of the same log, as long as it lives.
+/// While it exists, other programs of this project cannot save bookmarks of the same log.
 class FileLock {
  public:
   explicit FileLock(const std::filesystem::path& file) : file_(::open(file.c_str(), O_RDONLY | O_CLOEXEC)) {
@@ -94,8 +94,8 @@ void Bookmarks::set(std::vector<Bookmark> bookmarks) {
   ++position_;
 }
 
-// What somebody else changed is no step of ours: undoing must not take it back. What we changed, too, is
-// ours.
+// Changes of other programs are no steps of this document, so that undo() does not revert them. Bookmarks
+// that were changed here, too, are left alone.
 void Bookmarks::takeOver(const BookmarkChanges& changes) {
   for (const auto& [id, bookmark] : changes) {
     const auto has = [id = id](const std::vector<Bookmark>& state) {

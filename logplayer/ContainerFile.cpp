@@ -13,7 +13,7 @@ namespace {
 
 constexpr char kName[] = "log.mcap";
 
-/// An error of the copy as one of the log: the copy is removed before anybody can look at it.
+/// Replaces the copy's name in an error by that of the log, since the copy is about to be removed.
 robotlink::Error named(robotlink::Error error, const std::filesystem::path& log,
                        const std::filesystem::path& folder) {
   if (error.where.file != (folder / kName).string()) return error;
@@ -27,10 +27,10 @@ robotlink::Error named(robotlink::Error error, const std::filesystem::path& log,
 
 }  // namespace
 
-/// The copies that somebody uses.
+/// The converted copies that are in use.
 class ContainerFile::Copies {
  public:
-  /// A file as it is now: written anew, it is another one.
+  /// Identifies the current state of a file: after a change it is another one.
   using Key = std::tuple<std::filesystem::path, std::uintmax_t, std::filesystem::file_time_type>;
 
   static Copies& all() {
@@ -38,7 +38,7 @@ class ContainerFile::Copies {
     return copies;
   }
   static Key keyOf(const std::filesystem::path& log) {
-    std::error_code error;  // a file that is gone has a key, too
+    std::error_code error;  // ignored: a file that does not exist has a key, too
     return {std::filesystem::weakly_canonical(log, error), std::filesystem::file_size(log, error),
             std::filesystem::last_write_time(log, error)};
   }

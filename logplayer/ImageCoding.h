@@ -17,32 +17,38 @@ class RawImage;
 
 namespace logplayer {
 
-// Images as JPEG and PNG (libjpeg-turbo, libpng). Nothing larger than 64 megapixels is decoded. All functions
-// from any thread.
+// Encoding and decoding of images as JPEG and PNG (libjpeg-turbo, libpng). Images of more than 64 megapixels
+// are not decoded. All functions may be called from any thread.
 
-/// JPEG keeps the YCbCr values of a Yuyv image as they are (4:2:2), but for the loss of the coding.
+/// Encodes as JPEG; `quality` is 1 to 100. The YCbCr values of a kYuyv image are encoded directly (4:2:2),
+/// without a conversion to RGB.
 robotlink::Result<std::vector<std::uint8_t>> encodeJpeg(const robotlink::ImageView& image, int quality = 90);
-/// PNG is RGB or grey.
+/// Encodes as PNG, in RGB or gray.
 robotlink::Result<std::vector<std::uint8_t>> encodePng(const robotlink::ImageView& image);
 
-/// A YCbCr JPEG becomes Yuyv (RGB if its width is odd), a grey one Mono8, anything else RGB. What a cut file
-/// lacks is grey.
+/// Decodes a YCbCr JPEG to kYuyv (to kRgb8 if its width is odd), a gray one to kMono8, any other to kRgb8.
+/// Missing parts of a truncated file are gray.
 robotlink::Result<robotlink::Image> decodeJpeg(std::span<const std::uint8_t> data);
+/// Decodes to kMono8 or kRgb8.
 robotlink::Result<robotlink::Image> decodePng(std::span<const std::uint8_t> data);
 
-/// The components of a JPEG as they were coded, interleaved, whatever its header says they mean.
+/// The components of a JPEG as they were encoded, interleaved, without any color conversion.
 struct JpegComponents {
   int width = 0;
   int height = 0;
-  int count = 0;  ///< per pixel, 1 to 4
+  /// Components per pixel, 1 to 4.
+  int count = 0;
+  /// width * height * count bytes, top row first.
   std::vector<std::uint8_t> data;
-  std::string damage;  ///< what the decoder complained about, in its words; empty if it is whole
+  /// The decoder's first warning; empty if the file is intact.
+  std::string damage;
 };
-/// Refuses an image of more than `maximumPixels` before it takes memory for it.
+/// Fails for images of more than `maximumPixels` before it allocates memory for them.
 robotlink::Result<JpegComponents> decodeJpegComponents(std::span<const std::uint8_t> data,
                                                        std::size_t maximumPixels);
 
-/// A message as a camera yields it, with time and frame kept.
+/// Conversions between compressed messages and raw ones as cameras publish them; timestamp and frame id are
+/// kept.
 robotlink::Result<std::shared_ptr<foxglove::RawImage>> rawImage(const foxglove::CompressedImage& image);
 robotlink::Result<std::shared_ptr<foxglove::CompressedImage>> jpegImage(const foxglove::RawImage& image);
 robotlink::Result<std::shared_ptr<foxglove::CompressedImage>> pngImage(const foxglove::RawImage& image);

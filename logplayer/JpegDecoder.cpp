@@ -33,11 +33,11 @@ class Decoder {
     return jpeg_read_header(&codec_, TRUE) == JPEG_HEADER_OK;
   }
 
-  /// To an image of `step` bytes a row, in the colour space `space`.
+  /// Decodes in a color space to an image with `step` bytes per row.
   bool readRows(J_COLOR_SPACE space, std::uint8_t* to, std::size_t step) {
     if (setjmp(errors_.jump()) != 0) return false;
     codec_.out_color_space = space;
-    codec_.do_fancy_upsampling = FALSE;  // neighbours share a Cb and a Cr, as they do in a Yuyv image
+    codec_.do_fancy_upsampling = FALSE;  // neighbors share Cb and Cr, as in a Yuyv image
     jpeg_start_decompress(&codec_);
     while (codec_.output_scanline < codec_.output_height) {
       JSAMPROW row = to + codec_.output_scanline * step;
@@ -73,7 +73,7 @@ tl::unexpected<robotlink::Error> refused(const Decoder& decoder) {
                             "this is no JPEG image that can be read: " + (text.empty() ? "no header" : text));
 }
 
-/// Why an image of this size is not decoded.
+/// An error if the image is too large to be decoded.
 std::optional<robotlink::Error> tooLarge(const Decoder& decoder, std::size_t maximumPixels) {
   if (decoder.pixels() > 0 && decoder.pixels() <= maximumPixels) return std::nullopt;
   const std::string size = std::to_string(decoder.width()) + " x " + std::to_string(decoder.height());
@@ -84,7 +84,7 @@ std::optional<robotlink::Error> tooLarge(const Decoder& decoder, std::size_t max
                           {}};
 }
 
-/// Y Cb Cr for each pixel to Y Cb Y Cr for each two.
+/// Converts Y Cb Cr per pixel to Y Cb Y Cr per two pixels.
 void packYuyv(const std::vector<std::uint8_t>& row, std::uint8_t* to) {
   for (std::size_t i = 0; i + 5 < row.size(); i += 6, to += 4) {
     to[0] = row[i];
@@ -108,7 +108,7 @@ Result<Image> decodeYuyv(Decoder& decoder) {
   return image;
 }
 
-/// What Adobe's programs write is inverted.
+/// CMYK images of Adobe's programs are inverted.
 Result<Image> decodeFourInks(Decoder& decoder) {
   const std::size_t step = static_cast<std::size_t>(decoder.width()) * 4;
   std::vector<std::uint8_t> inks(step * static_cast<std::size_t>(decoder.height()));

@@ -11,11 +11,11 @@ namespace {
 using robotlink::ImageView;
 using robotlink::PixelFormat;
 
-/// What libjpeg takes at once of a 4:2:2 image: rows of one block.
+/// Number of rows that libjpeg accepts at a time for a 4:2:2 image.
 constexpr int kBlock = DCTSIZE;
 
-/// A Yuyv image as planes, a band of kBlock rows at a time; the last columns and rows are repeated up to
-/// whole blocks.
+/// A Yuyv image as planes, in bands of kBlock rows; the last columns and rows are repeated to fill whole
+/// blocks.
 class Planes {
  public:
   explicit Planes(const ImageView& image)
@@ -110,7 +110,7 @@ class Encoder {
 
   JpegErrors errors_;
   jpeg_compress_struct codec_{};
-  unsigned char* data_ = nullptr;  // of malloc(), replaced by libjpeg as it grows
+  unsigned char* data_ = nullptr;  // allocated by malloc(); libjpeg replaces it as it grows
   unsigned long size_ = 0;
 };
 

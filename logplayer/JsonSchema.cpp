@@ -15,12 +15,12 @@ using nlohmann::json;
 
 namespace {
 
-constexpr int kMaxFields = 4000;    // of all messages; what is past that stands among the other fields
-constexpr int kMaxReferences = 16;  // from one $ref to the next
+constexpr int kMaxFields = 4000;    // of all messages; further properties go to the other fields
+constexpr int kMaxReferences = 16;  // maximum length of a chain of $ref
 constexpr char kTimestamp[] = ".google.protobuf.Timestamp";
 constexpr char kDuration[] = ".google.protobuf.Duration";
 
-/// Letters, digits and "_", and no digit first.
+/// Converts a text to an identifier: letters, digits and "_", not beginning with a digit.
 std::string identifier(const std::string& text) {
   std::string name;
   for (const char c : text) name += std::isalnum(static_cast<unsigned char>(c)) != 0 ? c : '_';
@@ -28,7 +28,7 @@ std::string identifier(const std::string& text) {
   return name;
 }
 
-/// A text of an object, or "".
+/// A text member of an object; "" if it is missing.
 std::string textAt(const json& object, const char* key) {
   const auto found = object.find(key);
   return found != object.end() && found->is_string() ? found->get<std::string>() : std::string();
@@ -40,14 +40,14 @@ const json* memberAt(const json& object, const char* key, json::value_t type) {
   return found != object.end() && found->type() == type ? &*found : nullptr;
 }
 
-/// As "type" says it of a value.
+/// The name of a value's type in the keyword "type".
 std::string typeOfValue(const json& value) {
   if (value.is_string()) return "string";
   if (value.is_boolean()) return "boolean";
   return value.is_number_integer() ? "integer" : value.is_number() ? "number" : "";
 }
 
-/// The type that all values of an enumeration or constant have; "" if there is none.
+/// The common type of the values of "enum" or "const"; "" if there is none.
 std::string typeOfConstants(const json& schema) {
   if (const auto constant = schema.find("const"); constant != schema.end()) return typeOfValue(*constant);
   const json* values = memberAt(schema, "enum", json::value_t::array);
@@ -58,7 +58,7 @@ std::string typeOfConstants(const json& schema) {
   return same ? type : std::string();
 }
 
-/// The schema's type; of several the one beside "null"; "" if there is no single one.
+/// The schema's type; of several the one besides "null"; "" if there is no single one.
 std::string typeOf(const json& schema) {
   if (!schema.is_object()) return {};
   if (const std::string type = textAt(schema, "type"); !type.empty()) return type;
@@ -134,7 +134,7 @@ std::string JsonSchema::qualified(const std::string& message) const {
   return "." + (file_.package().empty() ? "" : file_.package() + ".") + message;
 }
 
-/// Follows references within the schema; the schema itself where that leads nowhere.
+/// Follows references within the schema; returns the schema itself if they lead nowhere.
 const json& JsonSchema::resolved(const json& schema) const {
   const json* at = &schema;
   for (int i = 0; i < kMaxReferences && at->is_object(); ++i) {
@@ -178,7 +178,7 @@ JsonSchema::Kind JsonSchema::kindOfObject(const json& schema, const std::string&
   return {FieldDescriptorProto::TYPE_MESSAGE, messageFor(*properties, hint), false};
 }
 
-/// Arrays of arrays are arrays of rows.
+/// Arrays of arrays become repeated rows.
 JsonSchema::Kind JsonSchema::kindOfArray(const json& schema, const std::string& hint) {
   const json* items = memberAt(schema, "items", json::value_t::object);
   if (items == nullptr) return {FieldDescriptorProto::TYPE_STRING, {}, true};
@@ -196,14 +196,14 @@ DescriptorProto& JsonSchema::addMessage(const std::string& hint) {
   return message;
 }
 
-/// One for each schema, so that schemas that hold themselves come to an end.
+/// One type per schema, so that recursive schemas terminate.
 std::string JsonSchema::messageFor(const json& properties, const std::string& hint) {
   if (const auto known = messages_.find(&properties); known != messages_.end()) return known->second;
   const std::string name = addMessage(hint).name();
   const int index = file_.message_type_size() - 1;
   const std::string fullName = qualified(name);
   messages_[&properties] = fullName;
-  DescriptorProto message;  // Those in the file move when another one is added.
+  DescriptorProto message;  // built here, since messages in the file move when another one is added
   message.set_name(name);
   for (const auto& [property, schema] : properties.items()) {
     if (++fieldCount_ > kMaxFields) break;
@@ -230,7 +230,8 @@ std::string JsonSchema::addField(DescriptorProto& to, const std::string& propert
   FieldDescriptorProto& field = *to.add_field();
   field.set_name(name);
   field.set_number(to.field_size() < 19'000 ? to.field_size()
-                                            : to.field_size() + 1000);  // some numbers are Protobuf's own
+                                            // Skips the numbers reserved by Protobuf.
+                                            : to.field_size() + 1000);
   field.set_type(kind.type);
   field.set_label(kind.repeated ? FieldDescriptorProto::LABEL_REPEATED
                                 : FieldDescriptorProto::LABEL_OPTIONAL);
@@ -255,7 +256,7 @@ json JsonSchema::ofValue(const json& value) {
     case json::value_t::number_integer:
     case json::value_t::number_unsigned:
     case json::value_t::number_float:
-      return {{"type", "number"}};  // The next one may have a fraction.
+      return {{"type", "number"}};  // later values may have a fraction
     default:
       return {{"type", "string"}};
   }

@@ -10,51 +10,63 @@
 
 namespace logplayer {
 
-/// Describes a Protobuf type as a JSON schema says; see JsonType. Used once.
+/// Translates a JSON schema into the description of a Protobuf type; see JsonType for the rules. An object
+/// translates one schema; describe() may be called once.
 class JsonSchema {
  public:
-  /// What the values of a property become.
+  /// The Protobuf field type for the values of a property.
   struct Kind {
     google::protobuf::FieldDescriptorProto::Type type = google::protobuf::FieldDescriptorProto::TYPE_STRING;
-    std::string typeName;  ///< of a message
+    /// The full name of a message type; empty otherwise.
+    std::string typeName;
     bool repeated = false;
   };
-  static constexpr char kRowValues[] =
-      "values";  ///< the field of a message that is a row of an array of arrays
+  /// The field of a message that stands for a row of an array of arrays.
+  static constexpr char kRowValues[] = "values";
 
-  /// `root` must outlive it.
+  /// `root` must outlive this object.
   explicit JsonSchema(const nlohmann::json& root) : root_(root) {}
 
-  /// The file with the type, called as like `name` as may be, behind `package`. Without dependencies but time
-  /// stamps and durations.
+  /// Returns a file with the type, in `package` and named as similarly to `name` as Protobuf allows. Its only
+  /// dependencies are the types for timestamps and durations.
   google::protobuf::FileDescriptorProto describe(const std::string& name, const std::string& package);
-  /// The full name of the type in it.
+  /// The full name of the type. Valid after describe(), like all that follows.
   const std::string& typeName() const { return typeName_; }
-  /// The name of its field for what does not fit the schema.
+  /// The name of its field for everything that does not fit the schema.
   const std::string& otherFields() const { return otherFields_; }
-  /// The names of fields, by the full names of their types and the properties that they are of.
+  /// The names of fields by (full name of the message type, name of the JSON property).
   const std::map<std::pair<std::string, std::string>, std::string>& fields() const { return fields_; }
-  /// A schema of an object like this one.
+  /// Derives a schema from a value, for objects like this one.
   static nlohmann::json ofValue(const nlohmann::json& value);
 
  private:
+  /// Follows references ($ref) within the schema.
   const nlohmann::json& resolved(const nlohmann::json& schema) const;
+  /// The field type for a schema; `hint` suggests a name for a new message type.
   Kind kindOf(const nlohmann::json& schema, const std::string& hint);
   Kind kindOfObject(const nlohmann::json& schema, const std::string& hint);
   Kind kindOfArray(const nlohmann::json& schema, const std::string& hint);
+  /// Adds a message type for an object, or returns the one made before from the same schema.
   std::string messageFor(const nlohmann::json& properties, const std::string& hint);
+  /// Adds a message type that holds one row of an array of arrays.
   std::string rowFor(const Kind& value, const std::string& hint);
+  /// Adds an empty message type with a unique name.
   google::protobuf::DescriptorProto& addMessage(const std::string& hint);
+  /// Adds a field for a property and returns its name.
   static std::string addField(google::protobuf::DescriptorProto& to, const std::string& property,
                               const Kind& kind);
+  /// The full name of a message type of the file.
   std::string qualified(const std::string& message) const;
 
   const nlohmann::json& root_;
   google::protobuf::FileDescriptorProto file_;
   std::string typeName_, otherFields_;
   std::map<std::pair<std::string, std::string>, std::string> fields_;
-  std::map<const nlohmann::json*, std::string> messages_;  // by the schemas that they are made of
-  std::set<std::string> names_;                            // of messages
+  /// Full names by the schemas that they were made from; ends recursion.
+  std::map<const nlohmann::json*, std::string> messages_;
+  /// The names of all message types.
+  std::set<std::string> names_;
+  /// Limits against schemas that are huge or deeply nested.
   int fieldCount_ = 0;
   int depth_ = 0;
 };

@@ -9,7 +9,7 @@ namespace {
 
 using nlohmann::json;
 
-/// Looks at brackets outside of strings only, before anything is built that may be too deep to be handled.
+/// Checks the nesting of brackets outside of strings before the text is parsed.
 bool isTooDeep(std::string_view text) {
   int depth = 0;
   bool inString = false;
@@ -33,7 +33,7 @@ int valueOf(char digit) {
   if (digit >= 'A' && digit <= 'Z') return digit - 'A';
   if (digit >= 'a' && digit <= 'z') return digit - 'a' + 26;
   if (digit >= '0' && digit <= '9') return digit - '0' + 52;
-  if (digit == '+' || digit == '-') return 62;  // "-" and "_" are those of base64url
+  if (digit == '+' || digit == '-') return 62;  // "-" and "_" belong to base64url
   return digit == '/' || digit == '_' ? 63 : -1;
 }
 

@@ -8,18 +8,18 @@
 
 namespace logplayer {
 
-// JSON of files of others.
+// JSON from files of unknown origin, which may be arbitrarily wrong.
 
-/// How deep objects and arrays may be nested; Protobuf takes no more than 100 levels.
+/// Maximum nesting of objects and arrays; Protobuf supports 100 levels.
 inline constexpr int kMaxJsonDepth = 64;
 
-/// An object; nothing if the text is no JSON, another value, or nested too deeply.
+/// Parses an object; empty if the text is not JSON, another kind of value, or nested too deeply.
 std::optional<nlohmann::json> parseJsonObject(std::string_view text);
 
-/// On one line; text that is no UTF-8 is replaced.
+/// Formats a value on one line; invalid UTF-8 is replaced.
 std::string jsonText(const nlohmann::json& value);
 
-/// Nothing if the text is no base64.
+/// Empty if the text is not base64.
 std::optional<std::string> decodeBase64(std::string_view text);
 
 }  // namespace logplayer

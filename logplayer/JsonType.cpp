@@ -31,7 +31,7 @@ std::string_view viewOf(mcap::Bytes data) {
   return {reinterpret_cast<const char*>(data.data()), data.size()};
 }
 
-/// All types that a type needs, with itself.
+/// A type and all types that it uses directly or indirectly.
 std::vector<const Descriptor*> reachable(const Descriptor& type) {
   std::vector<const Descriptor*> found{&type};
   for (std::size_t next = 0; next < found.size(); ++next) {
@@ -66,11 +66,11 @@ struct JsonType::Implementation {
   DescriptorPool pool;
   google::protobuf::DynamicMessageFactory factory{&pool};
   const Message* prototype = nullptr;
-  const FieldDescriptor* others = nullptr;  // null: of one of this program's types, which has no such field
+  const FieldDescriptor* others = nullptr;  // null for this program's own types, which have no such field
   JsonFields fields;
 };
 
-/// One of this program's types, if it has all that the schema names.
+/// Uses one of this program's types, if it has everything that the schema contains.
 bool JsonType::Implementation::takeOwn(const std::string& wanted, const JsonSchema& schema) {
   const Descriptor* known = DescriptorPool::generated_pool()->FindMessageTypeByName(wanted);
   if (known == nullptr) return false;
@@ -113,7 +113,7 @@ JsonType::~JsonType() = default;
 
 std::shared_ptr<const JsonType> JsonType::make(const std::string& name, const json& root, bool mayBeEmpty) {
   auto made = std::make_unique<Implementation>();
-  // What the schema holds is known once it is described.
+  // The properties of the schema are known after describe().
   JsonSchema look(root);
   (void)look.describe(name, "");
   if (look.fields().empty() && !mayBeEmpty) return nullptr;

@@ -38,14 +38,14 @@ std::optional<Number> integerOf(const json& value) {
   }
   if (value.is_number_float()) {
     const auto number = value.get<double>();
-    // Beyond that not every whole number is one.
+    // 2^53: beyond it not every integer is exact.
     constexpr double kExact = 9007199254740992.0;
     const bool whole = std::abs(number) <= kExact && std::trunc(number) == number;
     return whole && std::in_range<Number>(static_cast<std::int64_t>(number))
                ? std::optional(static_cast<Number>(static_cast<std::int64_t>(number)))
                : std::nullopt;
   }
-  if (!value.is_string()) return std::nullopt;  // 64-bit integers are often written as texts
+  if (!value.is_string()) return std::nullopt;  // 64-bit integers are often written as strings
   const auto& text = value.get_ref<const std::string&>();
   Number number{};
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
@@ -53,7 +53,7 @@ std::optional<Number> integerOf(const json& value) {
                                                                                    : std::nullopt;
 }
 
-/// JSON has no infinite numbers: null stands for one that is none, and some write names.
+/// JSON has no infinite numbers: null often stands for NaN, and some programs write names.
 std::optional<double> numberOf(const json& value) {
   if (value.is_number()) return value.get<double>();
   if (value.is_null() || value == "NaN") return std::numeric_limits<double>::quiet_NaN();
@@ -73,7 +73,7 @@ bool isTimeType(const Descriptor& type) {
   return type.full_name() == "google.protobuf.Timestamp" || type.full_name() == "google.protobuf.Duration";
 }
 
-/// {sec, nsec}, and nothing else.
+/// Assigns an object with exactly the members sec and nsec.
 bool assignTime(Message& to, const json& value) {
   const auto* seconds = to.GetDescriptor()->FindFieldByNumber(1);
   const auto* nanos = to.GetDescriptor()->FindFieldByNumber(2);
@@ -88,7 +88,7 @@ bool assignTime(Message& to, const json& value) {
   return true;
 }
 
-/// One object into one message.
+/// Assigns one object to one message.
 class Assignment {
  public:
   Assignment(const JsonFields& fields, json& others) : fields_(fields), others_(others) {}
@@ -133,7 +133,7 @@ class Assignment {
   json& others_;
 };
 
-/// Sets or appends a value of a plain type, if there is one.
+/// Sets or appends a value of a plain type; does nothing without a value.
 template <typename Value, typename Field>
 bool put(Message& to, const FieldDescriptor& field, const std::optional<Value>& value,
          void (Reflection::*set)(Message*, const FieldDescriptor*, Field) const,
@@ -179,7 +179,7 @@ bool Assignment::addEnum(Message& to, const FieldDescriptor& field, const json& 
   return put(to, field, number, &Reflection::SetEnumValue, &Reflection::AddEnumValue);
 }
 
-/// A field of text takes any JSON; what is no text stands in it as JSON.
+/// A text field accepts any JSON; values other than strings are stored as JSON text.
 bool Assignment::addText(Message& to, const FieldDescriptor& field, const json& value) {
   std::optional<std::string> text;
   if (field.type() == FieldDescriptor::TYPE_BYTES) {

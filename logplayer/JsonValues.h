@@ -13,13 +13,12 @@ class Message;
 
 namespace logplayer {
 
-/// The fields of message types by the JSON properties that they hold.
+/// For each message type its fields, keyed by the names of the JSON properties that they hold.
 using JsonFields = std::map<const google::protobuf::Descriptor*,
                             std::map<std::string, const google::protobuf::FieldDescriptor*>>;
 
-/// Puts a JSON object's values into the fields of a message. What has no field, or does not fit it, goes into
-/// `others` by its path
-/// ("pose.note"). No deeper than the JSON is.
+/// Assigns the values of a JSON object to the fields of a message. Values without a matching field are stored
+/// in `others` under their path ("pose.note"). Recursion is as deep as the JSON.
 void assignJson(google::protobuf::Message& to, const nlohmann::json& object, const JsonFields& fields,
                 nlohmann::json& others);
 

@@ -13,7 +13,7 @@ namespace {
 
 using robotlink::Result;
 
-constexpr off_t kFooterBytes = 37;   // with the magic number behind it
+constexpr off_t kFooterBytes = 37;   // including the magic number behind it
 constexpr off_t kDataEndBytes = 13;  // the record before the summary
 constexpr off_t kLargestEnd = off_t{256} << 20;
 
@@ -28,7 +28,7 @@ bool readAll(int file, std::uint8_t* data, std::size_t size, off_t offset) {
   return true;
 }
 
-/// What stands behind a log's data: the part that appending overwrites.
+/// The end of a log behind its data, which appending overwrites and which is restored on failure.
 class LogEnd {
  public:
   explicit LogEnd(const std::filesystem::path& log) : file_(::open(log.c_str(), O_RDWR | O_CLOEXEC)) {
@@ -47,7 +47,7 @@ class LogEnd {
 
   void restore() const {
     if (bytes_.empty()) return;
-    // What was appended goes first: it takes the room.
+    // First remove what was appended, since it occupies the space.
     static_cast<void>(::ftruncate(file_, begin_) == 0 &&
                       ::pwrite(file_, bytes_.data(), bytes_.size(), begin_) ==
                           static_cast<ssize_t>(bytes_.size()) &&
@@ -55,13 +55,13 @@ class LogEnd {
   }
 
  private:
-  /// Where the DataEnd record is, by the footer's summary_start; negative if that makes no sense.
+  /// Offset of the DataEnd record, derived from the footer's summary_start; negative if that is invalid.
   off_t beginOfEnd(off_t size) const {
     std::array<std::uint8_t, 8> start{};
     if (!readAll(file_, start.data(), start.size(), size - kFooterBytes + 9)) return -1;
     std::uint64_t summary = 0;
     for (std::size_t i = start.size(); i-- > 0;) summary = summary << 8U | start[i];
-    if (summary == 0) summary = static_cast<std::uint64_t>(size - kFooterBytes);  // there is none
+    if (summary == 0) summary = static_cast<std::uint64_t>(size - kFooterBytes);  // there is no summary
     if (summary < kDataEndBytes || summary > static_cast<std::uint64_t>(size)) return -1;
     return static_cast<off_t>(summary) - kDataEndBytes;
   }

@@ -9,8 +9,8 @@
 
 namespace logplayer {
 
-/// Appends to a complete log what `write` writes. If that fails, because the disk is full, say, the log gets
-/// back the end that it had.
+/// Appends to a complete log what `write` writes. If that fails, for example because the disk is full, the
+/// original end of the log is restored.
 robotlink::Result<void> appendToLog(const std::filesystem::path& log,
                                     const std::function<robotlink::Result<void>(mcap::Writer&)>& write);
 

@@ -33,7 +33,7 @@ std::string mediaTypeOf(const fs::path& file) {
   return found == kTypes.end() ? "application/octet-stream" : found->second;
 }
 
-/// When a file was changed last, as logs count real time.
+/// The modification time of a file in log time.
 robotlink::Instant changedAt(const fs::path& file) {
   std::error_code error;
   const auto time = fs::last_write_time(file, error);

@@ -24,7 +24,7 @@ std::string processOf(const mcap::Channel& channel) {
 
 std::uint64_t widenFrame(std::uint32_t lower, std::uint64_t near) {
   if (lower == 0 && near < (std::uint64_t{1} << 31)) return 0;
-  // The way from one to the other, backwards if that is shorter.
+  // The signed difference of the lower bits, negative if that is shorter.
   const auto way = static_cast<std::int32_t>(lower - static_cast<std::uint32_t>(near));
   return near + static_cast<std::uint64_t>(static_cast<std::int64_t>(way));
 }
@@ -86,7 +86,7 @@ void LogChannels::findFrames() {
     const auto found = frames.find(robotOf(state.path) + "/" + state.process);
     if (state.process.empty() || found == frames.end()) continue;
     state.firstFrame = found->second.first;
-    // Only where the writer did not come to its end: a complete file may hold messages between frames.
+    // Only if the file was not closed properly: a complete file may contain messages between frames.
     if (!reader_.complete()) state.completeUntil = found->second.last;
   }
 }
@@ -96,7 +96,7 @@ std::optional<LogChannels::Frames> LogChannels::framesOf(std::uint16_t channel) 
   const auto first = reader_.next({mcap::Instant::min(), 0, 0, 0}, {channel});
   if (!first || !last) return std::nullopt;
   Frames frames{0, last->time};
-  // Its own number is whole.
+  // The FrameInfo contains the full number.
   if (const auto data = reader_.read(*first)) {
     const auto value = states_.at(channel).type.read(data->message.data);
     if (const auto* info = dynamic_cast<const FrameInfo*>(value.get())) frames.first = info->number();

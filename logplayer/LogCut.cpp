@@ -24,7 +24,7 @@ using robotlink::Result;
 
 constexpr double kOpeningShareOfCut = 0.2;  // of the progress, as most logs need no scan
 constexpr std::uint64_t kUnitsPerProgress = 256;
-constexpr std::size_t kCacheBytes = 64U << 20U;  // of all inputs together
+constexpr std::size_t kCacheBytes = 64U << 20U;  // for all inputs together
 
 tl::unexpected<robotlink::Error> givenUp() {
   return robotlink::failure("log.given-up", "given up; nothing was written");
@@ -35,17 +35,17 @@ struct Input {
 
   LogSource source;
   Duration offset{0};
-  std::map<std::string, std::string> names;  // of robots that get new ones
-  std::optional<LogSeam> seam;               // with the part before
+  std::map<std::string, std::string> names;  // new names of robots, by the old ones
+  std::optional<LogSeam> seam;               // with the previous part
   std::optional<MessageCopier> copier;
-  std::optional<LogUnit> unit;  // the next
-  bool begun = false;           // before, nothing of it has been read
+  std::optional<LogUnit> unit;  // the next unit to write
+  bool begun = false;           // whether reading has begun
 
-  /// When the next unit is, or before that; of those that have begun and not ended, or not begun.
+  /// The time of the next unit, or a lower bound of it; only for inputs that have not ended.
   Instant nextTime() { return (begun ? unit->time : source.reader().statistics().messageStart) + offset; }
 };
 
-/// One rewriting, from the inputs to the file.
+/// Performs one call of rewriteLogs().
 class Rewriting {
  public:
   explicit Rewriting(const RewriteOptions& options) : options_(options) {}
@@ -74,8 +74,8 @@ class Rewriting {
   const RewriteOptions& options_;
   std::vector<std::unique_ptr<Input>> inputs_;
   std::set<std::tuple<std::string, Instant, std::size_t>>
-      attachments_;                              // name, time and hash of those written
-  std::string whyBeside_;                        // the logs are put beside each other
+      attachments_;                              // name, time and hash of the attachments written
+  std::string whyBeside_;                        // why the logs are not concatenated
   std::set<std::string> robots_, worldStreams_;  // of all inputs so far
   std::unique_ptr<mcap::Writer> writer_;
   RewriteReport report_;
@@ -142,12 +142,12 @@ Result<void> Rewriting::openInputs() {
   return {};
 }
 
-/// Puts parts of one log into their order.
+/// Decides whether the inputs are parts of one log, and sorts them by time.
 Result<void> Rewriting::join() {
   const bool moved = std::any_of(inputs_.begin(), inputs_.end(),
                                  [](const auto& input) { return input->offset.count() != 0; });
   if (inputs_.size() < 2 || options_.joining == Joining::kSeparate) return {};
-  if (moved && options_.joining == Joining::kAutomatic) return {};  // Parts of one log have one clock.
+  if (moved && options_.joining == Joining::kAutomatic) return {};  // parts of one log have the same clock
   const auto part = [](Input& input) { return LogPart{input.source, input.offset}; };
   std::vector<Input*> parts;
   for (const auto& input : inputs_) {
@@ -186,7 +186,8 @@ void Rewriting::nameRobots(Input& input) {
     robots_.insert(names.contains(robot) ? names[robot] : robot);
 }
 
-// A world is told once, or robots would be seen twice at different places.
+// Streams without a robot are copied from one input only; otherwise a robot would be at two places at the
+// same time.
 void Rewriting::choose(Input& input) {
   StreamChoice streams = options_.streams;
   std::set<std::string> own;
@@ -212,7 +213,8 @@ void Rewriting::choose(Input& input) {
   input.source.choose(moved(options_.from), moved(options_.to), streams);
 }
 
-// All of it in front of the first frame. It is told at the new log's start; publish_time says when it was.
+// Writes the latched messages before the first frame, at the start of the new log; publish_time is the
+// original time.
 Result<void> Rewriting::writeHeld() {
   writer_->beginGroup();
   for (const auto& input : inputs_) {
@@ -226,8 +228,8 @@ Result<void> Rewriting::writeHeld() {
   return writer_->endGroup();
 }
 
-/// The one with the next unit; null at the end. Logs begin when their time comes: those that lie one behind
-/// the other need not be in memory at the same time.
+/// The input with the next unit; null at the end. An input is opened for reading when its time comes, so that
+/// consecutive logs are not in memory at the same time.
 Input* Rewriting::nextInput() {
   while (true) {
     Input* first = nullptr;
@@ -289,7 +291,7 @@ Result<void> Rewriting::writeUnit(Input& input, const LogUnit& unit) {
   return writer_->endGroup();
 }
 
-/// What parts of one log both have is written once.
+/// Messages that two parts of one log contain are written once.
 Result<void> Rewriting::writeRest() {
   if (const auto written = writeAllBookmarks(); !written) return written;
   std::vector<mcap::Metadata> known;
@@ -328,10 +330,10 @@ Result<void> Rewriting::writeAllBookmarks() {
     for (Bookmark bookmark : input->source.bookmarks()) {
       bookmark.from = std::max(bookmark.from + input->offset, options_.from.value_or(Instant::min()));
       bookmark.to = std::min(bookmark.to + input->offset, options_.to.value_or(Instant::max()));
-      if (bookmark.to < bookmark.from) continue;  // it lies outside
+      if (bookmark.to < bookmark.from) continue;  // it is outside of the range
       const auto same = bookmarks.find(bookmark.id);
       if (report_.concatenated && same != bookmarks.end() && same->second->text == bookmark.text) {
-        bookmark.from = std::min(bookmark.from, same->second->from);  // It was cut in two.
+        bookmark.from = std::min(bookmark.from, same->second->from);  // it was cut in two
         bookmark.to = std::max(bookmark.to, same->second->to);
         bookmarks.erase(same);
       }

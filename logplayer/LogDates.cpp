@@ -21,7 +21,7 @@ Instant instantOf(Days day) {
   return Instant(std::chrono::duration_cast<robotlink::Duration>(day.time_since_epoch()));
 }
 
-/// Takes a number of so many digits off the front; nothing if there is none.
+/// Parses a number with a fixed number of digits; empty if there is none.
 std::optional<int> takeNumber(std::string_view& text, std::size_t digits) {
   int number = 0;
   if (text.size() < digits) return std::nullopt;
@@ -51,7 +51,7 @@ std::optional<Days> takeDay(std::string_view& text) {
   return Days(date);
 }
 
-/// What is behind a decimal point, in ns.
+/// Parses the digits after a decimal point.
 std::optional<robotlink::Duration> takeFraction(std::string_view& text) {
   std::int64_t nanoseconds = 0, unit = 100'000'000;
   if (text.empty() || text.front() < '0' || text.front() > '9') return std::nullopt;

@@ -9,16 +9,16 @@
 
 namespace logplayer {
 
-// Times of logs that count from 1970, as those of real robots do, are dates for people; those of simulations
-// are not.
+// Logs of real robots have times since 1970, which users see as dates; those of simulations start near 0.
 
-/// Whether a time lies in this century, so that it is a date.
+/// Whether a time lies in this century and is therefore a date.
 bool isDate(robotlink::Instant time);
 
-/// "2026-05-04 12:30:01.250 UTC".
+/// Formats a time as "2026-05-04 12:30:01.250 UTC".
 std::string dateText(robotlink::Instant time);
 
-/// A date in UTC: "2026-05-04", "2026-05-04 12:30", "2026-05-04T12:30:01.25Z"; nothing if the text is none.
+/// Parses a date in UTC: "2026-05-04", "2026-05-04 12:30", "2026-05-04T12:30:01.25Z"; empty if the text is
+/// none.
 std::optional<robotlink::Instant> instantOfDate(std::string_view text);
 
 }  // namespace logplayer

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Export of texts, one per line.
 #include "logplayer/LogExport.h"
 
 #include <array>
@@ -33,7 +34,7 @@ const char* levelText(foxglove::Log::Level level) {
   }
 }
 
-/// Lines behind the first are indented, and what would act on a terminal is not printed.
+/// Indents further lines, and replaces control characters that would affect a terminal.
 std::string printable(const std::string& text) {
   std::string result;
   for (const char c : text) {

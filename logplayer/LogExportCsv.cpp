@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Tables and lines of JSON of a log's messages.
+// Export of messages as CSV and JSON lines.
 #include <google/protobuf/descriptor.h>
 #include <google/protobuf/message.h>
 #include <google/protobuf/util/json_util.h>
@@ -29,7 +29,7 @@ std::string timeText(robotlink::Instant time) {
   return secondsText(count / kSecond, count % kSecond);
 }
 
-/// The table of one or several streams.
+/// A CSV table of one or several streams.
 class CsvTable {
  public:
   CsvTable(const std::shared_ptr<LogFile>& log, std::vector<std::string> streams)
@@ -69,7 +69,7 @@ class CsvTable {
  private:
   struct Part {
     MessageTable table;
-    std::string type;  // of the first message; a table has one
+    std::string type;  // type of the first message; a table contains one type
     std::uint64_t ofOtherTypes = 0;
     std::uint64_t undecoded = 0;
 
@@ -132,18 +132,18 @@ class CsvTable {
   std::vector<std::string> streams_;
   std::shared_ptr<std::size_t> room_ = std::make_shared<std::size_t>(MessageTable::kMaxColumns);
   std::map<std::string, Part> parts_;
-  std::map<std::string, std::size_t> begins_;  // of each stream's columns
+  std::map<std::string, std::size_t> begins_;  // first column of each stream
   std::size_t width_ = 0;
 };
 
 Result<std::string> jsonLine(const LogFile& log, const StreamMessage& message) {
   google::protobuf::util::JsonPrintOptions options;
   options.preserve_proto_field_names = true;
-  // Where a field knows whether it is set, what is not set is left out.
+  // Unset fields are left out if the type distinguishes them.
   options.always_print_primitive_fields =
       message.value->GetDescriptor()->file()->syntax() == google::protobuf::FileDescriptor::SYNTAX_PROTO3;
   std::string value;
-  // It fails, for example, for a time stamp past the year 9999.
+  // This fails, for example, for a timestamp after the year 9999.
   if (isUndecoded(log, message) ||
       !google::protobuf::util::MessageToJsonString(*message.value, &value, options).ok()) {
     return robotlink::failure("export.json", "it has no JSON");

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// Export of images as PNG files.
 #include <array>
 #include <cctype>
 #include <cstdio>
@@ -24,7 +25,7 @@ bool isImage(const LogFile::Stream& stream) {
          stream.holds(foxglove::CompressedImage::descriptor()->full_name());
 }
 
-/// Whether it would be images if its encoding were read.
+/// Whether a stream contains images in an unsupported encoding.
 bool isUndecodedImage(const LogFile::Stream& stream) {
   return !stream.isDecoded() && (stream.type == foxglove::RawImage::descriptor()->full_name() ||
                                  stream.type == foxglove::CompressedImage::descriptor()->full_name());

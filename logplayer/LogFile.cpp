@@ -49,7 +49,7 @@ struct LogFile::Implementation {
   std::vector<Stream> streams;
   Instant begin, end;
 
-  std::mutex mutex;  // protects what follows
+  std::mutex mutex;  // protects the members below
   std::unique_ptr<mcap::Reader> reader;
   std::unique_ptr<LogChannels> channels;
   std::set<MessagePosition> unreadable;
@@ -78,7 +78,7 @@ LogFile::LogFile(std::unique_ptr<Implementation> implementation)
 
 LogFile::~LogFile() = default;
 
-// ---- What it holds
+// ---- Contents
 
 void LogFile::Implementation::listStreams() {
   bool any = false;
@@ -91,8 +91,7 @@ void LogFile::Implementation::listStreams() {
     Stream stream = describe(streamPath, ids);
     if (stream.count > 0) streams.push_back(std::move(stream));
   }
-  // What holds until it is told anew may be much older than the recording, and a world may go on without its
-  // robots.
+  // Latched messages may be much older than the recording, and messages of the world may outlast its robots.
   for (const Stream& stream : streams) {
     if (stream.path.find('/') != std::string::npos &&
         !robotlink::holdsUntilToldAnew(stream.path, stream.type)) {
@@ -206,7 +205,7 @@ std::string LogFile::damageText() const {
   return text;
 }
 
-// ---- Finding and reading
+// ---- Searching and reading
 
 std::optional<StreamMessage> LogFile::Implementation::read(const MessagePosition& position) {
   auto message = channels->read(position);
@@ -285,7 +284,7 @@ std::vector<Instant> LogFile::times(const std::string& stream) {
   return times;
 }
 
-// ---- Going over it
+// ---- Cursor
 
 struct LogFile::Cursor::Implementation {
   Implementation(std::shared_ptr<LogFile> opened, const std::vector<std::string>& streams)

@@ -34,7 +34,7 @@ Result<void> readResource(const std::string& name, ProgramSetup::File& to) {
   return {};
 }
 
-/// What a replay of such a log is to run.
+/// The setup of the program that replays such a log.
 Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportOptions& options) {
   auto setup = std::make_shared<ProgramSetup>();
   setup->set_robot(options.robot);
@@ -53,7 +53,7 @@ Result<std::shared_ptr<ProgramSetup>> setupOf(const ImportOptions& options) {
   return setup;
 }
 
-/// Writes the set-up at the time of the first frame, and then the frames.
+/// Writes the setup at the time of the first frame, then the frames.
 class ImportWriter {
  public:
   static Result<ImportWriter> create(const std::filesystem::path& file, const ImportOptions& options) {

@@ -16,33 +16,41 @@ class ColorTable;
 
 namespace logplayer {
 
-/// What became of the messages of an imported file.
+/// The result of the import of a file, by kinds of messages.
 struct ImportReport {
-  std::string format;  ///< "B-Human message queue"
+  /// Name of the format: "B-Human message queue".
+  std::string format;
+  /// Number of messages in the imported file.
   std::uint64_t messages = 0;
-  std::map<std::string, std::uint64_t> imported;       ///< by kind: "JPEGImage"
-  std::map<std::string, std::uint64_t> notUnderstood;  ///< by kind, "id 123" where it has no name
-  std::string damage;                                  ///< with the offset; empty if the file is whole
+  /// Number of imported messages by kind: "JPEGImage".
+  std::map<std::string, std::uint64_t> imported;
+  /// Number of messages that were left out, by kind ("id 123" if it has no name).
+  std::map<std::string, std::uint64_t> notUnderstood;
+  /// What is wrong with the file, with the offset; empty if it is intact.
+  std::string damage;
 };
 
-/// Whether a file is of an older format that importLog() reads, by its contents.
+/// Whether a file has an older format that importLog() reads, judged by its contents.
 bool canImport(const std::filesystem::path& file);
 
-/// Whether a robot may be called so: streams are called "<robot>/...".
+/// Whether a robot may have this name, which becomes a part of stream paths ("<robot>/..."): letters, digits,
+/// '-', '_' and '.'.
 bool isRobotName(std::string_view name);
 
+/// What the imported file does not say.
 struct ImportOptions {
-  std::string robot = "nao";  ///< see isRobotName()
-  /// Goes into the log as the one in force (app/core/ColorTables.h reads files of tables); null: none.
+  /// Name of the robot, see isRobotName().
+  std::string robot = "nao";
+  /// Is written into the log as its color table (app/core/ColorTables.h reads such files); null: none.
   std::shared_ptr<const robotcontrol::ColorTable> colorTable;
-  /// The share done in [0, 1]; false: give up.
+  /// Called with the share done in [0, 1]; false cancels the import.
   std::function<bool(double)> progress;
 };
 
-/// Converts a log of an older format into a new MCAP file, which must not exist. Begins with the set-up of a
-/// program that suits such a log: the robot (resources/robots/nao.yaml), the field of its year, and a layout
-/// of what can be done on it. Given up by progress (the error's id is "log.given-up"), or failed, nothing is
-/// left.
+/// Converts a log of an older format into a new MCAP file, which must not exist. The new log begins with the
+/// setup of a program that fits such a log: the robot (resources/robots/nao.yaml), the field of its year, and
+/// a layout of tasks that the data allows. If canceled by the progress callback (error id "log.given-up"), or
+/// failed, nothing is left.
 robotlink::Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
                                           const ImportOptions& options);
 

@@ -101,7 +101,7 @@ Result<LogInfo> readLogInfo(const std::filesystem::path& file, const LogFile::Pr
   }
   const auto stored = storedBookmarksOf(file, container->conversion() != nullptr ? nullptr : reader->get());
   if (!stored) return tl::unexpected(stored.error());
-  // A file that was not closed is looked through only once.
+  // Reuses the open reader: an incomplete file is scanned only once.
   const auto log = LogFile::of(container->path(), *container, std::move(*reader));
   if (const auto described = describeStreams(*log, progress, info); !described) {
     return tl::unexpected(described.error());

@@ -14,51 +14,69 @@
 
 namespace logplayer {
 
-/// What a log file holds, counted.
+/// A summary of the contents of a log file, for `robotctl log info` and views.
 struct LogInfo {
+  /// A summary of one stream.
   struct Stream {
     std::string path;
     std::string type;
-    std::string encoding;         ///< of the messages: "protobuf", "json", "cdr"
-    std::uint64_t undecoded = 0;  ///< messages in an encoding that is not read
+    /// Encoding of the messages: "protobuf", "json", "cdr".
+    std::string encoding;
+    /// Number of messages in encodings that are not supported.
+    std::uint64_t undecoded = 0;
     std::uint64_t count = 0;
-    std::uint64_t bytes = 0;  ///< of its messages, uncompressed
-    double rate = 0;          ///< Hz between the first and the last; 0 with fewer than two
+    /// Uncompressed size of the messages.
+    std::uint64_t bytes = 0;
+    /// Mean rate between the first and the last message, Hz; 0 if there are fewer than two.
+    double rate = 0;
     robotlink::Instant first, last;
   };
   std::filesystem::path file;
-  std::string format;  ///< "MCAP", or the older format that was converted: "B-Human message queue"
+  /// "MCAP", or the older format that was converted: "B-Human message queue".
+  std::string format;
   std::uint64_t fileBytes = 0;
-  robotlink::Instant begin, end;  ///< of what robots told; equal if there is nothing
+  /// As LogFile::begin() and LogFile::end().
+  robotlink::Instant begin, end;
   std::vector<std::string> robots;
   std::uint64_t messages = 0;
-  std::uint64_t frames = 0;                       ///< of the robots' processes, the platform's steps apart
-  std::map<std::string, std::uint64_t> framesOf;  ///< "<robot>/<process>", the platforms', too
+  /// Number of frames of the robots' processes, without the steps of the platform.
+  std::uint64_t frames = 0;
+  /// Frames by "<robot>/<process>", including those of the platforms.
+  std::map<std::string, std::uint64_t> framesOf;
+  /// Number of messages with images.
   std::uint64_t images = 0;
   std::vector<Bookmark> bookmarks;
-  std::vector<Stream> streams;  ///< by path
+  /// Sorted by path.
+  std::vector<Stream> streams;
 
   // What the container holds; nothing for older formats.
   std::uint64_t chunks = 0;
-  std::uint64_t compressedBytes = 0, uncompressedBytes = 0;  ///< of all chunks
-  std::map<std::string, std::uint64_t> compressions;         ///< chunks by "none", "lz4", "zstd"
-  std::string library;                                       ///< that wrote it
+  /// Sums over all chunks.
+  std::uint64_t compressedBytes = 0, uncompressedBytes = 0;
+  /// Number of chunks by compression: "none", "lz4", "zstd".
+  std::map<std::string, std::uint64_t> compressions;
+  /// The software that wrote the file.
+  std::string library;
+  /// Names of the attached files.
   std::vector<std::string> attachments;
   std::vector<mcap::Metadata> metadata;
 
-  bool complete = true;  ///< ends as it should
+  /// Whether the file was closed properly.
+  bool complete = true;
   std::vector<mcap::Damage> damage;
-  std::vector<std::string> losses;                     ///< all that is wrong, a sentence each
-  std::map<std::string, std::uint64_t> notUnderstood;  ///< messages of an older format, by kind
+  /// Everything that is wrong, one sentence each.
+  std::vector<std::string> losses;
+  /// Messages of an older format that were left out, by kind.
+  std::map<std::string, std::uint64_t> notUnderstood;
 };
 
-/// Reads what it needs to count; given up by progress it fails with "log.given-up".
+/// Reads the whole file in order to count. Fails with "log.given-up" if canceled by the progress callback.
 robotlink::Result<LogInfo> readLogInfo(const std::filesystem::path& file,
                                        const LogFile::Progress& progress = {});
 
-/// As `robotctl log info --json` prints it: snake_case, SI units.
+/// The output of `robotctl log info --json`: names in snake_case, SI units.
 nlohmann::json toJson(const LogInfo& info);
-/// For people: aligned columns with units, lines ended.
+/// For the user: aligned columns with units; every line ends with a newline.
 std::string toText(const LogInfo& info);
 
 }  // namespace logplayer

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// LogInfo as text for the user, see toText().
 #include <algorithm>
 #include <array>
 #include <cstdio>
@@ -33,7 +34,7 @@ std::string bytesText(std::uint64_t bytes) {
   return formatted(value < 9.995 ? "%.2f " : value < 99.95 ? "%.1f " : "%.0f ", value) + kUnits[unit];
 }
 
-/// "12,345".
+/// A number with separators: "12,345".
 std::string countText(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
@@ -58,7 +59,7 @@ std::string joined(const std::vector<std::string>& parts) {
   return text;
 }
 
-/// What a stream's messages are, where not all are Protobuf.
+/// The encoding of a stream's messages, if not all are Protobuf.
 std::string encodingText(const LogInfo::Stream& stream) {
   if (stream.undecoded == 0) return stream.encoding;
   const std::string encoding = stream.encoding.empty() ? "unknown" : stream.encoding;
@@ -72,7 +73,7 @@ bool allProtobuf(const LogInfo& info) {
   });
 }
 
-/// "12 messages (cdr)" of what stays bytes; empty if nothing does.
+/// The messages that stay bytes: "12 messages (cdr)"; empty if there are none.
 std::string undecodedText(const LogInfo& info) {
   std::uint64_t count = 0;
   std::map<std::string, std::uint64_t> encodings;
@@ -92,7 +93,8 @@ std::string percentText(std::uint64_t part, std::uint64_t whole) {
                     : formatted("%.1f %%", 100.0 * static_cast<double>(part) / static_cast<double>(whole));
 }
 
-/// Columns as wide as their widest cell, aligned as `columns` says: "lr" is left, right.
+/// A text table whose columns are as wide as their widest cell. `columns` is their alignment: "lr" is left,
+/// right.
 class Table {
  public:
   explicit Table(std::string columns) : columns_(std::move(columns)) {}
@@ -127,7 +129,7 @@ std::vector<std::string> countTexts(const std::map<std::string, std::uint64_t>& 
   return parts;
 }
 
-/// Adds a named row, or several if there is too much for one line.
+/// Adds a named row, or several if the parts do not fit on one line.
 void addParts(Table& table, std::string name, const std::vector<std::string>& parts) {
   constexpr std::size_t kWidth = 90;
   std::string line;
@@ -159,7 +161,7 @@ std::vector<std::string> valueParts(const mcap::Metadata& record) {
   return parts;
 }
 
-/// Names of our own records without what they begin with.
+/// Removes the prefix from the names of this program's own metadata records.
 std::string recordName(const std::string& name) {
   constexpr std::string_view kOurs = "robotcontrol.";
   return name.starts_with(kOurs) ? name.substr(kOurs.size()) : name;

@@ -19,7 +19,8 @@ using robotlink::Instant;
 
 namespace {
 
-/// What a frame told may lie before its end, and so in the part before.
+/// The tolerated overlap: messages of a frame may be older than its end, and thus belong to the previous
+/// part.
 Duration toleranceOf(const LogPart& part) {
   return std::min<Duration>(std::chrono::seconds(1), (part.end() - part.begin()) / 20);
 }

@@ -5,7 +5,7 @@
 
 namespace logplayer {
 
-/// Stands for a process whose packages come from the log. Waits for nothing.
+/// The stand-in for a process whose packages come from the log. It waits for nothing.
 class LogPlatform::Turn final : public robotlink::Process {
  public:
   Turn(LogPlatform& platform, std::string process)
@@ -39,7 +39,7 @@ LogPlatform::~LogPlatform() {
 
 bool LogPlatform::put(const std::string& package, const robotlink::PackagePtr& value) {
   const auto found = entries_.find(package);
-  // Receivers rely on the type: what comes from a file must not be believed.
+  // Receivers rely on the type, and files are not trusted.
   if (found == entries_.end() || !value || value->GetDescriptor() != found->second.package.type) return false;
   found->second.waiting.push_back(value);
   return true;

@@ -15,9 +15,9 @@ using mcap::Reader;
 using robotlink::Instant;
 using robotlink::Result;
 
-// How far what a frame told may lie from its FrameInfo.
+// Maximum distance of a frame's messages from its FrameInfo.
 constexpr robotlink::Duration kFrameSpan = std::chrono::seconds(1);
-// Frames of a process that may be open at a time, should their messages be told in turns.
+// Maximum number of incomplete frames of a process, in case their messages are interleaved.
 constexpr std::size_t kOpenFrames = 8;
 
 std::string robotPartOf(const std::string& path) {
@@ -109,7 +109,7 @@ void LogSource::choose(std::optional<Instant> from, std::optional<Instant> to, c
       process->second->ends = notExcluded.has(process->second->frames);
     }
   }
-  // FrameInfos tell which frames are whole, even if they are not copied.
+  // FrameInfos show which frames are complete, even if they are not copied.
   for (const auto& [id, process] : processOf_) {
     const bool frameInfo = reader_->channels().at(id).topic == process->frames;
     if (frameInfo && std::find(channels_.begin(), channels_.end(), id) == channels_.end())

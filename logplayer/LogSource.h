@@ -20,10 +20,12 @@
 
 namespace logplayer {
 
-/// What of a log belongs together and is copied together: a frame, or a message that belongs to none.
+/// Messages of a log that are copied together: a frame, or a single message that belongs to no frame.
 struct LogUnit {
-  robotlink::Instant time;  ///< of the frame's FrameInfo
-  bool frame = false;       ///< of a program's process, not a step of the platform
+  /// Time of the frame's FrameInfo, or of the message.
+  robotlink::Instant time;
+  /// Whether it is a frame of a program's process; false also for steps of the platform.
+  bool frame = false;
   std::vector<mcap::Reader::MessageData> messages;
 };
 
@@ -32,53 +34,66 @@ struct LogUnit {
 /// reader's cache and the largest frames. One thread.
 class LogSource {
  public:
-  /// Fails if nothing can be read, or is given up by `progress`.
+  /// Fails if nothing can be read, or with "log.given-up" if `progress` returns false. Everything is selected
+  /// at first, see choose().
   static robotlink::Result<LogSource> open(const std::filesystem::path& file,
                                            const LogFile::Progress& progress, std::size_t cacheBytes);
   ~LogSource();
   LogSource(LogSource&&) noexcept;
 
-  /// What lies in [from, to] of the streams chosen. A FrameInfo is chosen with whatever is chosen of its
-  /// process, unless it is excluded.
+  /// Selects the range [from, to] of some streams and starts from the beginning. The FrameInfos of a process
+  /// are selected together with any of its streams, unless they are excluded.
   void choose(std::optional<robotlink::Instant> from, std::optional<robotlink::Instant> to,
               const StreamChoice& streams);
-  /// What holds until it is told anew, as of just before `from`; by stream.
+  /// The latched messages just before `from`, one per channel.
   std::vector<mcap::Reader::MessageData> held();
-  /// Nothing at the end.
+  /// Returns the next unit; empty at the end.
   std::optional<LogUnit> next();
-  /// The time up to which it has read.
+  /// The time up to which the log has been read.
   robotlink::Instant position() const { return position_; }
 
+  /// The reader of the log, or of its converted copy.
   mcap::Reader& reader() { return *reader_; }
   const std::filesystem::path& file() const { return file_; }
+  /// All bookmarks, also those from the file beside the log.
   const std::vector<Bookmark>& bookmarks() const { return bookmarks_; }
-  /// First parts of the paths that have several.
+  /// The first parts of all paths that have more than one part.
   const std::set<std::string>& robots() const { return robots_; }
-  /// What is good to know, a sentence each.
+  /// Information for the user, one sentence each.
   const std::vector<std::string>& notes() const { return notes_; }
-  /// What was not read so far, a sentence each.
+  /// What could not be read so far, one sentence each.
   std::vector<std::string> losses() const;
 
  private:
+  /// The frames of one process that are being collected.
   struct Process {
-    std::string frames;  ///< the path of its FrameInfos
-    bool ends = false;   ///< whether these are copied
-    std::map<std::uint32_t, std::vector<mcap::Reader::MessageData>>
-        open;                           ///< frames whose FrameInfo has not come yet
-    std::optional<std::uint32_t> done;  ///< the last frame of which it has come...
-    bool doneKept = false;              ///< ...and that was kept
+    /// Path of its FrameInfos.
+    std::string frames;
+    /// Whether its FrameInfos are copied.
+    bool ends = false;
+    /// Frames whose FrameInfo has not been read yet, by number.
+    std::map<std::uint32_t, std::vector<mcap::Reader::MessageData>> open;
+    /// The last frame whose FrameInfo was read, for messages that follow it.
+    std::optional<std::uint32_t> done;
+    /// Whether that frame was in the range.
+    bool doneKept = false;
   };
 
   LogSource() = default;
+  /// Adds what the conversion left out to notes and losses.
   void noteConversion(const ImportReport& report);
+  /// Finds the processes by the channels of their FrameInfos.
   void listProcesses();
+  /// Adds a message to its frame, or makes it a unit of its own.
   void place(mcap::Reader::MessageData data);
+  /// Completes a frame.
   void endFrame(Process& process, mcap::Reader::MessageData frameInfo);
   void forgetOpenFrames(Process& process, std::size_t maxOpen);
   bool inRange(robotlink::Instant time) const;
 
   std::filesystem::path file_;
-  std::optional<ContainerFile> container_;  // outlives the reader
+  /// Declared before the reader, which it must outlive.
+  std::optional<ContainerFile> container_;
   std::unique_ptr<mcap::Reader> reader_;
   std::vector<Bookmark> bookmarks_;
   std::set<std::string> robots_;
@@ -86,8 +101,11 @@ class LogSource {
 
   std::optional<robotlink::Instant> from_, to_;
   std::vector<Process> processes_;
-  std::map<std::uint16_t, Process*> processOf_;  // by channel; those whose messages belong to no frame lack
-  std::vector<std::uint16_t> channels_;          // that are read
+  /// Keyed by channel; without channels whose messages belong to no frame.
+  std::map<std::uint16_t, Process*> processOf_;
+  /// The channels to read.
+  std::vector<std::uint16_t> channels_;
+  /// Complete units that next() has not returned yet.
   std::deque<LogUnit> ready_;
   std::optional<mcap::MessageCursor> cursor_;  // over them
   robotlink::Instant position_;

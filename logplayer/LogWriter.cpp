@@ -34,8 +34,8 @@ struct LogWriter::Implementation {
   std::unique_ptr<mcap::Writer> writer;
   std::map<const Descriptor*, std::uint16_t> schemas;
   std::map<ChannelKey, std::uint16_t> channels;
-  // Types that come from a file go when nobody needs them; these messages need them, so that their addresses
-  // stay theirs.
+  // Dynamic types are destroyed with their last message; these messages keep them alive, so that no other
+  // type can get their addresses, which are keys above.
   std::vector<robotlink::PackagePtr> typeOwners;
   std::string buffer;
 };
@@ -101,7 +101,7 @@ Result<void> LogWriter::Implementation::writeMessage(const StreamMessage& messag
 
 Result<void> LogWriter::write(const std::vector<StreamMessage>& frame) {
   Implementation& self = *implementation_;
-  // What can be refused is, before anything of the frame is written.
+  // All errors that are possible occur before anything of the frame is written.
   std::vector<std::uint16_t> channels;
   channels.reserve(frame.size());
   for (const StreamMessage& message : frame) {

@@ -12,20 +12,22 @@
 
 namespace logplayer {
 
-/// Writes messages of streams into a log file: an MCAP file with one channel for each stream and process that
-/// told it, whose schema is the message's type with all that it needs (a FileDescriptorSet). What is written
-/// in one channel is of one type; when a stream changes its type it gets another channel.
+/// Writes messages of streams into an MCAP file: one channel for each stream and publishing process, whose
+/// schema is the message's type with all its dependencies (a FileDescriptorSet). A channel holds messages of
+/// one type; a stream that changes its type gets another channel.
 ///
 /// The layout of such a file is described in logplayer/LOGS.md. One thread at a time.
 class LogWriter {
  public:
+  /// The file must not exist.
   static robotlink::Result<std::unique_ptr<LogWriter>> create(const std::filesystem::path& file,
                                                               mcap::Writer::Options options);
   ~LogWriter();
 
-  /// A frame, or anything else that is in the file as a whole or not at all.
+  /// Writes a group of messages, usually a frame, that shall be in the file completely or not at all. Fails
+  /// with the first I/O error, and from then on.
   robotlink::Result<void> write(const std::vector<robotlink::StreamMessage>& frame);
-  /// The container, for attachments, metadata, flush and close.
+  /// The container, for attachments, metadata, flush() and close().
   mcap::Writer& container();
 
  private:

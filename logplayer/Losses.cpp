@@ -14,7 +14,7 @@ std::vector<std::string> lossesOf(const std::filesystem::path& file, bool comple
       losses.push_back(name + "and " + std::to_string(damage.size() - kMaxListed) + " more damaged places");
       break;
     }
-    // Offset 0 is that of the file as a whole.
+    // Offset 0 stands for the whole file.
     losses.push_back(name + (place.offset > 0 ? "at byte " + std::to_string(place.offset) + ": " : "") +
                      place.what);
   }

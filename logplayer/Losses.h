@@ -9,8 +9,8 @@
 
 namespace logplayer {
 
-/// What is wrong with a log file in sentences for people, one for each place, with the file's name and the
-/// offset; the first ones if there are very many.
+/// Describes damage of a log file for the user: one sentence per place with file name and offset. If there
+/// are very many, only the first ones.
 std::vector<std::string> lossesOf(const std::filesystem::path& file, bool complete,
                                   const std::vector<mcap::Damage>& damage);
 

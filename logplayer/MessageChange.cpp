@@ -35,7 +35,7 @@ void move(Message& time, robotlink::Duration offset) {
   const auto* reflection = time.GetReflection();
   std::int64_t rest = reflection->GetInt32(time, nanos) + offset.count() % kSecond;
   std::int64_t whole = 0;
-  // A time that is no time stays one; it must not overflow.
+  // Invalid times are left unchanged; the addition must not overflow.
   if (__builtin_add_overflow(reflection->GetInt64(time, seconds), offset.count() / kSecond, &whole)) return;
   const std::int64_t carry = rest >= kSecond ? 1 : rest < 0 ? -1 : 0;
   rest -= carry * kSecond;
@@ -58,8 +58,8 @@ bool MessageChange::concerns(const Descriptor& type) {
   return concernsFields(type);
 }
 
-// Types may hold themselves, so all that can be reached is looked at rather than each type's answer built on
-// others'.
+// Types may be recursive; therefore all reachable types are examined, instead of combining the results of
+// nested types.
 bool MessageChange::concernsFields(const Descriptor& type) {
   if (const auto known = concerned_.find(&type); known != concerned_.end()) return known->second;
   std::vector<const Descriptor*> reached{&type};

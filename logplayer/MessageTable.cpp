@@ -108,10 +108,10 @@ std::string valueText(const Message& message, const FieldDescriptor& field, int 
 
 }  // namespace
 
-/// Goes over all values that a message has.
+/// Visits all values that are set in a message.
 class MessageTable::Walk {
  public:
-  /// At the value `field` of `message`, with the place of both known.
+  /// Called with a value `field` of `message` and its place.
   using Visit =
       std::function<void(const Walk&, const Message& message, const FieldDescriptor& field, int element)>;
   explicit Walk(Visit visit) : visit_(std::move(visit)) {}
@@ -180,7 +180,7 @@ std::vector<std::string> MessageTable::columns() const {
 
 std::vector<std::string> MessageTable::row(const Message& message) const {
   std::vector<std::string> cells(columns_.size());
-  // Values come in the order of the columns, so one way along them finds all.
+  // Values are visited in the order of the columns, so that a single pass finds all of them.
   auto column = columns_.begin();
   std::size_t index = 0;
   Walk([&](const Walk& walk, const Message& holder, const FieldDescriptor& field, int element) {
@@ -210,7 +210,7 @@ std::string csvLine(const std::vector<std::string>& cells) {
 }
 
 std::string secondsText(std::int64_t seconds, std::int64_t nanos) {
-  // Time stamps count their nanoseconds forwards; "-0.5" is -1 s and 500,000,000 ns.
+  // Nanoseconds of timestamps are never negative: "-0.5" is -1 s and 500,000,000 ns.
   const bool negative = seconds < 0 || nanos < 0;
   if (seconds < 0 && nanos > 0) {
     ++seconds;

@@ -15,40 +15,43 @@ class Message;
 
 namespace logplayer {
 
-/// Messages of one type as the rows of a table, with a column for each field that occurs in any of them:
-/// "position.x", "joints[0].position". First all messages are shown to learn(), then each to row(). One
-/// thread.
+/// Messages of one type as rows of a table, with a column for each field that occurs in any of them:
+/// "position.x", "joints[0].position". Usage in two passes: learn() for all messages, then row() for each.
+/// One thread.
 class MessageTable {
  public:
-  /// More columns than this no spreadsheet takes; fields past it are left out.
+  /// The usual limit of spreadsheets; further fields are left out.
   static constexpr std::size_t kMaxColumns = 16'384;
 
-  /// `room`: how many columns may still be made, shared by tables that stand side by side.
+  /// `room`: the number of columns that may still be added; shared by tables that are put side by side.
   explicit MessageTable(std::shared_ptr<std::size_t> room = std::make_shared<std::size_t>(kMaxColumns))
       : room_(std::move(room)) {}
 
+  /// Adds columns for the fields of a message.
   void learn(const google::protobuf::Message& message);
-  /// In the order of the schema, elements of repeated fields in theirs.
+  /// The names of the columns, in the order of the schema and of repeated elements.
   std::vector<std::string> columns() const;
-  /// A cell for each column; empty where a field is not set. Time stamps and durations are seconds,
-  /// enumerations names, bytes base64.
+  /// One cell per column; empty where a field is not set. Timestamps and durations are seconds, enumerations
+  /// names, bytes base64.
   std::vector<std::string> row(const google::protobuf::Message& message) const;
-  /// Values that have no column.
+  /// Number of values for which there was no room for a column.
   std::uint64_t leftOut() const { return leftOut_; }
 
  private:
-  /// Fields and elements on the way to a value, from the message inwards: sorts as the schema does.
+  /// The path to a value as field numbers and indices, from the outside in; sorts in the order of the schema.
   using Place = std::vector<int>;
+  /// Visits all values of a message.
   class Walk;
 
   std::shared_ptr<std::size_t> room_;
-  std::map<Place, std::string> columns_;  // their names
+  /// The names of the columns.
+  std::map<Place, std::string> columns_;
   std::uint64_t leftOut_ = 0;
 };
 
-/// A row of a file of comma-separated values (RFC 4180), with its line end.
+/// Formats a line of a CSV file (RFC 4180), including the line end.
 std::string csvLine(const std::vector<std::string>& cells);
-/// "12.340000000".
+/// Formats a time in seconds: "12.340000000".
 std::string secondsText(std::int64_t seconds, std::int64_t nanos);
 
 }  // namespace logplayer

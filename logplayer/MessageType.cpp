@@ -32,7 +32,7 @@ struct MessageType::Dynamic {
   const Message* prototype(const std::string& name);
   bool build(const std::string& file);
 
-  std::map<std::string, FileDescriptorProto> files;  // that are not built yet
+  std::map<std::string, FileDescriptorProto> files;  // not built yet
   Silence silence;
   DescriptorPool pool;
   google::protobuf::DynamicMessageFactory factory{&pool};
@@ -45,7 +45,8 @@ MessageType::Dynamic::Dynamic(FileDescriptorSet set) {
   }
 }
 
-/// With what it imports, whatever the order in the set. Each file is tried once, so circles end.
+/// Builds a file and its imports, whatever their order in the set. Each file is tried once, so that cycles
+/// end.
 bool MessageType::Dynamic::build(const std::string& name) {
   if (pool.FindFileByName(name) != nullptr) return true;
   const auto found = files.find(name);
@@ -94,7 +95,7 @@ void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sampl
     const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
     if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
   }
-  // One that is called like a type of this program, but is another one.
+  // A type with the name of one of this program's types, but another structure.
   if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr)
     name_ = json_->name();
 }

@@ -12,37 +12,41 @@ namespace logplayer {
 
 class JsonType;
 
-/// The type of a channel's messages, by its schema in the file. Protobuf of a type of this program is read
-/// into its class, any other into a message that knows itself by the file's descriptors, which it keeps
-/// alive; JSON becomes such messages, too, see JsonType. What is otherwise encoded (cdr, ros1), or has a
-/// schema that makes no sense, stays bytes (robotcontrol.PackageCopy). Immutable; any thread.
+/// The type of a channel's messages, determined by its schema in the file. Protobuf messages of this
+/// program's types are parsed into their classes, others into dynamic messages with the descriptors from the
+/// file, which they keep alive. JSON becomes dynamic messages, too, see JsonType. Messages in other encodings
+/// (cdr, ros1) or with an invalid schema stay bytes (robotcontrol.PackageCopy). Immutable; any thread.
 class MessageType {
  public:
-  /// A message of the channel, which may be asked for where JSON has no schema; empty if there is none.
+  /// Returns a message of the channel, empty if there is none. Called only for JSON without a schema.
   using Sample = std::function<std::string()>;
-  /// `schema`: null if the channel has none.
+  /// `schema` is null if the channel has none.
   MessageType(const mcap::Schema* schema, const std::string& messageEncoding, const Sample& sample = {});
   ~MessageType();
   MessageType(MessageType&&) noexcept;
   MessageType& operator=(MessageType&&) noexcept;
 
-  /// As the schema says; "unknown" without one.
+  /// The type name in the schema; "unknown" without one.
   const std::string& name() const { return name_; }
-  /// As the file says: "protobuf", "json", "cdr", "ros1".
+  /// The encoding as in the file: "protobuf", "json", "cdr", "ros1".
   const std::string& encoding() const { return encoding_; }
-  /// Whether messages are read as values; else they stay bytes.
+  /// Whether messages are decoded; otherwise they stay bytes.
   bool isDecoded() const { return prototype_ != nullptr || json_ != nullptr; }
-  /// Null if the bytes do not make such a message.
+  /// Decodes a message; null if the bytes are invalid.
   robotlink::PackagePtr read(mcap::Bytes data) const;
 
  private:
+  /// Descriptor pool and message factory for the types of a file.
   struct Dynamic;
   void readProtobufSchema(const mcap::Schema& schema);
   void readJsonSchema(const mcap::Schema* schema, const Sample& sample);
 
   std::string name_, encoding_;
-  const google::protobuf::Message* prototype_ = nullptr;  // null: no Protobuf
-  std::shared_ptr<const Dynamic> dynamic_;                // what a prototype from the file belongs to
+  /// Null if the type is not Protobuf.
+  const google::protobuf::Message* prototype_ = nullptr;
+  /// Owns prototype_ if it was built from the file; null for the program's own types.
+  std::shared_ptr<const Dynamic> dynamic_;
+  /// Null if the type is not JSON.
   std::shared_ptr<const JsonType> json_;
 };
 

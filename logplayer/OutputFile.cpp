@@ -31,7 +31,8 @@ tl::unexpected<robotlink::Error> ioFailure(const std::string& action, const fs::
   return robotlink::failure("file.io", "cannot " + action + ": " + reason, {file.string(), 0, 0}, {reason});
 }
 
-// Renames without overwriting. Not every file system can; there a link does the same in two steps.
+// Renames without overwriting. On file systems that do not support this, a hard link does the same in two
+// steps.
 int renameToNew(const fs::path& from, const fs::path& to) {
   if (::renameat2(AT_FDCWD, from.c_str(), AT_FDCWD, to.c_str(), RENAME_NOREPLACE) == 0) return 0;
   if (errno != EINVAL && errno != ENOSYS) return errno;

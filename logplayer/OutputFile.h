@@ -9,31 +9,35 @@
 
 namespace logplayer {
 
-/// A file in the making: written under the name temporary() beside its place, and given its own name by
-/// commit(). Without that nothing is left of it, also if a signal ends the program. Moved, not copied.
+/// A file that appears under its name only when it is complete: it is written under the name temporary() in
+/// the same folder and renamed by commit(). Without commit() the destructor removes it, as does a signal that
+/// ends the program. Movable, not copyable.
 class OutputFile {
  public:
-  /// Fails if there is such a file already and it may not be overwritten, or if the folder does not exist. A
-  /// symbolic link is kept: the file that it points to is overwritten.
+  /// Fails if the file exists and may not be overwritten, or if its folder does not exist or is not writable.
+  /// A symbolic link is kept: the file to which it points is overwritten.
   static robotlink::Result<OutputFile> create(const std::filesystem::path& file, bool overwrite);
   ~OutputFile();
   OutputFile(OutputFile&& other) noexcept;
   OutputFile& operator=(OutputFile&&) = delete;
 
-  /// A name that no file has yet.
+  /// The path to write to; no such file exists after create().
   const std::filesystem::path& temporary() const { return temporary_; }
-  /// A file that got the name meanwhile is overwritten only if it may be.
+  /// Renames the file. A file that got the name in the meantime is overwritten only if that is allowed.
   robotlink::Result<void> commit();
-  /// An error of whoever wrote temporary(), as one of this file: that name means nothing to people, and is
-  /// soon removed.
+  /// Replaces the temporary name in an error of the writer by the real name, since the user does not know the
+  /// former.
   robotlink::Error named(robotlink::Error error) const;
 
  private:
   OutputFile() = default;
 
-  std::filesystem::path given_;             // as it was called
-  std::filesystem::path file_, temporary_;  // empty once there is nothing to remove
+  /// The name as passed to create().
+  std::filesystem::path given_;
+  /// The target, with links resolved, and the temporary file; empty after commit() or a move.
+  std::filesystem::path file_, temporary_;
   bool overwrite_ = false;
+  /// Removes the file if a signal ends the program.
   std::optional<robotlink::UnfinishedFile> unfinished_;
 };
 

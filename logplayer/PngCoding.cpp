@@ -13,7 +13,7 @@ using robotlink::Result;
 
 constexpr std::size_t kMaximumPngPixels = 64U << 20U;
 
-/// libpng's state of one image; its simplified functions keep longjmp to themselves.
+/// The state of libpng for one image; its simplified API handles longjmp internally.
 struct PngImage : png_image {
   PngImage() : png_image{} { version = PNG_IMAGE_VERSION; }
   ~PngImage() { png_image_free(this); }

@@ -9,17 +9,20 @@
 
 namespace logplayer {
 
-/// Messages that are in a log as a whole or not at all: what one frame of one process told, its FrameInfo
-/// last. Immutable and shared by those who keep it.
+/// Messages that a log contains completely or not at all: those of one frame of one process, with its
+/// FrameInfo last. Immutable and shared by queue, ring and files.
 struct RecordedFrame {
   std::vector<robotlink::StreamMessage> messages;
-  std::size_t bytes = 0;    ///< about what they occupy
-  std::size_t largest = 0;  ///< the same of the largest message
-  bool holds = false;       ///< some message holds until it is told anew
+  /// Approximate memory of all messages.
+  std::size_t bytes = 0;
+  /// Approximate memory of the largest message.
+  std::size_t largest = 0;
+  /// Whether at least one message is latched.
+  bool holds = false;
 };
 using RecordedFramePtr = std::shared_ptr<const RecordedFrame>;
 
-/// What did not fit.
+/// What the recording queue had to drop.
 struct DroppedMessages {
   std::uint64_t messages = 0;
   std::uint64_t bytes = 0;

@@ -11,34 +11,37 @@
 
 namespace logplayer {
 
-/// Reads "red1/*,-*/transforms": patterns between commas, those with "-" before them are left out. Nothing:
-/// the default selection.
+/// Parses a selection such as "red1/*,-*/transforms": patterns separated by commas; those that begin with "-"
+/// are excluded. An empty text is the default selection.
 robotlink::Result<robotcontrol::StreamSelection> readSelection(std::string_view text);
-/// As readSelection() reads it.
+/// The inverse of readSelection().
 std::string textOf(const robotcontrol::StreamSelection& selection);
 
-/// Which streams are recorded. Without patterns to include that is everything that a replay needs and
-/// whatever else a robot told because it was asked to, but for what is large and is recomputed: images that
-/// solutions draw for looking at them, and what a replay that is recorded tells as "logged/...". What
-/// recording and replaying say of themselves never is; set-ups of programs, requests and bookmarks always
-/// are, unless they are left out by a pattern.
+/// Decides which streams are recorded. Without include patterns these are all streams that a replay needs,
+/// plus anything else that the robots publish on request, except for data that is large and can be
+/// recomputed: debug images of solutions, and the streams "logged/..." of a replay that is being recorded.
+/// The status of recording and replay is never recorded; setups of programs, requests and bookmarks always
+/// are, unless a pattern excludes them.
 ///
-/// Answers are remembered, as there are few paths and many messages. One thread at a time.
+/// Decisions are cached, since there are few paths and many messages. One thread at a time.
 class RecordedStreams {
  public:
   RecordedStreams() = default;
   explicit RecordedStreams(robotcontrol::StreamSelection selection);
 
+  /// Whether a stream is recorded.
   bool contains(const std::string& path) const;
-  /// A pattern leaves it out, or it is never recorded.
+  /// Whether a pattern excludes a stream, or it is never recorded.
   bool excludes(std::string_view path) const;
   const robotcontrol::StreamSelection& selection() const { return selection_; }
 
  private:
+  /// contains() without the cache.
   bool decide(std::string_view path) const;
 
   robotcontrol::StreamSelection selection_;
   StreamChoice choice_;
+  /// The cache of contains().
   mutable std::unordered_map<std::string, bool> known_;
 };
 

@@ -24,8 +24,8 @@ using SteadyClock = std::chrono::steady_clock;
 
 namespace {
 
-/// What is left out of a frame stays in memory with the rest if both came in one queue; from here on the rest
-/// is copied.
+/// Messages of a queue share one memory block with those that are left out; if more than this would be kept
+/// in vain, the others are copied.
 constexpr std::size_t kWorthCopying = 64U << 10U;
 constexpr double kMaxKept = 3600;  // s
 
@@ -41,7 +41,7 @@ struct Recorder::Implementation {
   explicit Implementation(Options given);
   ~Implementation();
 
-  // With `mutex` held.
+  // These require `mutex` to be locked.
   void add(std::vector<StreamMessage> messages);
   RecordedFramePtr selected(std::vector<StreamMessage> messages) const;
   bool wants(const StreamMessage& message) const;
@@ -55,37 +55,37 @@ struct Recorder::Implementation {
     return {status.image_coding(), status.compression(), options.software};
   }
 
-  // With `controlling` held.
+  // These require `controlling` to be locked.
   void set(const ControlRecording& control);
   Result<std::shared_ptr<RecordingFile>> newFile(const std::string& path);
   Result<void> start(const std::string& path);
   Result<void> stop();
   Result<void> saveLast(const std::string& path);
 
-  // In the threads that write.
+  // These are called in the worker threads.
   void ended(const robotlink::Error& error, bool newest);
   void saved(const Result<std::filesystem::path>& result);
   void warn(const std::string& text) const {
     if (options.warn) options.warn(text);
   }
 
-  const Options options;   // but the folder, which may change
-  std::mutex controlling;  // one control() at a time
+  const Options options;   // `folder` below replaces options.folder
+  std::mutex controlling;  // serializes control()
   std::atomic<bool> active{false};
   std::atomic<std::uint64_t> demand{1};
 
-  mutable std::mutex mutex;  // protects the following
+  mutable std::mutex mutex;  // protects the members below
   FrameRing ring;
   bool live = true;
   robotlink::HeldMessages held;
   RecordedStreams streams;
   std::filesystem::path folder;
-  std::map<std::string, robotlink::Instant> newestOf;  // FrameInfo, by path
-  RecordingStatus status;                              // what was asked for, and what has happened
+  std::map<std::string, robotlink::Instant> newestOf;  // time of the newest FrameInfo, by path
+  RecordingStatus status;                              // settings and results
   SteadyClock::time_point startedAt;
   std::optional<robotlink::Instant> triggeredAt;
 
-  RingSaver saver;  // both use the others
+  RingSaver saver;  // declared last: saver and writer use the other members
   RecordingThread writer;
 };
 
@@ -104,7 +104,7 @@ Recorder::Implementation::~Implementation() {
 Recorder::Recorder(Options options) : implementation_(std::make_unique<Implementation>(std::move(options))) {}
 Recorder::~Recorder() = default;
 
-// ---- What comes
+// ---- Messages
 
 void Recorder::add(std::vector<StreamMessage> frame) {
   std::erase_if(frame, [](const StreamMessage& message) { return !message.value || message.path.empty(); });
@@ -135,7 +135,8 @@ bool Recorder::Implementation::wants(const StreamMessage& message) const {
   return robotlink::holdsUntilToldAnew(message) && !streams.excludes(message.path);
 }
 
-/// Null if nothing of the frame is wanted. A FrameInfo stays with whatever is left.
+/// The part of a frame that is to be recorded; null if there is none. A FrameInfo is kept with any other
+/// message.
 RecordedFramePtr Recorder::Implementation::selected(std::vector<StreamMessage> messages) const {
   const bool ended = dynamic_cast<const robotcontrol::FrameInfo*>(messages.back().value.get()) != nullptr;
   auto frame = std::make_shared<RecordedFrame>();
@@ -180,8 +181,8 @@ bool Recorder::Implementation::triggers(const StreamMessage& message) const {
   return !status.trigger().empty() && fits(message.path, status.trigger());
 }
 
-/// Nothing is saved twice: the next time when all that was saved before is forgotten, or, while something
-/// else is being saved, when that is done.
+/// Saves again only when everything that was saved before has left the ring; a trigger during a save is
+/// ignored.
 void Recorder::Implementation::saveOnTrigger(robotlink::Instant time) {
   if (!keeps()) return;
   if (triggeredAt && time - *triggeredAt < ring.duration()) return;
@@ -227,7 +228,7 @@ void Recorder::Implementation::demandChanged() {
   demand.fetch_add(1, std::memory_order_relaxed);
 }
 
-// ---- What is asked for
+// ---- Control
 
 void Recorder::setFolder(const std::filesystem::path& folder) {
   const std::lock_guard lock(implementation_->mutex);
@@ -348,7 +349,7 @@ Result<void> Recorder::Implementation::saveLast(const std::string& path) {
                             "the last seconds are still being saved; try again when that is done");
 }
 
-// ---- The threads that write
+// ---- Callbacks of the worker threads
 
 void Recorder::Implementation::ended(const robotlink::Error& error, bool newest) {
   const std::string text = "The recording has ended: " + error.describe() + ".";
@@ -378,7 +379,7 @@ void Recorder::Implementation::saved(const Result<std::filesystem::path>& result
   warn(text);
 }
 
-// ---- What is told
+// ---- Status
 
 RecordingStatus Recorder::status() const {
   const Implementation& self = *implementation_;

@@ -13,36 +13,42 @@
 
 namespace logplayer {
 
-/// Records frames into log files, in a thread of its own: add() never waits. What waits to be written is
-/// bounded by `queueBytes`; past that the frame with the largest message goes first (of equal ones the
-/// newest), as a whole, and is counted; the counts are in the file, too. Keeps the last seconds in memory, on
-/// request, to be saved. What holds until it is told anew (tables, parameters, colour tables, the scene,
-/// set-ups of programs) is kept from the beginning and opens every file.
+/// Records frames into log files in a thread of its own, so that add() never waits for the disk. The queue is
+/// bounded by `queueBytes`; when it is full, the frame with the largest message (of several the newest) is
+/// dropped as a whole. Dropped messages are counted; the counts are also written to the file. On request the
+/// last seconds are kept in memory, to be saved later. Latched messages (tables, parameters, color tables,
+/// the scene, setups of programs) are collected from the beginning and open every file.
 ///
-/// When a platform is set back (restart(), or a process whose time goes back) the recording goes on in a new
-/// file, so that in each of them time goes on only forwards; what was kept in memory is forgotten. A disk
-/// that is full ends the recording; status() says so, and the file is readable.
+/// When a platform is reset (restart(), or the time of a process goes back), the recording continues in a new
+/// file, so that time increases monotonically in each file, and the seconds in memory are discarded. A full
+/// disk ends the recording: status() reports it, and the file remains readable.
 ///
-/// All functions from any thread.
+/// All functions may be called from any thread.
 class Recorder {
  public:
+  /// Fixed settings of a recorder.
   struct Options {
+    /// Maximum size of the frames that wait to be written.
     std::size_t queueBytes = 64U << 20U;
-    std::size_t keptBytes = 256U << 20U;  ///< at most, of the last seconds
-    std::filesystem::path folder;         ///< of files whose place was not chosen; made if need be
+    /// Maximum size of the seconds that are kept in memory.
+    std::size_t keptBytes = 256U << 20U;
+    /// Folder of files without an explicit path; created if necessary.
+    std::filesystem::path folder;
+    /// The name that is written into the files.
     std::string software = "robotcontrol";
-    /// What a person should know: messages were dropped, a recording ended by itself. Called in threads of
-    /// the recorder, which must not be called back.
+    /// Called with messages for the user: messages were dropped, a recording ended by itself. Runs in the
+    /// threads of the recorder and must not call it.
     std::function<void(const std::string&)> warn;
   };
   explicit Recorder(Options options);
-  ~Recorder();  ///< closes the file
+  /// Ends the recording and waits until the file is closed.
+  ~Recorder();
 
-  /// What one frame of one process told, complete, its FrameInfo last; or a message of no frame.
+  /// Records a complete frame of one process, its FrameInfo last, or a message outside of frames.
   void add(std::vector<robotlink::StreamMessage> frame);
-  /// Another platform, or one that was set back: what was told before holds no more.
+  /// To be called when another platform is loaded or the platform is reset: discards all latched messages.
   void restart();
-  /// What a robot told holds no more: its program starts anew.
+  /// To be called when a robot's program is restarted: discards its latched messages.
   void forget(const std::string& robot);
 
   /// Whether what comes is new, as it is from robots and simulations; it is at first. What comes from a log
@@ -50,21 +56,23 @@ class Recorder {
   void setLive(bool live);
   /// Something is recorded or kept in memory. While it is not, only what holds until told anew need be added.
   bool active() const;
-  /// Messages of this stream are recorded, kept, or waited for as the trigger.
+  /// Whether messages of this stream are recorded, kept in memory, or are the trigger for saving.
   bool wants(const std::string& path) const;
-  /// Another number after whatever may have changed active() or wants().
+  /// Changes its value whenever the results of active() or wants() may have changed, so that callers can
+  /// cache them.
   std::uint64_t demand() const;
 
-  /// Where files go whose place was not chosen.
+  /// Sets the folder of files without an explicit path.
   void setFolder(const std::filesystem::path& folder);
-  /// Starts, stops, saves, or sets what is recorded. Fails if that cannot be done; what fails later is in
-  /// status(). STOP returns before all is written.
+  /// Changes the settings, then starts, stops or saves. Fails if that is impossible; later failures are
+  /// reported by status(). STOP returns before everything is written, see finish().
   robotlink::Result<void> control(const robotcontrol::ControlRecording& control);
+  /// A snapshot of settings and progress.
   robotcontrol::RecordingStatus status() const;
 
-  /// Waits until the queue is at most half full: for those who can, and want to lose nothing.
+  /// Blocks until the queue is at most half full; for producers that can wait and must not lose messages.
   void waitForRoom();
-  /// Waits until all that was added and asked for before is done.
+  /// Blocks until everything that was added and requested before is done.
   void finish();
 
  private:

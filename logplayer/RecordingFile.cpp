@@ -16,7 +16,7 @@ using robotlink::StreamMessage;
 
 namespace {
 
-/// Half of what may be lost when the program is killed; the rest is for what is queued and for the disk.
+/// Half of what may be lost in a crash; the other half is for the queue and the disk.
 constexpr robotlink::Duration kChunkAge = std::chrono::milliseconds(500);
 
 std::string realTime(const char* format, bool utc) {
@@ -42,7 +42,7 @@ mcap::Compression compressionOf(ControlRecording::Compression compression) {
   }
 }
 
-/// `path` itself, or with the first number behind its stem that is free.
+/// `path` itself, or with the first free number appended to its stem.
 std::filesystem::path numbered(const std::filesystem::path& path, int first) {
   std::error_code error;
   if (first < 2 && !std::filesystem::exists(path, error)) return path;
@@ -77,7 +77,7 @@ Result<void> RecordingFile::writeHeld(robotlink::Instant time) {
   if (held_.empty()) return {};
   for (StreamMessage& message : held_) {
     message.time = time;
-    message.frame = 0;  // It belongs to none that is in this file.
+    message.frame = 0;  // it belongs to no frame of this file
   }
   const auto written = writer_->write(held_);
   messages_ += held_.size();
@@ -88,10 +88,10 @@ Result<void> RecordingFile::writeHeld(robotlink::Instant time) {
 StreamMessage RecordingFile::coded(const StreamMessage& message) const {
   const auto* image = dynamic_cast<const foxglove::RawImage*>(message.value.get());
   if (image == nullptr) return message;
-  // Values of one channel may be classes, which JPEG would turn into others.
+  // Images with one channel may contain classes, which JPEG would change.
   const bool exact = options_.imageCoding == ControlRecording::PNG || image->encoding() == "mono8";
   const auto compressed = exact ? pngImage(*image) : jpegImage(*image);
-  if (!compressed) return message;  // A format that the coding does not know is recorded as it is.
+  if (!compressed) return message;  // unsupported formats are recorded unchanged
   StreamMessage result = message;
   result.value = *compressed;
   return result;

@@ -13,15 +13,17 @@
 
 namespace logplayer {
 
-/// A log file that is being recorded: begins with what held before, codes images as wished, ends with what
-/// became of the recording. One thread at a time.
+/// A log file that is being recorded: begins with the latched messages, encodes images as requested, and ends
+/// with a report on dropped messages. One thread at a time.
 class RecordingFile {
  public:
   using ImageCoding = robotcontrol::ControlRecording::ImageCoding;
   using Compression = robotcontrol::ControlRecording::Compression;
+  /// The format of the file.
   struct Options {
     ImageCoding imageCoding = robotcontrol::ControlRecording::AS_IS;
     Compression compression = robotcontrol::ControlRecording::NONE;
+    /// The name that is written into the file.
     std::string software;
   };
 
@@ -30,34 +32,43 @@ class RecordingFile {
                                                                   const Options& options);
 
   const std::filesystem::path& path() const { return path_; }
-  /// What held before the first frame; it gets that frame's time, so that the log does not begin earlier.
+  /// Sets the latched messages. They are written with the first frame and get its time, so that the log does
+  /// not begin earlier.
   void beginWith(std::vector<robotlink::StreamMessage> held) { held_ = std::move(held); }
+  /// Fails with the first I/O error; what was written before remains readable.
   robotlink::Result<void> write(const RecordedFrame& frame);
-  /// Hands to the operating system what has waited long enough: to be called several times a second.
+  /// Writes chunks that are old enough; to be called several times a second.
   robotlink::Result<void> tick() { return writer_->container().tick(); }
+  /// Writes the report and the summary. `dropped`: the messages that were dropped during this recording.
   robotlink::Result<void> close(const DroppedMessages& dropped);
 
+  /// Number of messages written.
   std::uint64_t messages() const { return messages_; }
   std::uint64_t bytes() const { return writer_->container().bytesWritten(); }
 
  private:
   RecordingFile(std::filesystem::path path, Options options, std::unique_ptr<LogWriter> writer);
+  /// Writes the latched messages at this time.
   robotlink::Result<void> writeHeld(robotlink::Instant time);
+  /// Encodes a raw image as requested; other messages are returned unchanged.
   robotlink::StreamMessage coded(const robotlink::StreamMessage& message) const;
 
   std::filesystem::path path_;
   Options options_;
   std::unique_ptr<LogWriter> writer_;
   std::vector<robotlink::StreamMessage> held_;
-  std::string started_;  // real time, ISO 8601
+  /// Real time of the creation, ISO 8601.
+  std::string started_;
   std::uint64_t messages_ = 0;
 };
 
-/// A file that does not exist yet: `wished`; if that is a folder, or nothing,
-/// "robotcontrol-YYYYMMDD-HHMMSS.mcap" in it, or in `folder`, which is made.
+/// Chooses the path of a new recording: `wished`, if it is a file name; if it is a folder,
+/// "robotcontrol-YYYYMMDD-HHMMSS.mcap" in it; if it is empty, the same in `folder`, which is created.
+/// Generated names do not exist yet.
 robotlink::Result<std::filesystem::path> newRecordingPath(const std::filesystem::path& wished,
                                                           const std::filesystem::path& folder);
-/// "game.mcap" gives "game-2.mcap", the first number that is free: where a recording goes on.
+/// The path at which a recording continues: "game.mcap" yields "game-2.mcap", with the first number that is
+/// free.
 std::filesystem::path nextRecordingPath(const std::filesystem::path& before);
 
 }  // namespace logplayer

@@ -7,8 +7,8 @@ namespace logplayer {
 namespace {
 
 constexpr std::chrono::milliseconds kTick{50};
-/// Less than this need not wake the thread: the next tick takes it. Then it takes many frames at once, so
-/// that those who push seldom meet it.
+/// Fewer bytes do not wake the thread; the next tick writes them. So it processes many frames at once, and
+/// producers seldom have to wait for the mutex.
 constexpr std::size_t kWorthWaking = 1U << 20U;
 constexpr std::size_t kMaxAtOnce = 256;
 constexpr std::chrono::seconds kWarnEvery{5};
@@ -27,7 +27,7 @@ RecordingThread::~RecordingThread() {
   thread_.join();
 }
 
-// ---- What comes
+// ---- Input
 
 void RecordingThread::pushJob(FrameQueue::Job job) {
   {
@@ -63,7 +63,7 @@ void RecordingThread::open(std::shared_ptr<RecordingFile> file, Held before) {
 
 void RecordingThread::openNext(const RecordingFile::Options& how, Held before) {
   pushJob([this, how, before = std::move(before)]() mutable {
-    if (!file_) return;  // It has failed.
+    if (!file_) return;  // the file has failed
     if (file_->messages() == 0) return file_->beginWith(std::move(before));
     end();
     auto made = RecordingFile::create(nextRecordingPath(wished_), how);
@@ -82,7 +82,7 @@ void RecordingThread::close() {
   pushJob([this] { end(); });
 }
 
-// ---- Its own thread
+// ---- Worker thread
 
 void RecordingThread::run() {
   std::unique_lock lock(mutex_);
@@ -144,7 +144,7 @@ void RecordingThread::end() {
   warnOfDropped();
   if (const auto closed = file->close(dropped); !closed) return fail(closed.error());
   const std::lock_guard lock(mutex_);
-  if (progress_.path != file->path()) return;  // The next one has been opened.
+  if (progress_.path != file->path()) return;  // the next file is open already
   progress_.messages = file->messages();
   progress_.bytes = file->bytes();
 }
@@ -184,7 +184,7 @@ void RecordingThread::warnOfDropped() {
   warnedOf_ = dropped;
 }
 
-// ---- What is told
+// ---- Status
 
 RecordingThread::Progress RecordingThread::progress() const {
   const std::lock_guard lock(mutex_);

@@ -14,39 +14,50 @@
 
 namespace logplayer {
 
-/// Writes what a ring kept into a file, in a thread of its own, one at a time, so that a recording that goes
-/// on meanwhile is not held up. All functions from any thread.
+/// Writes snapshots of a FrameRing into files, one at a time, in a worker thread of its own, so that a
+/// recording is not delayed. All functions may be called from any thread.
 class RingSaver {
  public:
+  /// What is saved, and where.
   struct Job {
-    std::shared_ptr<RecordingFile> file;  ///< null: a new one in `folder`, named after the time
+    /// Null: a new file in `folder`, named after the time.
+    std::shared_ptr<RecordingFile> file;
     std::filesystem::path folder;
+    /// Format of a new file.
     RecordingFile::Options how;
     FrameRing::Contents contents;
   };
-  /// The file that was written; called in the saver's thread.
+  /// Called in the worker thread with the path of the file, or the error.
   using Done = std::function<void(const robotlink::Result<std::filesystem::path>&)>;
 
   explicit RingSaver(Done done);
-  ~RingSaver();  ///< after what was begun is done
+  /// Waits until the current job is done.
+  ~RingSaver();
   RingSaver(const RingSaver&) = delete;
   RingSaver& operator=(const RingSaver&) = delete;
 
-  /// False: the one before is still being written, and nothing happens.
+  /// Starts a job; returns false without any effect if another one is running.
   bool start(Job job);
+  /// Blocks until no job is running.
   void finish();
 
  private:
+  /// The loop of the worker thread.
   void run();
+  /// Writes one file; called in the worker thread.
   static robotlink::Result<std::filesystem::path> save(Job job);
 
   const Done done_;
-  std::mutex mutex_;  // protects the following
+  /// Protects all members from here to quit_.
+  std::mutex mutex_;
   std::condition_variable changed_;
+  /// The job that the worker thread has not started yet.
   std::optional<Job> waiting_;
+  /// Whether a job is waiting or running.
   bool busy_ = false;
   bool quit_ = false;
-  std::thread thread_;  // last: it uses the others
+  /// Declared last, since it uses all others.
+  std::thread thread_;
 };
 
 }  // namespace logplayer

@@ -6,7 +6,8 @@
 namespace logplayer {
 
 bool fits(std::string_view path, std::string_view pattern) {
-  // Greedy, with one place to go back to: the last "*" and how much of the path it took.
+  // A greedy match with a single point for backtracking: the last "*" and the length of the text that it
+  // matched.
   std::size_t at = 0, next = 0;
   std::size_t star = std::string_view::npos, taken = 0;
   while (at < path.size()) {

@@ -9,18 +9,23 @@
 
 namespace logplayer {
 
-/// Whether a path fits a pattern, in which "*" stands for any text, slashes too: "*/camera/image", "red1/*".
+/// Whether a path matches a pattern, in which "*" stands for any text, including slashes: "*/camera/image",
+/// "red1/*".
 bool fits(std::string_view path, std::string_view pattern);
 
-/// Some of the streams of a log, chosen by patterns of their paths.
+/// A selection of streams by patterns for their paths. A plain value.
 struct StreamChoice {
-  std::vector<std::string> include;  ///< empty: all
+  /// Empty: all streams.
+  std::vector<std::string> include;
+  /// Takes precedence over `include`.
   std::vector<std::string> exclude;
 
+  /// Whether a stream is selected.
   bool has(std::string_view path) const;
   bool operator==(const StreamChoice&) const = default;
 };
 
+/// Whether a message is latched.
 using robotlink::holdsUntilToldAnew;
 
 }  // namespace logplayer

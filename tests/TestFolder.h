@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-/// A new folder for a test's files, removed with all that is in it.
+/// A new temporary folder for the files of a test, removed with all its contents by the destructor.
 class TestFolder {
  public:
   TestFolder() {
@@ -23,7 +23,7 @@ class TestFolder {
 
   const std::filesystem::path& path() const { return path_; }
   std::filesystem::path operator/(const std::string& name) const { return path_ / name; }
-  /// Names of what is in it, sorted.
+  /// The names of all files in the folder, sorted.
   std::vector<std::string> files() const {
     std::vector<std::string> names;
     for (const auto& entry : std::filesystem::directory_iterator(path_))
@@ -31,7 +31,7 @@ class TestFolder {
     std::sort(names.begin(), names.end());
     return names;
   }
-  /// The same, separated by spaces.
+  /// The same names, separated by spaces.
   std::string contents() const {
     std::string text;
     for (const std::string& name : files()) text += (text.empty() ? "" : " ") + name;

@@ -14,8 +14,8 @@ namespace {
 
 constexpr int kPortalTimeoutMs = 200;
 
-/// What the desktop prefers (org.freedesktop.appearance color-scheme: 1 dark, 2 light); nothing if it does
-/// not say.
+/// The preference of the desktop (org.freedesktop.appearance color-scheme: 1 dark, 2 light); empty if it has
+/// none.
 std::optional<bool> desktopPrefersDark() {
   const QDBusConnection bus = QDBusConnection::sessionBus();
   if (!bus.isConnected()) return std::nullopt;

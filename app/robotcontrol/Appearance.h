@@ -7,14 +7,17 @@ class QApplication;
 
 namespace app {
 
-/// Light and dark. "System" asks the desktop (the settings portal) and, where there is none, follows the
-/// palette that Qt was given.
+/// Colors of the application. kSystem follows the desktop (its settings portal on D-Bus) or, if that gives no
+/// answer, the palette that Qt got from the platform.
 enum class Appearance { kSystem, kLight, kDark };
 
+/// The inverse of nameOf(); kSystem for unknown names.
 Appearance appearanceFromName(const QString& name);
+/// The name in settings: "system", "light", "dark".
 QString nameOf(Appearance appearance);
 
-/// Gives the application style and palette. May be called again at any time. GUI thread.
+/// Sets style and palette of the application. May be called repeatedly; GUI thread. For kSystem it waits up
+/// to 0.2 s for the desktop's answer.
 void apply(Appearance appearance, QApplication& application);
 
 }  // namespace app

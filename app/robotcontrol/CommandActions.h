@@ -9,27 +9,31 @@
 
 namespace app {
 
-/// Makes actions of commands, so that menus, toolbars and shortcuts do what scripts do. What a command
-/// refuses is reported to one handler. GUI thread.
+/// Creates actions that run commands, so that menus, toolbars and shortcuts do the same as scripts. Errors of
+/// all commands are reported by the signal refused(). GUI thread; the command table must outlive this object.
 class CommandActions : public QObject {
   Q_OBJECT
  public:
   CommandActions(robotlink::CommandTable& commands, QObject* parent) : QObject(parent), commands_(commands) {}
 
-  /// An action that runs a command with fixed arguments. Its tooltip is the command's help with the shortcut.
+  /// An action that runs a command with fixed arguments, owned by this object. Its object name is the
+  /// command; its tooltip is the command's help with the shortcut.
   QAction* make(const QString& text, const char* icon, const QString& command,
                 const std::vector<robotlink::CommandTable::Value>& arguments = {},
                 const QList<QKeySequence>& shortcuts = {});
+  /// Runs a command, unless the guard prevents it.
   void run(const QString& command, const std::vector<robotlink::CommandTable::Value>& arguments = {});
-  /// Asked before each command that a person runs, with its name; false: it is not run. Scripts are not
-  /// asked.
+  /// Sets a function that is called with the name of each command that the user runs; if it returns false,
+  /// the command is not run. Scripts bypass it.
   void setGuard(std::function<bool(const QString& command)> guard) { guard_ = std::move(guard); }
 
  Q_SIGNALS:
+  /// A command failed; `reason` is a sentence for the user.
   void refused(const QString& reason);
 
  private:
   robotlink::CommandTable& commands_;
+  /// May be empty.
   std::function<bool(const QString& command)> guard_;
 };
 

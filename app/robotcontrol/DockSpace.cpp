@@ -49,7 +49,7 @@ bool mayDrop(const QObject* object, QEvent::Type event) {
           qobject_cast<const ads::CDockAreaTitleBar*>(object) != nullptr);
 }
 
-/// "Messages", "Image, Field": what is in front in each area of a floating window.
+/// The titles of the views in front in each area of a floating window: "Messages", "Image, Field".
 QString titleOf(const ads::CFloatingDockContainer& floating) {
   QStringList names;
   for (const ads::CDockAreaWidget* area : floating.dockContainer()->openedDockAreas()) {
@@ -62,7 +62,7 @@ QString titleOf(const ads::CFloatingDockContainer& floating) {
 
 DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   window()->removeEventFilter(this);
-  setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colors.
+  setStyleSheet(QString());  // the colors of the application's palette, not those of the library
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
   connect(this, &ads::CDockManager::dockAreaCreated, this,
@@ -115,7 +115,7 @@ void DockSpace::reopenFloats() {
       for (ads::CDockWidget* dock : area->openedDockWidgets()) {
         if (dock != area->currentDockWidget()) docks.emplace_back(dock);
       }
-      docks.emplace_back(area->currentDockWidget());  // the last one will be in front
+      docks.emplace_back(area->currentDockWidget());  // the last one comes to the front
     }
     floating->hide();
   }
@@ -150,7 +150,7 @@ ads::CDockAreaWidget* DockSpace::largestArea() const {
 }
 
 bool DockSpace::eventFilter(QObject* watched, QEvent* event) {
-  // While it takes a dropped dock in, the library lets other events through: shortcuts, timers.
+  // While the library processes a dropped dock, it also runs other events, such as shortcuts and timers.
   if (!mayDrop(watched, event->type())) return QObject::eventFilter(watched, event);
   const QScopedValueRollback<bool> dropping(dropping_, true);
   return watched->event(event);

@@ -5,43 +5,49 @@
 
 namespace app {
 
-/// The part of a window in which docks are arranged, together with the floating windows of the docks that
-/// were dragged out of it.
+/// The part of a window in which docks are arranged, together with the floating windows into which docks were
+/// dragged.
 ///
-/// Floating windows belong to the main window: they stay above it, below its dialogs, and are iconified with
-/// it. The library's own way (it raises them whenever the main window is left) hides dialogs behind them, so
-/// it is switched off. GUI thread.
+/// Floating windows belong to the main window: they stay above it and below its dialogs, and are minimized
+/// with it. The behavior of the library, which raises them whenever the main window loses the focus, would
+/// hide dialogs behind them and is disabled. GUI thread.
 class DockSpace : public ads::CDockManager {
   Q_OBJECT
  public:
   explicit DockSpace(QWidget* parent);
   ~DockSpace() override;
 
-  /// Lets go of all floating windows; what is in them goes with them. They are deleted when control returns
-  /// to the event loop, since one of them may be the cause of the call.
+  /// Closes all floating windows together with their contents. They are deleted when control returns to the
+  /// event loop, since the call may come from one of them.
   void releaseFloats();
-  /// The same for those that have no dock left.
+  /// Closes the floating windows without docks in the same way.
   void releaseEmptyFloats();
-  /// Gives each floating window the names of the views in front as its title.
+  /// Sets the title of each floating window to the names of the views in front.
   void nameFloats();
-  /// Shows the floating windows anew, as soon as the main window is on the screen: window managers tie them
-  /// to it only then.
+  /// Hides the floating windows and shows them again; to be called when the main window is shown, since
+  /// window managers associate them with it only then.
   void reopenFloats();
+  /// Hides all floating windows.
   void hideFloats();
 
-  /// A dock is being dragged or dropped, or a menu or dialog is open, perhaps one that a view waits for: no
-  /// dock may be taken away now.
+  /// Whether docks must not be removed now: a dock is being dragged or dropped, or a menu or dialog is open,
+  /// perhaps one for which a view waits.
   bool busy() const;
+  /// Whether a dock is open in the main window.
   bool hasVisibleDocks() const;
-  /// The area of the main window that covers most; null if all docks are closed or floating.
+  /// The largest area of the main window; null if all docks are closed or floating.
   ads::CDockAreaWidget* largestArea() const;
 
  protected:
+  /// Detects that a dock is being dropped.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// Closes a floating window; it is deleted later.
   void release(ads::CFloatingDockContainer* floating);
 
+  /// Whether the library is processing the drop of a dock. Meanwhile it runs other events, such as shortcuts
+  /// and timers.
   bool dropping_ = false;
 };
 

@@ -10,7 +10,7 @@ namespace {
 
 constexpr std::size_t kMaxSteps = 50;
 
-/// A layout without what is no step of its own: sizes, positions of windows, and which tab is in front.
+/// The parts of a layout that make a step: without sizes, window geometry, and the current tabs.
 QString structureOf(const QJsonObject& state) {
   static const QRegularExpression volatileParts(
       QStringLiteral("<Sizes>[^<]*</Sizes>|<Geometry>[^<]*</Geometry>| Current=\"[^\"]*\""));

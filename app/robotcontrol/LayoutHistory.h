@@ -9,33 +9,39 @@ namespace app {
 
 class ViewDocks;
 
-/// What the user did to the arrangement of the docks, to be undone: views closed, opened, moved, floated.
-/// Sizes alone are no step, but come back with one. GUI thread; the docks must outlive it.
+/// The undo history of the arrangement of docks: views that were closed, opened, moved, or floated. A changed
+/// size or another tab in front is no step of its own, but is restored together with one. Limited to the last
+/// 50 steps. GUI thread; the docks must outlive this object.
 class LayoutHistory : public QObject {
   Q_OBJECT
  public:
   LayoutHistory(ViewDocks& docks, QObject* parent);
 
-  /// Takes note of the present layout; to be called every now and then, and not while a dock is being
-  /// dragged.
+  /// Compares the current layout with the last known one and adds a step if they differ. To be called
+  /// regularly, but not while a dock is being dragged.
   void look();
-  /// Another perspective is shown: there is nothing to undo.
+  /// Clears the history, for example because another perspective is shown.
   void forget();
-  /// All docks are about to be replaced; that can be undone, with what was chosen in the views.
+  /// Adds a step that also contains the state of the views; to be called before all docks are replaced.
   void keepAll();
 
+  /// Whether undo() or redo() has an effect.
   bool canUndo() const { return !done_.empty(); }
   bool canRedo() const { return !undone_.empty(); }
   void undo() { step(done_, undone_); }
   void redo() { step(undone_, done_); }
 
  private:
-  using Steps = std::vector<QJsonObject>;  // as ViewDocks::save(), mostly without its "views"
+  /// States as returned by ViewDocks::save(), mostly without "views".
+  using Steps = std::vector<QJsonObject>;
 
+  /// Restores the last state of `from` that still can be restored and adds the current one to `to`.
   void step(Steps& from, Steps& to);
+  /// The current layout without the state of the views.
   QJsonObject layout() const;
 
   ViewDocks& docks_;
+  /// The last known layout.
   QJsonObject present_;
   Steps done_;
   Steps undone_;

@@ -14,7 +14,7 @@ namespace {
 
 constexpr int kMostNamed = 3;
 
-/// The first paths, and how many more there are.
+/// The first paths, and the number of further ones.
 QString named(const QStringList& paths) {
   if (paths.size() <= kMostNamed) return paths.join(QLatin1String(", "));
   return LogContentsBar::tr("%1 and %2 more")

@@ -14,20 +14,23 @@ namespace app {
 
 class CommandActions;
 
-/// What open logs hold in which no robot of this program is, such as those of other programs: most views stay
-/// empty then. With buttons for the views that show it. Hidden for all other logs. GUI thread.
+/// Describes the contents of open logs without a robot of this program, such as logs of other programs, for
+/// which most views stay empty, and offers buttons for the views that do show them. Hidden for all other
+/// logs. GUI thread; the logs must outlive its use.
 class LogContentsBar : public QWidget {
   Q_OBJECT
  public:
   LogContentsBar(widgets::OpenLogs& logs, CommandActions& actions, QWidget* parent);
-  /// Called after each tick.
+  /// Updates the text; called after each tick.
   void refresh();
 
  private:
+  /// The description of one log.
   QString textOf(const widgets::LogOverview& overview) const;
 
   widgets::OpenLogs& logs_;
   QLabel* text_;
+  /// OpenLogs::version() at the last refresh.
   quint64 shownVersion_ = 0;
 };
 

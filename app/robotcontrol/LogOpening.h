@@ -12,30 +12,35 @@ namespace app {
 
 class CommandActions;
 
-/// The ways to open a log with a mouse: by a dialog, from the recent ones, by dropping files. GUI thread.
+/// The ways to open a log in the GUI: by a dialog, from the list of recent logs, and by drag and drop. GUI
+/// thread; belongs to the window.
 class LogOpening : public QObject {
   Q_OBJECT
  public:
-  /// `window` is what dialogs belong to.
+  /// `window` is the parent of dialogs.
   LogOpening(CommandActions& actions, QWidget* window);
 
-  /// "Open log…", "Add log…", "Recent logs", "Close log".
+  /// Adds "Open log...", "Add log...", "Recent logs" and "Close log".
   void fillMenu(QMenu& menu);
-  /// Whether there is a file among it.
+  /// Whether the data contains local files.
   static bool takes(const QMimeData& data);
-  /// Opens what was dropped: of several logs all, on one time line; `add`: beside those that are open.
-  /// Scenes, layouts and colour tables are opened as such.
+  /// Opens dropped files: several logs on one time line, with `add` in addition to those that are open.
+  /// Scenes, layouts, pictures, folders of pictures and color tables are opened as such.
   void drop(const QMimeData& data, bool add);
 
+  /// The recent logs, the latest one first.
   QStringList recent() const { return recent_; }
   void setRecent(const QStringList& files);
-  /// A log was opened.
+  /// Adds a log to the recent ones.
   void remember(const QString& file);
+  /// Enables the entries that need an open log.
   void setLogOpen(bool open);
 
  private:
+  /// Shows the file dialog.
   void ask(bool add);
   void open(const QString& file, bool add);
+  /// Builds the submenu from recent_.
   void fillRecentMenu();
 
   CommandActions& actions_;
@@ -43,7 +48,8 @@ class LogOpening : public QObject {
   QMenu* recentMenu_ = nullptr;
   QAction* add_ = nullptr;
   QAction* close_ = nullptr;
-  QStringList recent_;  // newest first
+  /// The latest one first.
+  QStringList recent_;
 };
 
 }  // namespace app

@@ -46,8 +46,8 @@ QAction* LogToolBar::make(ReplayKey key, const Text& text, std::function<void()>
   QAction* made = make(text, std::move(action));
   const QKeySequence keys = widgets::keySequence(key);
   made->setToolTip(QStringLiteral("%1 (%2)").arg(text.tip, keys.toString(QKeySequence::NativeText)));
-  // Menus and the list of shortcuts show it; the window's press() does it, so that it takes no key from
-  // anybody.
+  // The shortcut is only displayed, in menus and in the list of shortcuts. The key is handled by WindowKeys
+  // or press(), so that it is not taken from other widgets.
   made->setShortcut(keys);
   made->setShortcutContext(Qt::WidgetShortcut);
   keyed_[key] = made;

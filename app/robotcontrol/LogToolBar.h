@@ -23,9 +23,9 @@ namespace app {
 
 class CommandActions;
 
-/// Plays the open logs: play, stop, steps, time and frame (shown, and typed to jump), speed, loop, gaps,
-/// bookmarks. It is there while a log is open. Shows what the replay says, not what was clicked. GUI thread;
-/// the logs must outlive its use.
+/// The toolbar that plays the open logs: play, stop, steps, time and frame (editable, to jump there), speed,
+/// loop, gaps, bookmarks. Visible while a log is open. It shows the state that the replay reports, not what
+/// was clicked. GUI thread; the logs must outlive its use.
 class LogToolBar : public QToolBar {
   Q_OBJECT
  public:
@@ -33,18 +33,20 @@ class LogToolBar : public QToolBar {
 
   /// Shows the replay's state; called after each tick.
   void refresh();
-  /// All that can be done, for a menu.
+  /// Adds all actions to a menu.
   void fillMenu(QMenu& menu);
-  /// Does what a key stands for that nobody else wanted. False: it stands for nothing, or no log is open.
+  /// Executes the action of a key that no other widget handled. Returns false if the key has no action or no
+  /// log is open.
   bool press(const QKeyEvent& event);
-  /// The one that switches between times since the beginning and time stamps, in all views.
+  /// The checkable action that switches all views between time since the begin and timestamps.
   QAction* timeStampsAction() const { return timeStamps_; }
-  /// What a key does; the action's text says what that is now.
+  /// The action of a key; its text describes the current effect.
   QAction* action(widgets::ReplayKey key) const { return keyed_.at(key); }
-  /// The speeds to choose from, times real time.
+  /// The available speeds, times real time.
   static std::vector<double> speeds() { return {0.05, 0.1, 0.25, 0.5, 1, 2, 5, 10, 20, 50}; }
 
  private:
+  /// Object name, icon, text and tooltip of an action.
   struct Text {
     const char* name;
     const char* icon;
@@ -52,34 +54,45 @@ class LogToolBar : public QToolBar {
   };
   using Values = std::vector<robotlink::CommandTable::Value>;
 
+  /// Creates an action that calls a function.
   QAction* make(const Text& text, std::function<void()> action);
+  /// The same for an action with a key, which is added to keyed_.
   QAction* make(widgets::ReplayKey key, const Text& text, std::function<void()> action);
+  /// The create functions are called once, by the constructor.
   void createSteps();
   void createLongSteps();
   void createRangeActions();
   void createOptions();
   void createFields();
   void createBar();
+  /// jumpToTypedTime() and jumpToTypedFrame() handle input in the fields.
   void jumpToTypedTime();
   void jumpToTypedFrame();
+  /// Parts of refresh().
   void refreshProcesses();
   void refreshFields();
   void refreshTips();
 
   CommandActions& actions_;
   widgets::OpenLogs& logs_;
+  /// The actions with keys.
   std::map<widgets::ReplayKey, QAction*> keyed_;
+  /// The actions without keys.
   QAction* stop_ = nullptr;
   QAction* loop_ = nullptr;
   QAction* skipGaps_ = nullptr;
   QAction* clearRange_ = nullptr;
   QAction* timeStamps_ = nullptr;
+  /// Speed of the playback, and the process whose frames are stepped.
   QComboBox* speed_ = nullptr;
   QComboBox* process_ = nullptr;
+  /// The current time, editable, and the time of the log's end.
   QLineEdit* time_ = nullptr;
   QLabel* end_ = nullptr;
+  /// The current frame number, editable, and the number of frames.
   QLineEdit* frame_ = nullptr;
   QLabel* frames_ = nullptr;
+  /// Whether a log was open at the last refresh.
   bool wasOpen_ = true;
 };
 

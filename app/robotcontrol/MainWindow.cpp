@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// MainWindow: construction, tick, errors, and saving of its state.
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/MaximizedView.h"
 
@@ -44,9 +45,9 @@ constexpr int kRefusalShownMs = 10'000;
 constexpr int kMaxErrorsShown = 8;
 constexpr int kToolBars = 1;  // another number than that of states with other toolbars
 constexpr QSize kFirstSize(1600, 1000);
-constexpr QSize kFrame(16, 48);  // what a window manager may put around a window
+constexpr QSize kFrame(16, 48);  // space for the decorations of the window manager
 
-/// The offscreen plugin's screen is smaller than any real one, and pictures are taken there.
+/// The screen of the offscreen plugin is smaller than any real one, and it is used to take pictures.
 QSize firstSize(const QScreen* screen) {
   if (screen == nullptr || QGuiApplication::platformName() == QLatin1String("offscreen")) return kFirstSize;
   return kFirstSize.boundedTo(screen->availableSize() - kFrame);
@@ -89,8 +90,7 @@ MainWindow::MainWindow(Workbench& workbench, const std::filesystem::path& userFo
 MainWindow::~MainWindow() {
   tick_.stop();
   workbench_.session().setRefusalHandler({});
-  docks_->destroyAll();  // Views use the context, which goes before the widgets that are children of the
-                         // window.
+  docks_->destroyAll();  // views use the context, which is destroyed before child widgets
 }
 
 void MainWindow::createActions() {
@@ -159,8 +159,8 @@ void MainWindow::onLoaded() {
   showWhatBelongsTo(*loaded);
 }
 
-/// Who opens a log in the perspective for games wants to see that for logs; who has chosen another one stays
-/// there. What is loaded at the start has no say: the window is as it was left.
+/// Changes the perspective if the current one is the default for what was loaded before; a perspective that
+/// the user has chosen stays. Has no effect at the start, when the window is restored as it was.
 void MainWindow::showWhatBelongsTo(const LoadedPlatform& loaded) {
   const QString beginning = Perspectives::beginningWith(loaded);
   if (beginning.isEmpty()) return;
@@ -197,7 +197,7 @@ void MainWindow::tick() {
 void MainWindow::restoreWindow() {
   const QJsonObject window = perspectives_.window();
   resize(firstSize(screen()));
-  create();  // so that floating docks can belong to it
+  create();  // so that floating docks can have it as their parent
   setAppearance(appearanceFromName(window.value(QStringLiteral("appearance")).toString()));
   lastSetup_ = SimulationSetupDialog::fromJson(window.value(QStringLiteral("simulation_setup")).toArray());
   opening_->setRecent(window.value(QStringLiteral("recent_logs")).toVariant().toStringList());
@@ -233,7 +233,7 @@ void MainWindow::keep() {
 void MainWindow::closeEvent(QCloseEvent* event) {
   if (!mayLoseColors()) return event->ignore();
   keep();
-  tick_.stop();  // what it would keep from now on is without the floating docks
+  tick_.stop();  // it would save a layout without the floating docks
   dockSpace_->hideFloats();
   QMainWindow::closeEvent(event);
   Q_EMIT closed();

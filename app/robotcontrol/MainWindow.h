@@ -41,80 +41,112 @@ class WindowKeys;
 class Workbench;
 struct LoadedPlatform;
 
-/// The workbench's window: docks with views, toolbars, menus, status line; and the 30 Hz tick that all of
-/// them live by.
+/// The main window of the workbench: docks with views, toolbars, menus, status line, and the 30 Hz tick that
+/// updates all of them. It creates all its parts and connects them; MainWindow*.cpp group its functions by
+/// topic.
 ///
-/// What the user arranged is kept in a file of his, every few seconds and at the end, and comes back at the
-/// next start. GUI thread; the workbench must outlive it.
+/// What the user arranged is saved to a file in the user's folder, every few seconds and at the end, and
+/// restored at the next start. GUI thread; the workbench must outlive it.
 class MainWindow : public QMainWindow {
   Q_OBJECT
  public:
+  /// `userFolder`: the folder of the file and of recovered color samples.
   MainWindow(Workbench& workbench, const std::filesystem::path& userFolder);
   ~MainWindow() override;
 
+  /// Shows a perspective as soon as no dock is being dragged; the current one is saved first.
   void showPerspective(const QString& name);
-  /// What its views share.
+  /// What all views share.
   const widgets::ViewContext& context() const { return context_; }
-  /// Takes in what is new, now; the timer calls it.
+  /// Processes new messages and updates the visible views now; the timer calls it.
   void tick();
-  /// Errors of a file that could not be used, above the views until they are dismissed.
+  /// Shows errors above the views until they are dismissed or something else is loaded.
   void showErrors(const robotlink::Errors& errors);
+  /// The docks, for tests and pictures.
   ViewDocks& docks() { return *docks_; }
-  /// What the user arranged and marked, in files; as when the window is closed, but without a question.
+  /// Saves bookmarks and layout, as closing the window does, but without asking about unsaved samples.
   void keep();
 
  Q_SIGNALS:
-  /// The user closed it, and the program ends: floating docks and dialogs go with it.
+  /// The user closed the window, so that the program ends, together with floating docks and dialogs.
   void closed();
 
  protected:
+  /// Shows floating docks again once the window is visible.
   void showEvent(QShowEvent* event) override;
+  /// Asks about unsaved samples, then saves the layout; ignored if the user cancels.
   void closeEvent(QCloseEvent* event) override;
+  /// Repaints after a change of the palette.
   bool event(QEvent* event) override;
-  /// What no view wanted: the keys that play a log.
+  /// Handles keys that views have ignored: those that play a log.
   void keyPressEvent(QKeyEvent* event) override;
+  /// The same for keys in floating windows.
   bool eventFilter(QObject* watched, QEvent* event) override;
+  /// dragEnterEvent() and dropEvent() accept files, see LogOpening::drop(); with Ctrl, logs are added to the
+  /// open ones.
   void dragEnterEvent(QDragEnterEvent* event) override;
   void dropEvent(QDropEvent* event) override;
 
  private:
+  /// Docks and perspectives (MainWindowDocks.cpp).
   void createDocks();
+  /// Updates the visible views, and now and then the history of the layout.
   void tickDocks();
-  /// Runs now, or as soon as no dock is being dragged or dropped and no menu or dialog is open.
+  /// Calls a function now, or as soon as no dock is being dragged or dropped and no menu or dialog is open.
   void whenDocksRest(std::function<void()> change);
+  /// Shows the current perspective as it is shipped; can be undone.
   void resetPerspective();
+  /// Removes the current perspective, which must be one of the user's, and shows Play.
   void deletePerspective();
+  /// Toolbars of simulation and recording, and the status line.
   void createActions();
+  /// Toolbar and bars for logs, and their connections (MainWindowLogs.cpp).
   void createLogs();
+  /// addBookmarkCommand() and addViewCommand() add the commands "log.bookmark" and "view.show" for scripts.
   void addBookmarkCommand();
   void addViewCommand();
+  /// Commands and recovery of color samples; `userFolder` is the folder for the recovery.
   void createColors(const std::filesystem::path& userFolder);
+  /// Maximizing a view by F11.
   void createMaximizing();
+  /// Keys that work in the whole window (MainWindowKeys.cpp).
   void createKeys();
   void addReplayKeys();
   void addColorKeys();
   void addEditingKeys();
-  /// One of them may be below the widget.
+  /// Registers the undo stacks of a widget and its parents with undoOrder_.
   void findUndoStacks(QWidget* widget);
+  /// Whether a color view is visible; only then digits select classes.
   bool showsColors() const;
+  /// Saves bookmarks and color samples (Ctrl+S).
   void saveWork();
+  /// Asks the user before a command replaces what is open while there are unsaved samples. Returns whether to
+  /// continue.
   bool mayReplace(const QString& command);
+  /// Asks the user before unsaved samples would be lost at the end.
   bool mayLoseColors();
+  /// The bar above the views that shows errors.
   void createErrorBar();
+  /// Menus and their commands (MainWindowMenus.cpp).
   void createMenus();
   void createFileMenu();
   void createViewMenu();
   void createRobotMenus();
+  /// Shows the dialog that connects a real robot.
   void connectRobot();
   void createLogMenu();
   void createWindowMenu();
   void createAppearanceMenu(QMenu& menu);
   void createHelpMenu();
+  /// Rebuilds the menu of perspectives after one was added, removed or shown.
   void fillPerspectiveMenu();
   void connectSignals();
+  /// Updates everything that concerns logs and recordings.
   void tickLogs();
+  /// restoreWindow() and keepWindow() read and write the file with everything that the user arranged.
   void restoreWindow();
   void keepWindow();
+  /// The functions of menu entries.
   void openScene();
   void setUpSimulation();
   void openLayout();
@@ -124,24 +156,33 @@ class MainWindow : public QMainWindow {
   void setAppearance(Appearance appearance);
   void showShortcuts();
   void showAbout();
+  /// Called when the workbench has loaded another platform.
   void onLoaded();
+  /// Changes to the perspective for what was loaded, unless the user has chosen another one.
   void showWhatBelongsTo(const LoadedPlatform& loaded);
 
   Workbench& workbench_;
+  /// Refers to the session; destroyed before the widgets that are children of the window, see the destructor.
   widgets::ViewContext context_;
   Perspectives perspectives_;
-  QString beginning_;  // where people begin with what was loaded last; empty: nothing was
+  /// The default perspective for what was loaded last; empty: nothing was loaded.
+  QString beginning_;
   Appearance appearance_ = Appearance::kSystem;
-  std::vector<robotlink::CommandTable::Value> lastSetup_;  // of SimulationSetupDialog
+  /// The last arguments from SimulationSetupDialog.
+  std::vector<robotlink::CommandTable::Value> lastSetup_;
+  /// The parts of the window; Qt owns them as children.
   CommandActions* actions_ = nullptr;
   DockSpace* dockSpace_ = nullptr;
   WindowKeys* keys_ = nullptr;
   UndoOrder* undoOrder_ = nullptr;
   ViewDocks* docks_ = nullptr;
   LayoutHistory* layouts_ = nullptr;
+  /// Entries of the window menu that are enabled by tickDocks().
   QAction* undoLayout_ = nullptr;
   QAction* redoLayout_ = nullptr;
+  /// The text that is shown while no view is open.
   widgets::EmptyHint* noViews_ = nullptr;
+  /// Toolbars and bars, see their classes.
   SimulationToolBar* toolBar_ = nullptr;
   RecordingToolBar* recordingBar_ = nullptr;
   LogToolBar* logToolBar_ = nullptr;
@@ -150,17 +191,22 @@ class MainWindow : public QMainWindow {
   OpeningBar* openingBar_ = nullptr;
   RecordedBar* recordedBar_ = nullptr;
   LogContentsBar* contentsBar_ = nullptr;
-  widgets::ConnectDialog* connectDialog_ = nullptr;  // from the first time it is wanted
-  QStringList recentRobots_;                         // addresses, newest first
+  /// Null until it is first used.
+  widgets::ConnectDialog* connectDialog_ = nullptr;
+  /// Addresses for connectDialog_, the latest one first, and the map of the last robot.
+  QStringList recentRobots_;
   QString robotMap_;
   StatusLine* status_ = nullptr;
   QWidget* errorBar_ = nullptr;
   QLabel* errorText_ = nullptr;
   QMenu* simulationMenu_ = nullptr;
   QMenu* perspectiveMenu_ = nullptr;
+  /// Fires at about 30 Hz.
   QTimer tick_;
+  /// Time since the last save.
   QElapsedTimer sinceKept_;
-  QElapsedTimer sinceLooked_;  // at the layout
+  /// Time since the last call of LayoutHistory::look().
+  QElapsedTimer sinceLooked_;
 };
 
 }  // namespace app

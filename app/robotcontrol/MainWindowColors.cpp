@@ -1,6 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the main window does with the colour table that is being made: commands, recovery, unsaved samples;
-// and how a view gets all the room.
+// MainWindow: commands, recovery and unsaved samples of color tables, and maximizing a view.
 #include <QMenu>
 #include <QStatusBar>
 
@@ -35,7 +34,7 @@ void MainWindow::createColors(const std::filesystem::path& userFolder) {
 
 void MainWindow::createMaximizing() {
   maximizedView_ = new MaximizedView(*dockSpace_, this);
-  // A view that has all the room does not keep it, and the others keep their places.
+  // The maximized view is restored before places are read, so that all views keep their places.
   connect(docks_, &ViewDocks::placesWanted, maximizedView_, &MaximizedView::restore);
   auto* menu = qobject_cast<QMenu*>(perspectiveMenu_->parent());
   auto* action = new QAction(tr("&Maximize view, and back"), this);

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How the main window arranges its docks: perspectives, what was done to the layout, and undoing it.
+// MainWindow: docks, perspectives, and the undo history of the layout.
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <QApplication>
 #include <QInputDialog>
@@ -36,7 +36,7 @@ void MainWindow::createDocks() {
   dockSpace_ = new DockSpace(center);
   layout->addWidget(dockSpace_, 1);
   setCentralWidget(center);
-  // Floated docks are windows of their own; what they do not want is for this one.
+  // Floating docks are windows of their own; keys that they do not handle are handled by this one.
   connect(dockSpace_, &ads::CDockManager::floatingWidgetCreated, this,
           [this](ads::CFloatingDockContainer* floating) { floating->installEventFilter(this); });
   docks_ = new ViewDocks(*dockSpace_, context_, this);
@@ -51,7 +51,7 @@ void MainWindow::tickDocks() {
   if (sinceLooked_.elapsed() < kLookAtDocksEveryMs || QApplication::mouseButtons() != Qt::NoButton ||
       dockSpace_->busy())
     return;
-  if (maximizedView_->active()) return;  // all others are hidden for a while
+  if (maximizedView_->active()) return;  // all other views are hidden temporarily
   sinceLooked_.restart();
   layouts_->look();
   undoLayout_->setEnabled(layouts_->canUndo());
@@ -73,12 +73,12 @@ void MainWindow::whenDocksRest(std::function<void()> change) {
 
 void MainWindow::showPerspective(const QString& name) {
   whenDocksRest([this, name] {
-    // Before the window is on the screen its views do not have their sizes.
+    // The views have no sizes before the window is visible.
     if (isVisible()) perspectives_.keep(perspectives_.current(), *docks_);
     perspectives_.show(name, *docks_);
     layouts_->forget();
     fillPerspectiveMenu();
-    QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // when the old views are gone
+    QTimer::singleShot(0, keys_, &WindowKeys::focusContent);  // after the old views are deleted
   });
 }
 
@@ -108,7 +108,7 @@ void MainWindow::fillPerspectiveMenu() {
     action->setCheckable(true);
     action->setChecked(name == perspectives_.current());
     if (number <= 9) action->setShortcut(QKeySequence(QStringLiteral("Ctrl+%1").arg(number++)));
-    action->setShortcutContext(Qt::ApplicationShortcut);  // in floating docks, too
+    action->setShortcutContext(Qt::ApplicationShortcut);  // also works in floating docks
   }
   perspectiveMenu_->addSeparator();
   QAction* remove =

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The keys that mean the same in the whole window, and what is asked before unsaved work would be replaced.
+// MainWindow: keys that work in the whole window, and the question before unsaved work is replaced.
 #include <qtadvanceddocking/DockWidget.h>
 #include <QAction>
 #include <QApplication>
@@ -35,7 +35,7 @@ constexpr std::array kReplayKeys = {
     ReplayKey::kTenFramesOn, ReplayKey::kSecondBack, ReplayKey::kSecondOn, ReplayKey::kMessageBack,
     ReplayKey::kMessageOn,   ReplayKey::kStart,      ReplayKey::kEnd,      ReplayKey::kBookmark};
 
-/// Whether a command closes what is open.
+/// Whether a command replaces what is open.
 bool replaces(const QString& command) {
   static const QStringList commands = {QStringLiteral("simulation.open"), QStringLiteral("simulation.setup"),
                                        QStringLiteral("log.open"), QStringLiteral("log.close"),
@@ -55,7 +55,7 @@ void MainWindow::createKeys() {
   addReplayKeys();
   addColorKeys();
   addEditingKeys();
-  // A box that was used with the mouse does not keep the focus: the next keys are for the view.
+  // Combo boxes of toolbars do not keep the focus after a click: the next keys are for the view.
   for (QComboBox* box : findChildren<QComboBox*>()) {
     if (qobject_cast<QToolBar*>(box->parentWidget()) != nullptr) box->setFocusPolicy(Qt::TabFocus);
   }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What the main window does with logs: menu, keys, dropped files, the toolbar.
+// MainWindow: logs, that is menu, keys, drag and drop, toolbar and bars.
 #include <QDragEnterEvent>
 #include <QJsonArray>
 #include <QKeyEvent>
@@ -49,7 +49,7 @@ void MainWindow::addBookmarkCommand() {
   if (workbench_.commands().find("log.bookmark") != nullptr) return;
   const auto run = [shared = std::weak_ptr(context_.logs)](const auto& values) -> robotlink::Result<void> {
     const auto open = shared.lock();
-    if (open != nullptr) open->tick();  // takes in what was opened just now
+    if (open != nullptr) open->tick();  // processes a log that was opened just now
     if (open == nullptr || !open->replay().open()) {
       return robotlink::failure("log.none", "no log is open; open one first: log.open FILE");
     }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The menus of the main window, and what their entries do.
+// MainWindow: the menus and the functions of their entries.
 #include <QActionGroup>
 #include <QApplication>
 #include <QFileDialog>
@@ -31,10 +31,10 @@ void MainWindow::createMenus() {
   createLogMenu();
   createWindowMenu();
   createHelpMenu();
-  // Floating docks are windows of their own: the menus' keys are for them, too.
+  // Floating docks are windows of their own, in which the keys of menus must work, too.
   for (const QMenu* menu : menuBar()->findChildren<QMenu*>()) {
     for (QAction* action : menu->actions()) {
-      // Those that play a log are left to WindowKeys: text fields and lists need some of their keys.
+      // Keys that play a log are left to WindowKeys, since text fields and lists need some of them.
       if (action->shortcutContext() == Qt::WindowShortcut)
         action->setShortcutContext(Qt::ApplicationShortcut);
     }
@@ -201,7 +201,7 @@ void MainWindow::savePicture() {
 void MainWindow::setAppearance(Appearance appearance) {
   appearance_ = appearance;
   app::apply(appearance, *qApp);
-  // Docks that are there keep the palette that they were made with: they are made anew.
+  // Existing docks keep the palette with which they were created, so they are created again.
   whenDocksRest([this] {
     if (!docks_->empty()) docks_->restore(docks_->save());
   });

@@ -24,7 +24,7 @@ ads::CDockWidget* dockOf(QWidget* widget) {
 
 MaximizedView::MaximizedView(ads::CDockManager& manager, QObject* parent)
     : QObject(parent), manager_(manager) {
-  // What comes, goes or moves needs the others' places.
+  // A dock that is added, removed or moved needs the places of the others.
   connect(&manager, &ads::CDockManager::dockAreaCreated, this, &MaximizedView::restore);
   connect(&manager, &ads::CDockManager::dockWidgetAboutToBeRemoved, this, &MaximizedView::restore);
 }
@@ -61,11 +61,11 @@ void MaximizedView::maximize(QWidget& area) {
     }
     child = parent;
   }
-  if (hidden_.empty()) sizes_.clear();  // it is the only one
+  if (hidden_.empty()) sizes_.clear();  // the view is the only one
 }
 
 void MaximizedView::restore() {
-  // First emptied: what shows itself may call this again.
+  // Cleared first, since showing a widget may call this function again.
   const auto hidden = std::exchange(hidden_, {});
   const auto sizes = std::exchange(sizes_, {});
   for (const auto& widget : hidden) {

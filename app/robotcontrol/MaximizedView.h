@@ -16,28 +16,33 @@ class CDockWidget;
 
 namespace app {
 
-/// Lets one view of a window have all the room, and gives it back. The docks stay as they are: all others are
-/// merely hidden, so that restore() has to be called before their state is saved. GUI thread; the manager
-/// must outlive it.
+/// Gives one view of a window all the space, and undoes this. The docking state does not change: the other
+/// docks are merely hidden, so that restore() must be called before that state is saved. GUI thread; the
+/// manager must outlive this object.
 class MaximizedView final : public QObject {
   Q_OBJECT
  public:
   MaximizedView(ads::CDockManager& manager, QObject* parent);
 
-  /// The view with the focus, else the one under the mouse, else the first one; a second time: all as it was.
-  /// A view in a window of its own gets the screen.
+  /// Maximizes the view with the focus, or else the one under the mouse, or else the first one; if a view is
+  /// maximized, calls restore(). The window of a floating view is maximized on the screen instead.
   void toggle();
+  /// Shows all docks with their sizes as before; without effect if no view is maximized.
   void restore();
+  /// Whether a view is maximized within the main window.
   bool active() const { return !hidden_.empty(); }
 
  private:
+  /// The view to maximize; null if there is none.
   ads::CDockWidget* wanted() const;
+  /// Hides everything but a dock area.
   void maximize(QWidget& area);
 
   ads::CDockManager& manager_;
+  /// The hidden widgets; empty if no view is maximized.
   std::vector<QPointer<QWidget>> hidden_;
-  std::vector<std::pair<QPointer<QSplitter>, QList<int>>>
-      sizes_;  ///< of the splitters around it, as they were
+  /// The sizes of the splitters around the view, as they were before.
+  std::vector<std::pair<QPointer<QSplitter>, QList<int>>> sizes_;
 };
 
 }  // namespace app

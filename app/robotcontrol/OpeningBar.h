@@ -18,7 +18,7 @@ class OpeningBar : public QWidget {
   Q_OBJECT
  public:
   OpeningBar(Workbench& workbench, CommandActions& actions, QWidget* parent);
-  /// Called after each tick.
+  /// Updates the progress; called after each tick.
   void refresh();
 
  private:
@@ -26,7 +26,8 @@ class OpeningBar : public QWidget {
   QLabel* text_;
   QProgressBar* progress_;
   QToolButton* cancel_;
-  int ticks_ = 0;  // for which something has been opened
+  /// Number of ticks for which something has been opening.
+  int ticks_ = 0;
 };
 
 }  // namespace app

@@ -19,13 +19,13 @@ namespace {
 using Place = ViewDocks::Place;
 constexpr int kVersion = 1;
 
-/// Sizes of the neighbours in the splitter that holds a dock, from the left or the top.
+/// Sets the sizes in the splitter that contains a dock, from the left or the top.
 void setSizes(ads::CDockWidget* dock, const QList<int>& sizes) {
   if (dock == nullptr || dock->dockAreaWidget() == nullptr) return;
   dock->dockManager()->setSplitterSizes(dock->dockAreaWidget(), sizes);
 }
 
-/// Sizes of the columns of the whole window, from the left.
+/// Sets the widths of the columns of the whole window, from the left.
 void setColumns(ads::CDockWidget* dock, const QList<int>& sizes) {
   if (dock == nullptr) return;
   QSplitter* outermost = nullptr;
@@ -87,7 +87,7 @@ void buildColour(ViewDocks& docks) {
     docks.add(QLatin1String(id), Place::kTab, samples);
   ads::CDockWidget* timeLine = docks.add(QStringLiteral("time-line"), Place::kBottom, samples);
   docks.add(QStringLiteral("color-quality"), Place::kRight,
-            samples);  // how good the table is, always in view
+            samples);  // the quality of the table is always visible
   if (samples != nullptr) samples->setAsCurrentTab();
   setSizes(samples, {560, 620});
   setSizes(space, {500, 460});
@@ -95,7 +95,7 @@ void buildColour(ViewDocks& docks) {
   setColumns(image, {1180, 420});
 }
 
-/// For robots on wheels: where they are, what is around one, how it does, and steering it.
+/// For robots on wheels: map, surroundings, state, and manual control.
 void buildDrive(ViewDocks& docks) {
   ads::CDockWidget* map = docks.add(QStringLiteral("field"), Place::kLeft);
   ads::CDockWidget* radar = docks.add(QStringLiteral("radar"), Place::kRight);

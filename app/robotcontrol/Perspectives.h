@@ -12,48 +12,56 @@ namespace app {
 class ViewDocks;
 struct LoadedPlatform;
 
-/// Named window layouts, in a text file of the user's: what he made of the shipped ones, and his own. The
-/// shipped ones (Play, Motion, Processes, Drive, ...) can always be had again. GUI thread.
+/// Named window layouts, stored in a JSON file of the user: modified versions of the shipped perspectives
+/// (Play, Motion, Processes, Drive, ...) and the user's own. The original of a shipped one is always
+/// available. GUI thread.
 ///
-/// A file that cannot be understood is set aside under another name and reported; the shipped ones are used
-/// then.
+/// If the file cannot be read, it is renamed and reported, and the shipped perspectives are used.
 class Perspectives {
  public:
+  /// Loads the file, if it exists; see problems().
   explicit Perspectives(std::filesystem::path file);
 
-  /// The shipped one in which people begin with what is loaded: Log for logs, Drive for robots on wheels,
-  /// Play for others; empty for nothing.
+  /// The shipped perspective that fits what is loaded: Log for logs, Drive for robots on wheels, Play for
+  /// other robots; empty if nothing is loaded.
   static QString beginningWith(const LoadedPlatform& loaded);
 
-  /// What was wrong with the file, if anything.
+  /// Problems with the file; empty if there were none.
   const robotlink::Errors& problems() const { return problems_; }
 
+  /// All perspectives, the shipped ones first.
   QStringList names() const;
   bool isShipped(const QString& name) const;
+  /// The name of the perspective that is shown.
   const QString& current() const { return current_; }
 
-  /// Shows a perspective: as it was left, or as it is shipped.
+  /// Shows a perspective as the user left it, or else as it is shipped; the first shipped one if the name is
+  /// unknown.
   void show(const QString& name, ViewDocks& docks);
-  /// As it is shipped, forgetting what the user made of it.
+  /// Shows a perspective as it is shipped and discards the user's changes.
   void showShipped(const QString& name, ViewDocks& docks);
-  /// Keeps the docks' present state under a name, which becomes the current one.
+  /// Stores the current state of the docks under a name, which becomes the current one.
   void keep(const QString& name, const ViewDocks& docks);
+  /// Removes a perspective of the user, or the user's changes of a shipped one.
   void remove(const QString& name);
 
-  /// The window's own state (geometry, toolbars), kept along.
+  /// The state of the window itself (geometry, toolbars, recent files), stored in the same file.
   QJsonObject window() const { return window_; }
   void setWindow(QJsonObject window) { window_ = std::move(window); }
 
-  /// Writes the file if anything has changed since the last time.
+  /// Replaces the file atomically if anything changed since the last save.
   robotlink::Result<void> save();
 
  private:
+  /// Reads the file; called once.
   void load();
 
   std::filesystem::path file_;
-  QJsonObject kept_;  // name -> ViewDocks::save()
+  /// The results of ViewDocks::save() by name.
+  QJsonObject kept_;
   QJsonObject window_;
   QString current_;
+  /// The contents of the file at the last save.
   QByteArray saved_;
   robotlink::Errors problems_;
 };

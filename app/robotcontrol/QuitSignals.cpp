@@ -11,7 +11,7 @@ namespace {
 constexpr int kSignals[] = {SIGINT, SIGTERM, SIGHUP};
 constexpr int kLookForSignalsEveryMs = 100;
 
-/// The only thing that a signal handler can reach.
+/// The only variable that the signal handler accesses.
 std::atomic<bool> wanted{false};
 static_assert(std::atomic<bool>::is_always_lock_free);
 
@@ -23,7 +23,7 @@ void setHandlers(void (*handler)(int), int flags) {
   for (const int number : kSignals) {
     struct sigaction before = {};
     sigaction(number, nullptr, &before);
-    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // nohup stays what it is
+    if (before.sa_handler != SIG_IGN) sigaction(number, &action, nullptr);  // keep signals that nohup ignores
   }
 }
 
@@ -31,7 +31,7 @@ void setHandlers(void (*handler)(int), int flags) {
 
 QuitSignals::QuitSignals(QObject* parent) : QObject(parent) {
   wanted = false;
-  // Reset, so that the second one finds the default again.
+  // The handler is reset, so that a second signal has its default effect.
   setHandlers([](int) { wanted = true; }, static_cast<int>(SA_RESETHAND) | SA_RESTART);
   startTimer(kLookForSignalsEveryMs);
 }

@@ -5,9 +5,10 @@
 
 namespace app {
 
-/// SIGINT, SIGTERM and SIGHUP as a signal of Qt's: who stops the program from outside finds it closed
-/// properly, with its recording complete and its window kept. A second one of the same kind ends it at once.
-/// One at a time; GUI thread.
+/// SIGINT, SIGTERM and SIGHUP as a Qt signal: a program that is stopped from outside closes properly, with
+/// its recording complete and its window saved. A second signal of the same kind terminates it at once;
+/// signals that were ignored at the start (nohup) stay ignored. Polls every 0.1 s, since a signal handler may
+/// do next to nothing. One object at a time; GUI thread.
 class QuitSignals : public QObject {
   Q_OBJECT
  public:
@@ -15,9 +16,11 @@ class QuitSignals : public QObject {
   ~QuitSignals() override;
 
  Q_SIGNALS:
+  /// Emitted once, after the first signal.
   void received();
 
  protected:
+  /// Checks whether a signal has arrived.
   void timerEvent(QTimerEvent* event) override;
 };
 

@@ -33,7 +33,7 @@ void RecordedBar::createWidgets() {
   text_->setObjectName(QStringLiteral("recordedText"));
   text_->setAccessibleName(tr("Where the recording went"));
   text_->setTextInteractionFlags(Qt::TextSelectableByMouse);
-  // The whole path is in the tool tip; a long one must not widen the window.
+  // The whole path is in the tooltip; a long one must not widen the window.
   text_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
   auto* layout = new QHBoxLayout(this);
   layout->setContentsMargins(6, 2, 6, 2);
@@ -76,7 +76,7 @@ void RecordedBar::noticeRecording(const RecordingStatus& status) {
       files_.push_back(status.path());
     return;
   }
-  if (!recording_ || status.queued_bytes() > 0) return;  // Not all of it is written yet.
+  if (!recording_ || status.queued_bytes() > 0) return;  // not everything is written yet
   recording_ = false;
   if (files_.empty()) return;
   const QString how = status.failure().empty()
@@ -97,7 +97,7 @@ void RecordedBar::noticeSaved(const RecordingStatus& status) {
   if (!saved_.empty()) showFile(QString::fromStdString(saved_), tr("The last seconds are in %1"));
 }
 
-/// `text`: %1 is the file.
+/// `text`: %1 is replaced by the file name.
 void RecordedBar::showFile(const QString& file, const QString& text) {
   file_ = file;
   const QFileInfo info(file);
@@ -108,7 +108,7 @@ void RecordedBar::showFile(const QString& file, const QString& text) {
 }
 
 void RecordedBar::open() {
-  workbench_.recording().recorder().finish();  // A log is complete when its summary is written.
+  workbench_.recording().recorder().finish();  // a log is complete when its summary is written
   hide();
   actions_.run(QStringLiteral("log.open"), {QFileInfo(file_).absoluteFilePath().toStdString()});
 }

@@ -173,7 +173,7 @@ QString RecordingToolBar::lengthText(const RecordingStatus& status) {
   return tr("%1 (%2)").arg(duration(status.seconds()), megabytes(status.bytes()));
 }
 
-/// The name while it is written, and of the last one after it.
+/// Shows the name of the current file, or of the last one.
 void RecordingToolBar::refreshFile(const RecordingStatus& status) {
   constexpr int kWidest = 220;  // pixels
   const QFileInfo file(QString::fromStdString(status.path()));
@@ -186,7 +186,7 @@ void RecordingToolBar::refreshFile(const RecordingStatus& status) {
 void RecordingToolBar::refresh() {
   const RecordingStatus status = workbench_.recording().status();
   record_->setChecked(status.recording());
-  // Neither the word nor the color of what stops robots.
+  // The text and the icon differ from those of STOP, which stops robots.
   record_->setText(status.recording() ? tr("End recording") : tr("Record"));
   if (std::exchange(showsEnd_, status.recording()) != status.recording()) {
     record_->setIcon(
@@ -251,7 +251,7 @@ void RecordingToolBar::chooseFolder() {
 }
 
 void RecordingToolBar::bookmark() {
-  // The instant is that of the key press; what it is called can wait.
+  // The bookmark has the time of the key press; the dialog for its text may take longer.
   const robotlink::Instant time = workbench_.session().timeline().shown();
   bool accepted = false;
   const QString text =

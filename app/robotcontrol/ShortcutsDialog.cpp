@@ -22,14 +22,14 @@ namespace {
 
 constexpr QSize kWanted{640, 720};
 
-/// The view that an object belongs to; null if it belongs to the window.
+/// The view to which an object belongs; null if it belongs to the window.
 const widgets::View* viewOf(const QObject* object) {
   while (object != nullptr && qobject_cast<const widgets::View*>(object) == nullptr)
     object = object->parent();
   return static_cast<const widgets::View*>(object);
 }
 
-/// "Image", whatever it shows now: what its menu entry is called.
+/// The title of a view's kind ("Image"), whatever it shows now; the same as in the menu.
 QString titleOf(const widgets::View* view) {
   const QObject* object = view;
   while (object != nullptr && qobject_cast<const ads::CDockWidget*>(object) == nullptr)

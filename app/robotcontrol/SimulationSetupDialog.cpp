@@ -25,7 +25,7 @@ namespace {
 
 constexpr int kMostRobots = 100;
 
-/// Its value in the last arguments, if they have one of this type there.
+/// The element of `last` at an index, if it has this type, otherwise the default.
 template <typename T>
 T last(const SimulationSetupDialog::Arguments& arguments, std::size_t index, T fallback) {
   if (index >= arguments.size()) return fallback;
@@ -33,7 +33,7 @@ T last(const SimulationSetupDialog::Arguments& arguments, std::size_t index, T f
   return value != nullptr ? *value : fallback;
 }
 
-/// The kind of robots that a scene's text names; empty: none.
+/// The model of the robots in a scene, found in its text; empty: none.
 QString kindIn(const QString& scene) {
   QFile file(QString::fromStdString(Workbench::sceneNamed(scene.trimmed().toStdString()).string()));
   constexpr qint64 kEnough = 1 << 20;
@@ -173,7 +173,7 @@ void SimulationSetupDialog::chooseFile() {
   if (isMap(file.toStdString()) && robots_->value() == 0) robots_->setValue(1);
 }
 
-/// More of the kind that a scene has are wanted rather than others.
+/// The default is to add robots of the kind that the scene contains.
 void SimulationSetupDialog::followScene() {
   const int kind = kind_ != nullptr
                        ? kind_->findData(isMap(scene_->currentText().toStdString())

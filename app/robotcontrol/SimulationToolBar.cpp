@@ -33,7 +33,8 @@ void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
   }
 }
 
-/// Shows a file, as an item of its own if it is none of the shipped ones; no file: the box's placeholder.
+/// Selects a file, which is added if it is not among the shipped ones; without a file the placeholder is
+/// shown.
 void selectFile(QComboBox* box, const std::filesystem::path& file) {
   if (file.empty()) return box->setCurrentIndex(-1);
   const QString path = QString::fromStdString(file.string());
@@ -120,7 +121,7 @@ void SimulationToolBar::connectSignals() {
           [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
 }
 
-/// Those that at least one of the robots can be run in.
+/// The layouts in which at least one of the robots can run.
 void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
   layout_->clear();
   std::set<std::string> kinds;

@@ -22,27 +22,33 @@ class SimulationToolBar : public QToolBar {
 
   /// Shows the simulation's state; called after each tick.
   void refresh();
-  /// A scene, log or layout was loaded or refused: shows what runs now, and the simulation's buttons unless
-  /// it is a log or a real robot.
+  /// To be called when a scene, log or layout was loaded or refused: shows what is open now. The simulation's
+  /// buttons are hidden for logs and real robots.
   void showLoaded();
 
+  /// Start, pause, step, reset.
   const QList<QAction*>& simulationActions() const { return simulationActions_; }
+  /// The STOP of all robots.
   QAction* stopAction() const { return stop_; }
   /// Says which color table is in use; its menu is for what gives the robot another one.
   ColorTableButton& colorTableButton() { return *colorTable_; }
   /// The speeds to choose from, times real time; 0 is as fast as possible.
   static std::vector<double> speeds() { return {0.1, 0.25, 0.5, 1, 2, 5, 10, 0}; }
+  /// A speed for display; 0 or less is as fast as possible.
   static QString speedText(double speed);
 
  private:
   void createActions();
   void createBoxes();
   void connectSignals();
+  /// Lists the layouts that fit at least one robot.
   void showLayouts(const LoadedPlatform& loaded);
+  /// Shows the requested speed, unless the user has opened the list.
   void refreshSpeed(double requested);
 
   Workbench& workbench_;
   CommandActions& actions_;
+  /// Items have the path of their file as data; robot_ has names only.
   QComboBox* scene_ = nullptr;
   QComboBox* layout_ = nullptr;
   QComboBox* robot_ = nullptr;
@@ -55,7 +61,8 @@ class SimulationToolBar : public QToolBar {
   QAction* reset_ = nullptr;
   QAction* stop_ = nullptr;
   QList<QAction*> simulationActions_;
-  QList<QAction*> ofSimulation_;  ///< these, and the speed
+  /// The actions of the toolbar that make sense for simulations only: simulationActions_ and the speed.
+  QList<QAction*> ofSimulation_;
 };
 
 }  // namespace app

@@ -16,23 +16,28 @@ namespace app {
 
 class Workbench;
 
-/// What always stands at the window's lower edge: of a simulation its time, speed and ball contacts, of a log
-/// where it is and how it is played; dropped messages. GUI thread.
+/// The contents of the status bar: for a simulation its time, speed and ball contacts, for a log its position
+/// and playback, for a real robot its connection; and the number of dropped messages. GUI thread; the
+/// workbench must outlive its use.
 class StatusLine : public QObject {
   Q_OBJECT
  public:
   StatusLine(Workbench& workbench, QStatusBar& bar);
+  /// Updates the labels; called after each tick.
   void refresh();
 
  private:
+  /// showSimulation(), showLog() and showNothing() set all labels for what is open.
   void showSimulation(const robotcontrol::SimulationStatus& status);
-  /// What a robot at the end of a line does: whether it is heard, and how long it is not.
+  /// The state of the connection to a real robot, and for how long nothing was received.
   QString robotState();
   void showLog(const robotcontrol::ReplayStatus& status);
   void showNothing();
 
   Workbench& workbench_;
+  /// The subscription of the packages that robotState() needs.
   widgets::PackageWish wish_;
+  /// The labels, owned by the status bar, from left to right.
   QLabel* state_;
   QLabel* time_;
   QLabel* speed_;

@@ -29,7 +29,7 @@ StreamSelection withStream(const StreamSelection& selection, const std::string& 
                            const std::vector<std::string>& known) {
   StreamSelection changed = selection;
   removeExact(*(recorded ? changed.mutable_exclude() : changed.mutable_include()), path);
-  // Without anything to include all would be meant, not nothing.
+  // Without an include pattern the default selection would apply, not an empty one.
   if (selection.include_size() > 0 && changed.include_size() == 0)
     *changed.mutable_include() = selection.include();
   const auto contains = [&path](const StreamSelection& s) {
@@ -42,7 +42,8 @@ StreamSelection withStream(const StreamSelection& selection, const std::string& 
   }
   if (changed.include_size() > 0) changed.add_include(path);
   if (contains(changed)) return changed;
-  // Left out by a pattern, or by default: everything, without each of those that were not recorded.
+  // The stream is left out by a pattern, or by default: select everything and exclude each stream that was
+  // not recorded.
   const logplayer::RecordedStreams before(selection);
   StreamSelection named;
   named.add_include(std::string(1, '*'));
@@ -121,8 +122,7 @@ void StreamChooser::takePatterns() {
 
 void StreamChooser::takeTick(const QListWidgetItem& item) {
   selection_ = withStream(selection_, item.text().toStdString(), item.checkState() == Qt::Checked, streams_);
-  patterns_->setText(
-      QString::fromStdString(logplayer::textOf(selection_)));  // takes it, and shows what it means
+  patterns_->setText(QString::fromStdString(logplayer::textOf(selection_)));  // this calls takePatterns()
 }
 
 }  // namespace app

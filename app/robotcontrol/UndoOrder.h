@@ -9,24 +9,27 @@ class QUndoStack;
 
 namespace app {
 
-/// One undo for all that can be edited: it takes back the last change of what was edited last. Stacks that
-/// are added keep their own order of changes; they may go at any time. GUI thread.
+/// A common undo for everything that can be edited: it reverts the last change of the document that was
+/// edited last. Each undo stack keeps its own order of changes. Stacks may be destroyed at any time. GUI
+/// thread.
 class UndoOrder final : public QObject {
   Q_OBJECT
  public:
   using QObject::QObject;
 
-  /// Nothing happens if it was added before.
+  /// Registers a stack; ignored if it is registered already.
   void add(QUndoStack* stack);
-  /// Whose change was taken back; null if there is nothing to take back.
+  /// Reverts a change and returns its stack; null if there is nothing to undo.
   QUndoStack* undo();
-  /// Whose change was made again; null if there is none.
+  /// Repeats a change and returns its stack; null if there is nothing to redo.
   QUndoStack* redo();
 
  private:
+  /// Moves a stack to the front.
   void touch(QUndoStack* stack);
 
-  std::vector<QUndoStack*> stacks_;  ///< what was edited last comes first
+  /// The one that was edited last is the first.
+  std::vector<QUndoStack*> stacks_;
 };
 
 }  // namespace app

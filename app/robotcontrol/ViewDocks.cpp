@@ -49,7 +49,7 @@ ViewDocks::Dock* ViewDocks::find(const QString& objectName) {
 }
 
 void ViewDocks::forget(const QObject* view) {
-  // The pointers to it are not null yet while a widget says that it is being destroyed.
+  // While a widget emits destroyed(), pointers to it are not null yet.
   std::erase_if(docks_, [&](const Dock& dock) { return dock.view == view || !dock.dock || !dock.view; });
 }
 
@@ -162,7 +162,7 @@ bool ViewDocks::anyOpen() const {
 }
 
 void ViewDocks::tick() {
-  // A view may ask something in a dialog, and the docks may be others when it returns.
+  // A view may open a dialog, during which the list of docks may change.
   const auto docks = docks_;
   for (const Dock& dock : docks) {
     if (dock.view && dock.view->isVisible()) dock.view->tick();

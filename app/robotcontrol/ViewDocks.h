@@ -17,81 +17,93 @@ namespace app {
 
 class DockSpace;
 
-/// The docks of a window: one for each open view. A closed dock keeps its place and its view; opening it
-/// again brings it back where it was. GUI thread.
+/// The docks of a window: one for each view. A closed dock keeps its place and its view; reopening shows it
+/// where it was. GUI thread; space and context must outlive this object.
 ///
-/// Docks that are taken away leave the window at once and are deleted when control returns to the event loop;
-/// destroyAll() deletes them at once. The docking library may delete docks, too, with the floating window
-/// that they are in: those leave the list by themselves.
+/// Removed docks leave the window at once and are deleted when control returns to the event loop;
+/// destroyAll() deletes them at once. The docking library may delete docks, too, together with their floating
+/// window; those are removed from the list automatically.
 class ViewDocks : public QObject {
   Q_OBJECT
  public:
-  /// Where a new dock goes, seen from another one or from the window.
+  /// Where a new dock is placed, relative to another dock or to the window.
   enum class Place : std::uint8_t { kLeft, kRight, kTop, kBottom, kTab };
 
   ViewDocks(DockSpace& space, widgets::ViewContext& context, QObject* parent);
 
-  /// Brings a view to the front: one that is open, else a closed one where it was, else a new one as a tab of
-  /// the largest area. Null if there is no such kind.
+  /// Brings a view to the front: an open one of this kind, else a closed one at its place, else a new one as
+  /// a tab of the largest area. Returns null if there is no such kind.
   ads::CDockWidget* open(const QString& id);
-  /// One more view of a kind, even if one is open: a closed one, else a new one. Where only one is allowed,
-  /// as open().
+  /// Opens one more view of a kind: a closed one, else a new one. Like open() for kinds that may be open only
+  /// once.
   ads::CDockWidget* openAnother(const QString& id);
-  /// Closes the views of a kind; they keep their places.
+  /// Closes all views of a kind; they keep their places.
   void close(const QString& id);
-  /// A new dock at a place; for default perspectives. Null if there is no such kind.
+  /// Adds a new dock at a place, for the shipped perspectives. Returns null if there is no such kind.
   ads::CDockWidget* add(const QString& id, Place place, ads::CDockWidget* beside = nullptr);
+  /// Removes all docks.
   void closeAll();
-  /// As closeAll(), and deletes the views now, before what they use goes.
+  /// Removes all docks and deletes their views at once; to be called before objects that they use are
+  /// destroyed.
   void destroyAll();
   bool empty() const { return docks_.empty(); }
-  /// Whether a view of a kind is open, perhaps behind another tab.
+  /// Whether a view of a kind is open, possibly behind another tab.
   bool isOpen(const QString& id) const;
-  /// Whether a view of a kind can be seen now.
+  /// Whether a view of a kind is open and not behind another tab.
   bool isInFront(const QString& id) const;
+  /// Whether any view is open.
   bool anyOpen() const;
 
-  /// Lets all visible views take in what is new.
+  /// Updates all visible views.
   void tick();
 
-  /// Docks, views and what was chosen in them, as JSON; restore() ignores kinds of views that it does not
-  /// know.
+  /// The docks with the states of their views as JSON; restore() ignores unknown kinds of views and returns
+  /// false if the state cannot be used.
   QJsonObject save() const;
   bool restore(const QJsonObject& state);
 
-  /// Where the docks are, in the docking library's XML; rearrange() puts those that are there back to it, and
-  /// closes others. False if the layout names docks that are not there any more, or cannot be read.
+  /// The arrangement of the docks in the docking library's XML.
   QString layout() const;
+  /// Restores an arrangement for the existing docks and closes those that it does not contain. Returns false
+  /// if it names docks that no longer exist, or cannot be read.
   bool rearrange(const QString& layout);
 
   /// All docks whose view is of a kind, open or closed.
   std::vector<ads::CDockWidget*> docks(const QString& id) const;
 
  Q_SIGNALS:
-  /// The places of the docks are about to be looked at or changed: what hides some of them for a while shows
-  /// them.
+  /// The places of the docks are about to be read or changed: a receiver that hides some docks temporarily
+  /// must show them now.
   void placesWanted() const;
 
  private:
+  /// A dock with its view and the kind of the view.
   struct Dock {
     QString id;
     QPointer<ads::CDockWidget> dock;
     QPointer<widgets::View> view;
   };
+  /// Creates a dock that has no place yet; null if there is no such kind.
   Dock* make(const QString& id, int number);
+  /// Null if there is none.
   Dock* find(const QString& objectName);
+  /// Creates a dock with the next free number.
   ads::CDockWidget* makeNext(const QString& id);
-  /// Where it was; a dock without a place becomes a tab of the largest area.
+  /// Shows a dock at its place; without a place it becomes a tab of the largest area.
   ads::CDockWidget* bringToFront(ads::CDockWidget* dock);
+  /// The smallest number that no dock of this kind has.
   int freeNumber(const QString& id) const;
+  /// Whether all docks of a layout exist.
   bool hasAllOf(const QString& layout);
-  /// The dock of a view was deleted with its floating window.
+  /// Called when the docking library has deleted a dock with its floating window.
   void forget(const QObject* view);
 
   DockSpace& space_;
   widgets::ViewContext& context_;
-  std::vector<Dock> docks_;                          // never with null pointers between events
-  std::vector<QPointer<ads::CDockWidget>> removed_;  // to be deleted soon
+  /// Contains no null pointers while no event is being processed.
+  std::vector<Dock> docks_;
+  /// Docks that will be deleted when control returns to the event loop.
+  std::vector<QPointer<ads::CDockWidget>> removed_;
 };
 
 }  // namespace app

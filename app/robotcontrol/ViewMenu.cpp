@@ -16,7 +16,7 @@ struct Group {
   QStringList views;
 };
 
-/// In the order of the menu; a view that is in none is listed at the end.
+/// The groups in the order of the menu; views that are in no group are listed at the end.
 std::vector<Group> groups() {
   const auto tr = [](const char* text) { return QCoreApplication::translate("ViewMenu", text); };
   std::vector<Group> groups = {
@@ -72,7 +72,7 @@ void ViewMenu::addView(const QString& id) {
   action->setObjectName(QStringLiteral("view.") + id);
   action->setToolTip(QCoreApplication::translate("View", type->help));
   action->setCheckable(true);
-  action->setIconVisibleInMenu(false);  // its place is the tick's
+  action->setIconVisibleInMenu(false);  // the check mark needs its place
   action->setData(id);
 }
 

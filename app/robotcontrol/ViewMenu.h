@@ -7,9 +7,9 @@ namespace app {
 
 class ViewDocks;
 
-/// The menu of all views, in groups, each with a tick while it is open. Choosing a view that can be seen
-/// closes it, any other one is brought to the front. Of kinds that may be open several times another one can
-/// be opened. GUI thread; the docks must outlive it.
+/// The menu of all views, in groups, with a check mark for those that are open. Choosing a visible view
+/// closes it; any other is brought to the front. Kinds that may be open several times have an entry for
+/// another one. GUI thread; the docks must outlive it.
 class ViewMenu : public QMenu {
   Q_OBJECT
  public:
@@ -18,7 +18,9 @@ class ViewMenu : public QMenu {
  private:
   void addView(const QString& id);
   void addAnother(QMenu& menu, const QString& id);
+  /// Closes a view that is in front, or brings it there.
   void choose(const QString& id);
+  /// Updates the check marks, before the menu is shown.
   void refresh();
 
   ViewDocks& docks_;

@@ -19,8 +19,8 @@
 namespace app {
 namespace {
 
-/// "Ctrl+Left" of an event, whatever part of the keyboard it came from. There are keyboards on which digits
-/// and punctuation are typed with Shift.
+/// The key sequence of an event ("Ctrl+Left"), independent of the part of the keyboard. On some keyboards
+/// digits and punctuation are typed with Shift.
 QKeySequence sequenceOf(const QKeyEvent& event) {
   auto modifiers = event.modifiers() & ~(Qt::KeypadModifier | Qt::GroupSwitchModifier);
   const int key = event.key();
@@ -29,8 +29,8 @@ QKeySequence sequenceOf(const QKeyEvent& event) {
   return {static_cast<int>(modifiers) | key};
 }
 
-/// Whether a view's keys are of use while the widget has the focus: it shows something, rather than being a
-/// control.
+/// Whether a widget shows contents, rather than being a control, so that the keys of its view are useful
+/// while it has the focus.
 bool isContent(const QWidget& widget) {
   return widget.isVisible() && widget.isEnabled() && (widget.focusPolicy() & Qt::ClickFocus) != 0 &&
          !isTextField(widget) && qobject_cast<const QAbstractButton*>(&widget) == nullptr &&
@@ -88,7 +88,7 @@ const WindowKeys::Binding* WindowKeys::find(const QWidget& focus, const QKeyEven
   return nullptr;
 }
 
-/// Return presses a button, as Space does where it does not play.
+/// Return presses a focused button, like Space, which may be used to play a log.
 bool WindowKeys::pressButton(QWidget& focus, const QKeyEvent& event) const {
   auto* button = qobject_cast<QAbstractButton*>(&focus);
   if (button == nullptr || !ofWindow(focus) || event.modifiers() != Qt::NoModifier ||
@@ -107,7 +107,7 @@ bool WindowKeys::eventFilter(QObject* watched, QEvent* event) {
   if (binding == nullptr)
     return event->type() == QEvent::KeyPress && focus != nullptr && pressButton(*focus, key);
   event->accept();
-  // What says that it wants the key gets it as a key press, and no shortcut does.
+  // Accepting ShortcutOverride makes Qt deliver the key as a key press and disables all shortcuts for it.
   if (event->type() == QEvent::KeyPress && (binding->repeats || !key.isAutoRepeat())) binding->run();
   return true;
 }

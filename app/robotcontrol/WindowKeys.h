@@ -11,43 +11,55 @@ class QWidget;
 
 namespace app {
 
-/// The keys that mean the same wherever the focus is in a window or in a dock that floats beside it, but for
-/// text fields: the one place that decides this. It looks at keys before the widget that has the focus, and
-/// before all shortcuts. Dialogs, menus and lists that have popped up keep their keys.
+/// The keys with the same effect wherever the focus is, in a window or in a dock that floats beside it,
+/// except in text fields: the single place that decides this. It receives keys before the focused widget and
+/// before all shortcuts. Dialogs, menus and open lists keep their keys.
 ///
-/// It also sees to it that the focus is in what the window shows, and not in a box of a toolbar that keys
-/// would change. GUI thread; it belongs to the window.
+/// It also moves the focus to the contents of the window, away from toolbar widgets whose values keys would
+/// change. GUI thread; it belongs to the window.
 class WindowKeys final : public QObject {
   Q_OBJECT
  public:
+  /// A key and its effect.
   struct Binding {
-    QKeySequence key;               ///< one key with its modifiers
-    QString text;                   ///< what it does, for the list of keys
-    std::function<bool()> applies;  ///< false: the key belongs to whoever has the focus
+    /// A single key with its modifiers.
+    QKeySequence key;
+    /// The effect, for the list of shortcuts.
+    QString text;
+    /// If it returns false, the focused widget gets the key; empty: always true.
+    std::function<bool()> applies;
     std::function<void()> run;
-    bool inTextFields = false;  ///< no text is edited by it
-    bool repeats = false;       ///< runs again and again while the key is held
+    /// Whether it also works in text fields.
+    bool inTextFields = false;
+    /// Whether it runs repeatedly while the key is held down.
+    bool repeats = false;
   };
 
+  /// Becomes a child of the window and starts filtering events.
   explicit WindowKeys(QWidget& window);
 
+  /// Of bindings with the same key the first one that applies is used.
   void add(Binding binding);
   const std::vector<Binding>& bindings() const { return bindings_; }
-  /// Gives the focus to the largest view, if no view has it.
+  /// Moves the focus to the largest view, unless a view has it.
   void focusContent();
 
+  /// Handles key presses of the whole application, and the activation of the window.
   bool eventFilter(QObject* watched, QEvent* event) override;
 
  private:
+  /// The binding that applies; null if there is none.
   const Binding* find(const QWidget& focus, const QKeyEvent& event) const;
+  /// Lets Return press a focused button.
   bool pressButton(QWidget& focus, const QKeyEvent& event) const;
+  /// Whether a widget is in the window or in a dock that floats beside it.
   bool ofWindow(const QWidget& widget) const;
 
   QWidget& window_;
   std::vector<Binding> bindings_;
 };
 
-/// Whether somebody types text there.
+/// Whether a widget accepts typed text.
 bool isTextField(const QWidget& widget);
 
 }  // namespace app

@@ -24,11 +24,11 @@ struct Arguments {
   std::vector<std::string> files;
   std::string layout;
   std::string map;
-  std::string robot;  ///< model of those that are put into the world; empty: see simcore::RobotsToAdd
+  std::string robot;  ///< model of the robots to add; empty: see simcore::RobotsToAdd
   std::string teams = "both";
-  int robots = -1;  ///< put into the world; negative: one into a map, none elsewhere
+  int robots = -1;  ///< number of robots to add; negative: one to a map, else none
   bool kinematic = false;
-  int port = 0;  ///< of the first robot; 0: none
+  int port = 0;  ///< TCP port of the first robot; 0: none
   std::uint64_t seed = 1;
   bool paused = false;
   std::string perspective;
@@ -138,7 +138,7 @@ app::RunOptions simulationOf(const Arguments& arguments) {
   return options;
 }
 
-/// Starts what the command line asks for. False: it makes no sense.
+/// Loads what the command line asks for. Returns false if that is invalid.
 bool load(app::Workbench& workbench, const Arguments& arguments) {
   if (connectsRobot(arguments)) {
     app::PioneerOptions options{.url = arguments.files.front()};
@@ -169,8 +169,8 @@ bool load(app::Workbench& workbench, const Arguments& arguments) {
   return true;
 }
 
-/// Starts the simulation that is being loaded, and runs what was asked for on the command line, one after the
-/// other, each when what the one before opens is there.
+/// Starts the simulation when it is loaded, then runs the commands of the command line one after the other,
+/// each after everything that the previous one opens is loaded.
 class Script : public QObject {
  public:
   Script(app::Workbench& workbench, const Arguments& arguments, QObject* parent)
@@ -216,8 +216,7 @@ const char* wordFor(QtMsgType type) {
   return "Qt error";
 }
 
-/// What Qt has to complain about goes to the terminal. Without a display it says of each window what it
-/// cannot do with it; nobody wants to know.
+/// Prints messages of Qt to stderr, except for warnings about what windows cannot do without a display.
 void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QString& text) {
   if (text.startsWith(QLatin1String("This plugin does not support"))) return;
   std::cerr << "robotcontrol: " << wordFor(type) << ": " << text.toStdString();
@@ -227,7 +226,7 @@ void handleQtMessage(QtMsgType type, const QMessageLogContext& where, const QStr
   if (type == QtFatalMsg) std::abort();
 }
 
-/// The offscreen plugin knows no desktop whose font size it could take.
+/// Sets a usual font size, since the offscreen plugin has no desktop from which to take it.
 void useFontOfDesktops() {
   if (QGuiApplication::platformName() != QLatin1String("offscreen")) return;
   QFont font = QApplication::font();

@@ -15,19 +15,26 @@ class App;
 
 namespace app {
 
-/// The options of `robotctl sim` about what simulated cameras see: light, lens, and the true classes of
-/// pixels.
+/// The options of `robotctl sim` that concern simulated cameras: light, lens, noise, and the true classes of
+/// pixels. Filled by the command line parser.
 struct CameraOptions {
   simcore::Lighting lighting;
-  std::vector<double> vignetting;  ///< falloff, and perhaps tint
+  /// Share of light lost in the corners, and optionally the tint; empty: that of the cameras.
+  std::vector<double> vignetting;
+  /// Standard deviation in gray values; empty: that of the cameras.
   std::optional<double> imageNoise;
+  /// Whether the true classes are published as "oracle/classes".
   bool classImages = false;
-  std::string labelledFolder;  ///< empty: no labelled images are written
-  double labelledEvery = 1;    ///< s
+  /// Folder for labeled images; empty: none are written.
+  std::string labelledFolder;
+  /// Minimum interval between labeled images of a robot, s.
+  double labelledEvery = 1;
 
+  /// Adds the options to a command, which needs to have --no-noise; this object must outlive the command.
   void addTo(CLI::App& command);
+  /// Sets the options of a run.
   void applyTo(RunOptions& run) const;
-  /// Where labelled images go; null if they go nowhere.
+  /// The writer for labeled images; null if none are to be written.
   robotlink::Result<std::unique_ptr<LabelledImages>> labelledImages() const;
 };
 

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color`: the command itself, and what its subcommands share.
 #include <CLI/CLI.hpp>
 
 #include "app/robotctl/ColorCommands.h"

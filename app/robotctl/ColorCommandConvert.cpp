@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color convert`.
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <cstdio>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color evaluate`.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>
@@ -25,7 +26,7 @@ struct EvaluateArguments {
   bool json = false;
 };
 
-/// Background that is sorted into one of these is what a robot stumbles over.
+/// The classes that are harmful to a robot if background is classified as one of them.
 std::vector<std::uint8_t> falseClasses(const ColorClasses& classes) {
   std::vector<std::uint8_t> numbers;
   for (const char* name : {"orange", "blue", "yellow", "red"}) {
@@ -74,7 +75,7 @@ void printFiguresAsText(const Evaluation& evaluation, const ColorClasses& classe
               100 * evaluation.falseColor(falseClasses(classes)));
 }
 
-/// The labels are those of the log that the images are of.
+/// Whether the labels are in the log that also contains the images.
 bool inLog(const EvaluateArguments& arguments) {
   std::error_code error;
   return std::filesystem::is_regular_file(arguments.labels, error);
@@ -108,7 +109,7 @@ Result<int> addImage(const ColorImages& images, const std::string& name, const E
   return 1;
 }
 
-/// What the labels' numbers stand for: what was said, or else what stands beside the labels.
+/// The classes of the labels' numbers: those of the option, or else those of the file beside the labels.
 tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArguments& arguments) {
   if (inLog(arguments) && arguments.labelClasses.empty()) return TrueClasses::classes();
   const std::filesystem::path file = std::filesystem::path(arguments.labels) / kLabelClassesFile;
@@ -138,7 +139,7 @@ int evaluate(const EvaluateArguments& arguments) {
           {},
           {arguments.labels, 0, 0}}});
   }
-  // Classes are the same by their names; labels and table may number them each in its way.
+  // Classes are matched by name, since labels and table may have different numbers.
   const ColorClasses classes = unite(*labelled, named->classes);
   const auto table =
       colortool::ColorTable::translated(named->file.singleClasses(), classNumbers(named->classes, classes));

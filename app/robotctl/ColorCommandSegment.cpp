@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color segment`.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -23,7 +24,7 @@ struct SegmentArguments {
   bool numbers = false;
 };
 
-/// The number of each pixel's class.
+/// An image with the class number of each pixel.
 Image classImage(const colortool::ColorImage& image, const colortool::ColorTable& table) {
   Image classes(image.width, image.height, robotlink::PixelFormat::kMono8);
   for (std::size_t i = 0; i < image.pixels.size(); ++i) classes.data[i] = table.classOf(image.pixels[i]);
@@ -37,7 +38,7 @@ Result<void> writeImage(const Image& image, const std::filesystem::path& to) {
       to, std::string_view(reinterpret_cast<const char*>(png->data()), png->size()));
 }
 
-/// Says beside pictures of numbers what they stand for, unless that is what is taken for granted.
+/// Writes the names of the classes beside images of class numbers, unless they are the default ones.
 Result<void> writeClasses(const colortool::ColorClasses& classes, const std::filesystem::path& folder) {
   if (classes == chosenClasses({}).value()) return {};
   return robotlink::writeFileAtomically(folder / kLabelClassesFile, colorClassesText(classes));

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What is done with tables alone.
+// `robotctl color` info and diff, the commands that need only tables.
 #include <CLI/CLI.hpp>
 #include <cstdio>
 #include <iostream>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color train`.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <map>
@@ -32,19 +33,20 @@ struct TrainArguments {
   std::string strokes, images, samples, out, samplesOut;
   std::string method = "kernel";
   ClassNames classes;
-  double several = 0;  ///< 0: each cell has one class
+  /// Share of the winner's votes for further classes of a cell; 0: each cell has one class.
+  double several = 0;
   bool asLearned = false;
   colortool::TrainingSettings settings;
 };
 
-/// Strokes as samples, and what of them could not be used.
+/// The samples made from strokes, and the strokes that could not be used.
 struct Learned {
   Samples samples;
   int outside = 0;
   Errors problems;
 };
 
-/// Fails with all class names that are not known.
+/// Fails with one error per unknown class name.
 tl::expected<void, Errors> checkClasses(const std::vector<DiscStroke>& strokes,
                                         const colortool::ColorClasses& known, const std::string& file) {
   Errors errors;
@@ -104,7 +106,7 @@ tl::expected<Learned, Errors> samplesOfFile(const std::string& file) {
   return Learned{std::move(read->samples), 0, std::move(read->problems)};
 }
 
-/// What the samples make; with several classes a cell if that is wanted.
+/// The table learned from the samples, with several classes per cell if requested.
 ColorTableFile::Packed tableOf(const Samples& samples, double several) {
   colortool::TableTrainer trainer;
   const colortool::ColorTable& table = trainer.train(samples);
@@ -115,7 +117,7 @@ ColorTableFile::Packed tableOf(const Samples& samples, double several) {
   return ColorTableFile::pack(table.cells(), masks);
 }
 
-/// Says what was lost, and how the program ends because of it.
+/// Reports losses to stderr and returns the resulting ExitStatus.
 int tellLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
   for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
   if (learned.outside != 0) {
@@ -155,7 +157,7 @@ int train(const TrainArguments& arguments) {
   return tellLosses(arguments, *learned, made);
 }
 
-/// Options of a method, by their usual values.
+/// Adds the options of the training methods, with their defaults.
 void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
   using Votes = colortool::VoteOptions;
   const auto number = [&](const char* name, double& value, const char* help, const CLI::Validator& range) {

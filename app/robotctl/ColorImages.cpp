@@ -70,7 +70,7 @@ Result<std::shared_ptr<const foxglove::RawImage>> rawImageOf(const robotlink::St
   return logplayer::rawImage(*compressed);
 }
 
-/// The stream of the true classes of the same robot.
+/// The path of the stream with the true classes of the same robot.
 std::string classesBeside(const std::string& stream) {
   return stream.substr(0, stream.find('/') + 1) + robotlink::kOracleClasses.name;
 }

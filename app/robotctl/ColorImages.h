@@ -17,40 +17,46 @@ class LogFile;
 
 namespace app {
 
-/// A folder of images (PNG, JPEG, .yuyv) or a log's images, in which the colour commands read. Images of a
-/// log are called by their numbers from 0, with three digits: "000", "001"; images of classes are not
-/// counted.
+/// The images that color commands read: those of a folder (PNG, JPEG, .yuyv) or of a log. Images of a log are
+/// named by their number from 0 with at least three digits: "000", "001"; images of classes are not counted.
+/// One thread.
 ///
-/// A .yuyv file is 320 x 240 pixels of the bytes Y0 Cb Y1 Cr; a pixel's colour is (Y1, Cb, Cr).
+/// A .yuyv file contains 320 x 240 pixels of the bytes Y0 Cb Y1 Cr per pixel; the color of a pixel is (Y1,
+/// Cb, Cr).
 class ColorImages {
  public:
+  /// Fails if there is no such folder or log.
   static robotlink::Result<ColorImages> open(const std::filesystem::path& folderOrLog);
 
-  /// Names of files, or numbers, in their order.
+  /// The names of all images, sorted.
   const std::vector<std::string>& names() const { return names_; }
   /// Loads an image by its name, with or without its ending.
   robotlink::Result<colortool::ColorImage> load(const std::string& name) const;
 
-  /// What an image of a log truly shows, in the numbers of TrueClasses; nothing if that was not recorded, or
-  /// if these are files.
+  /// The true classes of an image of a log, in the numbers of TrueClasses; empty if they were not recorded,
+  /// or for images of a folder.
   robotlink::Result<std::optional<robotlink::Image>> trueClasses(const std::string& name) const;
 
-  /// A single file.
+  /// Loads an image file.
   static robotlink::Result<colortool::ColorImage> loadFile(const std::filesystem::path& file);
-  /// The grey values of a PNG: labels.
+  /// Loads the gray values of a PNG: class numbers.
   static robotlink::Result<robotlink::Image> loadLabels(const std::filesystem::path& file);
 
  private:
+  /// The place of an image in the log.
   struct LogImage {
     std::string stream;
-    std::int64_t time = 0;  ///< ns
+    /// In ns.
+    std::int64_t time = 0;
   };
   static robotlink::Result<ColorImages> openLog(const std::filesystem::path& file);
   robotlink::Result<colortool::ColorImage> loadLogged(const std::string& name) const;
 
   std::filesystem::path path_;
   std::vector<std::string> names_;
-  std::shared_ptr<logplayer::LogFile> log_;  // null: a folder
+  /// Null for a folder.
+  std::shared_ptr<logplayer::LogFile> log_;
+  /// Keyed by name; empty for a folder.
   std::map<std::string, LogImage> logged_;
 };
 

@@ -12,20 +12,22 @@ class App;
 
 namespace app {
 
-/// How programs of this project end.
+/// The exit status of all programs of this project; kDoneWithLosses: done, but some input could not be read.
 enum ExitStatus { kDone = 0, kFailed = 1, kUsage = 2, kDoneWithLosses = 3 };
 
-// Each adds a subcommand to `app`; when it was chosen, `status` is set by its callback.
+// Each of these functions adds a subcommand to `app`. When it is chosen, its callback runs the command and
+// sets `status`, an ExitStatus, which must outlive the parsing.
 void addSimCommand(CLI::App& app, int& status);
 void addLayoutCommand(CLI::App& app, int& status);
 void addLogCommand(CLI::App& app, int& status);
 void addColorCommand(CLI::App& app, int& status);
 void addRunCommand(CLI::App& app, int& status);
 
-/// Prints all errors on stderr, one a line; kFailed.
+/// Prints all errors to stderr, one per line, and returns kFailed.
 int printErrors(const robotlink::Errors& errors);
 
-/// Runs what needs the folder `resources`, unless that is not to be found, which it says; an ExitStatus.
+/// Runs a command that needs the folder `resources`; prints an error if that cannot be found. Returns an
+/// ExitStatus.
 int withResources(const std::function<int()>& command);
 
 }  // namespace app

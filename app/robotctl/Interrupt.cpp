@@ -17,13 +17,13 @@ namespace {
 using WatchClock = std::chrono::steady_clock;
 
 constexpr std::chrono::seconds kSame{
-    1};  // signals within that time are one: a terminal that is closed sends several
-constexpr std::chrono::seconds kGrace{2};  // to ask whether to end
+    1};  // signals within this time count as one: closing a terminal sends several
+constexpr std::chrono::seconds kGrace{2};  // time for the first call of noted()
 
-// Signals concern the whole program.
+// Signals are a matter of the whole process, hence global variables.
 std::atomic<int> caught{0};
-std::atomic<int> guards{0};       // Interrupts that live
-std::atomic<bool> heeded{false};  // somebody asked, and was told
+std::atomic<int> guards{0};       // number of Interrupt objects
+std::atomic<bool> heeded{false};  // whether noted() has returned true
 std::atomic<bool> watching{false};
 std::optional<std::thread> watcher;
 
@@ -46,7 +46,7 @@ sigset_t watchedSignals() {
   return signals;
 }
 
-/// Whether one of these signals comes until then.
+/// Waits for one of these signals; returns whether one arrived before `end`.
 bool comesUntil(WatchClock::time_point end, const sigset_t& signals) {
   const auto left = end - WatchClock::now();
   if (left <= left.zero()) return false;
@@ -55,8 +55,8 @@ bool comesUntil(WatchClock::time_point end, const sigset_t& signals) {
   return ::sigtimedwait(&signals, nullptr, &time) > 0;
 }
 
-/// After the first signal: returns if the program ends by itself, or else ends it at a second one, or if
-/// nobody heeds the first.
+/// Called after the first signal. Returns if the program ends by itself; otherwise terminates it at a second
+/// signal, or if nothing reacts to the first one.
 void waitForTheEnd(const sigset_t& signals, int first) {
   const auto came = WatchClock::now();
   while (watching && comesUntil(came + kSame, signals)) {
@@ -83,7 +83,7 @@ SignalWatch::SignalWatch() {
   pipe.sa_handler = &noteBrokenPipe;
   pipe.sa_flags = SA_RESTART;
   if (!isIgnored(SIGPIPE)) ::sigaction(SIGPIPE, &pipe, nullptr);
-  std::signal(SIGXFSZ, SIG_IGN);  // the write that makes a file too large fails, and that is told
+  std::signal(SIGXFSZ, SIG_IGN);  // then writing beyond the limit fails with an error, which is reported
   const sigset_t signals = watchedSignals();
   if (sigisemptyset(&signals) != 0) return;
   ::pthread_sigmask(SIG_BLOCK, &signals, nullptr);
@@ -93,7 +93,7 @@ SignalWatch::SignalWatch() {
 
 SignalWatch::~SignalWatch() {
   if (!watcher) return;
-  watching = false;  // the thread is woken to see that
+  watching = false;  // the signals below wake the thread, which then ends
   for (const int signal : {SIGINT, SIGTERM, SIGHUP}) {
     if (!isIgnored(signal)) ::pthread_kill(watcher->native_handle(), signal);
   }

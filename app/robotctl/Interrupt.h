@@ -3,13 +3,14 @@
 
 namespace app {
 
-/// Watches for SIGINT (Ctrl-C), SIGTERM and SIGHUP while it lives, in a thread of its own. A signal that was
-/// ignored when the program was started (by nohup) stays ignored.
+/// Handles SIGINT (Ctrl-C), SIGTERM and SIGHUP in a thread of its own. A signal that was ignored when the
+/// program was started (by nohup) stays ignored.
 ///
-/// Where an Interrupt exists, the program is asked to end by Interrupt::noted(); if nobody has asked for that
-/// within two seconds, or another signal comes later, it is ended at once. Elsewhere it is ended at once.
-/// That removes unfinished files, so what is left is complete. A broken pipe on standard output (SIGPIPE) is
-/// noted in the same way, but ends nothing by itself. One for the program, made before any other thread.
+/// While an Interrupt exists, a signal only sets Interrupt::noted(); the program is terminated if nothing
+/// calls noted() within two seconds, or when another signal arrives later. Without an Interrupt it is
+/// terminated at once. Termination removes unfinished files, so that all files left are complete. A broken
+/// pipe on standard output (SIGPIPE) is noted in the same way, but never terminates the program. One per
+/// program, to be created before any other thread, since threads inherit its signal mask.
 class SignalWatch {
  public:
   SignalWatch();
@@ -18,8 +19,8 @@ class SignalWatch {
   SignalWatch& operator=(const SignalWatch&) = delete;
 };
 
-/// While it lives, signals do not end the program but are noted, so that what it does is ended in good order.
-/// They can be nested.
+/// While an object of this class exists, signals do not terminate the program but are noted, so that the
+/// operation can end properly. Objects can be nested. Any thread.
 class Interrupt {
  public:
   Interrupt();
@@ -27,11 +28,11 @@ class Interrupt {
   Interrupt(const Interrupt&) = delete;
   Interrupt& operator=(const Interrupt&) = delete;
 
-  /// Whether the program is to end; whoever asks is expected to do that.
+  /// Whether the program is to end; a caller that gets true is expected to stop soon.
   static bool noted();
-  /// The signal that came; 0: none did.
+  /// The signal that was received; 0: none.
   static int signal();
-  /// As shells tell of a program that a signal has ended.
+  /// The exit status by which shells report termination by a signal.
   static constexpr int exitStatus(int signal) { return 128 + signal; }
 };
 

@@ -51,7 +51,7 @@ void LabelledImages::add(const std::string& robot, const foxglove::RawImage& ima
   const robotlink::Instant now = robotlink::instant(image.timestamp());
   robotlink::Instant& due = due_[robot];
   if (!outcome_ || now < due) return;
-  // In step with the period, although images come at times of their own.
+  // Keeps to multiples of the period, whatever the times of the images.
   due = period_ > robotlink::Duration::zero() ? now - (now - due) % period_ + period_ : now;
   const auto ms = std::chrono::duration_cast<std::chrono::milliseconds>(now.time_since_epoch()).count();
   outcome_ = write(fmt::format("{}-{:06}.png", robot, ms), image, classes);

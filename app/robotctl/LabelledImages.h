@@ -14,21 +14,22 @@ class RawImage;
 
 namespace app {
 
-/// Writes simulated images and their true classes as files that `robotctl color` reads:
-/// FOLDER/images/NAME.png in colours and FOLDER/labels/NAME.png with the classes' numbers (TrueClasses),
-/// whose names stand beside them. NAME is the robot and the simulated time in ms, "red1-001200". One thread.
+/// Writes simulated images and their true classes as files for `robotctl color`: FOLDER/images/NAME.png in
+/// color and FOLDER/labels/NAME.png with class numbers (TrueClasses), whose names are in a file beside them.
+/// NAME consists of the robot and the simulated time in ms: "red1-001200". One thread.
 class LabelledImages {
  public:
-  /// Makes the folders; fails if they cannot be made or written to. At most one image of a robot is written
-  /// each `period`.
+  /// Creates the folders; fails if they cannot be created or written to. Writes at most one image per robot
+  /// and `period`.
   static robotlink::Result<LabelledImages> create(const std::filesystem::path& folder,
                                                   robotlink::Duration period);
 
-  /// After something failed, nothing more is written.
+  /// Writes an image and its classes, if it is due. After a failure nothing more is written.
   void add(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes);
 
+  /// Number of images written.
   int written() const { return written_; }
-  /// Fails if an image could not be written.
+  /// The first failure, if there was one.
   const robotlink::Result<void>& outcome() const { return outcome_; }
 
  private:
@@ -37,7 +38,8 @@ class LabelledImages {
 
   std::filesystem::path images_, labels_;
   robotlink::Duration period_{};
-  std::map<std::string, robotlink::Instant> due_;  // by robot
+  /// Time of the next image, by robot.
+  std::map<std::string, robotlink::Instant> due_;
   int written_ = 0;
   robotlink::Result<void> outcome_;
 };

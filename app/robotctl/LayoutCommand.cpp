@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl layout`: checks and draws process layouts.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -18,7 +19,7 @@ struct LayoutArguments {
   std::string robot = "ers210";
 };
 
-/// Reads and checks; then gives a usable layout to `use`.
+/// Reads and checks a layout; if it is valid, passes it to `use`.
 template <typename Use>
 int withLayout(const LayoutArguments& arguments, Use use) {
   const auto robot =

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log`: the command itself, and what its subcommands share.
 #include <unistd.h>
 
 #include <CLI/CLI.hpp>
@@ -17,12 +18,12 @@ namespace {
 using robotlink::Instant;
 using robotlink::Result;
 
-constexpr auto kQuiet = std::chrono::milliseconds(500);  // what is done by then needs no progress
+constexpr auto kQuiet = std::chrono::milliseconds(500);  // shorter operations show no progress
 
 std::optional<double> numberOf(std::string_view text) {
   double number = 0;
   const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), number);
-  constexpr double kLargest = 9e9;  // s, what fits into an instant
+  constexpr double kLargest = 9e9;  // s; fits into an Instant
   if (error != std::errc() || end != text.data() + text.size() || !(std::abs(number) < kLargest))
     return std::nullopt;
   return number;

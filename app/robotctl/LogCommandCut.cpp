@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` cut, merge, filter and convert.
 #include <CLI/CLI.hpp>
 #include <charconv>
 #include <cmath>
@@ -15,7 +16,7 @@ namespace app {
 namespace {
 
 struct CutArguments {
-  std::vector<std::string> files;  ///< the last is written
+  std::vector<std::string> files;  ///< the last one is the output
   std::string from, to;
   TimeRange range;
   logplayer::RewriteOptions options;
@@ -66,7 +67,7 @@ int cut(CutArguments& arguments) {
   return writeLog(arguments.options, arguments.to);
 }
 
-/// "FILE=SECONDS" to the input it names; false and a message if it names none.
+/// Assigns "FILE=SECONDS" to the input with this name; prints an error and returns false if there is none.
 bool takeOffset(const std::string& text, std::vector<logplayer::RewriteInput>& inputs) {
   const auto equals = text.rfind('=');
   double seconds = 0;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log export`.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -16,8 +17,8 @@ using robotlink::Result;
 struct ExportArguments {
   std::string file;
   std::string images;
-  std::vector<std::string> csv;   ///< the streams and the file; "-" is stdout
-  std::vector<std::string> json;  ///< the same
+  std::vector<std::string> csv;   ///< streams and file; "-" is standard output
+  std::vector<std::string> json;  ///< as csv
   bool texts = false;
   std::string output = "-";
   TimeRange range;
@@ -27,7 +28,7 @@ struct ExportArguments {
 
 constexpr char kStandardOutput[] = "-";
 
-/// What was written where, and with which losses.
+/// Collects what was written to which file, and the losses.
 class ExportStatus {
  public:
   explicit ExportStatus(TerminalProgress& progress) : progress_(progress) {}

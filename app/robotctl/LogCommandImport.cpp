@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` import and repair.
 #include <CLI/CLI.hpp>
 #include <iomanip>
 #include <iostream>

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` bookmark and attachment.
 #include <CLI/CLI.hpp>
 #include <array>
 #include <cstdio>

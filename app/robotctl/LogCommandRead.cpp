@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` info and verify.
 #include <CLI/CLI.hpp>
 #include <iostream>
 #include <memory>
@@ -22,7 +23,7 @@ struct ReadArguments {
   bool asJson = false;
 };
 
-/// What of one file is printed, and what is wrong with it.
+/// The output for one file, and the result.
 struct Findings {
   json object;
   std::string text;
@@ -36,7 +37,7 @@ Result<Findings> describe(const std::filesystem::path& file) {
   return Findings{toJson(*info), toText(*info), info->losses};
 }
 
-/// "7", or "5 of 7".
+/// A number: "7", or "5 of 7" if not all can be read.
 std::string ofAll(std::uint64_t readable, std::uint64_t all) {
   return readable < all ? std::to_string(readable) + " of " + std::to_string(all) : std::to_string(all);
 }
@@ -71,7 +72,7 @@ Result<Findings> verify(const std::filesystem::path& path) {
   return findings;
 }
 
-/// One object for one file; for several an object with all of them.
+/// Prints the object of a single file; for several files an object that contains theirs.
 void printJson(const ReadArguments& arguments, const std::vector<json>& objects) {
   if (arguments.files.size() == 1 && objects.size() == 1) {
     std::cout << objects.front().dump(2, ' ', false, json::error_handler_t::replace) << "\n";

@@ -17,9 +17,9 @@ namespace {
 using robotlink::Result;
 
 constexpr char kStandardInput[] = "-";
-constexpr int kLookEveryMs = 100;  // whether it was interrupted
+constexpr int kLookEveryMs = 100;  // interval of the checks for an interrupt
 
-/// Copies standard input to its end.
+/// Copies all of standard input into a file.
 Result<void> copyInput(const std::filesystem::path& to) {
   const auto failed = [&](const std::string& what) {
     const std::string reason = std::strerror(errno);

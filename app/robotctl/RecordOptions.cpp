@@ -72,7 +72,7 @@ int finishRecording(logplayer::Recorder& recorder) {
   const auto stopped = recorder.control(control);
   recorder.finish();
   const robotcontrol::RecordingStatus status = recorder.status();
-  if (!status.failure().empty()) return kFailed;  // It has been said already.
+  if (!status.failure().empty()) return kFailed;  // the failure was already printed by `warn`
   if (!stopped) return printErrors({stopped.error()});
   std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed
             << std::setprecision(1) << 1e-6 * static_cast<double>(status.bytes()) << " MB";

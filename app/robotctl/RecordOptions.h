@@ -12,19 +12,24 @@ class App;
 
 namespace app {
 
-/// The options of commands that record what they run: --record FILE and how.
+/// The options of commands that can record what they run: --record FILE and its format. Filled by the command
+/// line parser.
 struct RecordOptions {
-  std::string file;  ///< empty: nothing is recorded
+  /// Empty: nothing is recorded.
+  std::string file;
+  /// A selection as in logplayer::readSelection(); empty: the default.
   std::string streams;
+  /// Encoding of images: "as-is", "jpeg" or "png".
   std::string images = "as-is";
+  /// Compression of the file: "none", "lz4" or "zstd".
   std::string compression = "none";
 
   void addTo(CLI::App& command);
-  /// A recorder that is recording; null if none was asked for. Fails with a sentence if it cannot be.
+  /// Starts the recording and returns the recorder; null if no file was given.
   robotlink::Result<std::unique_ptr<logplayer::Recorder>> start() const;
 };
 
-/// Ends the recording and says on stderr what became of it; an ExitStatus.
+/// Ends the recording and reports the result on stderr. Returns an ExitStatus.
 int finishRecording(logplayer::Recorder& recorder);
 
 }  // namespace app

@@ -7,7 +7,7 @@
 
 namespace app {
 
-/// A check of an option that names a robot: what is wrong with it, or empty.
+/// A validator for options with the name of a robot: returns an error message, or an empty text.
 inline std::string robotName(const std::string& name) {
   if (logplayer::isRobotName(name)) return {};
   return "'" + name + "' is no name for a robot; take letters, digits, '-', '_' and '.'";

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl run`: robot programs on logs; see RunRobotCommand.h for real robots.
 #include <fmt/format.h>
 #include <CLI/CLI.hpp>
 
@@ -44,7 +45,7 @@ struct RunArguments {
   RunRobotArguments robot;
 };
 
-/// What is written while the logs are replayed, and what went wrong.
+/// The log that is written during the replay, and its first error.
 class Recording {
  public:
   /// Without a path nothing is written.
@@ -55,7 +56,7 @@ class Recording {
                           : compression == "lz4" ? logplayer::mcap::Compression::kLz4
                                                  : logplayer::mcap::Compression::kZstd;
     options.library = std::string("robotctl ") + ROBOTCONTROL_VERSION;
-    options.clock = &still_;  // Where chunks end must not depend on how long anything took.
+    options.clock = &still_;  // the end of chunks must not depend on real time
     auto writer = logplayer::LogWriter::create(path, std::move(options));
     if (!writer) return tl::unexpected(writer.error());
     writer_ = std::move(*writer);
@@ -102,7 +103,7 @@ int usage(const std::string& text) {
   return kUsage;
 }
 
-/// "a=b" into its halves; false if it is none.
+/// Splits "a=b"; returns false if there is no "=".
 bool split(const std::string& text, std::pair<std::string, std::string>& halves) {
   const auto equals = text.find('=');
   if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) return false;
@@ -110,7 +111,7 @@ bool split(const std::string& text, std::pair<std::string, std::string>& halves)
   return true;
 }
 
-/// Empty if all is well, else what is wrong.
+/// Returns an error message, or an empty text.
 std::string takeLogs(const RunArguments& arguments, ReplayOptions& options) {
   if (!arguments.platform.starts_with(kLogPlatform)) {
     return "--platform is log:FILE or log:FILE,log:FILE..., or a robot's address: tcp://HOST:PORT or "
@@ -146,7 +147,7 @@ std::string takeChoices(const RunArguments& arguments, ReplayOptions& options) {
       options.recomputeAll = source == ControlReplay::RECOMPUTED;
       continue;
     }
-    // Packages are called "models/ball"; with a robot before it, that robot's is meant.
+    // Packages have names like "models/ball"; a prefix selects a single robot.
     const bool ofOneRobot = std::count(halves.first.begin(), halves.first.end(), '/') > 1;
     options.packages[ofOneRobot ? halves.first : "*/" + halves.first] = source;
   }
@@ -238,7 +239,7 @@ bool recomputesAnything(const ReplayRun& run) {
   });
 }
 
-/// Says on stderr which choices make no difference, and what would.
+/// Reports options to stderr that have no effect, and what would have one.
 void warnOfUnusedChoices(const ReplayRun& run, const RunArguments& arguments) {
   if (run.robots().empty()) {
     std::cerr << "warning: the log says of no robot of this program, so that nothing runs on it; 'robotctl "
@@ -279,7 +280,7 @@ int replay(const RunArguments& arguments, ReplayOptions options) {
     return printErrors({opened.error()});
   }
   const auto start = std::chrono::steady_clock::now();
-  // What holds from before the log's first instant is told by a jump there.
+  // A jump to the beginning publishes the latched messages from before the log's first instant.
   if (const auto errors = (*run)->jump((*run)->begin()); !errors.empty()) return printErrors(errors);
   const std::uint64_t instants = playLog(**run, recording, progress);
   progress.erase();
@@ -315,7 +316,7 @@ int runOnRobot(const RunArguments& arguments) {
   return runRobot(robot);
 }
 
-/// Takes a copy of standard input where a log is called "-"; it goes with `inputs`.
+/// Replaces "-" by a copy of standard input, which is removed with `inputs`.
 robotlink::Result<void> readInputs(ReplayOptions& options, std::vector<LogInput>& inputs) {
   for (ReplayLog& log : options.logs) {
     auto input = LogInput::of(log.file.string());

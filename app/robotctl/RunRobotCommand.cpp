@@ -32,7 +32,8 @@ PioneerRun::Listeners robotListeners(const RunRobotArguments& arguments) {
   return listeners;
 }
 
-/// Steps it to the end and tells what changes; whether the robot was ever connected.
+/// Steps the run until its end and prints changes of the connection. Returns whether the robot was ever
+/// connected.
 bool drive(PioneerRun& run, const RunRobotArguments& arguments) {
   const robotlink::Instant end = run.clock().now() + robotlink::fromSeconds(arguments.seconds);
   std::string told;

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl sim`: simulation of a scene with the programs of its robots.
 #include <fmt/format.h>
 
 #include <CLI/CLI.hpp>
@@ -52,7 +53,7 @@ struct SimArguments {
   RecordOptions record;
 };
 
-/// "task=solution" pairs into the options; false and a message if one is none.
+/// Parses "task=solution" pairs; prints an error and returns false if one is invalid.
 bool takeSolutions(SimArguments& arguments) {
   for (const std::string& text : arguments.solutions) {
     const auto equals = text.find('=');
@@ -110,7 +111,7 @@ bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recor
   return true;
 }
 
-/// Says what became of the labelled images, if there are any.
+/// Reports the result of writing labeled images, if there are any.
 int finishImages(const LabelledImages* images, const std::string& folder) {
   if (images == nullptr) return kDone;
   if (!images->outcome()) return printErrors({images->outcome().error()});
@@ -124,7 +125,7 @@ int runOnce(const SimArguments& arguments) {
   if (!images) return printErrors({images.error()});
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
-  // Until something is in it.
+  // Removes the file of the recording if the program ends before anything is recorded.
   std::optional<robotlink::UnfinishedFile> unfinished;
   if (*recorder) unfinished.emplace(arguments.record.file);
   TerminalProgress progress;
@@ -194,7 +195,7 @@ int runTrials(const SimArguments& arguments) {
   return results->size() < static_cast<std::size_t>(arguments.trials) ? kFailed : kDone;
 }
 
-/// Robots that are driven from outside, without programs of their own.
+/// Runs a simulation whose robots are driven by other programs.
 int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
       !arguments.solutions.empty()) {
@@ -230,7 +231,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
   if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
   arguments.run.world.noise = !arguments.noNoise;
   arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
-  // Nobody waits for threads: they need the time that a real robot would give them.
+  // Threads run in real time: nothing waits for them.
   if (threads && !speedGiven) arguments.speed = 1;
   if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
   return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);

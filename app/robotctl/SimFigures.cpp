@@ -22,7 +22,7 @@ double factor(double simulated, double real) {
   return real > 0 ? simulated / real : 0;
 }
 
-/// What a robot on wheels touched but the floor, as the simulator counts it.
+/// Contacts of robots on wheels with anything but the floor, as counted by the simulator.
 json contactFigures(const SimulatedWorld& world, const std::string& robot) {
   const simcore::Simulation& simulation = world.simulation();
   return {{"name", robot},
@@ -45,7 +45,7 @@ json robotFigures(const ArcosSimulation& simulation, std::size_t index) {
   return figures;
 }
 
-/// "12,345".
+/// A number with separators: "12,345".
 std::string grouped(std::uint64_t count) {
   std::string digits = std::to_string(count);
   for (std::size_t at = digits.size(); at > 3; at -= 3) digits.insert(at - 3, ",");
@@ -56,7 +56,7 @@ std::string grouped(const json& figures, const char* name) {
   return grouped(figures.value(name, std::uint64_t{0}));
 }
 
-/// Three digits that count, and no more than that.
+/// A number with three significant digits.
 std::string rounded(double value) {
   const int decimals = value < 0.9995 ? 3 : value < 9.995 ? 2 : value < 99.95 ? 1 : 0;
   return fmt::format("{:.{}f}", value, decimals);
@@ -73,7 +73,7 @@ std::string secondsText(double seconds) {
   return fmt::format("{}:{:02}:{:02} h", whole / 3600, whole / 60 % 60, whole % 60);
 }
 
-/// "scene" and what follows it, in columns.
+/// Lines of a subject ("scene") and its values, aligned in columns.
 class Lines {
  public:
   void add(const char* subject, const std::string& text) {

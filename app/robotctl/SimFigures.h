@@ -9,11 +9,13 @@ namespace app {
 class ArcosSimulation;
 class SimulatedRun;
 
-/// What `robotctl sim` says at its end, for programs: numbers as they are, by names that stay.
+/// The result of `robotctl sim` for other programs: exact numbers under stable names. `realSeconds`: the real
+/// time that the run took.
 nlohmann::json figuresOf(SimulatedRun& run, double realSeconds);
 nlohmann::json figuresOf(const ArcosSimulation& simulation, double realSeconds);
 
-/// The same for people, one subject a line, rounded and with units. Takes what either of the two returns.
+/// The same for users: one subject per line, rounded and with units. Accepts the result of both functions
+/// above.
 std::string figuresText(const nlohmann::json& figures);
 
 }  // namespace app

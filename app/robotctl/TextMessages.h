@@ -14,11 +14,11 @@ struct GroundMap;
 
 namespace app {
 
-/// Prints one line on stderr: what was said when, and by whom.
+/// Prints a text with its time and source to stderr, on one line.
 void printText(robotlink::Instant time, const std::string& source, const std::string& text);
-/// Prints the text messages of a debug queue on stderr, one a line, with their times.
+/// Prints the text messages of a debug queue to stderr, one per line, with their times.
 void printTexts(const std::string& robot, const robotcontrol::DebugQueue& queue);
-/// Prints what is to be known about a map that was read, one note a line, on stderr. Null: nothing.
+/// Prints the notes about a map to stderr, one per line. Null: prints nothing.
 void printMapNotes(const robotlink::GroundMap* map);
 
 }  // namespace app

@@ -1,4 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The program robotctl: everything that works without a window.
 #include <CLI/CLI.hpp>
 #include <cerrno>
 #include <csignal>
@@ -14,7 +15,8 @@
 namespace app {
 
 int printErrors(const robotlink::Errors& errors) {
-  if (Interrupt::signal() == SIGPIPE) return kFailed;  // nobody listens, and that is no error
+  // The reader of standard output has ended, which is not reported as an error.
+  if (Interrupt::signal() == SIGPIPE) return kFailed;
   std::cerr << robotlink::describe(errors) << "\n";
   return kFailed;
 }
@@ -53,7 +55,7 @@ int run(int argc, char** argv) {
   return status;
 }
 
-/// Makes sure that what was printed has arrived, and says how the program ended.
+/// Flushes standard output and returns the final exit status.
 int finish(int status) {
   errno = 0;
   std::cout.flush();

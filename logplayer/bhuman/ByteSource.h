@@ -10,17 +10,20 @@
 
 namespace logplayer::bhuman {
 
-/// Bytes that are read at any place: a file, or memory that must outlive it.
+/// Bytes with random access: a file, or memory, which must outlive this object.
 class ByteSource {
  public:
   virtual ~ByteSource() = default;
+  /// Number of bytes.
   virtual std::uint64_t size() const = 0;
-  /// How many of the bytes from `offset` on could be read into `to`: all of them, but for the end and for
-  /// errors of the disk.
+  /// Reads bytes from `offset` on into `to`. Returns the number of bytes read, which is less than requested
+  /// only at the end or after an I/O error.
   virtual std::size_t read(std::uint64_t offset, std::span<std::uint8_t> to) = 0;
 };
 
+/// Fails if the file cannot be opened.
 robotlink::Result<std::unique_ptr<ByteSource>> openFile(const std::filesystem::path& file);
+/// The memory is not copied; for tests.
 std::unique_ptr<ByteSource> bytesInMemory(std::span<const std::uint8_t> bytes);
 
 }  // namespace logplayer::bhuman

@@ -14,11 +14,11 @@ using robotlink::Result;
 
 namespace {
 
-/// Frames that may wait for the first time that is known.
+/// Maximum number of frames that are held back until the first known time.
 constexpr std::size_t kMaximumUntimed = 100;
 
-/// Whether two neighbouring frames may have these times. Robots log some frames a second; a longer gap is
-/// believed when the frame behind it confirms it.
+/// Whether the times of two consecutive frames are plausible. Robots log several frames per second; a longer
+/// gap is accepted if the next frame confirms it.
 bool near(Instant one, Instant other) {
   constexpr robotlink::Duration kMaximumGap = std::chrono::seconds(60);
   return (one > other ? one - other : other - one) <= kMaximumGap;
@@ -112,7 +112,7 @@ Result<bool> FrameConverter::takeImage(const QueueMessage& message, Result<Camer
   return put(&Contents::image, std::optional(*std::move(image)));
 }
 
-/// A second one of its kind in a frame belongs to a frame whose beginning is lost.
+/// A second value of its kind in a frame belongs to a frame whose ProcessBegin is lost.
 template <typename Value>
 Result<bool> FrameConverter::put(std::optional<Value> Contents::*slot, std::optional<Value> value) {
   if (!value) return false;
@@ -176,7 +176,7 @@ Result<void> FrameConverter::tell(const Contents& contents, std::optional<Instan
   lastTime_ = time;
   timeOfProcess_[contents.process] = time;
   Frame frame = messagesOf(contents, time);
-  // Opening angles alone, outside of any frame, tell nothing.
+  // A frame may be empty, for example if it contains opening angles only.
   return frame.empty() ? Result<void>() : sink_(std::move(frame));
 }
 

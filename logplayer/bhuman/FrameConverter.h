@@ -13,33 +13,42 @@
 
 namespace logplayer::bhuman {
 
-/// Turns the messages of a queue into streams of a robot, frame by frame: what lies between ProcessBegin and
-/// ProcessFinished is told at the time of its image, or of its joint data, or else at that of the frame
-/// before it, its FrameInfo last. Frames count from 1 for each process. One thread.
+/// Converts the messages of a queue to streams of a robot, frame by frame: the data between ProcessBegin and
+/// ProcessFinished is published at the time of its image, joint data or sensor data (the first of these that
+/// it contains), or else at the time of the previous frame of the process; its FrameInfo comes last. Frames
+/// are counted from 1 for each process. A time far from those of both neighboring frames is replaced. One
+/// thread.
 class FrameConverter {
  public:
+  /// The messages of one frame.
   using Frame = std::vector<robotlink::StreamMessage>;
-  /// Takes frames that are complete, in the order of the queue.
+  /// Receives complete frames in the order of the queue.
   using FrameSink = std::function<robotlink::Result<void>(Frame)>;
-  /// Is told what is wrong with a message, and where that is in the file.
+  /// Receives what is wrong with a message, and its offset in the file.
   using Trouble = std::function<void(std::uint64_t offset, const std::string& text)>;
+  /// Number of messages by kind.
   using Counts = std::map<std::string, std::uint64_t>;
 
+  /// `robot`: the first part of the paths of all streams.
   FrameConverter(std::string robot, FrameSink sink, Trouble trouble);
 
-  /// Fails as the sink does.
+  /// Processes the next message; fails if the sink fails.
   robotlink::Result<void> add(const QueueMessage& message);
-  /// What is still open is a frame, too.
+  /// To be called after the last message: delivers the frames that are still held back. Fails if the sink
+  /// fails.
   robotlink::Result<void> finish();
 
+  /// Messages that were converted, and messages that were left out.
   const Counts& imported() const { return imported_; }
   const Counts& notUnderstood() const { return notUnderstood_; }
 
  private:
-  /// What was read between two ProcessBegin.
+  /// The data of one frame, converted from its messages.
   struct Contents {
-    std::string process;       ///< empty: none has begun
-    std::uint64_t offset = 0;  ///< of its first message, in the file
+    /// Name of the process; empty if the ProcessBegin is missing.
+    std::string process;
+    /// Offset of the first message in the file.
+    std::uint64_t offset = 0;
     std::optional<CameraImage> image;
     std::optional<CameraPlace> place;
     std::optional<CameraOptics> optics;
@@ -50,22 +59,32 @@ class FrameConverter {
     std::vector<std::string> texts;
 
     bool empty() const;
+    /// The time that the data states, if any.
     std::optional<robotlink::Instant> time() const;
   };
 
-  /// Whether it was understood.
+  /// Adds a message to contents_; returns whether it was understood.
   robotlink::Result<bool> take(const QueueMessage& message);
   robotlink::Result<bool> takeImage(const QueueMessage& message, robotlink::Result<CameraImage> image);
+  /// Handles ProcessBegin.
   robotlink::Result<bool> begin(const QueueMessage& message);
+  /// Stores a value. If the frame already has one of its kind, a ProcessBegin was lost, and a new frame
+  /// begins.
   template <typename Value>
   robotlink::Result<bool> put(std::optional<Value> Contents::*slot, std::optional<Value> value);
+  /// Ends the current frame.
   robotlink::Result<void> close();
+  /// Delivers the frames before the first known time.
   robotlink::Result<void> tellUntimed();
-  /// `next`: the time of the frame behind it, if it is known.
+  /// Delivers the frame with the doubtful time. `next`: the time of the frame after it, if known, which can
+  /// confirm it.
   robotlink::Result<void> tellDoubtful(std::optional<robotlink::Instant> next);
+  /// Delivers a frame; `stated`: its own time, if that can be trusted.
   robotlink::Result<void> tell(const Contents& contents, std::optional<robotlink::Instant> stated);
 
+  /// Converts the data of a frame to messages.
   Frame messagesOf(const Contents& contents, robotlink::Instant time);
+  /// tellCamera(), tellBody() and tellTexts() append the messages of one kind of data.
   void tellCamera(const Contents& contents, robotlink::Instant time, Frame& frame);
   void tellBody(const Contents& contents, robotlink::Instant time, Frame& frame);
   void tellTexts(const Contents& contents, robotlink::Instant time, Frame& frame);
@@ -75,12 +94,19 @@ class FrameConverter {
   Trouble trouble_;
   Counts imported_, notUnderstood_;
   Contents contents_;
-  std::vector<Contents> untimed_;     ///< before the first time that is known
-  std::optional<Contents> doubtful_;  ///< its time lies far from that of the frame before it
+  /// Frames before the first known time, to be delivered at that time.
+  std::vector<Contents> untimed_;
+  /// A frame whose time is far from that of the previous frame.
+  std::optional<Contents> doubtful_;
+  /// Time of the last frame of any process.
   std::optional<robotlink::Instant> lastTime_;
+  /// Time of the last frame of each process.
   std::map<std::string, robotlink::Instant> timeOfProcess_;
+  /// Number of frames of each process.
   std::map<std::string, std::uint64_t> frames_;
+  /// The last optics that were logged, for the following camera poses.
   CameraOptics optics_;
+  /// Whether the last camera pose was valid; a text is published when this changes.
   bool placeValid_ = true;
 };
 

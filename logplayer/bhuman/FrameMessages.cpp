@@ -19,7 +19,7 @@ using robotlink::StreamMessage;
 
 namespace {
 
-/// A package of a type at a time, still to be filled.
+/// Creates a message with an empty package of a type.
 template <typename Type>
 std::shared_ptr<Type> packageAt(Instant time) {
   auto package = std::make_shared<Type>();

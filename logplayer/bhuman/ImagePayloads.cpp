@@ -37,9 +37,9 @@ Result<ImageHeader> readHeader(PayloadReader& payload) {
   return header;
 }
 
-/// The robot's program took the second Y of each quadruple for its pixel and saw every second of the camera's
-/// rows; so does this, that its colour tables hold and pixels are square. Two pixels of a Yuyv image share
-/// the mean of their Cb and Cr.
+/// The robot's program used the second Y of each quadruple for its pixel and every second row of the camera.
+/// This does the same, so that the robot's color tables remain valid and pixels are square. Two pixels of a
+/// Yuyv image share the mean of their Cb and Cr.
 Image fromQuads(const ImageHeader& header, std::span<const std::uint8_t> quads) {
   Image image(header.width, header.height, PixelFormat::kYuyv);
   for (std::size_t at = 0, to = 0; at + 2 * kQuad <= quads.size(); at += 2 * kQuad, to += 4) {

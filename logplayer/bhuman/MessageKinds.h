@@ -7,7 +7,7 @@
 
 namespace logplayer::bhuman {
 
-/// The kinds of messages of B-Human's queues of 2009 that are read here; the first byte of each message.
+/// The supported kinds of messages in B-Human's queues of 2009: the first byte of each message.
 enum class Kind : std::uint8_t {
   kProcessBegin = 1,
   kProcessFinished = 2,
@@ -22,14 +22,16 @@ enum class Kind : std::uint8_t {
   kText = 36,
 };
 
+/// The first byte of a message of this kind.
 constexpr std::uint8_t idOf(Kind kind) {
   return static_cast<std::uint8_t>(kind);
 }
 
-/// "JPEGImage"; "id 123" where the code of 2009 has no name.
+/// Name of a kind in the code of 2009, such as "JPEGImage"; "id 123" if it has none.
 std::string kindName(std::uint8_t id);
+/// Whether the id exists in the code of 2009.
 bool hasName(std::uint8_t id);
-/// Bytes of the payload, of kinds that always have as many.
+/// Size of the payload in bytes, for kinds whose size never varies.
 std::optional<std::uint32_t> fixedSize(std::uint8_t id);
 
 }  // namespace logplayer::bhuman

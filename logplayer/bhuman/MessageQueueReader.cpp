@@ -12,7 +12,7 @@ namespace {
 constexpr std::uint64_t kFileHeader = 8;
 constexpr std::uint64_t kMessageHeader = 4;
 constexpr std::size_t kKeptDamage = 20;
-/// How many messages must follow one that could be anything.
+/// Number of messages that must follow one that nothing else confirms.
 constexpr int kDepth = 3;
 
 bool isProcess(std::uint8_t name) {
@@ -32,8 +32,8 @@ MessageQueueReader::MessageQueueReader(ByteSource& bytes) : bytes_(bytes) {
   PayloadReader reader{std::span<const std::uint8_t>(header).first(count)};
   statedBytes_ = reader.takeInt32();
   statedMessages_ = reader.takeInt32();
-  // Files of other years have the same form but other payloads: the first message of a kind with a known size
-  // tells.
+  // Files of other years have the same structure but other payloads; the first message of a kind with a known
+  // size decides.
   std::uint64_t offset = kFileHeader;
   for (int i = 0; i < 64; ++i) {
     const auto message = headerAt(offset);
@@ -51,7 +51,7 @@ bool MessageQueueReader::recognises(ByteSource& bytes) {
   MessageQueueReader reader(bytes);
   const bool appendable = reader.statedBytes_ == -1 && reader.statedMessages_ == -1;
   const bool exact = reader.statedBytes_ == static_cast<std::int64_t>(bytes.size() - kFileHeader);
-  // With a header that suits the file its first messages may be damaged, and the other way round.
+  // If the header fits the file, the first messages may be damaged, and vice versa.
   if (appendable || exact) return reader.search(kFileHeader) < bytes.size();
   const auto first = reader.headerAt(kFileHeader);
   return first && reader.certain(*first) && reader.followedByMessages(*first, kDepth);
@@ -126,7 +126,7 @@ std::optional<QueueMessage> MessageQueueReader::next() {
 }
 
 std::uint64_t MessageQueueReader::endOfDamage() {
-  // Often it is the size alone that is wrong, or the kind alone.
+  // Often only the size, or only the kind, is wrong.
   std::array<std::uint8_t, kMessageHeader> bytes{};
   bytes_.read(position_, bytes);
   const auto usual = otherSizes_ ? std::nullopt : fixedSize(bytes[0]);
@@ -173,7 +173,7 @@ void MessageQueueReader::finish() {
     addDamage(position_, "the last " + std::to_string(bytes_.size() - position_) +
                              " bytes are no whole message and were left out");
   position_ = bytes_.size();
-  if (statedBytes_ == -1 && statedMessages_ == -1) return;  // written straight to the disk
+  if (statedBytes_ == -1 && statedMessages_ == -1) return;  // the log was written directly to the disk
   if (bytes_.size() >= kFileHeader && statedBytes_ != static_cast<std::int64_t>(bytes_.size() - kFileHeader))
     addDamage(0, "the header states " + std::to_string(statedBytes_) + " bytes of messages, the file has " +
                      std::to_string(bytes_.size() - kFileHeader));

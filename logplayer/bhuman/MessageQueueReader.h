@@ -12,25 +12,28 @@
 
 namespace logplayer::bhuman {
 
-/// One message of a queue; its payload is valid until the next one is asked for.
+/// One message of a queue; its payload is valid until the next call of next().
 struct QueueMessage {
+  /// See Kind; may be unknown.
   std::uint8_t id = 0;
-  std::uint64_t offset = 0;  ///< in the file, of its id
+  /// Offset of the id in the file.
+  std::uint64_t offset = 0;
   std::span<const std::uint8_t> payload;
 };
 
-/// Something that is wrong with a file, and where.
+/// A problem of a file and its offset.
 struct QueueDamage {
   std::uint64_t offset = 0;
   std::string text;
 };
 
-/// Reads a message queue of the GermanTeam's lineage from a log file, message by message (MESSAGE_QUEUES.md).
+/// Reads a message queue of the GermanTeam's family from a log file, message by message (MESSAGE_QUEUES.md).
 ///
-/// No length is trusted: a message is taken if its kind has just this size, or if what follows it is
-/// messages again; else the reader looks for the next place where there are some, and tells what it left out.
-/// So damage costs the message that it hit. What the header states is compared, and told where it lies. Holds
-/// one message, at most 16 MiB. One thread; `bytes` must outlive it.
+/// No length is trusted: a message is accepted if its size is exactly that of its kind, or if it is followed
+/// by other messages. Otherwise the reader searches for the next place with messages and reports what it
+/// skipped, so that damage affects only the messages it hit. The numbers in the header of the file are
+/// compared with what was read; differences are reported. Holds one message, at most 16 MiB. One thread;
+/// `bytes` must outlive this object.
 class MessageQueueReader {
  public:
   explicit MessageQueueReader(ByteSource& bytes);
@@ -38,41 +41,53 @@ class MessageQueueReader {
   /// Whether the bytes begin as such a log does.
   static bool recognises(ByteSource& bytes);
 
-  /// Nothing at the end.
+  /// Returns the next message; empty at the end.
   std::optional<QueueMessage> next();
+  /// Offset of the next message.
   std::uint64_t position() const { return position_; }
 
-  /// So far; complete after the last message. Only the first places are kept.
+  /// The damage found so far; only the first places are stored.
   const std::vector<QueueDamage>& damage() const { return damage_; }
+  /// Number of all damaged places.
   std::uint64_t damageCount() const { return damageCount_; }
+  /// Adds damage that the user of the messages found.
   void addDamage(std::uint64_t offset, std::string text);
 
  private:
+  /// A possible message at some place.
   struct Header {
     std::uint8_t id = 0;
     std::uint32_t size = 0;
-    std::uint64_t payload = 0;  ///< offset
+    /// Offset of the payload.
+    std::uint64_t payload = 0;
+    /// Offset of the following message.
     std::uint64_t end() const { return payload + size; }
   };
+  /// The header at an offset; empty if the message would not fit into the file.
   std::optional<Header> headerAt(std::uint64_t offset);
-  /// The payload alone tells that there is a message.
+  /// Whether the payload alone proves that this is a message.
   bool certain(const Header& header);
-  /// `depth`: how many messages must follow.
+  /// Whether this is probably a message; `depth`: how many messages must follow it.
   bool plausible(const Header& header, int depth);
+  /// Whether `depth` messages, or the end of the file, follow.
   bool followedByMessages(const Header& header, int depth);
-  /// Where what is no message at the position ends.
+  /// End of the bytes at the current position that are no message.
   std::uint64_t endOfDamage();
-  /// The next place from `offset` on where messages are.
+  /// The next offset, beginning with `offset`, at which messages are.
   std::uint64_t search(std::uint64_t offset);
   std::optional<std::uint64_t> searchBlock(std::uint64_t offset, std::span<const std::uint8_t> block);
+  /// Compares the numbers in the header with what was read.
   void finish();
 
   ByteSource& bytes_;
+  /// Behind the header of 8 bytes at first.
   std::uint64_t position_ = 8;
+  /// Size and number of messages according to the header of the file.
   std::int64_t statedBytes_ = 0;
   std::int64_t statedMessages_ = 0;
   std::uint64_t messages_ = 0;
-  bool otherSizes_ = false;  ///< the log is of other code: kinds have other sizes than those known
+  /// Whether the log comes from other code, in which kinds have other sizes.
+  bool otherSizes_ = false;
   bool finished_ = false;
   std::vector<std::uint8_t> payload_;
   std::vector<QueueDamage> damage_;

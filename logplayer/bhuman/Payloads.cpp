@@ -8,9 +8,9 @@
 namespace logplayer::bhuman {
 namespace {
 
-/// Stands for a joint or a sensor that is off or missing.
+/// The value of a joint or a sensor that is off or missing.
 constexpr double kOff = 1000;
-/// Stands for a joint that shall stay as it is.
+/// The value of a joint that shall not move.
 constexpr double kIgnore = 2000;
 constexpr double kGravity = 9.81;  // m/s^2
 
@@ -23,8 +23,8 @@ struct Sensor {
   const char* unit;
   double scale = 1;
 };
-/// In the order of SensorData. Gyroscopes and foot sensors are in units of their own; ultrasound measures
-/// millimetres.
+/// In the order of SensorData. Gyroscopes and foot sensors have units of their own; ultrasound is in
+/// millimeters.
 constexpr std::array<Sensor, 18> kSensors = {{{"gyroX", ""},
                                               {"gyroY", ""},
                                               {"gyroZ", ""},
@@ -79,7 +79,8 @@ std::optional<SensorReadings> readSensorData(std::span<const std::uint8_t> paylo
       sensors.readings.push_back({kSensors[i].name, values[i] * kSensors[i].scale, kSensors[i].unit});
   }
   const robotlink::Vector3 gravity(values[kAccX], values[kAccX + 1], values[kAccX + 2]);
-  // These accelerometers show where gravity pulls; at rest a body is accelerated against it.
+  // These accelerometers measure the direction of gravity; at rest a body is accelerated in the opposite
+  // direction.
   if (gravity.allFinite() && (gravity.array() != kOff).all()) sensors.acceleration = -kGravity * gravity;
   for (const std::string_view joint : kJointNames)
     sensors.readings.push_back(
@@ -129,15 +130,15 @@ std::optional<CameraPlace> readCameraMatrix(std::span<const std::uint8_t> payloa
 
 std::optional<CameraOptics> readImageCoordinateSystem(std::span<const std::uint8_t> payload) {
   PayloadReader reader(payload);
-  // Rotation from and to the horizon, its origin (all of them follow from the camera's pose), and the motion
-  // since the last image, for a correction of the rolling shutter that is not done here.
+  // Skips the rotation from and to the horizon and its origin (all of which follow from the camera's pose),
+  // and the motion since the last image, which serves a rolling shutter correction that is not done here.
   reader.skip(14 * sizeof(double));
   CameraOptics optics;
   optics.width = reader.takeInt32();
   optics.height = reader.takeInt32();
   optics.horizontalAngle = reader.takeDouble();
   optics.verticalAngle = reader.takeDouble();
-  reader.skip(3 * sizeof(double));  // focal length and optical centre, which say the same
+  reader.skip(3 * sizeof(double));  // focal length and optical center, which are redundant
   const auto possible = [](double angle) { return angle > 0.01 && angle < 3.1; };
   const bool plausible = optics.width > 0 && optics.width <= 1 << 14 && optics.height > 0 &&
                          optics.height <= 1 << 14 && possible(optics.horizontalAngle) &&

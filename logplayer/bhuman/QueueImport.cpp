@@ -6,7 +6,7 @@
 namespace logplayer::bhuman {
 namespace {
 
-/// "3 places are damaged: at byte 0 ...; at byte 17 ..."
+/// A summary of the damage: "3 places are damaged: at byte 0 ...; at byte 17 ..."
 std::string damageText(const MessageQueueReader& reader) {
   if (reader.damageCount() == 0) return {};
   std::string text = reader.damageCount() == 1

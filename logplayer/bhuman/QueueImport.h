@@ -9,8 +9,8 @@
 
 namespace logplayer::bhuman {
 
-/// Reads a whole log of a message queue and hands its frames to `sink`. Fails as the sink does, or, where
-/// `progress` (the share done) gives up, with the id "log.given-up".
+/// Reads a whole log of a message queue and passes its frames to `sink`. Fails if the sink fails, or with
+/// "log.given-up" if `progress`, called with the share done in [0, 1], returns false.
 robotlink::Result<ImportReport> importQueue(ByteSource& bytes, const std::string& robot,
                                             const FrameConverter::FrameSink& sink,
                                             const std::function<bool(double)>& progress);

@@ -8,8 +8,8 @@
 namespace logplayer::mcap {
 namespace {
 
-// The CRC goes over what was just copied, while it is in the processor's cache, in pieces large enough for
-// its start-up not to count.
+// The CRC is computed while the records are still in the processor's cache, in pieces that are large enough
+// to make the start-up cost negligible.
 constexpr std::size_t kCrcPiece = 32U << 10U;
 
 }  // namespace

@@ -42,7 +42,7 @@ tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer
   return loadChunk(section, *head, kRecordHeadBytes + chunkHeadBytes(head->compression.size()), records);
 }
 
-/// Piece by piece, so that each is still in the processor's cache when its CRC is computed.
+/// Reads in pieces, so that each is still in the processor's cache when its CRC is computed.
 tl::expected<void, std::string> ChunkLoader::readPlain(std::uint64_t at, std::uint32_t expected,
                                                        std::span<std::uint8_t> to) {
   std::uint32_t crc = 0;

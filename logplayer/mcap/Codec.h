@@ -7,14 +7,15 @@
 
 namespace logplayer::mcap {
 
-// Records from and to bytes: pure functions that know no files.
+// Encoding and decoding of records: pure functions that do not access files. Any thread.
 //
-// encode() appends a record with its head. `padding` goes behind the content: readers ignore what they do not
-// know there, except behind a Footer, a Message and a DataEnd, which cannot be extended.
+// encode() appends a record, including its head (opcode and length). `padding` is appended to the content:
+// readers ignore unknown bytes there. Footer, Message and DataEnd cannot be extended.
 //
-// decode() takes the content of a record without its head. Nothing: it is too short, or its lengths lie. What
-// follows the known fields is ignored.
+// The decode functions take the content of a record without its head. They return an empty value if it is too
+// short or contains inconsistent lengths. Bytes behind the known fields are ignored.
 
+/// A growing output of encoded records.
 using Buffer = std::vector<std::uint8_t>;
 
 void encode(Buffer& out, const Header& header, Bytes padding = {});
@@ -22,11 +23,11 @@ void encode(Buffer& out, const Footer& footer);
 void encode(Buffer& out, const Schema& schema, Bytes padding = {});
 void encode(Buffer& out, const Channel& channel, Bytes padding = {});
 void encode(Buffer& out, const Message& message);
-/// The record up to its records, `head.recordsBytes` of which must follow.
+/// Encodes a chunk up to its records; `head.recordsBytes` bytes of records must follow.
 void encode(Buffer& out, const ChunkHead& head);
 void encode(Buffer& out, const MessageIndex& index, Bytes padding = {});
 void encode(Buffer& out, const ChunkIndex& index, Bytes padding = {});
-/// Its CRC is computed if `crc`, else 0.
+/// Computes the CRC if `crc` is set, otherwise writes 0.
 void encode(Buffer& out, const Attachment& attachment, bool crc = true, Bytes padding = {});
 void encode(Buffer& out, const AttachmentIndex& index, Bytes padding = {});
 void encode(Buffer& out, const Statistics& statistics, Bytes padding = {});
@@ -35,7 +36,7 @@ void encode(Buffer& out, const MetadataIndex& index, Bytes padding = {});
 void encode(Buffer& out, const SummaryOffset& offset, Bytes padding = {});
 void encode(Buffer& out, const DataEnd& end);
 
-/// A decoded attachment; its data's CRC is wrong if `crcFits` is false.
+/// A decoded attachment; `crcFits` is false if the CRC of its data is wrong.
 struct CheckedAttachment {
   Attachment attachment;
   bool crcFits = true;
@@ -45,9 +46,9 @@ std::optional<Header> decodeHeader(Bytes content);
 std::optional<Footer> decodeFooter(Bytes content);
 std::optional<Schema> decodeSchema(Bytes content);
 std::optional<Channel> decodeChannel(Bytes content);
-/// Its data lies in `content`.
+/// The message's data is a view into `content`.
 std::optional<Message> decodeMessage(Bytes content);
-/// `content` may end behind the head's fields.
+/// `content` may be truncated behind the fields of the head.
 std::optional<ChunkHead> decodeChunkHead(Bytes content);
 std::optional<MessageIndex> decodeMessageIndex(Bytes content);
 std::optional<ChunkIndex> decodeChunkIndex(Bytes content);
@@ -59,22 +60,25 @@ std::optional<MetadataIndex> decodeMetadataIndex(Bytes content);
 std::optional<SummaryOffset> decodeSummaryOffset(Bytes content);
 std::optional<DataEnd> decodeDataEnd(Bytes content);
 
-/// The bytes of a chunk's content before its records.
+/// Size of a chunk's content before its records.
 constexpr std::size_t chunkHeadBytes(std::size_t compressionNameBytes) {
   return 8 + 8 + 8 + 4 + 4 + compressionNameBytes + 8;
 }
 
-/// A record in bytes.
+/// A record within a buffer; the content is a view.
 struct RecordView {
+  /// May be unknown, see Opcode.
   std::uint8_t opcode = 0;
   Bytes content;
+  /// Size of the whole record.
   std::size_t bytes() const { return kRecordHeadBytes + content.size(); }
   bool is(Opcode other) const { return opcode == static_cast<std::uint8_t>(other); }
 };
-/// The record at the beginning of `bytes`; nothing if it does not fit in or its opcode is 0.
+/// The record at the beginning of `bytes`; empty if it is incomplete or its opcode is 0.
 std::optional<RecordView> firstRecord(Bytes bytes);
 
-/// A time of a file as an instant, and back; what does not fit becomes the nearest that does.
+/// Converts times of the file, in ns, to instants and back. Values out of range become the nearest
+/// representable one.
 inline Instant instantOf(std::uint64_t nanoseconds) {
   constexpr auto kLargest = static_cast<std::uint64_t>(INT64_MAX);
   return Instant(

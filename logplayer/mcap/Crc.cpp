@@ -10,7 +10,7 @@
 namespace logplayer::mcap {
 namespace {
 
-// Polynomials over GF(2) modulo the CRC's, the coefficient of x^0 in the highest bit.
+// Polynomials over GF(2) modulo that of the CRC; the coefficient of x^0 is the highest bit.
 constexpr std::uint32_t kPolynomial = 0xEDB88320U;
 constexpr std::uint32_t kOne = 1U << 31U;
 constexpr std::uint32_t kX = 1U << 30U;
@@ -37,11 +37,11 @@ constexpr std::uint32_t powerOfX(std::uint64_t exponent) {
 #define ROBOTCONTROL_WIDE __attribute__((target("avx512f,vpclmulqdq")))
 
 // Gopal et al., "Fast CRC Computation for Generic Polynomials Using PCLMULQDQ Instruction", Intel 2009, with
-// four of their registers in one: what is replaced by its remainder is carried `bits` on.
+// four of their registers in one: a block is replaced by its remainder, moved ahead by `bits`.
 constexpr std::size_t kWideBytes = 64;
 constexpr std::size_t kStride = 4 * kWideBytes;
 
-/// The factors for the two halves of each 128 bits.
+/// The factors for the lower and upper half of each 128 bits.
 constexpr std::uint64_t lowKey(std::uint64_t bits) {
   return std::uint64_t{powerOfX(bits + 32)} << 1U;
 }
@@ -92,13 +92,13 @@ bool hasWide() {
 }  // namespace
 
 std::uint32_t crc32(Bytes bytes, std::uint32_t before) {
-  if (bytes.empty()) return before;  // the library starts anew at a null pointer
+  if (bytes.empty()) return before;  // the library restarts at a null pointer
 #if defined(__x86_64__)
   if (bytes.size() >= 2 * kStride && hasWide()) {
     const std::size_t whole = bytes.size() - bytes.size() % kStride;
     std::uint8_t together[kWideBytes];
     carryTogether(bytes.data(), whole, before, together);
-    // The library inverts what it is given and what it returns: it is to begin with nothing.
+    // The library inverts its initial value and its result; it shall start with 0.
     const std::uint32_t crc = libdeflate_crc32(0xFFFFFFFFU, together, sizeof together);
     return crc32(bytes.subspan(whole), crc);
   }
@@ -107,8 +107,8 @@ std::uint32_t crc32(Bytes bytes, std::uint32_t before) {
 }
 
 std::uint32_t joinedCrc32(std::uint32_t first, std::uint32_t second, std::uint64_t secondBytes) {
-  // The remainder is linear: the first stretch counts as if followed by zeros. x^(2^32-1) is 1, so that the
-  // number of bits may be taken modulo that.
+  // The remainder is linear: the first piece counts as if zeros followed it. x^(2^32-1) is 1, so that the
+  // number of bits may be reduced modulo 2^32-1.
   const std::uint64_t bits = (secondBytes % 0xFFFFFFFFU) * 8 % 0xFFFFFFFFU;
   return product(powerOfX(bits), first) ^ second;
 }

@@ -5,7 +5,7 @@
 
 namespace logplayer::mcap {
 
-// The CRC-32 of IEEE 802.3, as zlib computes it.
+// The CRC-32 of IEEE 802.3, as computed by zlib.
 
 /// Returns the CRC of bytes, or of more bytes behind those whose CRC `before` is.
 std::uint32_t crc32(Bytes bytes, std::uint32_t before = 0);

@@ -10,8 +10,7 @@ Instant takeInstant(ByteReader& fields) {
   return instantOf(fields.take<std::uint64_t>());
 }
 
-/// Key and value in a map's own bytes; false if those do not hold whole pairs. Of equal keys the first
-/// counts.
+/// Decodes a map; returns false if its bytes are not complete pairs. Of equal keys the first one counts.
 bool takeMap(ByteReader& fields, std::map<std::string, std::string>& map) {
   ByteReader entries(fields.take(fields.take<std::uint32_t>()));
   while (entries.good() && !entries.rest().empty()) {

@@ -7,7 +7,7 @@
 namespace logplayer::mcap {
 namespace {
 
-/// A record being appended: its length is filled in when it is complete.
+/// A record that is being appended; close() fills in its length.
 struct OpenRecord {
   Buffer& out;
   std::size_t start;

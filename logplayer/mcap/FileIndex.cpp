@@ -19,13 +19,13 @@ std::optional<Footer> readFooter(const Source& source) {
   return decodeFooter(record->content);
 }
 
-/// The records between summary start and footer, checked.
+/// The records between the start of the summary and the footer, with their CRC checked.
 std::optional<Buffer> readSummaryRecords(const Source& source, const Footer& footer,
                                          std::size_t maxRecordBytes) {
   const std::uint64_t end = source.bytes() - kFooterBytes - sizeof kMagic;
   if (footer.summaryStart < sizeof kMagic || footer.summaryStart > end) return std::nullopt;
   if (end - footer.summaryStart > maxRecordBytes) return std::nullopt;
-  // The CRC goes on to the footer's own CRC field.
+  // The CRC covers everything up to the footer's CRC field.
   Buffer records = source.read(footer.summaryStart, end - footer.summaryStart + kFooterBytes - 4);
   if (records.size() != end - footer.summaryStart + kFooterBytes - 4) return std::nullopt;
   if (footer.summaryCrc != 0 && crc32(records) != footer.summaryCrc) return std::nullopt;
@@ -46,7 +46,7 @@ std::optional<Header> readHeader(const Source& source, std::size_t maxRecordByte
   return decodeHeader(source.read(sizeof kMagic + kRecordHeadBytes, length));
 }
 
-/// The bytes of an index of `entries` messages.
+/// The size of a message index with `entries` messages.
 constexpr std::uint64_t kIndexHeadBytes = kRecordHeadBytes + 2 + 4;
 
 Section sectionOf(const ChunkIndex& index) {
@@ -69,7 +69,7 @@ Section sectionOf(const ChunkIndex& index) {
   return section;
 }
 
-/// Whether the chunks lie in the data section one behind the other, each followed by its indexes.
+/// Whether the chunks are contiguous in the data section, each followed by its message indexes.
 bool chunksFit(const std::vector<ChunkIndex>& chunks, std::uint64_t dataEnd) {
   std::uint64_t end = sizeof kMagic;
   for (const ChunkIndex& chunk : chunks) {
@@ -88,7 +88,7 @@ bool chunksFit(const std::vector<ChunkIndex>& chunks, std::uint64_t dataEnd) {
   return true;
 }
 
-/// Whether the summary tells of all messages, so that nothing else need be looked at.
+/// Whether the summary covers all messages, so that nothing else needs to be read.
 bool coversMessages(const Summary& summary) {
   if (!summary.hasStatistics) return false;
   const Statistics& statistics = summary.statistics;
@@ -103,7 +103,7 @@ bool coversMessages(const Summary& summary) {
   std::uint64_t indexed = 0;
   bool all = true;
   for (const ChunkIndex& chunk : summary.chunks) {
-    // A chunk without message indexes is read to find its messages; it may also hold none.
+    // The messages of a chunk without message indexes are found by reading it; it may also have none.
     all = all && !chunk.messageIndexOffsets.empty();
     for (const auto& [channel, offset] : chunk.messageIndexOffsets) {
       if (!summary.channels.contains(channel)) return false;

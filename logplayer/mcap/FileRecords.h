@@ -5,20 +5,24 @@
 
 namespace logplayer::mcap {
 
-// The records that hold a file together, as opposed to those of Records.h that carry what was recorded.
+// The records that structure a file, in contrast to those in Records.h, which carry what was recorded. Names
+// and fields follow the specification at https://mcap.dev/spec. Offsets count from the start of the file
+// unless noted.
 
+/// The first and the last bytes of every file.
 inline constexpr std::uint8_t kMagic[] = {0x89, 'M', 'C', 'A', 'P', '0', '\r', '\n'};
-/// Opcode and length of the content, before every record.
+/// Size of opcode and content length, which precede the content of every record.
 inline constexpr std::size_t kRecordHeadBytes = 9;
-/// A message's record without its data.
+/// Size of a message record without its data.
 inline constexpr std::size_t kMessageHeadBytes = kRecordHeadBytes + 22;
+/// Sizes of the whole records.
 inline constexpr std::size_t kFooterBytes = kRecordHeadBytes + 20;
 inline constexpr std::size_t kDataEndBytes = kRecordHeadBytes + 4;
 
-/// Offsets within a chunk are kept in 32 bits.
+/// Maximum size of a record: offsets within a chunk are kept in 32 bits.
 inline constexpr std::size_t kLargestRecord = 1U << 31U;
 
-/// 0 is invalid, those from 0x80 on are private: readers skip them.
+/// The type of a record. 0 is invalid; values from 0x80 on are private, readers skip them.
 enum class Opcode : std::uint8_t {
   kHeader = 0x01,
   kFooter = 0x02,
@@ -37,49 +41,67 @@ enum class Opcode : std::uint8_t {
   kDataEnd = 0x0F,
 };
 
+/// The last record of a file; it locates the summary.
 struct Footer {
-  std::uint64_t summaryStart = 0;        ///< in the file; 0: no summary
-  std::uint64_t summaryOffsetStart = 0;  ///< 0: no summary offsets
-  std::uint32_t summaryCrc = 0;          ///< 0: not known
+  /// Offset of the summary; 0: there is none.
+  std::uint64_t summaryStart = 0;
+  /// Offset of the summary offsets; 0: there are none.
+  std::uint64_t summaryOffsetStart = 0;
+  /// CRC from the summary to this field; 0: unknown.
+  std::uint32_t summaryCrc = 0;
   bool operator==(const Footer&) const = default;
 };
 
-/// All of a chunk but its records, which follow.
+/// All fields of a chunk except its records, which follow.
 struct ChunkHead {
-  Instant start, end;  ///< 0 without messages
+  /// Times of the earliest and the latest message; 0 without messages.
+  Instant start, end;
+  /// Size of the decompressed records.
   std::uint64_t uncompressedBytes = 0;
-  std::uint32_t uncompressedCrc = 0;  ///< 0: not known
-  std::string compression;            ///< "", "lz4", "zstd"
-  std::uint64_t recordsBytes = 0;     ///< compressed
+  /// Their CRC; 0: unknown.
+  std::uint32_t uncompressedCrc = 0;
+  /// "", "lz4", "zstd".
+  std::string compression;
+  /// Size of the records in the file.
+  std::uint64_t recordsBytes = 0;
   bool operator==(const ChunkHead&) const = default;
 };
 
+/// Time and place of a message.
 struct MessageIndexEntry {
-  std::uint64_t time = 0;    ///< ns, as in the file
-  std::uint64_t offset = 0;  ///< of the message's record in the uncompressed records
+  /// In ns, as in the file.
+  std::uint64_t time = 0;
+  /// Offset of the message's record within the decompressed records of the chunk.
+  std::uint64_t offset = 0;
   bool operator==(const MessageIndexEntry&) const = default;
 };
-/// Where the messages of one channel are in the chunk before it.
+/// The messages of one channel in the preceding chunk.
 struct MessageIndex {
   std::uint16_t channelId = 0;
   std::vector<MessageIndexEntry> entries;
   bool operator==(const MessageIndex&) const = default;
 };
 
+/// A summary record that locates a chunk and its message indexes.
 struct ChunkIndex {
   Instant start, end;
-  std::uint64_t chunkOffset = 0;  ///< of the chunk's record in the file
-  std::uint64_t chunkLength = 0;  ///< of the record with its head
-  /// Channel and offset in the file of its message index, in the order of the file.
+  /// Offset of the chunk's record.
+  std::uint64_t chunkOffset = 0;
+  /// Size of the record including its head.
+  std::uint64_t chunkLength = 0;
+  /// Channel and offset of each message index, in the order of the file.
   std::vector<std::pair<std::uint16_t, std::uint64_t>> messageIndexOffsets;
-  std::uint64_t messageIndexLength = 0;  ///< of all of them, which follow the chunk
+  /// Total size of the message indexes, which follow the chunk.
+  std::uint64_t messageIndexLength = 0;
   std::string compression;
   std::uint64_t compressedBytes = 0;
   std::uint64_t uncompressedBytes = 0;
   bool operator==(const ChunkIndex&) const = default;
 };
 
+/// A summary record that locates an attachment.
 struct AttachmentIndex {
+  /// Offset and size of the attachment's record.
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
   Instant logTime;
@@ -90,26 +112,32 @@ struct AttachmentIndex {
   bool operator==(const AttachmentIndex&) const = default;
 };
 
+/// A summary record that locates a metadata record.
 struct MetadataIndex {
+  /// Offset and size of the metadata record.
   std::uint64_t offset = 0;
   std::uint64_t length = 0;
   std::string name;
   bool operator==(const MetadataIndex&) const = default;
 };
 
+/// Locates all summary records of one type.
 struct SummaryOffset {
+  /// The type of these records.
   Opcode group = Opcode::kSchema;
   std::uint64_t start = 0;
   std::uint64_t length = 0;
   bool operator==(const SummaryOffset&) const = default;
 };
 
+/// Ends the data section of a file.
 struct DataEnd {
-  std::uint32_t dataCrc = 0;  ///< of the file up to this record; 0: not known
+  /// CRC of the file up to this record; 0: unknown.
+  std::uint32_t dataCrc = 0;
   bool operator==(const DataEnd&) const = default;
 };
 
-/// The name of a compression as a file spells it, and back; nothing for one that is not known here.
+/// The name of a compression in files, and the inverse, which returns false for an unsupported one.
 std::string_view compressionName(Compression compression);
 bool compressionOf(std::string_view name, Compression& compression);
 

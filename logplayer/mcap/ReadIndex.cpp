@@ -8,12 +8,12 @@
 namespace logplayer::mcap {
 namespace {
 
-constexpr std::size_t kHeadBytes = 128;  // more than a chunk's head takes
+constexpr std::size_t kHeadBytes = 128;  // upper bound of the size of a chunk's head
 constexpr std::size_t kSomeChunks = 32;
 constexpr char kMisfit[] = "the summary does not fit the file; the file was looked through instead";
 
-/// Whether all messages of a chunk lie in the times that its section tells. One that cannot be read tells no
-/// others.
+/// Whether the times of all messages of a chunk are within those of its section. A chunk that cannot be read
+/// does not contradict them.
 bool timesFit(const Source& source, const Section& section, std::size_t maxRecordBytes) {
   Buffer records;
   if (!ChunkLoader(source, maxRecordBytes).load(section, records)) return true;
@@ -27,7 +27,7 @@ bool timesFit(const Source& source, const Section& section, std::size_t maxRecor
   return fit;
 }
 
-/// Looks for some of the chunks, the last one among them.
+/// Verifies some of the chunks, including the last one.
 bool chunksAreThere(const Source& source, const FileIndex& index, SummaryCheck check,
                     std::size_t maxRecordBytes) {
   const std::size_t count = index.sections.size();
@@ -38,8 +38,7 @@ bool chunksAreThere(const Source& source, const FileIndex& index, SummaryCheck c
   return true;
 }
 
-/// Whether a scan finds more chunks than are where a summary says: a chunk with a damaged head is not one of
-/// them.
+/// Whether a scan finds more chunks than the summary does; a chunk with a damaged head does not count.
 bool findsMore(const Source& source, const FileIndex& scanned, const FileIndex& bySummary,
                std::size_t maxRecordBytes) {
   std::set<std::uint64_t> there;

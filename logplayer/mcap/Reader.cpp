@@ -12,14 +12,14 @@ using robotlink::Result;
 
 namespace {
 
-/// A message's record at a place in a section's records.
+/// Decodes the message at an offset of a section's records.
 std::optional<Message> messageAt(Bytes records, std::uint64_t offset) {
   if (offset >= records.size()) return std::nullopt;
   const std::optional<RecordView> record = firstRecord(records.subspan(static_cast<std::size_t>(offset)));
   return record && record->is(Opcode::kMessage) ? decodeMessage(record->content) : std::nullopt;
 }
 
-/// Behind all messages of a time.
+/// The position behind all messages of a time.
 MessagePosition behind(Instant time) {
   return {time, UINT64_MAX, UINT64_MAX, UINT16_MAX};
 }
@@ -135,7 +135,7 @@ Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& 
   if (message && message->channelId == position.channelId && message->logTime == position.time) {
     return MessageData{*message, *records};
   }
-  // Its place came from a message index, which nothing checks but this.
+  // Positions come from a message index, which only this checks.
   cache.distrustIndexes(number);
   return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
 }

@@ -16,24 +16,31 @@ struct FileIndex;
 
 /// Where in a file something could not be read.
 struct Damage {
+  /// Where in the file it begins.
   std::uint64_t offset = 0;
-  std::uint64_t bytes = 0;   ///< that were skipped, without zeros at the file's end
-  std::string what;          ///< a sentence
-  std::uint64_t chunks = 0;  ///< that were lost here, as far as one can tell
+  /// Number of bytes that were skipped, without zeros at the end of the file.
+  std::uint64_t bytes = 0;
+  /// A sentence for the user.
+  std::string what;
+  /// Number of chunks that were lost here, as far as known.
+  std::uint64_t chunks = 0;
 };
 
-/// Where a message is: enough to read it, and to put it in order.
+/// The position of a message: sufficient to read it and to compare the order of messages. Positions are
+/// ordered by time; equal times by the order in the file.
 struct MessagePosition {
   Instant time;
-  std::uint64_t chunkOffset = 0;  ///< in the file
-  std::uint64_t offset = 0;       ///< in the chunk's uncompressed records
+  /// Offset of the chunk in the file.
+  std::uint64_t chunkOffset = 0;
+  /// Offset within the chunk's decompressed records.
+  std::uint64_t offset = 0;
   std::uint16_t channelId = 0;
   /// Positions are ordered by time, equal times as in the file.
   auto operator<=>(const MessagePosition&) const = default;
 };
 
 /// Reads MCAP files (https://mcap.dev/spec) lazily: memory is bounded by the cache of chunks, the index, and
-/// `maxRecordBytes`, whatever the file says.
+/// `maxRecordBytes`, whatever the file claims.
 ///
 /// A file with a summary is opened by it. One without (its writer was killed), or with a summary that turns
 /// out to lie, also later, is scanned, hopping from record to record without decompressing; after damage the
@@ -41,44 +48,54 @@ struct MessagePosition {
 /// CRCs are checked where there are any. What could not be read is counted in damage(), also what is only
 /// found later; reading goes on behind it. Messages outside of chunks are read, too.
 ///
-/// One thread at a time. Data of messages is valid as long as what holds it, see MessageData.
+/// One thread at a time. See MessageData for the lifetime of message data.
 class Reader {
  public:
+  /// Limits and callbacks.
   struct Options {
+    /// Maximum size of the decompressed chunks in the cache.
     std::size_t cacheBytes = 64U << 20U;
-    /// No chunk, attachment or record larger than this is read, whatever it says of itself.
+    /// Larger chunks, attachments and records are not read, whatever size they claim.
     std::size_t maxRecordBytes = 1U << 30U;
-    /// Called now and then while a file is scanned, with the share done in [0, 1]; false: give up, with
+    /// Called repeatedly during a scan with the share done in [0, 1]; false cancels it with the error
     /// "log.given-up".
     std::function<bool(double)> progress;
   };
+  /// Position, size and times of a chunk.
   struct ChunkInfo {
-    std::uint64_t offset = 0;  ///< of its record, in the file
-    std::uint64_t length = 0;  ///< with opcode and length
+    /// Offset of its record in the file.
+    std::uint64_t offset = 0;
+    /// Size of its record, including opcode and length.
+    std::uint64_t length = 0;
     Instant start, end;
     Compression compression = Compression::kNone;
     std::uint64_t compressedBytes = 0;
     std::uint64_t uncompressedBytes = 0;
+    /// Number of messages, as far as known.
     std::uint64_t messages = 0;
   };
 
-  /// Fails only if the file cannot be opened or nothing in it is MCAP.
+  /// Fails if the file cannot be opened, nothing in it is MCAP, or the scan is canceled.
   static robotlink::Result<std::unique_ptr<Reader>> open(const std::filesystem::path& file, Options options);
   ~Reader();
   Reader(const Reader&) = delete;
   Reader& operator=(const Reader&) = delete;
 
   const Header& header() const;
+  /// Keyed by id.
   const std::map<std::uint16_t, Schema>& schemas() const;
+  /// Keyed by id.
   const std::map<std::uint16_t, Channel>& channels() const;
-  /// As counted where the file does not tell.
+  /// Counted by the scan if the file contains none.
   const Statistics& statistics() const;
   const std::vector<ChunkInfo>& chunks() const;
-  /// The file ends as it should, with a summary that fits.
+  /// Whether the file was closed properly and its summary is consistent.
   bool complete() const;
+  /// What could not be read so far.
   const std::vector<Damage>& damage() const;
+  /// Size of the file when it was opened.
   std::uint64_t fileBytes() const;
-  /// How many bytes somebody cut off the file's end since it was opened; asks the system.
+  /// Number of bytes that the file has lost at its end since it was opened; queries the operating system.
   std::uint64_t cutOffBytes() const;
 
   // Where messages are, in order of time, whatever their order in the file. From the message indexes, without
@@ -86,37 +103,41 @@ class Reader {
   // many messages one after the other a MessageCursor is faster.
   /// The newest message of a channel that is not later than `time`.
   std::optional<MessagePosition> latest(std::uint16_t channelId, Instant time);
-  /// The first behind, or the last before, a position among the messages of some channels; `than` need not
-  /// be that of a message.
+  /// The first message after, or the last before, a position among the messages of some channels; `than` need
+  /// not be the position of a message. Fast when called with its last result.
   std::optional<MessagePosition> next(const MessagePosition& than,
                                       const std::vector<std::uint16_t>& channels);
   std::optional<MessagePosition> previous(const MessagePosition& than,
                                           const std::vector<std::uint16_t>& channels);
-  /// The times of all messages of a channel, sorted. Costs one look at every message index.
+  /// The times of all messages of a channel, sorted. Reads the message indexes of all chunks.
   std::vector<Instant> times(std::uint16_t channelId);
 
-  /// A message with a share in the chunk that holds it.
+  /// A message that keeps alive the chunk to which its data refers.
   struct MessageData {
     Message message;
     std::shared_ptr<const std::vector<std::uint8_t>> owner;
   };
-  /// Fails if its chunk is damaged; that is then in damage(), too.
+  /// Fails if the chunk is damaged, which then is in damage(), too.
   robotlink::Result<MessageData> read(const MessagePosition& position);
 
-  /// All messages in the order of the file, whole chunks at a time; chunks that are damaged are left out.
-  /// `visit` returns false to end it.
+  /// Visits all messages in the order of the file, which is the fastest way to read all. Damaged chunks are
+  /// skipped. Ends when `visit` returns false.
   void readAll(const std::function<bool(const Message&)>& visit);
 
+  /// In the order of the file; names may occur twice.
   std::vector<std::string> attachmentNames() const;
+  /// The first attachment of this name; fails if there is none or it is damaged.
   robotlink::Result<Attachment> attachment(const std::string& name);
+  /// All metadata records; read at the first call.
   const std::vector<Metadata>& metadata();
 
-  /// What of a file can be read.
+  /// What verify() could read.
   struct Readable {
     std::uint64_t messages = 0;
     std::uint64_t chunks = 0;
   };
-  /// Reads everything and checks all CRCs; what is wrong is added to damage(). Nothing: given up by progress.
+  /// Reads the whole file, checks all CRCs, and adds what is wrong to damage(). Empty if canceled by the
+  /// progress callback.
   std::optional<Readable> verify();
 
  private:
@@ -128,16 +149,18 @@ class Reader {
   std::unique_ptr<Implementation> implementation_;
 };
 
-/// What a repair did.
+/// The result of repair().
 struct RepairReport {
-  std::uint64_t messages = 0;  ///< in the new file
+  /// Number of messages in the new file.
+  std::uint64_t messages = 0;
   std::uint64_t chunksLost = 0;
   std::uint64_t bytesLost = 0;
+  /// The damage of the old file.
   std::vector<Damage> damage;
 };
 
-/// Writes what can be read of a file into a new, complete one, which is read again and compared before this
-/// returns. The new file must not exist; if something fails it is removed.
+/// Writes everything that can be read from a file into a new, complete one, and verifies the result by
+/// reading it again. The new file must not exist; it is removed if anything fails.
 robotlink::Result<RepairReport> repair(const std::filesystem::path& from, const std::filesystem::path& to,
                                        const std::function<bool(double)>& progress = {});
 

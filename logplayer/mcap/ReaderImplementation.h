@@ -8,7 +8,7 @@
 
 namespace logplayer::mcap {
 
-/// What a reader consists of. Members refer to each other: it stays where it was made.
+/// The members of a Reader. They refer to each other, so that the object must not move.
 struct Reader::Implementation {
   /// `shared`: what is known of the file to others, too; may be null.
   Implementation(Source from, Options choices, FileIndex found, std::shared_ptr<const FileIndex> shared)
@@ -23,16 +23,19 @@ struct Reader::Implementation {
     listChunks();
   }
 
+  /// Fills chunks from the index.
   void listChunks();
   ChannelSet knownChannels() const;
   /// If it has turned out that the summary does not fit the file, looks through the file instead, once. True:
   /// the index is another one now.
   bool refit();
-  /// Null: there is none at this place of the file.
+  /// Null if no section begins at this offset.
   const Section* sectionAt(std::uint64_t offset);
+  /// Advances a walk, and repeats the step if the index had to be replaced.
   std::optional<MessagePosition> step(Walk& walk, const MessagePosition& than,
                                       const std::vector<std::uint16_t>& channelIds);
   robotlink::Result<MessageData> read(const MessagePosition& position);
+  /// An error with the place in the file.
   tl::unexpected<robotlink::Error> problem(const char* id, std::uint64_t offset,
                                            const std::string& what) const {
     return robotlink::failure(id, what + " (at byte " + std::to_string(offset) + ")",
@@ -44,12 +47,17 @@ struct Reader::Implementation {
   const std::shared_ptr<const FileIndex> known;
   FileIndex index;
   SectionCache cache;
+  /// Positions of next() and previous().
   Walk forward, backward;
-  Walk newest;  // for latest(), so that it does not disturb previous()
+  /// For latest(), so that it does not disturb previous().
+  Walk newest;
   std::vector<ChunkInfo> chunks;
+  /// Empty until it is read.
   std::optional<std::vector<Metadata>> metadata;
+  /// Whether refit() was tried.
   bool refitted = false;
-  std::size_t lastSection = 0;  // that was asked for
+  /// The last result of sectionAt(), where the search begins.
+  std::size_t lastSection = 0;
 };
 
 }  // namespace logplayer::mcap

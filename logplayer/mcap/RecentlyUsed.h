@@ -9,14 +9,15 @@
 
 namespace logplayer::mcap {
 
-/// Keeps values up to a number of bytes; what was not used for longest goes first. The newest one is kept
-/// whatever its size.
+/// A cache of values up to a total size: the least recently used value is evicted first. The newest value is
+/// kept whatever its size. Not synchronized.
 template <typename Value>
 class RecentlyUsed {
  public:
+  /// `maxBytes`: the maximum of the sum of the sizes passed to insert().
   explicit RecentlyUsed(std::size_t maxBytes) : maxBytes_(maxBytes) {}
 
-  /// Null: not there. Valid until the next call.
+  /// Returns null if there is no such value; marks it as used. Valid until the next call.
   Value* find(std::size_t key) {
     if (!items_.empty() && items_.front().key == key) return &items_.front().value;
     const auto found = places_.find(key);
@@ -26,6 +27,7 @@ class RecentlyUsed {
     return &items_.front().value;
   }
 
+  /// Adds or replaces a value of this size; may evict others.
   void insert(std::size_t key, Value value, std::size_t bytes) {
     erase(key);
     items_.push_front({key, std::move(value), bytes});
@@ -34,6 +36,7 @@ class RecentlyUsed {
     while (bytes_ > maxBytes_ && items_.size() > 1) erase(items_.back().key);
   }
 
+  /// Removes a value, if it is there.
   void erase(std::size_t key) {
     const auto found = places_.find(key);
     if (found == places_.end()) return;
@@ -43,6 +46,7 @@ class RecentlyUsed {
     places_.erase(found);
   }
 
+  /// Removes all values.
   void clear() {
     items_.clear();
     places_.clear();
@@ -50,7 +54,7 @@ class RecentlyUsed {
     bytes_ = 0;
   }
 
-  /// Says that a value will hardly be asked for again. It is kept for now, but goes before all others.
+  /// Marks a value as probably not needed any more: it stays available, but is evicted first.
   void retire(std::size_t key) {
     const auto found = places_.find(key);
     if (found == places_.end() || retired_ == key) return;
@@ -58,8 +62,8 @@ class RecentlyUsed {
     items_.splice(items_.end(), items_, found->second);
   }
 
-  /// Takes out what would have to go to make room for `bytes` more, or what was retired: its memory can be
-  /// used again.
+  /// Removes the values that have to go to make room for `bytes` more, and the retired one, and returns one
+  /// of them, so that its memory can be reused; a default value if there is none.
   Value release(std::size_t bytes) {
     Value value{};
     if (retired_) {
@@ -74,6 +78,7 @@ class RecentlyUsed {
   }
 
  private:
+  /// A value with its key and size.
   struct Item {
     std::size_t key;
     Value value;
@@ -81,8 +86,11 @@ class RecentlyUsed {
   };
   std::size_t maxBytes_;
   std::size_t bytes_ = 0;
-  std::list<Item> items_;               // the last used one first
-  std::optional<std::size_t> retired_;  // if it is still there
+  /// The most recently used one first.
+  std::list<Item> items_;
+  /// Key of the retired value, while it exists.
+  std::optional<std::size_t> retired_;
+  /// Positions in items_ by key.
   std::unordered_map<std::size_t, typename std::list<Item>::iterator> places_;
 };
 

@@ -16,10 +16,10 @@ bool Reader::Implementation::refit() {
   if (refitted || !cache.misfit()) return false;
   refitted = true;
   Options silent = options;
-  silent.progress = nullptr;  // whoever opened the file may be gone
+  silent.progress = nullptr;  // the object of the callback may no longer exist
   std::optional<FileIndex> found = betterByScan(source, index, silent);
   if (!found) return false;
-  // What was wrong at places where there is no chunk is not wrong with the file.
+  // Damage at places where there is no chunk is not damage of the file.
   std::erase_if(index.damage, [&](const Damage& damage) {
     return std::ranges::any_of(index.sections, [&](const Section& section) {
       return (section.info.offset == damage.offset || section.indexOffset == damage.offset) &&
@@ -27,7 +27,7 @@ bool Reader::Implementation::refit() {
     });
   });
   found->damage.insert(found->damage.end(), index.damage.begin(), index.damage.end());
-  // Others hold references to what is in the maps.
+  // Users hold references to elements of these maps.
   index.schemas.merge(found->schemas);
   index.channels.merge(found->channels);
   index.statistics = std::move(found->statistics);

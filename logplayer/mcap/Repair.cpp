@@ -16,7 +16,7 @@ namespace {
 
 constexpr std::uint64_t kMessagesPerProgress = 1024;
 
-/// What a sequence of messages is told apart by.
+/// A hash by which sequences of messages are compared.
 class Digest {
  public:
   void add(const Message& message) {
@@ -36,7 +36,7 @@ class Digest {
   std::uint64_t messages_ = 0;
 };
 
-/// Copies what can be read of one file into another.
+/// Copies everything readable from one file into another.
 class Salvage {
  public:
   Salvage(const Source& source, FileIndex& index, const Reader::Options& options)
@@ -56,7 +56,7 @@ class Salvage {
   FileIndex& index_;
   SectionCache cache_;
   const Reader::Options& options_;
-  std::map<std::uint16_t, std::uint16_t> channelIds_;  // of the old file: those of the new one
+  std::map<std::uint16_t, std::uint16_t> channelIds_;  // ids in the new file by those of the old one
   Buffer buffer_;
   Digest digest_;
 };
@@ -96,7 +96,7 @@ Result<void> Salvage::copyDefinitions(Writer& writer) {
   return {};
 }
 
-/// A chunk becomes a chunk again, so that what was written together stays together.
+/// A chunk is copied as a chunk, so that related messages stay together.
 Result<void> Salvage::copySection(std::size_t section, Writer& writer) {
   if (!cache_.readInto(section, buffer_)) return {};
   Result<void> result;
@@ -155,7 +155,7 @@ Result<void> Salvage::copyMetadata(Writer& writer) {
   return {};
 }
 
-/// Reads the new file as anybody would.
+/// Reads the new file like any reader and compares it.
 Result<void> check(const std::filesystem::path& file, const Digest& expected,
                    const std::function<bool(double)>& progress) {
   Reader::Options options;
@@ -180,7 +180,7 @@ Result<void> check(const std::filesystem::path& file, const Digest& expected,
 
 Writer::Options optionsFor(const FileIndex& index) {
   Writer::Options options;
-  // All chunks become what the first one is; its level is not known.
+  // All chunks get the compression of the first one; its level is unknown.
   if (!index.sections.empty()) options.compression = index.sections.front().info.compression;
   options.ownChunkBytes = SIZE_MAX;
   options.profile = index.header.profile;

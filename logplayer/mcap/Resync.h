@@ -7,30 +7,33 @@
 
 namespace logplayer::mcap {
 
-/// A chunk's section from its head at `offset`, if that may be one: its lengths agree with each other and
-/// with the file, its compression is known.
+/// The section of a chunk whose record begins at `offset`, if there can be one: its lengths are consistent
+/// with each other and with the file, and its compression is known.
 std::optional<Section> chunkAt(SourceWindow& window, const Source& source, std::uint64_t offset);
 
-/// Whether a record may begin at `offset`: its opcode is defined or private, it ends within the file; or the
-/// file itself ends there.
+/// Whether a record may begin at `offset`: its opcode is defined or private and it ends within the file; or
+/// the file ends at `offset`.
 bool recordMayBeAt(SourceWindow& window, const Source& source, std::uint64_t offset);
 
-/// Looks for where a damaged file can be read again.
+/// Finds the place where a damaged file becomes readable again. One thread; the source must outlive this
+/// object.
 class Resync {
  public:
   Resync(const Source& source, std::size_t maxRecordBytes);
 
-  /// The first place from `offset` on where a chunk begins that can be read, with its CRC if it has one, or
-  /// where several records with known channels follow each other, if `loose`. Nothing: there is none, or
-  /// `goOn`, which is told every so often how far the search has come, said no.
+  /// Returns the first offset from `offset` on at which a readable chunk begins (with a correct CRC, if it
+  /// has one) or, if `loose`, a sequence of several records with known channels. Empty if there is none, or
+  /// `goOn`, called repeatedly with the current offset, returned false.
   std::optional<std::uint64_t> find(std::uint64_t offset, bool loose,
                                     const std::map<std::uint16_t, Channel>& channels,
                                     const std::function<bool(std::uint64_t)>& goOn);
-  /// Behind the last byte that is not 0 of what the last search went over; 0: there was none.
+  /// Offset behind the last nonzero byte that the last search visited; 0: there was none.
   std::uint64_t dataEnd() const { return dataEnd_; }
 
  private:
+  /// Whether a chunk at this offset can be loaded completely.
   bool chunkBeginsAt(std::uint64_t offset);
+  /// Whether several records with known channels follow each other at this offset.
   bool messagesBeginAt(std::uint64_t offset, const std::map<std::uint16_t, Channel>& channels);
 
   const Source& source_;
@@ -38,8 +41,8 @@ class Resync {
   SourceWindow window_;
   Buffer records_;
   std::uint64_t dataEnd_ = 0;
-  // What may still be read of chunks that turn out to be none: a file made to look like many of them must not
-  // hold us forever.
+  // Number of bytes that may still be decompressed in vain: a malicious file with many fake chunks must not
+  // block the search forever.
   std::uint64_t patience_;
 };
 

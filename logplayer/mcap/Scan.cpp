@@ -9,13 +9,13 @@
 namespace logplayer::mcap {
 namespace {
 
-/// Messages outside of chunks are read in stretches of about this size.
+/// Approximate size of sections of messages outside of chunks.
 constexpr std::uint64_t kLooseBytes = 1U << 20U;
-/// Progress is told every so many bytes.
+/// Number of bytes between reports of progress.
 constexpr std::uint64_t kProgressBytes = 4U << 20U;
-/// What is looked at of an attachment to find its name.
+/// Number of bytes of an attachment that are read to find its name.
 constexpr std::size_t kAttachmentHead = 64U << 10U;
-/// So many bytes of 0 at a file's end were never written: no chunk ends so.
+/// A longer run of zeros at the end of a file was never written: no chunk ends like this.
 constexpr std::uint64_t kZeros = 4096;
 
 class Scanner {
@@ -30,11 +30,11 @@ class Scanner {
   FileIndex run();
 
  private:
-  /// What became of a record.
+  /// The result of processing a record.
   enum class Taken : std::uint8_t {
-    kWhole,  ///< understood to its end
-    kPart,   ///< skipped in parts or as a whole: its length is all there is to go by
-    kNot,    ///< it contradicts itself
+    kWhole,  ///< completely understood
+    kPart,   ///< partly or completely skipped; only its length locates the next record
+    kNot,    ///< inconsistent
   };
 
   bool begin();
@@ -71,17 +71,17 @@ class Scanner {
   Resync resync_;
   FileIndex index_;
   Buffer records_;
-  std::uint64_t offset_ = 0;   // of the record looked at
-  std::uint64_t end_ = 0;      // where the next one begins
-  std::uint64_t certain_ = 0;  // all before this was understood
-  std::uint64_t read_ = 0;     // messages outside of chunks go to here, if their lengths are right
-  std::uint64_t told_ = 0;     // progress
+  std::uint64_t offset_ = 0;   // of the current record
+  std::uint64_t end_ = 0;      // of the next record
+  std::uint64_t certain_ = 0;  // everything before this was understood
+  std::uint64_t read_ = 0;     // end of messages outside of chunks, if their lengths are right
+  std::uint64_t told_ = 0;     // last reported progress
   std::optional<std::uint64_t>
-      torn_;                      // the last chunk, if it could not be read to its end: that may be a lie
-  std::uint64_t searchFrom_ = 0;  // behind where it could be read again after the last damage
-  bool open_ = false;             // the last section may still grow
-  bool unsure_ = false;           // indexes of the last section may be missing
-  bool ended_ = false;            // the footer was there
+      torn_;  // the last chunk, if it could not be read completely: its length may be wrong
+  std::uint64_t searchFrom_ = 0;  // behind the place where the last damage ended
+  bool open_ = false;             // whether the last section may still grow
+  bool unsure_ = false;           // whether indexes of the last section may be missing
+  bool ended_ = false;            // whether the footer was found
   bool sawStrayIndex_ = false;
   std::map<std::uint16_t, std::uint64_t> sectionCounts_;  // of the open section
 };
@@ -105,7 +105,8 @@ bool Scanner::begin() {
   return recover();
 }
 
-/// The magic at the end of the file. What follows it does not belong to the file, but may be another one.
+/// Whether the magic at the end of the file was reached. Bytes behind it do not belong to the file, but may
+/// be another file.
 bool Scanner::atEnd() {
   if (source_.bytes() - offset_ < sizeof kMagic) return false;
   if (!std::ranges::equal(window_.look(offset_, sizeof kMagic), kMagic)) return false;
@@ -147,19 +148,19 @@ void Scanner::hop() {
   const bool isOfSection =
       opcode == Opcode::kChunk || opcode == Opcode::kMessage || opcode == Opcode::kMessageIndex;
   if (isOfSection) return;
-  // It may be a message index that is damaged, and others may follow.
+  // This may be a damaged message index, and others may follow.
   if (taken == Taken::kPart) unsure_ = true;
   if (taken == Taken::kWhole) finishSection();
 }
 
-/// Goes on where something can be read again.
+/// Continues at the next readable place; returns false if there is none.
 bool Scanner::recover() {
   unsure_ = true;
   finishSection();
   const bool loose = !torn_ && (index_.sections.empty() || index_.sections.back().loose);
-  // Where a part of a chunk is missing, the next one begins before the end that it claims.
+  // If a part of a chunk is missing, the next chunk begins before the end that its length implies.
   if (torn_) certain_ = *torn_ + 1;
-  // Not the same place again: what begins there was not understood.
+  // Do not find the same place again: the record there was not understood.
   certain_ = std::max(certain_, searchFrom_);
   const auto found =
       resync_.find(certain_, loose, index_.channels, [this](std::uint64_t at) { return goOn(at); });
@@ -170,7 +171,7 @@ bool Scanner::recover() {
   if (torn_)
     std::erase_if(index_.damage,
                   [&](const Damage& damage) { return damage.offset == *torn_ && damage.bytes > 0; });
-  // Behind the end of the data section there are only copies of what is before it.
+  // Behind the data section there are only copies of what was read.
   noteLost(lost, next, found.has_value(), ofChunk && index_.dataEnd == 0 ? 1 : 0);
   torn_.reset();
   offset_ = certain_ = next;
@@ -230,7 +231,7 @@ Scanner::Taken Scanner::takeChunk(std::uint64_t length) {
   sawStrayIndex_ = false;
   section->indexOffset = end_;
   index_.sections.push_back(std::move(*section));
-  // If its length is a lie, what follows its records is looked at again.
+  // If its length is wrong, the bytes behind its records are examined again.
   certain_ = offset_ + kRecordHeadBytes + understood;
   return understood == length ? Taken::kWhole : Taken::kPart;
 }
@@ -263,7 +264,8 @@ Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
   const std::optional<Message> message =
       decodeMessage(window_.look(offset_ + kRecordHeadBytes, kMessageHeadBytes - kRecordHeadBytes));
   if (!message || index_.dataEnd != 0 || !index_.channels.contains(message->channelId)) return Taken::kNot;
-  // A message index whose opcode is damaged looks like this: its length is where a message's sequence is.
+  // A message index with a damaged opcode looks like a message: its length is where a message has its
+  // sequence.
   const bool behindChunk = open_ && !index_.sections.back().loose;
   if (behindChunk && message->sequence + std::uint64_t{6} == length) return Taken::kNot;
   const bool goesOn =
@@ -283,7 +285,7 @@ Scanner::Taken Scanner::takeMessage(std::uint64_t length) {
   info.end = std::max(info.end, message->logTime);
   ++info.messages;
   ++sectionCounts_[message->channelId];
-  certain_ = offset_ + kMessageHeadBytes;  // nothing but its length tells where it ends
+  certain_ = offset_ + kMessageHeadBytes;  // only its length locates its end
   read_ = end_;
   return Taken::kPart;
 }
@@ -306,8 +308,8 @@ Scanner::Taken Scanner::takeAttachment(std::uint64_t length) {
   return whole ? Taken::kWhole : Taken::kPart;
 }
 
-/// Those that are read as a whole. They are understood to their end if they are as long as they would be if
-/// they were written anew.
+/// Processes records that are read as a whole. They count as understood if encoding them again yields the
+/// same length.
 Scanner::Taken Scanner::takeSmall(Opcode opcode, std::uint64_t length) {
   const Buffer content = source_.read(offset_ + kRecordHeadBytes, length);
   Buffer again;
@@ -353,7 +355,7 @@ void Scanner::learn(const RecordView& record) {
   }
 }
 
-/// Nothing more belongs to the last section.
+/// Completes the last section.
 void Scanner::finishSection() {
   if (!open_) return;
   open_ = false;
@@ -379,11 +381,11 @@ void Scanner::finishSection() {
   sectionCounts_.clear();
 }
 
-/// Reads a chunk to learn its channels, and to count its messages if it has no indexes.
+/// Reads a chunk to find its channels, and to count its messages if it has no indexes.
 Scanner::Read Scanner::readDefinitions(Section& section) {
   const auto loaded = loader_.load(section, records_);
   if (!loaded) {
-    // If the search goes on from its head, that tells of the damage.
+    // If the search continues from its head, that reports the damage.
     note(section.info.offset, section.info.length, loaded.error());
     index_.damage.back().chunks = 1;
     return Read::kNot;

@@ -5,10 +5,10 @@
 
 namespace logplayer::mcap {
 
-/// Finds out what is in a file without its summary, hopping from record to record. Chunks are decompressed
-/// only where they have no message index, or where it tells of channels not yet known. After damage it goes
-/// on at the next plausible chunk (or message, where messages lie outside of chunks); what was skipped is in
-/// the index's damage. options.progress may give it up.
+/// Builds the index of a file without its summary, from record to record. Chunks are decompressed only if
+/// they have no message index, or if it refers to channels that are not yet known. After damage the scan
+/// continues at the next plausible chunk (or message, if messages lie outside of chunks); skipped places are
+/// in the index's damage. Canceled if options.progress returns false; see FileIndex::givenUp.
 FileIndex indexByScan(const Source& source, const Reader::Options& options);
 
 }  // namespace logplayer::mcap

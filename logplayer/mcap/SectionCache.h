@@ -9,42 +9,46 @@
 
 namespace logplayer::mcap {
 
-/// The sections of a file, read when they are asked for: their records, and where their messages are. Some of
-/// them are kept. What cannot be read goes to the index's damage, once.
+/// Loads the sections of a file on demand, their records as well as their message lists, and caches some of
+/// them. What cannot be read is added once to the index's damage. One thread.
 class SectionCache {
  public:
   using Records = std::shared_ptr<const Buffer>;
 
-  /// Both must outlive this; no section may be added to `index` without a reset().
+  /// Source and index must outlive this object; after sections were added to the index, reset() must be
+  /// called.
   SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
 
-  /// Says that somebody who goes over the file has left a section behind. The memory of its records is used
-  /// for the next one: that is still in the processor's caches, which makes reading twice as fast.
+  /// Tells the cache that an iteration has left a section. Its buffer is reused for the next section: it is
+  /// still in the processor's caches, which makes reading twice as fast.
   void leave(std::size_t section);
-  /// Fails with a sentence.
+  /// Loads the records of a section; the error is a sentence for the user.
   tl::expected<Records, std::string> records(std::size_t section);
-  /// Without keeping them: into `buffer`.
+  /// Loads the records into `buffer`, bypassing the cache.
   tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer);
-  /// Empty if the section is damaged. By its indexes where they are right, or else by its records.
+  /// The messages of a section, from its message indexes if they are valid, otherwise from its records. Empty
+  /// if the section is damaged; never null.
   std::shared_ptr<const MessageList> messages(std::size_t section);
-  /// Nothing: its indexes cannot be read, or contradict it.
+  /// The messages of a section according to its message indexes; empty if they cannot be read or are
+  /// inconsistent.
   std::optional<MessageList> listByIndexes(const Section& section) const;
-  /// Notes that the message indexes of a section are wrong, and no longer goes by them.
+  /// Reports the message indexes of a section as wrong and ignores them from now on.
   void distrustIndexes(std::size_t section);
-  /// Forgets everything: the index has other sections now.
+  /// Clears the cache; to be called when the index was replaced.
   void reset();
   /// Notes the times of a section's first and last message, should its head lie about them.
   void correctTimes(std::size_t section, Instant first, Instant last);
   /// Looks whether all sections are where the file's summary says.
   void doubtAll();
-  /// It turned out that a section is not where the file's summary says.
+  /// Whether a section was not where the summary says.
   bool misfit() const { return misfit_; }
-  /// How often it turned out that a section holds something else than the file's index says. Whoever keeps
-  /// something by that has to look again.
+  /// Increases whenever a section turns out to contain something else than the index says. Users that cache
+  /// what they derived from the index compare this number.
   std::uint64_t surprises() const { return surprises_; }
 
  private:
   void noteDamage(std::size_t section, const std::string& what);
+  /// Verifies that a section is where the summary says, and sets misfit_ otherwise.
   void doubt(const Section& section);
 
   const Source& source_;
@@ -53,12 +57,15 @@ class SectionCache {
   ChunkLoader loader_;
   RecentlyUsed<std::shared_ptr<Buffer>> records_;
   RecentlyUsed<std::shared_ptr<const MessageList>> lists_;
+  /// For each section whether it is in the index's damage.
   std::vector<bool> noted_;
   std::uint64_t surprises_ = 0;
   bool misfit_ = false;
-  std::array<std::size_t, 8> left_;  // the last sections that were left behind
+  /// The last sections that were left.
+  std::array<std::size_t, 8> left_;
   std::size_t nextLeft_ = 0;
-  int keep_ = 0;  // so many sections are not given up when they are left: they were asked for again
+  /// Number of calls of leave() to ignore, since a section was requested again after it had been left.
+  int keep_ = 0;
 };
 
 }  // namespace logplayer::mcap

@@ -15,7 +15,7 @@ using robotlink::Result;
 
 namespace {
 
-/// 0, or the system's error.
+/// Returns 0 or an errno.
 int writeAll(int descriptor, std::vector<iovec> parts) {
   std::size_t first = 0;
   while (first < parts.size()) {
@@ -92,14 +92,14 @@ Result<void> Sink::write(std::initializer_list<Bytes> parts) {
 }
 
 Result<void> Sink::sync() {
-  // EINVAL: devices and pipes have nothing to be flushed.
+  // EINVAL: devices and pipes cannot be synchronized.
   if (::fsync(descriptor_) == 0 || errno == EINVAL || errno == EROFS) return {};
   return fail("flush", errno);
 }
 
 Result<void> Sink::fail(const char* action, int code) {
   failed_ = true;
-  // Whoever opens the file need not look for where the last whole record ends.
+  // Removes the incomplete record, so that readers need not search for the end of the last complete one.
   if (::ftruncate(descriptor_, static_cast<off_t>(position_)) == 0) {
     ::lseek(descriptor_, static_cast<off_t>(position_), SEEK_SET);
   }

@@ -10,41 +10,45 @@
 
 namespace logplayer::mcap {
 
-/// The end of the sentence that says why a file cannot be written further.
+/// The end of the error message when a file cannot be written any further.
 inline constexpr char kWhatIsKept[] = "; what was written before can be read";
 
-/// A file that is written from front to back, checked: the first error of the operating system is kept, and
-/// every later write returns it. A write that fails leaves nothing of itself in the file, if the system lets
-/// it.
+/// A file that is written sequentially with error checks: the first error of the operating system is stored,
+/// and every later write returns it. A failed write is removed from the file, if the system permits. One
+/// thread; movable.
 class Sink {
  public:
   /// The file must not exist.
   static robotlink::Result<Sink> create(const std::filesystem::path& file);
-  /// Goes on behind the first `bytes` of a file; what follows them is cut off by the first write.
+  /// Continues a file behind its first `bytes`; the first write truncates the rest.
   static robotlink::Result<Sink> reopen(const std::filesystem::path& file, std::uint64_t bytes);
   Sink(Sink&& other) noexcept;
   Sink& operator=(Sink&&) = delete;
   ~Sink();
 
-  /// One part behind the other, with one call of the system where it does it.
+  /// Writes the parts one after the other, with a single system call where possible.
   robotlink::Result<void> write(std::initializer_list<Bytes> parts);
-  /// Returns when the file is on the disk.
+  /// Blocks until the file is on the disk (fsync).
   robotlink::Result<void> sync();
-  /// Lets write() try again after an error.
+  /// Allows another write after an error, to restore the end of a file.
   void forgive() { failed_ = false; }
 
+  /// Offset at which the next write begins.
   std::uint64_t position() const { return position_; }
-  /// The first error.
+  /// The first error, if there was one.
   const std::optional<robotlink::Error>& error() const { return error_; }
 
  private:
   Sink(std::filesystem::path file, int descriptor, std::uint64_t position);
+  /// Stores and returns an error; `code` is an errno.
   robotlink::Result<void> fail(const char* action, int code);
 
   std::filesystem::path file_;
   int descriptor_;
   std::uint64_t position_;
-  bool cut_ = true;  // nothing lies behind position_
+  /// Whether nothing lies behind position_ in the file.
+  bool cut_ = true;
+  /// Whether the last write failed.
   bool failed_ = false;
   std::optional<robotlink::Error> error_;
 };

@@ -8,8 +8,8 @@
 
 namespace logplayer::mcap {
 
-/// A file that is read at any place. Not mapped into memory: whoever cuts a file while it is read must not
-/// end the program.
+/// A file with random access. It is not mapped into memory, since truncating a mapped file while it is read
+/// would crash the program. Const functions use pread() and may be called from several threads.
 class Source {
  public:
   /// Which file it is, and as of when.
@@ -30,9 +30,9 @@ class Source {
   const Identity& identity() const { return identity_; }
   /// How many bytes somebody cut off its end since then.
   std::uint64_t cutOff() const;
-  /// False: it ends before, or the system cannot read it.
+  /// Fills `to`; returns false if the file ends before or the system cannot read it.
   bool read(std::uint64_t offset, std::span<std::uint8_t> to) const;
-  /// Up to `count` bytes, less where the file ends.
+  /// Reads up to `count` bytes, fewer at the end of the file.
   Buffer read(std::uint64_t offset, std::uint64_t count) const;
 
  private:
@@ -43,18 +43,20 @@ class Source {
   Identity identity_;
 };
 
-/// Looks at a file through a buffer that moves along, for going over many small records.
+/// Reads a file through a moving buffer, to visit many small records quickly. The source must outlive this
+/// object.
 class SourceWindow {
  public:
   explicit SourceWindow(const Source& source, std::size_t bytes = 64U << 10U)
       : source_(source), size_(bytes) {}
 
-  /// `count` bytes at `offset`, valid until the next call; fewer where the file ends.
+  /// Returns `count` bytes at `offset`, fewer at the end of the file. Valid until the next call.
   Bytes look(std::uint64_t offset, std::size_t count);
 
  private:
   const Source& source_;
   std::size_t size_;
+  /// Offset of the buffer in the file.
   std::uint64_t start_ = 0;
   Buffer buffer_;
 };

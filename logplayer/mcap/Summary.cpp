@@ -7,7 +7,7 @@
 namespace logplayer::mcap {
 namespace {
 
-/// Encodes records of one kind after the other and notes where each kind is.
+/// Encodes groups of records of the same type and stores their offsets.
 class Groups {
  public:
   Groups(Buffer& out, std::uint64_t start) : out_(out), start_(start) {}

@@ -5,22 +5,25 @@
 
 namespace logplayer::mcap {
 
-/// What the end of a file repeats and tells of all before it, so that one need not read that to open it.
+/// The contents of the summary section, which repeats and indexes what the file contains, so that it can be
+/// opened without reading it completely.
 struct Summary {
   std::map<std::uint16_t, Schema> schemas;
   std::map<std::uint16_t, Channel> channels;
   Statistics statistics;
+  /// Whether `statistics` was in the file.
   bool hasStatistics = false;
   std::vector<ChunkIndex> chunks;
   std::vector<AttachmentIndex> attachments;
   std::vector<MetadataIndex> metadata;
 };
 
-/// The bytes of a file from the summary on, for a summary that starts at `start`: groups, their offsets, the
-/// footer (with a CRC if `crc`) and the magic.
+/// Encodes the end of a file whose summary begins at `start`: groups of records, their offsets, the footer
+/// (with a CRC if `crc`) and the magic.
 Buffer encodeEnd(const Summary& summary, std::uint64_t start, bool crc);
 
-/// From the records between summary start and footer. Nothing: they are damaged. Unknown ones are skipped.
+/// Decodes the records between the start of the summary and the footer; empty if they are damaged. Unknown
+/// records are skipped.
 std::optional<Summary> decodeSummary(Bytes records);
 
 }  // namespace logplayer::mcap

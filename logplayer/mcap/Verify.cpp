@@ -7,13 +7,13 @@ namespace {
 
 constexpr std::uint64_t kVerifiedPiece = 1U << 20U;
 
-/// Reads what a file's index tells of and compares it.
+/// Reads everything that the index lists and compares it with the index.
 class Verification {
  public:
   Verification(const Source& source, FileIndex& index, SectionCache& cache, const Reader::Options& options)
       : source_(source), index_(index), cache_(cache), options_(options) {}
 
-  /// Nothing: given up.
+  /// Empty if canceled.
   std::optional<Reader::Readable> run();
 
  private:
@@ -45,7 +45,7 @@ std::optional<Reader::Readable> Verification::run() {
   if (index_.dataEnd == 0 || index_.dataCrc == 0) return readable_;
   const std::optional<std::uint32_t> crc = dataCrc(done);
   if (!crc) return std::nullopt;
-  // What has a CRC of its own, or contradicts something, was told of before.
+  // Damage of records with their own CRC, or inconsistencies, were reported before.
   if (*crc != index_.dataCrc && index_.damage.empty()) {
     note(0, "the CRC of the data section is wrong, because of something outside of the chunks' records");
   }
@@ -53,7 +53,7 @@ std::optional<Reader::Readable> Verification::run() {
 }
 
 bool Verification::goOn(std::uint64_t done) {
-  // Everything is read twice if there is a CRC of the whole.
+  // If there is a CRC of the whole data, everything is read twice.
   const double all = static_cast<double>(source_.bytes()) * (index_.dataCrc != 0 ? 2 : 1);
   return !options_.progress || options_.progress(std::min(1.0, static_cast<double>(done) / all));
 }
@@ -95,7 +95,7 @@ void Verification::checkStatistics() {
   if (!same) note(0, "the statistics do not count the messages that are in the file");
 }
 
-/// Nothing: given up.
+/// Empty if canceled.
 std::optional<std::uint32_t> Verification::dataCrc(std::uint64_t before) {
   std::uint32_t crc = 0;
   for (std::uint64_t offset = 0; offset < index_.dataEnd; offset += kVerifiedPiece) {

@@ -56,7 +56,7 @@ void Walk::seek(const MessagePosition& than, const std::vector<std::uint16_t>& c
   }
 }
 
-/// Sections that open no later than the next message may hold one before it.
+/// Sections that open no later than the next message may contain an earlier one.
 void Walk::enterDue(const MessagePosition& than) {
   while (due_ < order_.size() &&
          (next_.empty() || !earlier(next_.front().position.time, opening(index_.sections[order_[due_]])))) {
@@ -104,14 +104,14 @@ void Walk::look(Next& next) const {
   next.position.offset = entry.offset;
 }
 
-/// If no run of a section is left, and one goes forwards: who goes backwards may well turn around.
+/// Only when no run of the section is left, and only forwards: a backwards walk often turns around.
 void Walk::leave(std::size_t section) {
   const bool more =
       std::ranges::any_of(next_, [&](const Next& next) { return runs_[next.run].section == section; });
   if (!more && direction_ == Direction::kForward) cache_.leave(section);
 }
 
-/// Moves the run on top on by a message and to its new place in the heap.
+/// Advances the run on top by one message and restores the heap.
 void Walk::advanceTop() {
   Next top = next_.front();
   Run& run = runs_[top.run];
@@ -129,7 +129,7 @@ void Walk::advanceTop() {
   leave(run.section);
 }
 
-/// Puts it at the place in the heap where it belongs, from the top on, which is free.
+/// Moves `next` down from the top, which is free, to its place in the heap.
 void Walk::sink(Next next) {
   std::size_t hole = 0;
   for (std::size_t child = 1; child < next_.size(); child = 2 * hole + 1) {

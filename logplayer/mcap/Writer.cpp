@@ -20,18 +20,18 @@ using robotlink::Result;
 namespace {
 
 constexpr std::size_t kMaxIds = 65535;
-// What lies in the file as one record can be read again with the reader's default limits.
+// Records up to this size can be read with the reader's default limits.
 constexpr std::size_t kMaxRecordBytes = (1U << 30U) - (1U << 20U);
-// How many chunks carry what a channel is: whoever reads a file without summary, and one of them is damaged,
-// finds it in the other.
+// Number of chunks that contain the definition of a channel: without a summary, a reader finds it even if one
+// of the chunks is damaged.
 constexpr int kDefinitions = 2;
 
-/// Where a schema or a channel was defined so far.
+/// In which chunks a schema or a channel has been written so far.
 struct Definition {
   int copies = 0;
-  std::uint64_t chunk = 0;  ///< the last one with a copy, as a number from 1
+  std::uint64_t chunk = 0;  ///< number of the last chunk with a copy, from 1
 
-  /// Whether a chunk is to carry a copy; then it counts as carrying it.
+  /// Whether a chunk must contain a copy; it then counts as containing it.
   bool neededIn(std::uint64_t number) {
     if (copies >= kDefinitions || chunk == number) return false;
     ++copies;
@@ -40,11 +40,11 @@ struct Definition {
   }
 };
 
-/// A chunk being filled.
+/// A chunk that is being filled.
 struct OpenChunk {
   ChunkBuilder builder;
   std::uint64_t number = 0;
-  Instant began;  ///< real time of its first message
+  Instant began;  ///< real time of the first message
 };
 
 }  // namespace
@@ -53,7 +53,7 @@ struct Writer::Implementation {
   struct ChannelState {
     const Channel* channel = nullptr;
     const Schema* schema = nullptr;
-    std::uint64_t* messages = nullptr;  // in the statistics; null before the first
+    std::uint64_t* messages = nullptr;  // counter in the statistics; null before the first message
     Definition definition;
   };
   using SchemaKey = std::tuple<std::string, std::string, std::string>;
@@ -86,10 +86,10 @@ struct Writer::Implementation {
   Options options;
   Sink sink;
   Compressor compressor;
-  OpenChunk shared;  // of the messages below ownChunkBytes
+  OpenChunk shared;  // for messages below ownChunkBytes
   OpenChunk own;
   Summary summary;
-  std::vector<ChannelState> channels;  // by id
+  std::vector<ChannelState> channels;  // indexed by id
   std::map<std::uint16_t, Definition> schemaDefinitions;
   std::map<SchemaKey, std::uint16_t> schemaIds;
   std::map<ChannelKey, std::uint16_t> channelIds;
@@ -101,8 +101,9 @@ struct Writer::Implementation {
   bool inGroup = false;
   bool flushAfterGroup = false;
   bool closed = false;
-  std::uint64_t resumedAt = 0;  // the file is as it was while nothing is written behind this; 0: it is new
-  Buffer head, index;           // kept for their memory
+  // Original end of an appended file, which is intact while nothing is written behind it; 0: a new file.
+  std::uint64_t resumedAt = 0;
+  Buffer head, index;  // members only to reuse their memory
 };
 
 Result<void> Writer::Implementation::start() {
@@ -118,7 +119,8 @@ void Writer::Implementation::resume(Summary&& found, std::uint32_t crc) {
   for (auto& [id, count] : summary.statistics.channelMessageCounts) {
     if (id < channels.size()) channels[id].messages = &count;
   }
-  // They are in the file already: one copy more guards them, as in a file that is written in one go.
+  // The definitions are in the file already; another copy protects them, as in a file that is written in one
+  // go.
   for (ChannelState& state : channels) state.definition.copies = kDefinitions - 1;
   for (auto& [id, definition] : schemaDefinitions) definition.copies = kDefinitions - 1;
   dataCrc = crc;
@@ -213,7 +215,7 @@ Result<void> Writer::Implementation::writeChunk(OpenChunk& chunk) {
   return {};
 }
 
-/// The statistics are those of what is in the file.
+/// The statistics count what is in the file; this subtracts a chunk that was not written.
 void Writer::Implementation::takeBack(const ChunkBuilder& builder) {
   Statistics& statistics = summary.statistics;
   statistics.messageCount -= builder.messages();
@@ -236,7 +238,7 @@ Result<void> Writer::Implementation::writeRecords(Bytes records) {
   return written;
 }
 
-/// What no message uses is in the file all the same, outside of chunks.
+/// Writes definitions that no message uses, outside of chunks.
 Result<void> Writer::Implementation::writeUnusedDefinitions() {
   Buffer records;
   for (const auto& [id, schema] : summary.schemas) {
@@ -402,12 +404,12 @@ Result<void> Writer::close() {
   Implementation& self = *implementation_;
   if (!self.closed) {
     self.closed = true;
-    // What fails here is told below.
+    // Errors are reported below.
     if (!self.sink.error()) static_cast<void>(self.writeOpen());
     if (!self.sink.error()) static_cast<void>(self.writeUnusedDefinitions());
     if (self.resumedAt != 0 && self.sink.position() == self.resumedAt && !self.sink.error()) return {};
-    // Also after an error: on a full disk the chunk that did not fit has left room for the summary, which
-    // makes the file complete.
+    // Also after an error: on a full disk the chunk that did not fit leaves room for the summary, which makes
+    // the file complete.
     if (self.sink.error()) {
       self.takeBack(self.shared.builder);
       self.sink.forgive();

@@ -12,10 +12,11 @@
 
 namespace app {
 
-/// A client of a robot's TCP port, as bare as those of the recordings: it sends packets and keeps what comes.
+/// A minimal client of a robot's TCP port, like those of the recordings: it sends packets and stores what it
+/// receives.
 class WireClient {
  public:
-  /// Connects; closed() if that failed.
+  /// Connects; closed() is true if that fails.
   explicit WireClient(const std::string& url);
 
   void send(std::span<const std::uint8_t> bytes);
@@ -27,24 +28,31 @@ class WireClient {
   void send(robotlink::arcos::CommandId id, const std::string& argument) {
     send(toPacket(robotlink::arcos::command(id, argument)));
   }
+  /// Sends the three SYNC packets and OPEN.
   void handshake();
-  /// Takes what came.
+  /// Reads everything that has arrived, with `now` as its time.
   void receive(robotlink::Instant now);
   void close() {
     stream_.reset();
     closed_ = true;
   }
-  /// The far end has closed it.
+  /// Whether the robot has closed the connection.
   bool closed() const { return closed_; }
 
+  /// All packets received so far, with the times at which they were read.
   std::vector<robotlink::arcos::Packet> received;
   std::vector<robotlink::Instant> receivedAt;
   std::uint64_t sentBytes = 0;
+  /// Number of packets received, including those before forget().
   std::uint64_t readPackets() const { return parser_.counters().packets; }
 
+  /// The received packets with an id.
   std::vector<robotlink::arcos::Packet> of(std::uint8_t id) const;
+  /// All standard information packets received.
   std::vector<robotlink::arcos::StandardInformation> information() const;
+  /// The last one of them.
   robotlink::arcos::StandardInformation latest() const;
+  /// Clears the received packets.
   void forget();
 
  private:
@@ -53,48 +61,49 @@ class WireClient {
   bool closed_ = false;
 };
 
-/// A simulation of Pioneers with real TCP ports, stepped by the test as fast as possible: what clients send
-/// is there before the next step, and what robots say is read after it, so that nothing depends on how fast
-/// the machine is.
+/// A simulation of Pioneers with real TCP ports that the test steps as fast as possible. Everything that
+/// clients send arrives before the next step, and everything that robots send is read after it, so that
+/// results do not depend on the speed of the machine.
 class ArcosBench {
  public:
-  /// `contents`: SDF of models besides the floor and p3at1 at the origin.
+  /// `contents`: SDF of models in addition to the floor and the robot p3at1 at the origin.
   explicit ArcosBench(const std::string& contents = {}, SimulatedWorld::Options world = quiet());
-  /// A file instead, with robots as they are put there.
+  /// Loads a file instead and adds `robots` robots.
   explicit ArcosBench(const std::filesystem::path& scene, int robots,
                       SimulatedWorld::Options world = quiet());
 
-  /// Without noise, and without the odometry's errors.
+  /// Options without noise and odometry errors.
   static SimulatedWorld::Options quiet();
 
   ArcosSimulation& simulation() { return *simulation_; }
   SimulatedWorld& world() { return simulation_->world(); }
   robotlink::Instant now() const { return simulation_->world().clock().now(); }
-  /// Of a client that was accepted; it lives as long as the bench.
+  /// A new client that is accepted by a robot; it lives as long as the bench.
   WireClient& connect(std::size_t robot = 0);
-  /// One more client of which nothing is expected.
+  /// Another client, which need not be accepted.
   std::unique_ptr<WireClient> knock(std::size_t robot = 0);
 
   void step();
   void run(double seconds);
-  /// With a pulse each half second from every client.
+  /// Runs while every client sends a pulse each half second.
   void drive(double seconds);
-  /// Until something is so, at most for some simulated seconds.
+  /// Runs until a condition holds, for at most `most` simulated seconds. Returns whether it holds.
   template <typename Condition>
   bool runUntil(Condition condition, double most) {
     for (const auto end = now() + robotlink::fromSeconds(most); now() < end && !condition();) step();
     return condition();
   }
-  /// Moves bytes without a step.
+  /// Transfers bytes without a simulation step.
   void settle();
-  /// What people were told.
+  /// The texts that the simulation reported to the user.
   std::vector<std::string> told;
 
  private:
   struct Connection {
     std::size_t robot = 0;
     std::unique_ptr<WireClient> client;
-    std::uint64_t sentBefore = 0;  ///< by the server, at this port
+    /// Bytes that the server had sent at this port before the connection.
+    std::uint64_t sentBefore = 0;
   };
   void create(std::shared_ptr<const simcore::Scene> scene, const SimulatedWorld::Options& world);
 

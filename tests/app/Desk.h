@@ -17,10 +17,11 @@
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
 
+/// Maximum time to wait for a condition.
 constexpr int kWaitMs = 20000;
 
-/// A workbench with its window, on a home of its own, and what a person does with it. Closing and making
-/// another one is a restart.
+/// A workbench with its window and a settings folder of its own, with functions for what a user does.
+/// Destroying it and creating another one with the same folder is a restart.
 class Desk {
  public:
   explicit Desk(const std::filesystem::path& home) : workbench(home), window(workbench, home) {
@@ -29,12 +30,14 @@ class Desk {
     workbench.load(app::Workbench::defaultOptions());
   }
 
+  /// Whether the simulation is loaded and has published its status.
   bool loaded() { return workbench.loaded() != nullptr && status() != nullptr; }
+  /// The newest status; null if there is none.
   const robotcontrol::SimulationStatus* status() {
     return workbench.session().store().latestAs<robotcontrol::SimulationStatus>(
         "simulation", workbench.session().timeline().newest());
   }
-  /// Where the robot truly is.
+  /// The true position of the robot.
   std::optional<robotlink::Vector3> robot() {
     const auto* message = workbench.session().store().latestAs<foxglove::FrameTransforms>(
         "transforms", workbench.session().timeline().newest());
@@ -45,20 +48,21 @@ class Desk {
     return std::nullopt;
   }
   template <typename W>
+  /// A widget or object by its name; aborts the test if there is none.
   W& find(const char* name) {
     auto* widget = window.findChild<W*>(QLatin1String(name));
     if (widget == nullptr) qFatal("there is no %s", name);
     return *widget;
   }
   bool has(const char* name) const { return window.findChild<QObject*>(QLatin1String(name)) != nullptr; }
-  /// Clicks an action's button in the toolbar.
+  /// Clicks the toolbar button of an action.
   void click(const char* action) {
     auto* button = qobject_cast<QToolButton*>(
         find<QToolBar>("simulationToolBar").widgetForAction(&find<QAction>(action)));
     if (button == nullptr) qFatal("there is no button for %s", action);
     QTest::mouseClick(button, Qt::LeftButton);
   }
-  /// Opens the menu that an action is in, and clicks the action there.
+  /// Opens the menu that contains an action and clicks its entry.
   void choose(const char* action) {
     QAction& entry = find<QAction>(action);
     for (QWidget* widget : entry.associatedWidgets()) {

@@ -28,6 +28,7 @@ inline Instant at(double seconds) {
   return Instant(robotlink::fromSeconds(seconds));
 }
 
+/// The log of a real NAO; it may be missing.
 inline std::filesystem::path realLog() {
   return ROBOTCONTROL_SOURCE_DIR "/../shared/data/logs/bhuman2009.log";
 }
@@ -49,7 +50,7 @@ inline robotcontrol::Request keyRequest(const std::string& robot, const std::str
   return request;
 }
 
-/// Records a simulation from its start, in steps of 8 ms; `before` is called before each.
+/// Records a simulation from its start, in steps of 8 ms; `before` is called before each step.
 inline void recordSimulation(const std::filesystem::path& file, const RunOptions& options, int steps,
                              const std::function<void(SimulatedRun&, int step)>& before = {}) {
   logplayer::Recorder recorder({});
@@ -69,7 +70,7 @@ inline void recordSimulation(const std::filesystem::path& file, const RunOptions
   recorder.finish();
 }
 
-/// The same for the robot of the shipped scene in a layout.
+/// The same for the robot of the shipped scene with a layout.
 inline void recordSimulation(const std::filesystem::path& file, const std::string& layout, int steps,
                              const std::function<void(SimulatedRun&, int step)>& before = {}) {
   RunOptions options = Workbench::defaultOptions();
@@ -83,7 +84,7 @@ inline ReplayOptions replayOf(std::vector<ReplayLog> logs) {
   return options;
 }
 
-/// A replay and all that it tells.
+/// A replay that collects everything it publishes.
 struct Replay {
   explicit Replay(ReplayOptions options) {
     ReplayRun::Listeners listeners;
@@ -116,7 +117,7 @@ struct Replay {
     run->describe(status);
     return status;
   }
-  /// A hash of all that was told on a path; empty if that is nothing.
+  /// A hash of all messages on a path; empty if there are none.
   std::string digestOn(const std::string& path) const {
     std::string bytes;
     for (const auto& message : told) {
@@ -129,7 +130,7 @@ struct Replay {
     for (const auto& message : told) count += message.path == path ? 1 : 0;
     return count;
   }
-  /// The last one; null if there is none.
+  /// The last message on a path; null if there is none.
   const StreamMessage* lastOn(const std::string& path) const {
     const StreamMessage* last = nullptr;
     for (const auto& message : told) {
@@ -139,13 +140,14 @@ struct Replay {
   }
 
   std::unique_ptr<ReplayRun> run;
+  /// Why `run` is null.
   robotlink::Errors errors;
   std::vector<StreamMessage> told;
   std::vector<robotcontrol::RequestResult> results;
   std::vector<std::string> troubles;
 };
 
-/// Options that recompute all packages that can be.
+/// Options that recompute every package for which that is possible.
 inline ReplayOptions recomputingAll(const std::filesystem::path& file) {
   ReplayOptions options = replayOf({{file}});
   const Replay asLogged(options);

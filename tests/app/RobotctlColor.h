@@ -14,13 +14,14 @@ inline void writeBytes(const std::filesystem::path& file, const std::vector<std:
       .write(reinterpret_cast<const char*>(bytes.data()), static_cast<std::streamsize>(bytes.size()));
 }
 
-/// A folder with an image of three upright bars, orange, green, a wall, its labels, and a stroke in each; and
-/// robotctl color in it.
+/// A folder with an image of three vertical bars (orange, green, a wall), its labels, and a stroke in each
+/// bar, in which `robotctl color` is run.
 class RobotctlColor : public testing::Test {
  protected:
   static constexpr int kWidth = 320, kHeight = 240;
   static constexpr std::array<robotlink::YCbCr, 3> kBars = {
       robotlink::YCbCr{150, 90, 190}, robotlink::YCbCr{90, 110, 100}, robotlink::YCbCr{180, 126, 130}};
+  /// The class numbers of the bars.
   static constexpr std::array<std::uint8_t, 3> kLabels = {1, 5, 0};
 
   void SetUp() override {
@@ -29,7 +30,7 @@ class RobotctlColor : public testing::Test {
     for (int y = 0; y < kHeight; ++y) {
       for (int x = 0; x < kWidth; ++x) {
         const auto bar = static_cast<std::size_t>(x * 3 / kWidth);
-        // The first brightness of each four bytes is not the pixel's.
+        // The first brightness of each four bytes does not belong to the pixel.
         const auto brightness = static_cast<std::uint8_t>(kBars[bar].y + (x + y) % 9);
         pixels.insert(pixels.end(), {0, kBars[bar].cb, brightness, kBars[bar].cr});
         labels.row(y)[x] = x % 10 == 0 ? std::uint8_t{255} : kLabels[bar];

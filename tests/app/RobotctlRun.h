@@ -9,7 +9,7 @@
 #include <sstream>
 #include <string>
 
-/// What became of a run of robotctl.
+/// The result of a run of robotctl.
 struct RobotctlOutcome {
   int status = -1;
   std::string out, errors;
@@ -21,7 +21,7 @@ inline std::string textOf(const std::filesystem::path& file) {
   return text.str();
 }
 
-/// Runs robotctl in a folder, as a shell does. The program's name is the macro ROBOTCTL.
+/// Runs robotctl in a folder by a shell. The path of the program is the macro ROBOTCTL.
 inline RobotctlOutcome runRobotctl(const std::filesystem::path& folder, const std::string& arguments) {
   const std::string command =
       "cd '" + folder.string() + "' && " + ROBOTCTL + " " + arguments + " >.out 2>.errors";

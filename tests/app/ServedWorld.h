@@ -12,7 +12,7 @@
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 
-/// The shipped world with one Pioneer, whose port is served in a thread, in real time.
+/// The shipped world with one Pioneer, whose port is served by a thread in real time.
 class ServedWorld {
  public:
   ServedWorld() {
@@ -32,8 +32,9 @@ class ServedWorld {
   ServedWorld& operator=(const ServedWorld&) = delete;
 
   const std::string& url() const { return url_; }
-  /// All clients are thrown out, and nobody listens, until it is called again.
+  /// Disconnects all clients and closes the port, until it is called with false.
   void unplug(bool unplugged) { unplugged_ = unplugged; }
+  /// Whether the robot's motors are on.
   bool motorsOn() const { return motorsOn_; }
 
  private:

@@ -14,9 +14,9 @@
 
 namespace app::test {
 
-/// A log of fifty frames of red1/planner, a process that no layout knows, numbers 101 to 150, 40 ms from each
-/// other and with three seconds between the first half and the second. Every second frame, from the second
-/// on, has an image; two have a note.
+/// A log with fifty frames of red1/planner, a process that no layout contains: numbers 101 to 150, 40 ms
+/// apart, with a gap of three seconds in the middle. Every second frame, beginning with the second, has an
+/// image; two have a note.
 struct ShortLog {
   static constexpr int kFrames = 50;
   static constexpr std::uint64_t kFirstNumber = 101;
@@ -47,7 +47,7 @@ struct ShortLog {
     return {std::string("red1/frames/") + process, time(frame), std::move(message), process, number};
   }
 
-  /// What went wrong; empty if nothing did.
+  /// Writes the log; returns an error message, or an empty text.
   static std::string write(const std::filesystem::path& file) {
     std::filesystem::remove(file);
     auto writer = logplayer::LogWriter::create(file, {});

@@ -8,7 +8,8 @@
 
 namespace app::test {
 
-/// Ticks the workbench as its window does until something holds. False: it did not within twenty seconds.
+/// Ticks the workbench, as its window does, until a condition holds. Returns false if it does not hold within
+/// twenty seconds.
 template <typename Condition>
 bool tickUntil(Workbench& workbench, Condition condition) {
   const auto end = std::chrono::steady_clock::now() + std::chrono::seconds(20);

@@ -9,11 +9,11 @@
 #include <cstdio>
 #include <memory>
 
-/// An X server of the test's own with a window manager, for what only they do: real mouse events, stacking of
-/// windows. Must be made before the application object, since its plugin connects to it.
+/// An X server with a window manager for a test, for what only these provide: real mouse events and stacking
+/// of windows. Must be created before the application object, since the platform plugin connects to it.
 class XServer {
  public:
-  /// What is missing on this machine; empty if nothing is.
+  /// The programs that are missing on this machine; empty if there are none.
   static QStringList missing() {
     QStringList names;
     for (const char* name : {"Xvfb", "openbox", "xdotool", "xprop"}) {
@@ -22,7 +22,7 @@ class XServer {
     return names;
   }
 
-  /// Null if the server does not come up.
+  /// Returns null if the server does not start.
   static std::unique_ptr<XServer> start() {
     auto server = std::unique_ptr<XServer>(new XServer);
     server->server_.setProcessChannelMode(QProcess::ForwardedErrorChannel);

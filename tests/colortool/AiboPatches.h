@@ -9,15 +9,17 @@
 
 #include "robotlink/base/Image.h"
 
-/// A pixel that a real ERS-7 saw in the middle of a coloured card.
+/// A pixel that the camera of a real ERS-7 saw in the middle of a colored card.
 struct AiboPixel {
-  std::string session;  ///< day and robot
-  std::string label;    ///< the card's colour
+  /// Day and robot.
+  std::string session;
+  /// The color of the card.
+  std::string label;
   robotlink::YCbCr color;
 };
 
-/// The labelled pixels of ../shared; none if they are not there, or there is no xz to unpack them. What their
-/// columns call u is Cr, and v is Cb.
+/// Reads the labeled pixels of ../shared; empty if they are missing, or xz is. The columns u and v of the
+/// file are Cr and Cb.
 inline std::vector<AiboPixel> readAiboPatches() {
   const std::string file = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/ers7/patches.csv.xz";
   std::vector<AiboPixel> pixels;

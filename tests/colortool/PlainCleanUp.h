@@ -9,8 +9,9 @@
 
 namespace colortool {
 
-// What CellSet and TableCleanUp do a row at a time, in the plainest way: cell by cell.
+// The algorithms of CellSet and TableCleanUp in their simplest form, cell by cell, for comparison.
 
+/// Calls `use` with each neighbor of a cell.
 template <typename Use>
 void visitNeighbors(std::size_t cell, CellNeighbors neighbors, Use use) {
   const int y = static_cast<int>(cell / 4096), cb = static_cast<int>(cell / 64 % 64),
@@ -50,7 +51,7 @@ inline CellSet plainConnectedCells(const CellSet& seeds, const CellSet& within, 
 inline std::vector<std::uint8_t> plainCleanUp(const ColorTable& raw, const std::vector<CellSet>& sampled,
                                               const CleanUpOptions& options) {
   std::vector<std::uint8_t> cells(raw.cells().begin(), raw.cells().end());
-  /// Calls `use` with each connected set of cells that are equal.
+  /// Calls `use` with each connected set of equal cells.
   const auto visitComponents = [&](CellNeighbors neighbors, auto use) {
     std::vector<bool> seen(cells.size(), false);
     for (std::size_t first = 0; first < cells.size(); ++first) {

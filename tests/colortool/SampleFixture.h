@@ -5,7 +5,7 @@
 
 namespace colortool {
 
-/// An image of four quarters: orange, green, white and a grey wall.
+/// An image with four quarters: orange, green, white and a gray wall. `darker` is subtracted from Y.
 inline ColorImage quarters(int width = 40, int height = 30, int darker = 0) {
   ColorImage image(width, height);
   const auto shade = [&](int y) { return static_cast<std::uint8_t>(y - darker); };

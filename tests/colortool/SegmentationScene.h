@@ -10,13 +10,14 @@
 #include "colortool/ColorTableFile.h"
 #include "robotlink/base/AtomicFile.h"
 
-// What segmentation is measured with: a real camera's image and its team's table where they are there, else
-// ones made up that are like them. Of any size, pixels repeated; the same for all that is compared.
+// The data of segmentation benchmarks: an image of a real camera and its team's table if they are available,
+// otherwise similar generated ones. Images of any size are made by repeating pixels; all candidates are
+// compared on the same data.
 
 inline const std::filesystem::path kSegmentationData =
     ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
 
-/// Colours of 320 x 240 pixels.
+/// The colors of 320 x 240 pixels.
 inline std::vector<robotlink::YCbCr> segmentationColors(int width, int height) {
   std::vector<robotlink::YCbCr> colors;
   if (const auto bytes = robotlink::readFile(kSegmentationData / "yuyv/066.yuyv")) {
@@ -26,7 +27,7 @@ inline std::vector<robotlink::YCbCr> segmentationColors(int width, int height) {
   }
   if (colors.size() == static_cast<std::size_t>(width) * static_cast<std::size_t>(height)) return colors;
   colors.clear();
-  // A field with a ball and lines: long runs with some noise, as cameras have it.
+  // A field with a ball and lines: long runs with some noise, as in camera images.
   std::uint32_t noise = 1;
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -44,7 +45,7 @@ inline std::vector<robotlink::YCbCr> segmentationColors(int width, int height) {
   return colors;
 }
 
-/// Of the format that `state` is run with and of the size of its arguments.
+/// An image in a format; its size is taken from the arguments of the benchmark.
 inline robotlink::Image segmentationImage(const benchmark::State& state, robotlink::PixelFormat format) {
   using robotlink::PixelFormat;
   constexpr int kWidth = 320, kHeight = 240;

@@ -6,12 +6,12 @@
 #include <string>
 #include <vector>
 
-// What a fuzzing target consists of: one source file that defines both of these, listed in CMakeLists.txt.
-// Built by clang with libFuzzer (preset "fuzz"), and in every build by FuzzDriver.cpp, which mutates the
-// seeds at random for the test suite.
+// A fuzzing target consists of one source file that defines both of these functions and is listed in
+// CMakeLists.txt. It is built by clang with libFuzzer (preset "fuzz"), and in every build with
+// FuzzDriver.cpp, which mutates the seeds randomly for the test suite.
 
-/// Feeds one input to what is fuzzed. What must never be ends in std::abort(). Yields 0.
+/// Processes one input. Violated invariants end in std::abort(). Returns 0.
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size);
 
-/// Good and nearly good inputs to begin with; the same at every call. Made anew, so that no files lie about.
+/// Valid and nearly valid inputs to begin with; generated, and the same at every call.
 std::vector<std::string> fuzzSeeds();

@@ -9,7 +9,7 @@
 
 namespace logplayer::tests {
 
-/// A log as other programs write them: messages in any encoding, with any schema.
+/// A log as written by other programs: messages in any encoding, with any schema.
 class ForeignLog {
  public:
   explicit ForeignLog(const std::filesystem::path& file)
@@ -18,7 +18,8 @@ class ForeignLog {
   struct Topic {
     std::string topic;
     std::string type;
-    std::string schemaEncoding;  ///< empty: no schema
+    /// Empty: no schema.
+    std::string schemaEncoding;
     std::string schema;
     std::string encoding;
   };
@@ -33,7 +34,7 @@ class ForeignLog {
     const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(data.data()), data.size());
     good_ = writer_->write({channel, 0, at, at, bytes}).has_value() && good_;
   }
-  /// Whether all went well.
+  /// Closes the file; returns whether everything was written.
   bool close() { return writer_->close().has_value() && good_; }
 
  private:
@@ -52,7 +53,8 @@ inline constexpr char kLogSchema[] = R"({"title": "foxglove.Log", "type": "objec
   "level": {"title": "foxglove.Level", "oneOf": [{"title": "INFO", "const": 2}, {"title": "WARNING", "const": 3}]},
   "message": {"type": "string"}, "name": {"type": "string"}, "file": {"type": "string"}, "line": {"type": "integer"}}})";
 
-/// With two poses and a broken one, two texts, an image in CDR, and ROS 1; at 100 to 101 s.
+/// A log with two poses and an invalid one, two texts, images in CDR, and a message of ROS 1; from 100 to 101
+/// s.
 inline bool writeForeignLog(const std::filesystem::path& file) {
   ForeignLog log(file);
   const auto pose = log.add({"a/b/c", "their.Pose", "jsonschema", kPoseSchema, "json"});

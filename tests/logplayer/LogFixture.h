@@ -36,7 +36,7 @@ inline StreamMessage frameInfo(const std::string& robot, const std::string& proc
   return {robot + "/frames/" + process, at(time), info, process, number};
 }
 
-/// A file that is written, and then harmed.
+/// A log file that is written and then damaged.
 class LogFixture {
  public:
   LogFixture() : folder_(std::move(*TemporaryFolder::make())) {}

@@ -38,7 +38,7 @@ inline StreamMessage table(const std::string& path, int ms, const std::string& k
   return {path, at(ms), keys, "debug", 1};
 }
 
-/// A grey image with this many bytes of pixels, in rows of 1000.
+/// A gray image with this number of bytes of pixels, in rows of 1000.
 inline StreamMessage image(const std::string& path, int ms, int bytes,
                            const std::string& process = "platform", std::uint64_t frame = 0) {
   auto picture = std::make_shared<foxglove::RawImage>();
@@ -70,7 +70,7 @@ inline RecordedFramePtr frameOf(std::vector<StreamMessage> messages) {
 
 using ::TestFolder;
 
-/// What a log file holds, by its container alone.
+/// The contents of a log file, read by means of its container only.
 struct ReadLog {
   struct Entry {
     std::string path, process, type;
@@ -79,8 +79,10 @@ struct ReadLog {
     std::string data;
     bool operator==(const Entry&) const = default;
   };
-  std::vector<Entry> entries;                    ///< in the order of the file
-  std::map<std::string, std::string> recording;  ///< the metadata at its end
+  /// In the order of the file.
+  std::vector<Entry> entries;
+  /// The metadata at the end of the file.
+  std::map<std::string, std::string> recording;
   bool complete = false;
   std::size_t damages = 0;
   std::string error;

@@ -13,20 +13,23 @@ namespace logplayer {
 
 using ::TestFolder;
 
-/// A log as a recorder writes it. Frame i of the process "cognition" is at i times 40 ms; each has a camera
-/// image (4x2, its first grey value is i), a ball model (at x = i) and every tenth a text "frame <i>", of
-/// level warning. The table of debug keys is told with frame 0 and frame 50 (with key "before", then
-/// "after"), outside of frames; the scene once, at the start; the platform's joints have steps of their own.
+/// A log as written by a recorder. Frame i of the process "cognition" is at i times 40 ms; each has a camera
+/// image (4x2, its first gray value is i), a ball model (at x = i) and every tenth a text "frame <i>" of
+/// level warning. The table of debug keys is published with frame 0 and frame 50 (with the key "before", then
+/// "after"), outside of frames; the scene once, at the start; the joints of the platform have steps of their
+/// own.
 struct SampleLog {
   std::string robot = "red1";
   int frames = 100;
   robotlink::Duration start{0};
-  bool close = true;          ///< else the file ends as if its writer was killed
-  bool cutLastFrame = false;  ///< its FrameInfo is not written
+  /// Whether the file is closed; otherwise it ends as after a crash of the writer.
+  bool close = true;
+  /// Whether the last FrameInfo is missing.
+  bool cutLastFrame = false;
   void write(const std::filesystem::path& file) const;
 };
 
-/// What a sample's frame number is at.
+/// The time of a frame, if the log starts at 0.
 inline robotlink::Instant sampleTime(int frame) {
   return robotlink::Instant(frame * std::chrono::milliseconds(40));
 }

@@ -8,7 +8,7 @@
 
 namespace simcore::testing {
 
-/// A scene of tests with its bodies' poses and some cameras.
+/// A test scene with the poses of its bodies and some cameras.
 struct CameraScene {
   std::shared_ptr<const RenderScene> scene;
   std::vector<Pose3> poses;
@@ -21,11 +21,12 @@ robotlink::Rgb pixel(const robotlink::Image& image, int x, int y);
 /// A camera at a place that looks at another, upright.
 Pose3 lookAt(const Eigen::Vector3d& from, const Eigen::Vector3d& to);
 
-/// The field of 2002 with lines, walls, goals, beacons, a ball and eight four-legged robots of 40 round
-/// parts, about 14,400 triangles; the cameras are those in the robots' heads.
+/// The field of 2002 with lines, walls, goals, beacons, a ball and eight four-legged robots of 40 round parts
+/// each, about 14,400 triangles; the cameras are those in the robots' heads.
 CameraScene fieldScene();
 
-/// Some boxes and round bodies on a floor under two lamps, with cameras around, above, and very near.
+/// Some boxes and round bodies on a floor under two lamps, with cameras around, above, and very close to
+/// them.
 CameraScene tableScene();
 
 }  // namespace simcore::testing

@@ -11,8 +11,9 @@
 
 namespace simcore::testing {
 
-/// What CameraRenderer draws, by Embree alone: a ray through each pixel, in packets of eight, and one more
-/// from each lamp to what it hits. It shares no code with the renderer but for the scene. Images are RGB.
+/// The reference for CameraRenderer, implemented with Embree: one ray per pixel, in packets of eight, and one
+/// from each lamp to the point that it hits. It shares no code with the renderer except for the scene. Images
+/// are RGB.
 class ReferenceCamera {
  public:
   ReferenceCamera(std::shared_ptr<const RenderScene> scene, bool shadows);
@@ -37,7 +38,8 @@ class ReferenceCamera {
   RTCScene seen_;
   RTCScene casting_;
   std::vector<RTCScene> meshScenes_;
-  std::vector<RTCGeometry> seenInstances_, castingInstances_;  ///< by instance; the latter may be null
+  /// Indexed by instance; the latter may be null.
+  std::vector<RTCGeometry> seenInstances_, castingInstances_;
   std::vector<Eigen::Matrix3f> rotations_;
 };
 

@@ -8,7 +8,7 @@
 
 namespace simcore {
 
-/// A folder of scene files that goes away with its test: texts in, scenes or errors out.
+/// A temporary folder of scene files: tests write texts and get scenes or errors.
 class SceneFolder {
  public:
   SceneFolder();
@@ -16,14 +16,13 @@ class SceneFolder {
   SceneFolder(const SceneFolder&) = delete;
   SceneFolder& operator=(const SceneFolder&) = delete;
 
-  /// Writes a file, making its folders; gives its path.
+  /// Writes a file, creating its folders; returns its path.
   std::filesystem::path write(const std::string& name, const std::string& text) const;
   /// Writes models/NAME/model.sdf.
   void writeModel(const std::string& name, const std::string& text) const;
-  /// Puts the shipped models into models.
+  /// Copies the shipped models into the folder "models".
   void copyShippedModels() const;
-  /// What is wrong with a world of this text, a line an error, without the folder's path; empty if nothing
-  /// is.
+  /// The errors of a world with this text, one per line, without the folder's path; empty if there are none.
   std::string errorsOf(const std::string& world) const;
 
  private:
@@ -32,12 +31,12 @@ class SceneFolder {
 
 /// The shipped scene, loaded once for all tests of a program.
 std::shared_ptr<const Scene> shippedScene();
-/// A world around `contents`.
+/// The text of a world with `contents`.
 std::string worldAround(const std::string& contents);
 /// `text` with the first `from` replaced by `to`; fails the test if there is none.
 std::string replaced(std::string text, const std::string& from, const std::string& to);
 
-/// A model of a box that turns on a leg; broken by replacing parts of it.
+/// A model of a box that rotates on a leg; tests damage it by replacing parts.
 extern const char* const kSmallModel;
 
 }  // namespace simcore

@@ -17,8 +17,9 @@
 #include "robotlink/session/Session.h"
 #include "widgets/View.h"
 
-/// What every test of a view stands on: a session with one robot, "red1", whose requests are recorded instead
-/// of sent, and whose clock the test turns. Any Qt warning but the offscreen plugin's own ends the program.
+/// The base of tests of views: a session with the robots "red1" (selected) and "blue1". Requests are recorded
+/// instead of sent, and the test controls the time. Any Qt warning, except for those of the offscreen plugin,
+/// aborts the program.
 class Bench {
  public:
   Bench() {
@@ -27,7 +28,8 @@ class Bench {
     session.setRequestSink([this](const robotcontrol::Request& request) { requests.push_back(request); });
   }
 
-  /// In initTestCase(): fails on warnings, uses this tree's resources and a home of its own.
+  /// For initTestCase(): aborts on warnings, uses the resources of this source tree and a home folder of its
+  /// own.
   static void prepare(const char* sourceDirectory) {
     const auto home = std::filesystem::temp_directory_path() /
                       ("robotcontrol-test-" + std::to_string(QCoreApplication::applicationPid()));
@@ -38,11 +40,13 @@ class Bench {
     qputenv("ROBOTCONTROL_RESOURCES", (std::string(sourceDirectory) + "/resources").c_str());
     previous() = qInstallMessageHandler(failOnWarning);
   }
+  /// For cleanupTestCase(): removes the home folder.
   static void tidyUp() {
     std::error_code error;
     std::filesystem::remove_all(std::filesystem::path(qgetenv("XDG_CONFIG_HOME").toStdString()), error);
   }
 
+  /// Creates and shows a view.
   template <typename V>
   std::unique_ptr<V> open(QSize size = {700, 500}) {
     auto view = std::make_unique<V>(context);
@@ -62,7 +66,7 @@ class Bench {
     session.tick();
     view.tick();
   }
-  /// Answers the last request that was made.
+  /// Replies to the last request.
   void answer(bool accepted, const std::string& reason = {}) { answer(requests.back(), accepted, reason); }
   void answer(const robotcontrol::Request& request, bool accepted, const std::string& reason = {}) {
     robotcontrol::RequestResult result;
@@ -92,8 +96,7 @@ class Bench {
   }
 };
 
-/// A widget of a view by its object name; fails the program if there is none, so that a test reads like a
-/// recipe.
+/// A widget of a view by its object name; aborts the program if there is none.
 template <typename W>
 W& child(QWidget& of, const char* name) {
   W* found = of.findChild<W*>(QString::fromLatin1(name));

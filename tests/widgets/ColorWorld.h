@@ -12,7 +12,7 @@
 
 namespace widgets::test {
 
-/// A session whose robot's camera shows four quarters: orange, green, white and a grey wall
+/// A session whose robot's camera shows four quarters: orange, green, white and a gray wall
 /// (SampleFixture.h).
 class ColorWorld : public SyntheticWorld {
  public:
@@ -34,7 +34,7 @@ class ColorWorld : public SyntheticWorld {
   ColorFramePtr frame(int width = 40, int height = 30, int darker = 0) const {
     return std::make_shared<ColorFrame>(image(width, height, darker), kStream, "", now());
   }
-  /// The camera shows it from now on.
+  /// Publishes an image.
   void show(int width = 40, int height = 30, int darker = 0) {
     push(kStream, image(width, height, darker));
     advance();

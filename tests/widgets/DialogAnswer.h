@@ -10,8 +10,8 @@
 #include <QTimer>
 #include <functional>
 
-/// What somebody does with the dialog that the next action opens, while that action waits for it. A dialog
-/// that is open afterwards is cancelled, so that a test fails and does not hang.
+/// Operates the dialog that the next action opens, while that action waits for it. If the dialog is still
+/// open afterwards, it is canceled, so that the test fails instead of blocking.
 class DialogAnswer {
  public:
   explicit DialogAnswer(std::function<void(QDialog&)> act) {
@@ -25,7 +25,7 @@ class DialogAnswer {
     });
     timer_.start(1);
   }
-  /// Types a file's name into a file dialog and presses its button.
+  /// Enters a file name in a file dialog and presses its button.
   static DialogAnswer file(const QString& name) {
     return DialogAnswer([name](QDialog& dialog) {
       auto* field = dialog.findChild<QLineEdit*>(QStringLiteral("fileNameEdit"));
@@ -42,7 +42,7 @@ class DialogAnswer {
     }
     qFatal("the dialog has no such button");
   }
-  /// Was there a dialog?
+  /// Whether a dialog was opened.
   bool asked() const { return asked_; }
 
  private:

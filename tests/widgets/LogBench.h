@@ -13,7 +13,7 @@
 #include "tests/widgets/Bench.h"
 #include "widgets/log/OpenLogs.h"
 
-/// A log as it would be read, told by the test.
+/// A LogReading whose results the test sets.
 class ToldReading final : public widgets::LogReading {
  public:
   struct Wanted {
@@ -70,7 +70,7 @@ inline widgets::LogOverview overviewOfTest(const std::string& file) {
   return overview;
 }
 
-/// A Bench with logs: the replay's status is told by the test, requests change nothing by themselves.
+/// A Bench with logs: the test publishes the status of the replay; requests have no effect by themselves.
 class LogBench : public Bench {
  public:
   LogBench() {
@@ -109,7 +109,7 @@ class LogBench : public Bench {
     status.mutable_range()->set_to(at(to).time_since_epoch().count());
     tell();
   }
-  /// The session and the logs take in the status as it is now.
+  /// Publishes the current status and updates session and logs.
   void tell() {
     push("replay", status, 1);
     session.tick();
@@ -126,7 +126,7 @@ class LogBench : public Bench {
     tick(*view);
     return view;
   }
-  /// The last request to the replay.
+  /// The last request to the replay; aborts the test if there is none.
   const robotcontrol::ControlReplay& asked() const {
     if (requests.empty() || !requests.back().has_control_replay()) qFatal("nothing was asked of the replay");
     return requests.back().control_replay();

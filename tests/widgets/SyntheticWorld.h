@@ -17,8 +17,8 @@
 
 namespace widgets::test {
 
-/// A session that a test tells what robots and a simulator would tell: images, drawings, a scene, poses.
-/// Takes down what views request. The robot is "red1"; the field is that of 2002.
+/// A session to which a test publishes what robots and a simulator would: images, drawings, a scene, poses.
+/// It records the requests of views. The robot is "red1"; the field is that of 2002.
 class SyntheticWorld {
  public:
   using FramePart = std::function<void(robotcontrol::DebugQueue&)>;
@@ -26,16 +26,16 @@ class SyntheticWorld {
   SyntheticWorld();
 
   void push(const std::string& path, robotlink::PackagePtr value);
-  /// Goes on in time and lets the session take in what was pushed.
+  /// Advances the time and lets the session process what was published.
   void advance(int milliseconds = 40);
   robotlink::Instant now() const { return now_; }
 
-  /// An image of one colour, with one pixel of another.
+  /// An image of uniform color, with one pixel of another color.
   void pushImage(const std::string& path, QSize size, robotlink::YCbCr color, QPoint spot = {},
                  robotlink::YCbCr spotColor = {});
-  /// A frame of the process "cognition" with these drawings in it, and none of those before.
+  /// A frame of the process "cognition" with these drawings, which replaces the previous ones.
   void pushFrame(const std::vector<FramePart>& parts);
-  /// Ground, a wall, the robot (a box) and the ball.
+  /// The scene: ground, a wall, the robot (a box) and the ball.
   void pushScene();
   void pushPoses(const robotlink::Pose2& robot, const robotlink::Vector2& ball);
   void pushEstimates(const robotlink::Pose2& robot, const robotlink::Vector2& ballInRobot);
@@ -44,40 +44,42 @@ class SyntheticWorld {
   robotlink::CommandTable commands;
   ViewContext context;
   std::vector<robotcontrol::Request> requests;
-  std::string refusal;         ///< not empty: every request is refused with it
-  bool wrongChecksum = false;  ///< of colour tables, as if something were lost on the way
+  /// If not empty, every request is refused with this reason.
+  std::string refusal;
+  /// Whether the checksums of color tables are wrong, as after a loss of data.
+  bool wrongChecksum = false;
 
  private:
   robotlink::Instant now_{std::chrono::seconds(1)};
   std::uint64_t frame_ = 0;
 };
 
-/// Parts of a frame: what a debug key of this name draws.
+/// Parts of a frame: the drawing of a debug key with this name.
 SyntheticWorld::FramePart imageDrawing(const std::string& key,
                                        const std::function<void(robotlink::ImageDrawing&)>& draw);
-/// `kind` is "field" or "robot"; `frame` the frame of the coordinates.
+/// `kind` is "field" or "robot"; `frame` is the frame of the coordinates.
 SyntheticWorld::FramePart worldDrawing(const std::string& kind, const std::string& key,
                                        const std::string& frame,
                                        const std::function<void(robotlink::SceneDrawing&)>& draw);
 
-/// A drawing of the field that no honest program makes: indices past the end, numbers that are none.
+/// A drawing of the field that no correct program makes: indices past the end, and NaN.
 SyntheticWorld::FramePart damagedDrawing(const std::string& key, const std::string& frame);
 
-/// Fails the running test at any Qt warning but those of the offscreen platform about what it cannot do. For
-/// initTestCase().
+/// For initTestCase(): fails the running test at any Qt warning, except for those of the offscreen plugin
+/// about what it does not support.
 void failAtWarnings();
-/// Whether two colours differ by at most `tolerance` in each channel.
+/// Whether two colors differ by at most `tolerance` in each channel.
 bool isNear(const QColor& a, const QColor& b, int tolerance = 12);
-/// How many pixels of a picture are near a colour.
+/// Number of pixels of a picture that are near a color.
 int countNear(const QImage& picture, const QColor& color, int tolerance = 12);
-/// Writes pictures of the widget, in light and dark, where ROBOTCONTROL_TEST_PICTURES says, for people to
-/// look at; does nothing otherwise.
+/// Writes pictures of the widget, light and dark, to the folder ROBOTCONTROL_TEST_PICTURES, for visual
+/// inspection; does nothing if that is not set.
 void keepPicture(QWidget& widget, const char* name);
 
-// What a person does with a mouse; whatever is still to be laid out is laid out first.
+// Mouse operations; pending layouts are completed first.
 void moveMouse(QWidget& widget, const QPoint& to, Qt::MouseButtons buttons = Qt::NoButton,
                Qt::KeyboardModifiers modifiers = {});
-/// Presses, moves there by way of the middle, and releases; `moved` is called after each move.
+/// Presses, moves to the end by way of the middle, and releases; `moved` is called after each move.
 void drag(QWidget& widget, Qt::MouseButton button, const QPoint& from, const QPoint& to,
           const std::function<void()>& moved = {}, Qt::KeyboardModifiers modifiers = {});
 void turnWheel(QWidget& widget, const QPoint& at, int notches);
@@ -85,6 +87,7 @@ void click(const QWidget& parent, const char* button);
 
 /// The widget of this object name; the test is aborted if there is none.
 template <typename T>
+/// The widget with this object name; aborts the test if there is none.
 T* child(const QWidget& parent, const char* name) {
   auto* found = parent.findChild<T*>(QLatin1String(name));
   if (found == nullptr) qFatal("no widget named %s", name);

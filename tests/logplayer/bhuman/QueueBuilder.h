@@ -9,7 +9,7 @@
 
 namespace logplayer::bhuman {
 
-/// Makes logs of message queues from nothing, for tests.
+/// Builds logs of message queues for tests.
 class QueueBuilder {
  public:
   QueueBuilder& message(std::uint8_t id, std::span<const std::uint8_t> payload);
@@ -17,22 +17,22 @@ class QueueBuilder {
   QueueBuilder& begin(char process) { return message(1, std::string_view(&process, 1)); }
   QueueBuilder& end(char process) { return message(2, std::string_view(&process, 1)); }
   QueueBuilder& text(std::string_view text) { return message(36, text); }
-  /// All angles 0.1 rad, but for the head's pan, which is off.
+  /// All angles are 0.1 rad, except for the pan of the head, which is off.
   QueueBuilder& joints(std::uint32_t timeMs);
   QueueBuilder& odometry(double heading, double xMm, double yMm);
   QueueBuilder& keys();
-  /// Raw, of one colour.
+  /// A raw image of uniform color.
   QueueBuilder& image(std::uint32_t timeMs, int width, int height);
-  /// The same as a JPEG of four components, as the robots' code wrote them.
+  /// The same as a JPEG with four components, as the robots' code wrote it.
   QueueBuilder& jpegImage(std::uint32_t timeMs, int width, int height);
-  /// Camera 0.5 m above the ground, looking ahead and 30 degrees down.
+  /// The camera is 0.5 m above the ground and looks ahead, 30 degrees down.
   QueueBuilder& cameraMatrix(bool valid);
   QueueBuilder& sensors(std::uint32_t timeMs);
   QueueBuilder& imageCoordinateSystem();
 
-  /// A whole file.
+  /// A complete file.
   std::vector<std::uint8_t> file() const;
-  /// As a robot writes it straight to its disk.
+  /// A file as a robot writes it directly to its disk, without numbers in the header.
   std::vector<std::uint8_t> appendableFile() const;
   std::size_t size() const { return 8 + bytes_.size(); }
 
@@ -43,10 +43,10 @@ class QueueBuilder {
   int messages_ = 0;
 };
 
-/// A JPEG of four components that are written as they are.
+/// A JPEG with four components that are stored without conversion.
 std::vector<std::uint8_t> fourComponentJpeg(std::span<const std::uint8_t> pixels, int width, int height);
 
-/// The log of a real robot; empty where it is missing.
+/// The log of a real robot; empty if it is missing.
 std::vector<std::uint8_t> realLog();
 std::string realLogPath();
 

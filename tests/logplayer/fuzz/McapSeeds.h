@@ -4,6 +4,6 @@
 #include <string>
 #include <vector>
 
-/// Small MCAP files of many kinds: with and without compression, CRCs, chunks, summary; cut; and those of the
-/// conformance suite, where its folder is at hand.
+/// Small MCAP files of many kinds: with and without compression, CRCs, chunks, summary; truncated; and those
+/// of the conformance suite, if its folder exists.
 std::vector<std::string> mcapSeeds();

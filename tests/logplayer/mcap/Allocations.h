@@ -5,11 +5,12 @@
 
 namespace logplayer::mcap::test {
 
-/// The most memory that was taken by operator new beyond what was taken when this was made. For programs that
-/// are linked with Allocations.cpp; one at a time.
+/// Measures the peak of memory allocated by operator new since its construction. For programs that are linked
+/// with Allocations.cpp; one object at a time.
 class LargestAllocation {
  public:
   LargestAllocation();
+  /// The peak in excess of the memory allocated at construction.
   std::size_t bytes() const;
 
  private:

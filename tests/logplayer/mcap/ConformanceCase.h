@@ -26,7 +26,7 @@ struct OwnedMessage {
 using Record = std::variant<Header, Footer, Schema, Channel, OwnedMessage, ChunkIndex, Attachment,
                             AttachmentIndex, Statistics, Metadata, MetadataIndex, SummaryOffset, DataEnd>;
 
-/// One of the files of the MCAP project's conformance suite, as its known answers tell of it.
+/// One file of the MCAP project's conformance suite, as described by its expected results.
 ///
 /// Features: ch all in a chunk, mx message indexes, st statistics, rsh and rch schemas and channels repeated
 /// in the summary, ax, mdx and chx indexes of attachments, metadata and chunks, sum summary offsets, pad
@@ -34,21 +34,21 @@ using Record = std::variant<Header, Footer, Schema, Channel, OwnedMessage, Chunk
 struct ConformanceCase {
   std::string name;
   std::set<std::string> features;
-  /// In the order of the file, those of a chunk in its place; chunks and message indexes themselves are left
-  /// out.
+  /// In the order of the file, those of a chunk at its place; chunks and message indexes themselves are
+  /// omitted.
   std::vector<Record> records;
 
   bool has(const std::string& feature) const { return features.contains(feature); }
 };
 
-/// From the JSON text of the known answers.
+/// Parses the JSON text of the expected results.
 std::vector<ConformanceCase> conformanceCases(const std::string& json);
 
-/// The file that a case tells of, written from its schemas, channels, messages, attachments and metadata
-/// alone: everything else, its CRCs too, is computed.
+/// The file of a case, written from its schemas, channels, messages, attachments and metadata only;
+/// everything else, including CRCs, is computed.
 Buffer writtenBy(const ConformanceCase& conformance);
 
-/// All records of a file, as ConformanceCase has them. Nothing: something cannot be decoded.
+/// All records of a file, as in ConformanceCase; empty if something cannot be decoded.
 std::optional<std::vector<Record>> recordsIn(Bytes file);
 
 }  // namespace logplayer::mcap::test

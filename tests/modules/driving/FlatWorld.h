@@ -8,18 +8,18 @@
 
 namespace modules {
 
-/// Walls on a plane, exact and without a grid of distances: what the modules make of measurements is held
-/// against it. Walls are found by squares of a metre, so that large maps are fast enough.
+/// Walls on a plane, computed exactly and without a grid of distances: the reference for the modules. Walls
+/// are indexed by squares of one meter, so that large maps are fast enough.
 class FlatWorld {
  public:
   /// Points become crosses as wide as the map's resolution.
   explicit FlatWorld(const robotlink::GroundMap& map);
 
-  /// m, along the x-axis of `sensor` to the first wall; `maximum` if there is none.
+  /// Distance in m along the x-axis of `sensor` to the first wall; `maximum` if there is none.
   double ray(const robotlink::Pose2& sensor, double maximum) const;
-  /// The shortest of rays 3 degrees apart.
+  /// The minimum of rays 3 degrees apart.
   double cone(const robotlink::Pose2& sensor, double openingAngle, double maximum) const;
-  /// m, from the outline of a robot to the nearest wall; 0 if it touches one, 0.5 at most.
+  /// Distance in m from the outline of a robot to the nearest wall; 0 if it touches one, at most 0.5.
   double distance(const Outline& outline, const robotlink::Pose2& robot) const;
 
  private:
@@ -32,13 +32,14 @@ class FlatWorld {
   robotlink::Vector2 low_;
   int width_, height_;
   std::vector<Line> lines_;
-  std::vector<std::vector<std::size_t>> squares_;  // indices of lines
+  /// Indices of lines, by square.
+  std::vector<std::vector<std::size_t>> squares_;
 };
 
-/// A rectangle of walls, and within it whatever is added.
+/// A rectangle of walls from (0, 0) to (length, width), to which others can be added.
 robotlink::GroundMap roomMap(double length, double width);
 void addWall(robotlink::GroundMap& map, double x1, double y1, double x2, double y2);
-/// Of ../shared/data/arcos; one without lines if it is not there.
+/// A map of ../shared/data/arcos; without lines if it is missing.
 robotlink::GroundMap sharedMap(const char* name);
 
 }  // namespace modules

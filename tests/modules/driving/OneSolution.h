@@ -15,13 +15,14 @@
 
 namespace modules {
 
-/// What a process gives to one solution of a Pioneer's program: inputs that a test sets, outputs that it
-/// reads.
+/// The context of a single solution of a Pioneer's program: the test sets its inputs and reads its outputs.
+/// All its debug keys are on.
 class OneSolution final : public robotlink::SolutionContext {
  public:
-  static constexpr double kFrame = 0.1;  ///< s, between two frames
+  /// Time between two frames, s.
+  static constexpr double kFrame = 0.1;
 
-  /// `setUp`: sets its parameters before it is switched on.
+  /// `setUp` sets the parameters before the solution is created.
   OneSolution(const std::string& task, const std::string& name,
               std::shared_ptr<const robotlink::GroundMap> map = nullptr,
               const std::function<void(google::protobuf::Message&)>& setUp = {})
@@ -39,15 +40,16 @@ class OneSolution final : public robotlink::SolutionContext {
       mode.set_kind(robotcontrol::KeyMode::ALWAYS);
       debug_.setMode(key, mode);
     }
-    // What its constructor says belongs to the first frame.
+    // Messages of its constructor belong to the first frame.
     solution_ = description_->create(*this);
   }
 
+  /// Sets an input for the next frame.
   template <typename T>
   void set(robotlink::Package<T> package, T value) {
     slots_.at(package.name) = {std::make_shared<const T>(std::move(value)), true};
   }
-  /// Null if it has sent nothing.
+  /// The last value of an output; null if it has not been sent.
   template <typename T>
   const T* sent(robotlink::Package<T> package) const {
     const auto found = outputs_.find(package.name);
@@ -57,7 +59,7 @@ class OneSolution final : public robotlink::SolutionContext {
   P& parametersAs() {
     return static_cast<P&>(*parameters_);
   }
-  /// One frame; what was set is new in it only.
+  /// Executes one frame; inputs that were set before are new only in this frame.
   void execute() {
     debug_.beginFrame(clock_.now(), static_cast<std::uint64_t>(++frame_));
     solution_->execute();
@@ -65,15 +67,17 @@ class OneSolution final : public robotlink::SolutionContext {
     for (auto& [package, slot] : slots_) slot.isNew = false;
     remember();
   }
+  /// Advances the clock.
   void pass(double seconds = kFrame) { clock_.advance(robotlink::fromSeconds(seconds)); }
 
-  /// Of texts, how often each was told.
+  /// Number of occurrences of each text.
   const std::map<std::string, int>& texts() const { return texts_; }
+  /// Whether a text contains a part.
   bool said(const std::string& part) const {
     return std::ranges::any_of(texts_,
                                [&](const auto& text) { return text.first.find(part) != std::string::npos; });
   }
-  /// Of all keys, those that told nothing yet.
+  /// The debug keys that have not produced any message yet.
   std::set<std::string> silentKeys() const {
     std::set<std::string> silent;
     for (const int key : description_->keys) {
@@ -99,6 +103,7 @@ class OneSolution final : public robotlink::SolutionContext {
   const google::protobuf::Message& parameterMessage() override { return *parameters_; }
 
  private:
+  /// Collects texts and paths of the debug messages.
   void remember() {
     while (debug_.hasQueue()) {
       const auto queue = debug_.takeQueue();

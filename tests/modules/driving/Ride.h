@@ -15,15 +15,15 @@ namespace modules {
 
 enum class Avoidance { kVectorField, kDynamicWindow };
 
-/// A RollingRobot that remembers what it sees and avoids obstacles, as the solutions of its program do.
+/// A RollingRobot that remembers obstacles and avoids them, like the solutions of its program.
 class Ride {
  public:
   Ride(const FlatWorld& world, const RollingRobot::Options& options, Avoidance avoidance);
 
-  /// What is wished, by the obstacles in the robot's frame.
+  /// Returns the desired velocity, given the obstacles in the robot's frame.
   using Wish = std::function<DriveVelocity(std::span<const robotlink::Vector2>)>;
   void run(double seconds, const Wish& wish);
-  /// Runs until `done`; false if it was not within the time.
+  /// Runs until `done` returns true; returns false if it does not within `seconds`.
   bool runUntil(double seconds, const Wish& wish, const std::function<bool()>& done);
 
   RollingRobot& robot() { return robot_; }

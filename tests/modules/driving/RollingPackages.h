@@ -47,7 +47,7 @@ inline foxglove::LaserScan laserScan(const RollingRobot& robot) {
   return scan;
 }
 
-/// What a platform would send now.
+/// Sets the inputs that a platform would send now.
 inline void sense(OneSolution& solution, const RollingRobot& robot, bool laser) {
   solution.set(robotlink::kDriveState, driveState(robot));
   solution.set(robotlink::kSonar, sonarReadings(robot));

@@ -10,37 +10,41 @@
 
 namespace modules {
 
-/// A Pioneer on the plane of a FlatWorld, as its modules meet it: it speeds up and brakes slowly, its
-/// odometry is wrong by what its wheels skid, its sonars fire in turn, one of each side every 40 ms, and what
-/// they measure is noisy.
+/// A Pioneer in a FlatWorld as its modules perceive it: it accelerates and brakes slowly, its odometry drifts
+/// by wheel slip, its sonars fire in turn, one on each side every 40 ms, and measurements are noisy.
 class RollingRobot {
  public:
   struct Options {
     robotlink::Pose2 start;
     bool laser = true;
-    double skid = 0.02;  ///< share of turns, and of ways, that the odometry misses, by chance more or less
+    /// Mean share of rotations and distances that the odometry misses.
+    double skid = 0.02;
     std::uint64_t seed = 1;
   };
-  static constexpr double kCycle = 0.1;  ///< s
+  /// In s.
+  static constexpr double kCycle = 0.1;
 
   RollingRobot(const FlatWorld& world, const Options& options);
 
   /// Drives for one cycle.
   void drive(const DriveVelocity& request);
-  /// What its sensors measured in the last cycle.
+  /// The measurements of the last cycle.
   const std::vector<RangeBeam>& beams() const { return beams_; }
-  const robotlink::Pose2& pose() const { return pose_; }          ///< the true one
-  const robotlink::Pose2& odometry() const { return odometry_; }  ///< begins at 0
+  /// The true pose.
+  const robotlink::Pose2& pose() const { return pose_; }
+  /// Starts at 0.
+  const robotlink::Pose2& odometry() const { return odometry_; }
   const DriveVelocity& velocity() const { return velocity_; }
   robotlink::Instant now() const { return now_; }
   double time() const { return robotlink::seconds(now_); }
   const robotlink::RobotDescription& description() const { return description_; }
   DriveLimits limits() const;
   Outline outline() const;
-  /// m, the nearest that it came to a wall; 0: it touched one, and does not move on.
+  /// The minimum distance to a wall so far, m; 0: it has touched one and does not move any more.
   double nearest() const { return nearest_; }
-  double way() const { return way_; }  ///< m, that it drove
-  /// Carries it to another place; its odometry does not notice.
+  /// Distance driven, m.
+  double way() const { return way_; }
+  /// Moves the robot to another place unnoticed by its odometry.
   void carry(const robotlink::Pose2& pose) { pose_ = pose; }
 
  private:

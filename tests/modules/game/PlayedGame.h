@@ -13,17 +13,18 @@
 
 namespace modules {
 
-/// The whole robot program on the simulated robot of resources/scenes/field2002.sdf, in lockstep, with what
-/// its solutions send beside what is true. Poses are those of the instant that a package is of, not of when
-/// it came.
+/// The whole robot program on the simulated robot of resources/scenes/field2002.sdf, in lockstep, with access
+/// to the outputs of its solutions and to the ground truth. Poses are those at the timestamp of a package,
+/// not at its arrival.
 class PlayedGame {
  public:
+  /// The ground truth at some instant.
   struct Truth {
     robotlink::Pose2 robotInField;
     robotlink::Vector2 ballInRobot = robotlink::Vector2::Zero();
     robotlink::Pose3 cameraInRobot = robotlink::Pose3::Identity();
   };
-  /// Solutions other than those of the layout `compact`, by task.
+  /// Solutions that replace those of the layout `compact`, by task.
   using Solutions = std::map<std::string, std::string>;
   explicit PlayedGame(Solutions solutions = {}, app::SimulatedWorld::Options world = {});
 
@@ -31,8 +32,7 @@ class PlayedGame {
   void placeBall(const robotlink::Vector2& place);
   void run(double seconds);
 
-  /// Calls back with every package of this name from now on, and with what is true of its instant. T: its
-  /// type.
+  /// Calls back with every following package of this name and the ground truth at its timestamp. T: its type.
   template <typename T>
   void watch(const std::string& package, std::function<void(const T&, const Truth&)> callback) {
     show(package, [callback](const std::string& bytes, const Truth& truth) {
@@ -43,7 +43,7 @@ class PlayedGame {
   void select(const std::string& task, const std::string& solution);
   /// Turns a debug key on.
   void tell(const std::string& key);
-  /// Of all debug messages that came: "drawings/image/ball-percept/disc".
+  /// The paths of all debug messages so far: "drawings/image/ball-percept/disc".
   const std::set<std::string>& paths() const { return paths_; }
 
   double time() const;

@@ -13,20 +13,21 @@ namespace modules {
 /// The gait of resources/parameters/ers210/motion.wheel-model-*.textproto.
 GaitParameters shippedGait(const std::filesystem::path& resources, FootMode mode);
 
-/// An ERS-210 in the physics of the field, moved by a MotionEngine without the robot program around it: for
-/// tests and measurements of motion. Frames of 8 ms; what cannot be loaded is a failure of the whole test
-/// program, told on stderr.
+/// An ERS-210 in the physics of the field, moved by a MotionEngine without a robot program, for tests and
+/// measurements of motion. Frames of 8 ms. If something cannot be loaded, the test program prints an error
+/// and ends.
 class WalkingRobot {
  public:
   struct Options {
     GaitParameters gait;
     MotionEngine::Options motion;
     std::uint64_t seed = 1;
-    std::filesystem::path resources;  ///< the project's folder of resources
-    std::filesystem::path scene;      ///< of one robot and a ball; empty is the field of 2002
+    /// The folder `resources` of the project.
+    std::filesystem::path resources;
+    /// A scene with one robot and a ball; empty: the field of 2002.
+    std::filesystem::path scene;
   };
-  /// Mean velocity in the robot's own frame, and how far it tilted (the height of the body's z-axis, 1 is
-  /// upright).
+  /// The mean velocity in the robot's frame, and the minimum z-component of the body's z-axis (1 is upright).
   struct Measured {
     WalkSpeed speed;
     double leastUpright = 1;
@@ -35,9 +36,9 @@ class WalkingRobot {
   explicit WalkingRobot(const Options& options);
 
   void frame(const MotionWish& wish);
-  /// Frames with a wish for some seconds.
+  /// Executes frames with the same request for some seconds.
   void run(const MotionWish& wish, double seconds);
-  /// Walks from the field's centre until the speed is steady, and measures.
+  /// Walks from the field's center until the speed is steady, then measures.
   Measured walk(const WalkSpeed& speed, double seconds);
 
   simcore::Simulation& simulation() { return *simulation_; }
@@ -47,15 +48,17 @@ class WalkingRobot {
   double upright() const { return pose().linear()(2, 2); }
   robotlink::Vector3 ball() const { return simulation_->modelPose("ball")->translation(); }
   void placeRobot(const robotlink::Pose2& pose);
-  /// `position` in the robot's frame.
+  /// `position` is in the robot's frame.
   void placeBall(const robotlink::Vector2& position);
 
  private:
   std::unique_ptr<simcore::Simulation> simulation_;
   std::string robot_;
   std::unique_ptr<MotionEngine> engine_;
-  std::vector<std::size_t> servos_;  // by joint
-  std::vector<std::size_t> angles_;  // sensors by joint
+  /// Indexed by joint.
+  std::vector<std::size_t> servos_;
+  /// Sensors, indexed by joint.
+  std::vector<std::size_t> angles_;
   std::size_t accelerometer_ = 0;
   HeadAngles head_{robotlink::radians(-12), 0, 0, robotlink::radians(-3)};
 };

@@ -15,9 +15,8 @@
 
 namespace modules {
 
-/// Images of the real scene resources/scenes/field2002.sdf from any place, without physics: the ball and a
-/// camera, which has no robot around it, are put where a test wants them. Light, shadows and noise are the
-/// scene's.
+/// Images of the scene resources/scenes/field2002.sdf from any place, without physics: the test places the
+/// ball and a camera, which has no robot around it. Light, shadows and noise are those of the scene.
 class FieldCamera {
  public:
   FieldCamera();
@@ -26,15 +25,15 @@ class FieldCamera {
   const colortool::ColorClasses& classes() const { return classes_; }
   const colortool::ColorTable& table() const { return table_; }
 
-  /// m, in the field.
+  /// In m, in the field's frame.
   void putBall(const robotlink::Vector2& place, double height = 0.042);
-  /// Shows the robot of the scene at a place; it is hidden at first.
+  /// Shows the robot of the scene at a place; initially it is hidden.
   void putRobot(const robotlink::Pose2& place);
-  /// The camera of a robot in its stance.
+  /// The camera of a standing robot.
   static CameraView view(const NeckAngles& neck);
-  /// Kept until the next call.
+  /// Renders an image, which is valid until the next call.
   const robotlink::Image& look(const robotlink::Pose2& robotInField, const CameraView& view);
-  /// The regions of the last image; of one class only, if it is named.
+  /// The regions of the last image, optionally of one class only.
   std::vector<colortool::Region> regions(std::string_view className = {});
 
  private:

@@ -13,30 +13,30 @@
 
 namespace modules {
 
-/// What the camera of a logged robot told in one frame.
+/// Image and pose of the camera of a logged robot in one frame.
 struct LoggedView {
   robotlink::PackagePtr image;
   robotlink::PackagePtr pose;
   robotlink::Instant time;
 };
 
-/// The views of a log of a message queue, in its order; none if there is no such file.
+/// The views of a message queue log in its order; empty if there is no such file.
 std::vector<LoggedView> readViews(const std::string& logFile);
 
-/// The perception of the robot program, with the parameters of the NAO on the field of 2009, on single views
-/// of a log.
+/// The perception of the robot program, with the parameters of the NAO on the field of 2009, applied to
+/// single views of a log.
 class LoggedRobot {
  public:
-  /// Solutions of the tasks segmentation and ball-percept.
+  /// The arguments are solutions of the tasks segmentation and ball-percept.
   LoggedRobot(const std::string& segmentation, const std::string& ballPercept);
   ~LoggedRobot();
 
   robotcontrol::BallPercept look(const LoggedView& view);
-  /// Of the last look.
+  /// The regions of the last call of look().
   const robotcontrol::ColorRegions& regions() const { return regions_; }
-  /// The reason of a refusal; empty if it was done.
+  /// Sends a request; returns the reason if it was refused, otherwise an empty text.
   std::string ask(robotcontrol::Request request);
-  /// A table without cells takes the last one back.
+  /// Sets a color table; one without cells removes the last one.
   std::string setColorTable(const robotcontrol::ColorTable& table);
   const std::vector<std::string>& failures() const { return failures_; }
 

@@ -7,7 +7,7 @@
 
 namespace robotlink::arcos {
 
-/// "FA FB 03" as bytes; blanks are ignored.
+/// Converts a text such as "FA FB 03" to bytes; spaces are ignored.
 inline Bytes hexBytes(std::string_view text) {
   const auto digit = [](char c) { return c <= '9' ? c - '0' : (c | 0x20) - 'a' + 10; };
   Bytes bytes;

@@ -8,16 +8,19 @@
 #include "robotlink/arcos/server/ServerSession.h"
 #include "tests/robotlink/arcos/IdealWheels.h"
 
-/// A microcontroller on ideal wheels in an empty world, with a client's hand on it: no socket, no waiting.
+/// A microcontroller on ideal wheels in an empty world, together with its client: without sockets and without
+/// waiting.
 class IdealRobot : public robotlink::arcos::RangeFinders {
  public:
   explicit IdealRobot(robotlink::arcos::ServerSettings settings = {}) : session(std::move(settings)) {}
 
   robotlink::arcos::ServerSession session;
   robotlink::arcos::RobotSensing sensing;
-  std::vector<robotlink::arcos::Packet> received;  ///< by the client
+  /// Packets received by the client.
+  std::vector<robotlink::arcos::Packet> received;
   std::vector<robotlink::Instant> receivedAt;
-  std::map<int, int> shots;  ///< how often each sonar fired
+  /// Number of times that each sonar has fired.
+  std::map<int, int> shots;
   int scans = 0;
   std::vector<double> scan = std::vector<double>(181, 7.0);
   robotlink::Instant now;
@@ -49,11 +52,11 @@ class IdealRobot : public robotlink::arcos::RangeFinders {
     sensing.rightSpeed = wheels.command.right;
     collect();
   }
-  /// A client that says nothing.
+  /// Runs while the client sends nothing.
   void run(double time) {
     for (const auto end = now + robotlink::fromSeconds(time); now < end;) step();
   }
-  /// A client that sends a pulse each half second.
+  /// Runs while the client sends a pulse each half second.
   void drive(double time) {
     for (const auto end = now + robotlink::fromSeconds(time); now < end;) {
       send(robotlink::arcos::CommandId::kPulse);

@@ -5,7 +5,7 @@
 
 #include "robotlink/arcos/server/MotionController.h"
 
-/// Wheels that do at once what they are told, and do not slip.
+/// Wheels that follow commands at once and do not slip.
 struct IdealWheels {
   static constexpr robotlink::Duration kStep = std::chrono::milliseconds(4);
 

@@ -17,11 +17,12 @@
 #include <thread>
 #include <vector>
 
-/// A serial line without hardware: the program under test opens path(), the test is what hangs at the cable's
-/// other end. plugIn() and unplug() may be repeated; path() stays the same, as a USB adapter's does.
+/// A serial line without hardware: the program under test opens path(), and the test is the device at the
+/// other end of the cable. plugIn() and unplug() may be repeated; path() stays the same, like that of a USB
+/// adapter.
 class PseudoTerminal {
  public:
-  /// `path` is made a symbolic link to the pseudo-terminal.
+  /// Creates `path` as a symbolic link to the pseudo-terminal.
   explicit PseudoTerminal(std::filesystem::path path) : path_(std::move(path)) { plugIn(); }
   ~PseudoTerminal() { unplug(); }
   PseudoTerminal(const PseudoTerminal&) = delete;
@@ -50,13 +51,13 @@ class PseudoTerminal {
   }
   const std::filesystem::path& path() const { return path_; }
 
-  /// Sends at the pace of a line of `baud` (10 bits a byte), in pieces of `piece` bytes.
+  /// Sends at the speed of a line of `baud` (10 bits per byte), in pieces of `piece` bytes.
   void send(std::span<const std::uint8_t> bytes, int baud = 9600, std::size_t piece = 7) const {
     auto due = std::chrono::steady_clock::now();
     while (!bytes.empty()) {
       const auto now = bytes.first(std::min(piece, bytes.size()));
       due += std::chrono::microseconds(10'000'000LL * static_cast<long long>(now.size()) / baud);
-      std::this_thread::sleep_until(due);  // a byte is there when its last bit is
+      std::this_thread::sleep_until(due);  // a byte has arrived when its last bit has
       if (::write(master_, now.data(), now.size()) != static_cast<ssize_t>(now.size())) {
         throw std::runtime_error("the pseudo-terminal takes no bytes");
       }
@@ -64,7 +65,7 @@ class PseudoTerminal {
     }
   }
 
-  /// What the program under test has sent, waiting for at least `count` bytes, but 2 s at most.
+  /// Returns what the program under test has sent; waits for at least `count` bytes, but for at most 2 s.
   std::vector<std::uint8_t> receive(std::size_t count) const {
     std::vector<std::uint8_t> bytes;
     while (bytes.size() < count) {

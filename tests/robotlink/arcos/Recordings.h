@@ -11,7 +11,7 @@
 
 namespace robotlink::arcos {
 
-/// Conversations of real clients with a simulator, if the project's data are there.
+/// Recorded conversations of real clients with a simulator; empty if the project's data are missing.
 inline std::vector<std::filesystem::path> recordings() {
   std::vector<std::filesystem::path> files;
   std::error_code missing;

@@ -11,15 +11,15 @@
 #include "tests/robotlink/arcos/IdealRobot.h"
 #include "tests/robotlink/arcos/PseudoTerminal.h"
 
-/// A robot in real time at the end of a serial line of 9600 baud that is as bad as lines are: bytes trickle
-/// in, each fifth packet has a wrong byte, and there is noise between packets. It does not notice when its
-/// cable is pulled.
+/// A robot that runs in real time at the end of a bad serial line of 9600 baud: bytes arrive one by one,
+/// every fifth packet has a wrong byte, and there is noise between packets. The robot does not notice when
+/// the cable is pulled.
 class RobotOnSerialLine {
  public:
   explicit RobotOnSerialLine(PseudoTerminal& line)
       : line_(line), thread_([this](const std::stop_token& stop) { run(stop); }) {}
 
-  /// The cable: the robot goes on meanwhile.
+  /// Pulls the cable; the robot keeps running.
   void pull() {
     const std::lock_guard lock(mutex_);
     line_.unplug();
@@ -28,7 +28,7 @@ class RobotOnSerialLine {
     const std::lock_guard lock(mutex_);
     line_.plugIn();
   }
-  /// What came from the client and was no packet.
+  /// Number of bytes from the client that were not part of a packet.
   std::uint64_t skippedBytes() const { return skippedBytes_; }
 
  private:
@@ -44,7 +44,7 @@ class RobotOnSerialLine {
       while (robot_.now < clock.now()) robot_.step();
       for (const auto& packet : robot_.received) queue(packet);
       robot_.forget();
-      // What the line could have carried until now; it saves nothing up while it is idle.
+      // The number of bytes that the line could have carried so far; time while it is idle does not count.
       const double carried = kBytesPerSecond * robotlink::seconds(clock.now());
       if (waiting_.empty()) sent = carried;
       for (; sent < carried && !waiting_.empty(); ++sent) transmit();
@@ -79,11 +79,13 @@ class RobotOnSerialLine {
   }
 
   PseudoTerminal& line_;
-  std::mutex mutex_;  // protects line_ and the robot
+  /// Protects line_ and the robot.
+  std::mutex mutex_;
   IdealRobot robot_;
   robotlink::arcos::PacketParser parser_;
   std::deque<std::uint8_t> waiting_;
   int packets_ = 0;
   std::atomic<std::uint64_t> skippedBytes_{0};
-  std::jthread thread_;  // last: it uses the others
+  /// Declared last, since it uses all others.
+  std::jthread thread_;
 };

@@ -8,8 +8,8 @@
 #include "robotlink/arcos/stream/ByteStream.h"
 #include "tests/robotlink/arcos/IdealRobot.h"
 
-/// A robot at the end of a line, in one thread and without waiting: who reads from the line lets the robot's
-/// time, and the client's clock, go on. The robot outlives its lines, as a real one does.
+/// A robot at the end of a line, in one thread and without waiting: reading from the line advances the
+/// robot's time and the client's clock. The robot outlives its lines, like a real one.
 class SimulatedLine : public robotlink::arcos::ByteStream {
  public:
   struct World {
@@ -17,10 +17,13 @@ class SimulatedLine : public robotlink::arcos::ByteStream {
 
     IdealRobot robot;
     robotlink::ManualClock clock;
-    std::vector<robotlink::arcos::Packet> commands;  ///< that came from the client
-    bool silent = false;                             ///< the robot's words are lost on the way
+    /// Packets received from the client.
+    std::vector<robotlink::arcos::Packet> commands;
+    /// Whether the robot's packets are lost.
+    bool silent = false;
     bool unplugged = false;
-    std::vector<std::uint8_t> noise;  ///< comes before each packet
+    /// Bytes that precede each packet.
+    std::vector<std::uint8_t> noise;
 
     void advance(robotlink::Duration time) {
       for (const auto end = robot.now + time; robot.now < end;) robot.step();

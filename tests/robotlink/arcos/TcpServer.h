@@ -12,7 +12,8 @@
 #include <stdexcept>
 #include <vector>
 
-/// The far end of a TCP line, on a free port of the loopback: accepts one client at a time.
+/// The server end of a TCP connection, on a free port of the loopback interface; accepts one client at a
+/// time.
 class TcpServer {
  public:
   TcpServer() {
@@ -48,7 +49,7 @@ class TcpServer {
     }
   }
 
-  /// Waits for at least `count` bytes, until the client closes, or 2 s.
+  /// Waits for at least `count` bytes, or until the client closes; throws after 2 s without data.
   std::vector<std::uint8_t> receive(std::size_t count) const {
     std::vector<std::uint8_t> bytes;
     std::array<std::uint8_t, 1024> piece{};
@@ -62,7 +63,7 @@ class TcpServer {
     return bytes;
   }
 
-  /// Lets clients queue up that are never accepted, until the system leaves further ones without an answer.
+  /// Adds clients that are never accepted, until the system does not answer further ones.
   void fillBacklog() {
     for (int i = 0; i < 3; ++i) {
       const int socket = ::socket(AF_INET, SOCK_STREAM | SOCK_NONBLOCK, 0);

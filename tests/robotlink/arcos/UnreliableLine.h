@@ -10,21 +10,27 @@
 
 namespace robotlink::arcos {
 
-/// One direction of a line that does to packets what bad lines do; the same for the same seed.
+/// One direction of a line that loses, damages and delays packets, reproducibly by its seed.
 class UnreliableLine {
  public:
   struct Faults {
-    double lost = 0;       ///< shares of the packets
-    double damaged = 0;    ///< one bit is wrong
-    double shortened = 0;  ///< the end is missing
-    double delayed = 0;    ///< comes 20 to 200 ms later, so behind others
-    double garbage = 0;    ///< has random bytes before it
+    /// All are shares of the packets; lost: never arrives.
+    double lost = 0;
+    /// One bit is wrong.
+    double damaged = 0;
+    /// The end is missing.
+    double shortened = 0;
+    /// Arrives 20 to 200 ms later, possibly behind others.
+    double delayed = 0;
+    /// Random bytes precede it.
+    double garbage = 0;
   };
 
   explicit UnreliableLine(std::uint64_t seed) : random_(seed) {}
 
   Faults faults;
-  bool cut = false;  ///< nothing comes through
+  /// Whether nothing arrives at all.
+  bool cut = false;
 
   void write(const Packet& packet, Instant now) {
     if (cut || happens(faults.lost)) return;
@@ -42,14 +48,14 @@ class UnreliableLine {
     waiting_.insert(later, {now + delay, std::move(bytes)});
   }
 
-  /// Whole packets, however they were written.
+  /// Writes complete packets.
   void write(const Bytes& packets, Instant now) {
     PacketParser parser;
     parser.push(packets);
     while (const auto found = parser.next()) write(std::get<Packet>(*found), now);
   }
 
-  /// What has come by now.
+  /// Returns what has arrived by now.
   Bytes read(Instant now) {
     Bytes bytes;
     while (!waiting_.empty() && waiting_.front().at <= now) {
@@ -70,7 +76,7 @@ class UnreliableLine {
   std::deque<Waiting> waiting_;
 };
 
-/// A parser at the end of a line, as its owner uses it: 100 ms of silence end a packet.
+/// A parser at the end of a line with the timeout of its users: 100 ms of silence end a packet.
 class LineEnd {
  public:
   template <typename Take>

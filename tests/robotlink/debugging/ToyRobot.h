@@ -20,9 +20,9 @@
 
 namespace robotlink::testing {
 
-/// A platform whose sensors count: every image and every joint state carries the number of its step. It
-/// writes down every joint request that it gets. Its tasks, registered with it, are ball-percept [region,
-/// broken, untidy], ball-model [last, oracle, throwing], behavior [go, obey] and motion [walk].
+/// A platform whose sensors count: every image and every joint state contains the number of its step. It
+/// stores all joint requests. The tasks that are registered with it are ball-percept [region, broken,
+/// untidy], ball-model [last, oracle, throwing], behavior [go, obey] and motion [walk].
 class ToyPlatform final : public Platform {
  public:
   using Platform::Platform;
@@ -33,7 +33,7 @@ class ToyPlatform final : public Platform {
   /// Every `n`-th step has an image.
   void setImageEvery(int n) { imageEvery_ = n; }
   const std::vector<std::string>& requests() const { return requests_; }
-  /// Offers "oracle/classes", made with each image while somebody receives it.
+  /// Offers "oracle/classes", which is made with each image while there is a receiver.
   std::vector<AnySender*> onRequest() override { return {&classes_}; }
   int classesMade() const { return classesMade_; }
 
@@ -45,7 +45,8 @@ class ToyPlatform final : public Platform {
   Sender<foxglove::JointStates> joints_{*this, "joints/states", Blocking::kNo};
   Receiver<robotcontrol::JointRequest> request_{*this, "joints/request", Blocking::kNo};
   Sender<foxglove::RawImage> classes_{*this, "oracle/classes", Blocking::kNo};
-  std::vector<std::string> requests_;  // serialised
+  /// Serialized.
+  std::vector<std::string> requests_;
   int classesMade_ = 0;
   int imageEvery_ = 5;
   int step_ = 0;
@@ -54,16 +55,17 @@ class ToyPlatform final : public Platform {
 /// A layout of the toy tasks: cognition waits for images, motion for joint states.
 extern const char* const kToyLayout;
 
-/// A toy robot with a program in lockstep at 8 ms a step, and the ears of a workbench.
+/// A toy robot with a program in lockstep at 8 ms per step, and the debugging interface of a workbench.
 class ToyRobot {
  public:
   explicit ToyRobot(const std::string& layout = kToyLayout, std::filesystem::path parameterFolder = {});
   ~ToyRobot();
 
-  /// Puts another layout on the platform; the reasons, if it is refused.
+  /// Loads another layout; returns the reasons if it is refused.
   Errors load(const std::string& layout);
   void run(int steps);
-  /// Fills the id in, runs until an answer came, at most 100 steps; not accepted and "no answer" if none did.
+  /// Sends a request with a new id and runs until its reply arrives, for at most 100 steps; otherwise returns
+  /// a refusal with the reason "no answer".
   robotcontrol::RequestResult ask(robotcontrol::Request request);
   robotcontrol::RequestResult select(const std::string& task, const std::string& solution);
   robotcontrol::RequestResult setKey(const std::string& key, robotcontrol::KeyMode::Kind kind,
@@ -74,20 +76,21 @@ class ToyRobot {
   LockstepExecutor executor;
   std::unique_ptr<RobotProgram> program;
   std::filesystem::path parameterFolder;
-  std::vector<robotcontrol::DebugMessage> heard;  ///< everything, in order
+  /// All debug messages in order.
+  std::vector<robotcontrol::DebugMessage> heard;
   std::vector<std::string> starved;
   std::vector<std::string> failed;
 
-  /// What was heard on a path.
+  /// The messages on a path.
   std::vector<const robotcontrol::DebugMessage*> on(const std::string& path) const;
-  /// Which solution a task uses, by the newest table; empty if there is none.
+  /// The solution of a task according to the newest table; empty if there is none.
   std::string active(const std::string& task) const;
 
  private:
   std::uint64_t nextId_ = 1;
 };
 
-/// How many objects of toy solutions live; for tests of switching.
+/// Number of existing toy solution objects, for tests of switching.
 int livingSolutions();
 
 }  // namespace robotlink::testing

@@ -9,13 +9,13 @@
 
 namespace robotlink::testing {
 
-/// A process that does what a test says.
+/// A process whose frame is a function of the test.
 class TestProcess final : public Process {
  public:
   using Process::Process;
   std::function<void()> body = [] {};
 
-  /// Runs a frame if it may.
+  /// Executes a frame, if it may begin.
   bool step() {
     if (!tryBeginFrame()) return false;
     runFrame();
@@ -28,7 +28,7 @@ class TestProcess final : public Process {
 
 using Ball = robotcontrol::BallPercept;
 
-/// A package with a number in it.
+/// A package that contains a number.
 inline std::shared_ptr<const Ball> ball(double number) {
   auto package = std::make_shared<Ball>();
   package->set_radius_in_image(number);

@@ -9,13 +9,14 @@
 
 namespace robotlink::testing {
 
-/// What every transport must do: the semantics of senders and receivers (DESIGN.md, "Processes"). A transport
-/// runs the suite by a class
+/// The conformance suite of transports: the semantics of senders and receivers (DESIGN.md, "Processes"). A
+/// transport runs the suite by means of a class like this:
 ///
 ///     struct MyTransport {
-///       void connect(AnySender& sender, AnyReceiver& receiver);  // links them
-///       void settle();  // returns when what is on its way has arrived and what was asked for is known to
-///       the sender
+///       // Connects the two ends.
+///       void connect(AnySender& sender, AnyReceiver& receiver);
+///       // Returns when everything sent has arrived and the sender knows of all requests.
+///       void settle();
 ///     };
 ///     INSTANTIATE_TYPED_TEST_SUITE_P(Mine, TransportConformance, MyTransport);
 template <typename Transport>

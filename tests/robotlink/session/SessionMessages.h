@@ -5,7 +5,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/StreamMessage.h"
 
-// What robots tell a session, in tests.
+// Messages from robots for tests of sessions.
 namespace robotlink::test {
 
 inline Instant at(double time) {

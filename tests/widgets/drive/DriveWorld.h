@@ -17,7 +17,7 @@
 #include "robotlink/packages/Conversions.h"
 #include "tests/widgets/Bench.h"
 
-/// A bench with two Pioneers, "p3at1" (selected) and "p3at2", whose streams the test tells.
+/// A bench with two Pioneers, "p3at1" (selected) and "p3at2", whose streams the test publishes.
 struct DriveWorld : Bench {
   DriveWorld() {
     auto description =
@@ -29,7 +29,7 @@ struct DriveWorld : Bench {
     session.selectRobot("p3at1");
   }
 
-  /// The program's key table, with these packages off.
+  /// The program's key table, in which these packages are off.
   void pushKeys(const std::vector<std::string>& packages, double time = 0) {
     robotcontrol::KeyTable table;
     for (const std::string& package : packages) table.add_keys()->set_name("package/" + package);
@@ -46,7 +46,7 @@ struct DriveWorld : Bench {
     }
     return state;
   }
-  /// Readings of sonars by number, at their places on the robot.
+  /// Ranges of sonars by number, at their poses on the robot.
   robotcontrol::SonarReadings sonar(const std::vector<std::pair<int, double>>& ranges) const {
     const auto& sonars = *context.robots.at("p3at1")->sonars;
     robotcontrol::SonarReadings readings;
@@ -61,7 +61,7 @@ struct DriveWorld : Bench {
     }
     return readings;
   }
-  /// 181 readings, each what `range` says of its angle.
+  /// 181 readings; `range` returns the range at an angle in rad.
   template <typename F>
   static foxglove::LaserScan laser(F range) {
     foxglove::LaserScan scan;
@@ -93,7 +93,7 @@ struct DriveWorld : Bench {
     estimate.set_position_deviation(deviation);
     push(robot + "/models/pose", estimate, time);
   }
-  /// A room of 8 m by 6 m with a wall of points across it, a goal, a home, and what is forbidden.
+  /// A room of 8 m by 6 m with a wall of points across it, a goal, a home position, and forbidden places.
   static robotcontrol::GroundMap room() {
     robotcontrol::GroundMap map;
     map.set_name("room");
@@ -126,7 +126,7 @@ struct DriveWorld : Bench {
     line(*place(Place::FORBIDDEN_LINE, "", 0, 0).mutable_extent(), 1, 5, 3, 5);
     return map;
   }
-  /// A map of the shared data; empty where that is missing.
+  /// A map of the shared data; empty if that is missing.
   static robotcontrol::GroundMap sharedMap(const char* name) {
     robotcontrol::GroundMap message;
     const auto map = robotlink::GroundMap::load(std::filesystem::path(ROBOTCONTROL_SOURCE_DIR) /
@@ -167,7 +167,7 @@ struct DriveWorld : Bench {
   }
 };
 
-// Each runs the tests of a view; the number of failures.
+// Each function runs the tests of a view and returns the number of failures.
 int runRadarTests(int argc, char** argv);
 int runBaseStateTests(int argc, char** argv);
 int runMapTests(int argc, char** argv);

@@ -5,7 +5,7 @@
 #include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/codec/SimulatorCommands.h"
 
-/// One packet of every kind, of either direction.
+/// One packet of every kind, in both directions.
 inline std::vector<robotlink::arcos::Packet> arcosSeedPackets() {
   using namespace robotlink::arcos;
   StandardInformation sip;
