@@ -49,10 +49,8 @@ class SpeedPanel final : public QGroupBox {
   std::array<std::array<QLabel*, 3>, kRows> cells_{};
   /// Header of the column y.
   QLabel* sideways_ = nullptr;
-  /// In mm/s.
-  QDoubleSpinBox* speed_ = nullptr;
-  /// In rad/s.
-  QDoubleSpinBox* rotation_ = nullptr;
+  QDoubleSpinBox* speed_ = nullptr;     ///< mm/s
+  QDoubleSpinBox* rotation_ = nullptr;  ///< rad/s
 };
 
 }  // namespace widgets

@@ -23,8 +23,8 @@ constexpr std::chrono::milliseconds kReplayStatusEvery{100};
 
 /// What nothing else opens is a log, or is told to be none.
 const PlatformRegistration kReplayRegistration{{ReplayFeed::kAdapter, "log files to open on one time line",
-                                          PlatformTime::kLogged, true,
-                                          [](const std::string&) { return true; }, 3}};
+                                                PlatformTime::kLogged, true,
+                                                [](const std::string&) { return true; }, 3}};
 
 /// The images of the robot by which the log is stepped.
 std::string imagesOf(const ReplayRun& run) {

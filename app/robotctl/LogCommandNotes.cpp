@@ -55,7 +55,8 @@ void printBookmarks(const Bookmarks& bookmarks, bool asJson) {
 }
 
 /// Adds the one that is asked for; "usage" if the times make no sense.
-Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments, const TimeRange::Instants& range) {
+Result<void> addBookmark(Bookmarks& bookmarks, const BookmarkArguments& arguments,
+                         const TimeRange::Instants& range) {
   if (!range.from) return robotlink::failure("usage", "--add needs --from, and for a range --to");
   bookmarks.add(*range.from, range.to.value_or(*range.from), arguments.add);
   return {};

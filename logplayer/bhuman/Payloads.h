@@ -43,8 +43,7 @@ robotlink::Result<CameraImage> readJpegImage(std::span<const std::uint8_t> paylo
 
 /// Measured angles of all joints.
 struct JointAngles {
-  /// In rad; empty for a joint that is off.
-  std::array<std::optional<double>, kJointCount> angles;
+  std::array<std::optional<double>, kJointCount> angles;  ///< rad; empty for a joint that is off
   robotlink::Instant time;
 };
 std::optional<JointAngles> readJointData(std::span<const std::uint8_t> payload);
@@ -60,8 +59,7 @@ struct Reading {
 /// All sensor values of one payload.
 struct SensorReadings {
   std::vector<Reading> readings;
-  /// In m/s^2, in the frame of BodySensors.
-  std::optional<robotlink::Vector3> acceleration;
+  std::optional<robotlink::Vector3> acceleration;  ///< m/s^2, in the frame of BodySensors
   robotlink::Instant time;
 };
 std::optional<SensorReadings> readSensorData(std::span<const std::uint8_t> payload);
@@ -82,8 +80,7 @@ std::optional<CameraPlace> readCameraMatrix(std::span<const std::uint8_t> payloa
 
 /// Image size and opening angles. The defaults are those of the NAO in logs of 2009.
 struct CameraOptics {
-  /// In pixels.
-  int width = 320;
+  int width = 320;  ///< pixels
   int height = 240;
   /// Full opening angles, in rad.
   double horizontalAngle = 0.78674;

@@ -37,10 +37,8 @@ struct Intention {
   // What the head looks at.
   enum class Head { kAhead, kSearch, kTrack, kLookAround };
   Motion motion = Motion::kStand;
-  /// In m/s; only for kWalk.
-  double forward = 0, left = 0;
-  /// In rad/s, counter-clockwise.
-  double turn = 0;
+  double forward = 0, left = 0;  ///< m/s; only for kWalk
+  double turn = 0;               ///< rad/s, counter-clockwise
   Head head = Head::kAhead;
   bool operator==(const Intention&) const = default;
 };
@@ -85,8 +83,7 @@ class BallChaser {
     double turnSpeed = 0.9;
     /// Seconds.
     double lookAboutTime = 2.5;
-    /// In s, for slightly more than a whole turn.
-    double turnTime = 9;
+    double turnTime = 9;  ///< s, for slightly more than a whole turn
     /// Seconds.
     double wanderTime = 4;
     /// Meters per second.
@@ -95,8 +92,7 @@ class BallChaser {
     double blindAfter = 1.0;
     /// Time without the ball, s.
     double lostAfter = 4;
-    /// In s, for beacons and goals.
-    double glanceTime = 2.5;
+    double glanceTime = 2.5;  ///< s, for beacons and goals
     /// Minimum time between glances, s.
     double glanceAgain = 12;
     /// Distance from the ball's center while circling it, m.

@@ -33,10 +33,8 @@ struct DriveVelocity {
 
 /// The limits of a robot on wheels; the defaults are those of a Pioneer 3-AT.
 struct DriveLimits {
-  /// In m/s and rad/s.
-  double speed = 0.75, rotation = robotlink::radians(100);
-  /// In m/s^2 and rad/s^2.
-  double acceleration = 0.3, rotationAcceleration = robotlink::radians(100);
+  double speed = 0.75, rotation = robotlink::radians(100);                    ///< m/s and rad/s
+  double acceleration = 0.3, rotationAcceleration = robotlink::radians(100);  ///< m/s^2 and rad/s^2
 };
 
 }  // namespace modules

@@ -37,14 +37,10 @@ class MonteCarloLocalizer {
     double rayDeviation = 0.08;
     /// The same while it is unknown, m.
     double startDeviation = 0.35;
-    /// In m after one meter.
-    double wayNoise = 0.08;
-    /// In m after one radian.
-    double skidNoise = 0.05;
-    /// In rad after one radian.
-    double turnNoise = 0.1;
-    /// In rad after one meter.
-    double driftNoise = 0.04;
+    double wayNoise = 0.08;    ///< m after one meter
+    double skidNoise = 0.05;   ///< m after one radian
+    double turnNoise = 0.1;    ///< rad after one radian
+    double driftNoise = 0.04;  ///< rad after one meter
     /// The motion between evaluated measurements, m and rad.
     double leastWay = 0.05, leastTurn = 0.05;
     /// The fraction of measurements that are explained at the true pose.

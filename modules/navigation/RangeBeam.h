@@ -10,8 +10,7 @@ namespace modules {
 struct RangeBeam {
   /// It measures along its x-axis.
   robotlink::Pose2 sensorInRobot;
-  /// In m; `maximum` if nothing was hit.
-  double range = 0;
+  double range = 0;  ///< m; `maximum` if nothing was hit
   /// Meters.
   double maximum = 0;
   /// The full cone, rad; 0 for a ray.

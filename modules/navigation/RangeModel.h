@@ -19,8 +19,7 @@ class RangeModel {
     int rays = 40;
     /// The fraction of a measurement's information that the others do not contain.
     double evidence = 0.12;
-    /// In m, plus a twentieth of the range.
-    double sonarDeviation = 0.15;
+    double sonarDeviation = 0.15;  ///< m, plus a twentieth of the range
     /// The fraction of measurements of things unknown to the map.
     double randomShare = 0.1;
   };

@@ -30,8 +30,7 @@ struct RobotType {
   double length = 0.626, width = 0.505;
   /// By the sonars' numbers; each measures along its x-axis.
   std::vector<Pose2> sonarsInRobot;
-  /// In m; the reading if there is no echo.
-  double sonarMaximum = 5.0;
+  double sonarMaximum = 5.0;  ///< m; the reading if there is no echo
   /// The full cone, rad.
   double sonarOpeningAngle = radians(30.0);
   Pose2 laserInRobot = {0.125, 0, 0};

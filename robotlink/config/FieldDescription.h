@@ -70,8 +70,7 @@ struct FieldDescription {
   /// Kick-off positions of the team that plays towards +x, all in its own half (x < 0); the other team stands
   /// at the points mirrored through the center.
   std::vector<Pose2> kickOff;
-  /// In m and kg.
-  double ballRadius = 0, ballMass = 0;
+  double ballRadius = 0, ballMass = 0;  ///< m and kg
   std::string ballColor;
   /// In the file's order.
   std::vector<PaletteColor> palette;

@@ -6,10 +6,10 @@ namespace robotlink::streams {
 // The paths of a robot's messages, below its name: the values of DebugMessage.path. All streams with their
 // types and sources are listed in robotlink/session/STREAMS.md. The path of a requested package is its name.
 
-inline constexpr char kLog[] = "log";                        ///< foxglove.Log, of all processes
-inline constexpr char kKeys[] = "tables/keys";               ///< KeyTable, of all processes together
-inline constexpr char kSolutions[] = "tables/solutions";     ///< SolutionTable
-inline constexpr char kProcesses[] = "tables/processes";     ///< ProcessTable
+inline constexpr char kLog[] = "log";                     ///< foxglove.Log, of all processes
+inline constexpr char kKeys[] = "tables/keys";            ///< KeyTable, of all processes together
+inline constexpr char kSolutions[] = "tables/solutions";  ///< SolutionTable
+inline constexpr char kProcesses[] = "tables/processes";  ///< ProcessTable
 /// ColorTable without its cells and correction: which one is in use, and where it is from.
 inline constexpr char kColorTableInUse[] = "tables/colors";
 inline constexpr char kResults[] = "results";                ///< RequestResult; handed to who asked, not kept

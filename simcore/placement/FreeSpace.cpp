@@ -11,8 +11,7 @@ using robotlink::Vector2;
 
 namespace {
 
-/// In m; longer free ways do not count more.
-constexpr double kFarAhead = 5;
+constexpr double kFarAhead = 5;  ///< m; longer free ways do not count more
 constexpr int kDirections = 16;
 /// The number of random candidates; the one farthest from all others is taken.
 constexpr int kDraws = 48;

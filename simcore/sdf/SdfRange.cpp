@@ -7,8 +7,7 @@
 namespace simcore {
 namespace {
 
-/// In m.
-constexpr double kFarthest = 1000;
+constexpr double kFarthest = 1000;  ///< m
 constexpr int kMostReadings = 10'000;
 
 // With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller

@@ -18,10 +18,8 @@ struct RangeSensor {
   /// "p3at1/sonar3" with shape {}, "p3at1/laser" with shape {181}; type "range", unit "m".
   PortInfo info;
   Kind kind = Kind::kSonar;
-  /// In m; smaller distances are reported as this.
-  double minimum = 0;
-  /// In m; the reading if there is nothing.
-  double maximum = 0;
+  double minimum = 0;  ///< m; smaller distances are reported as this
+  double maximum = 0;  ///< m; the reading if there is nothing
   /// Standard deviation, m.
   double noise = 0;
   /// 1 for a sonar.

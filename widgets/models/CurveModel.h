@@ -68,8 +68,7 @@ class CurveModel final : public QAbstractTableModel {
   std::optional<double> atCursor(const Curve& curve) const;
 
   std::vector<std::unique_ptr<Curve>> curves_;
-  /// In s; empty: the cursor is not over the plot.
-  std::optional<double> cursor_;
+  std::optional<double> cursor_;  ///< s; empty: the cursor is not over the plot
 };
 
 }  // namespace widgets

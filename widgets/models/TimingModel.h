@@ -52,8 +52,7 @@ class TimingModel final : public QAbstractTableModel {
   struct Row {
     std::string process, task, solution;
     std::uint64_t count = 0;
-    /// In s.
-    double sum = 0, minimum = 0, maximum = 0, last = 0;
+    double sum = 0, minimum = 0, maximum = 0, last = 0;  ///< s
     /// Time of the last frame in which it ran.
     robotlink::Instant latest;
   };

@@ -17,8 +17,7 @@ struct RangeScan {
   Pose2 robot;
   Pose2 laserInRobot;
   double startAngle = 0, angleStep = 0;
-  /// In m; kMaximum or more if there is nothing.
-  std::vector<double> ranges;
+  std::vector<double> ranges;  ///< m; kMaximum or more if there is nothing
 
   static constexpr double kMaximum = 32.0;
 

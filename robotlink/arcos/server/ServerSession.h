@@ -10,10 +10,10 @@
 #include <vector>
 
 #include "robotlink/arcos/codec/Command.h"
-#include "robotlink/arcos/server/LaserService.h"
-#include "robotlink/arcos/server/MotionController.h"
 #include "robotlink/arcos/codec/Packet.h"
 #include "robotlink/arcos/codec/SensorPackets.h"
+#include "robotlink/arcos/server/LaserService.h"
+#include "robotlink/arcos/server/MotionController.h"
 #include "robotlink/arcos/server/RobotSensing.h"
 #include "robotlink/arcos/server/ServerSettings.h"
 #include "robotlink/arcos/server/SonarFiring.h"

@@ -21,8 +21,7 @@ class RollingRobot {
     double skid = 0.02;
     std::uint64_t seed = 1;
   };
-  /// In s.
-  static constexpr double kCycle = 0.1;
+  static constexpr double kCycle = 0.1;  ///< s
 
   RollingRobot(const FlatWorld& world, const Options& options);
 
