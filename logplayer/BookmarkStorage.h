@@ -6,7 +6,7 @@
 #include <optional>
 #include <vector>
 
-#include "logplayer/Bookmarks.h"
+#include "logplayer/Bookmark.h"
 #include "logplayer/mcap/Reader.h"
 #include "logplayer/mcap/Writer.h"
 #include "robotlink/base/Error.h"

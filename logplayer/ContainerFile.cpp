@@ -58,7 +58,7 @@ class ContainerFile::Copies {
   std::map<Key, std::weak_ptr<const Copy>> copies_;
 };
 
-Result<ContainerFile> ContainerFile::of(const std::filesystem::path& log, const LogFile::Progress& progress) {
+Result<ContainerFile> ContainerFile::of(const std::filesystem::path& log, const Progress& progress) {
   if (!canImport(log)) return ContainerFile(log, nullptr);
   const Copies::Key key = Copies::keyOf(log);
   std::shared_ptr<const Copy> copy = Copies::all().find(key);
@@ -73,7 +73,7 @@ Result<ContainerFile> ContainerFile::of(const std::filesystem::path& log, const 
 }
 
 Result<std::shared_ptr<const ContainerFile::Copy>> ContainerFile::convert(const std::filesystem::path& log,
-                                                                          const LogFile::Progress& progress) {
+                                                                          const Progress& progress) {
   auto folder = TemporaryFolder::make();
   if (!folder) return tl::unexpected(folder.error());
   ImportOptions options;

@@ -4,7 +4,7 @@
 #include <filesystem>
 #include <memory>
 
-#include "logplayer/LogFile.h"
+#include "logplayer/Progress.h"
 #include "logplayer/LogImport.h"
 #include "logplayer/TemporaryFolder.h"
 #include "robotlink/base/Error.h"
@@ -18,7 +18,7 @@ class ContainerFile {
   /// Fails if a file of an older format cannot be converted. Any other file is accepted as it is; the reader
   /// reports what is wrong with it.
   static robotlink::Result<ContainerFile> of(const std::filesystem::path& log,
-                                             const LogFile::Progress& progress);
+                                             const Progress& progress);
 
   /// The MCAP file; valid as long as this object or a copy of it exists.
   const std::filesystem::path& path() const { return path_; }
@@ -36,7 +36,7 @@ class ContainerFile {
   ContainerFile(std::filesystem::path path, std::shared_ptr<const Copy> copy)
       : path_(std::move(path)), copy_(std::move(copy)) {}
   static robotlink::Result<std::shared_ptr<const Copy>> convert(const std::filesystem::path& log,
-                                                                const LogFile::Progress& progress);
+                                                                const Progress& progress);
 
   std::filesystem::path path_;
   std::shared_ptr<const Copy> copy_;

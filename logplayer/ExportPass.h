@@ -8,7 +8,9 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/LogExport.h"
+#include "logplayer/ExportOptions.h"
+#include "logplayer/LogFile.h"
+#include "logplayer/StreamChoice.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {

@@ -9,6 +9,7 @@
 #include <string>
 #include <vector>
 
+#include "logplayer/ExportOptions.h"
 #include "logplayer/LogFile.h"
 #include "logplayer/StreamChoice.h"
 #include "robotlink/base/Error.h"
@@ -17,23 +18,6 @@ namespace logplayer {
 
 // Export of logs to formats of other programs. Messages of unknown types are exported by means of their
 // schemas. All functions fail with "log.given-up" if the progress callback returns false.
-
-/// Options of all exports.
-struct ExportOptions {
-  /// The range [from, to] to export; unset: from the start, to the end.
-  std::optional<robotlink::Instant> from = {}, to = {};
-  /// Whether existing files are replaced; otherwise they must not exist.
-  bool overwrite = false;
-  LogFile::Progress progress = {};
-};
-
-/// What was exported.
-struct ExportReport {
-  /// Number of images, rows or texts.
-  std::uint64_t written = 0;
-  /// What is missing, one sentence each; empty if everything was exported.
-  std::vector<std::string> losses;
-};
 
 /// Exports the images of the selected streams as PNG files: "<robot>-<stream>-<time in s>-<frame>.png"
 /// ("red1-camera-image-000012.340000-00309.png"; without a frame the index of the image). Creates the folder

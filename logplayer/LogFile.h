@@ -11,6 +11,7 @@
 #include <string_view>
 #include <vector>
 
+#include "logplayer/Progress.h"
 #include "logplayer/mcap/Reader.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/session/StreamMessage.h"
@@ -29,8 +30,7 @@ class ContainerFile;
 /// Thread-safe: a mutex protects the reader, so that a call may wait for the disk access of another one.
 class LogFile {
  public:
-  /// Called with the share done in [0, 1]; false cancels the operation.
-  using Progress = std::function<bool(double)>;
+  using Progress = logplayer::Progress;
   /// How a file is opened.
   struct Options {
     /// Memory for decompressed chunks.

@@ -3,11 +3,11 @@
 
 #include <filesystem>
 #include <functional>
-#include <map>
 #include <memory>
 #include <string>
 #include <string_view>
 
+#include "logplayer/ImportReport.h"
 #include "robotlink/base/Error.h"
 
 namespace robotcontrol {
@@ -15,20 +15,6 @@ class ColorTable;
 }
 
 namespace logplayer {
-
-/// The result of the import of a file, by kinds of messages.
-struct ImportReport {
-  /// Name of the format: "B-Human message queue".
-  std::string format;
-  /// Number of messages in the imported file.
-  std::uint64_t messages = 0;
-  /// Number of imported messages by kind: "JPEGImage".
-  std::map<std::string, std::uint64_t> imported;
-  /// Number of messages that were left out, by kind ("id 123" if it has no name).
-  std::map<std::string, std::uint64_t> notUnderstood;
-  /// What is wrong with the file, with the offset; empty if it is intact.
-  std::string damage;
-};
 
 /// Whether a file has an older format that importLog() reads, judged by its contents.
 bool canImport(const std::filesystem::path& file);
