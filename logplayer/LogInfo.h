@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/Bookmarks.h"
-#include "logplayer/LogFile.h"
+#include "logplayer/bookmarks/Bookmarks.h"
+#include "logplayer/file/LogFile.h"
 #include "robotlink/base/Error.h"
 
 namespace logplayer {

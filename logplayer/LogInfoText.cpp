@@ -7,7 +7,7 @@
 #include <string_view>
 #include <utility>
 
-#include "logplayer/LogDates.h"
+#include "logplayer/base/LogDates.h"
 #include "logplayer/LogInfo.h"
 
 namespace logplayer {

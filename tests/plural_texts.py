@@ -1,6 +1,6 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: GPL-3.0-or-later
-"""Checks that texts which count say "1 packet" and "2 packets": each is chosen by counted() of widgets/models/Counted.h, and none by
+"""Checks that texts which count say "1 packet" and "2 packets": each is chosen by counted() of widgets/Counted.h, and none by
 %n, which needs a translation file even for English.
 
 Usage: plural_texts.py PROJECT_FOLDER

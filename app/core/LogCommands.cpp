@@ -5,7 +5,7 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/CommandValues.h"
+#include "app/core/program/CommandValues.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"

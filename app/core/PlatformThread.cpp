@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/PlatformThread.h"
 
-#include "app/core/ReplayMoves.h"
+#include "app/core/replay/ReplayMoves.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/session/Session.h"

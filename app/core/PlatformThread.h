@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "app/core/PacedThread.h"
-#include "app/core/PlatformFeed.h"
+#include "app/core/program/PacedThread.h"
+#include "app/core/program/PlatformFeed.h"
 
 namespace logplayer {
 class Recorder;

@@ -6,7 +6,7 @@
 #include <random>
 
 #include "foxglove/Event.pb.h"
-#include "logplayer/RecordedStreams.h"
+#include "logplayer/base/RecordedStreams.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/Recorder.h"
+#include "logplayer/record/Recorder.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/Settings.h"
 

@@ -1,10 +1,10 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RecordingCommands.h"
 
-#include "app/core/CommandValues.h"
+#include "app/core/program/CommandValues.h"
 #include "app/core/Recording.h"
 #include "app/core/Workbench.h"
-#include "logplayer/RecordedStreams.h"
+#include "logplayer/base/RecordedStreams.h"
 
 namespace app {
 namespace {

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <chrono>
 
-#include "app/core/ColorTables.h"
-#include "app/core/CommandValues.h"
+#include "app/core/program/ColorTables.h"
+#include "app/core/program/CommandValues.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"

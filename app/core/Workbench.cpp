@@ -4,13 +4,13 @@
 #include <algorithm>
 #include <mutex>
 
-#include "app/core/CommandValues.h"
+#include "app/core/program/CommandValues.h"
 #include "app/core/LogCommands.h"
-#include "app/core/PioneerFeed.h"
+#include "app/core/pioneer/PioneerFeed.h"
 #include "app/core/RecordingCommands.h"
-#include "app/core/ReplayFeed.h"
+#include "app/core/replay/ReplayFeed.h"
 #include "app/core/RobotCommands.h"
-#include "app/core/SimulationFeed.h"
+#include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"

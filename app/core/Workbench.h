@@ -8,11 +8,11 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/PioneerRun.h"
+#include "app/core/pioneer/PioneerRun.h"
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
-#include "app/core/ReplayRun.h"
-#include "app/core/SimulatedRun.h"
+#include "app/core/replay/ReplayRun.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/BoundedQueue.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"

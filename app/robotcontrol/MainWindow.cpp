@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // MainWindow: construction, tick, errors, and saving of its state.
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/MaximizedView.h"
+#include "app/robotcontrol/docks/MaximizedView.h"
 
 #include <QApplication>
 #include <QCloseEvent>
@@ -16,25 +16,25 @@
 #include <utility>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/CommandActions.h"
-#include "app/robotcontrol/DockSpace.h"
-#include "app/robotcontrol/LayoutHistory.h"
-#include "app/robotcontrol/LogOpening.h"
-#include "app/robotcontrol/LogToolBar.h"
-#include "app/robotcontrol/RecordingToolBar.h"
-#include "app/robotcontrol/SimulationSetupDialog.h"
-#include "app/robotcontrol/SimulationToolBar.h"
-#include "app/robotcontrol/StatusLine.h"
-#include "app/robotcontrol/StopToolBar.h"
-#include "app/robotcontrol/ViewDocks.h"
-#include "app/robotcontrol/WindowKeys.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/docks/DockSpace.h"
+#include "app/robotcontrol/docks/LayoutHistory.h"
+#include "app/robotcontrol/actions/LogOpening.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
+#include "app/robotcontrol/bars/RecordingToolBar.h"
+#include "app/robotcontrol/actions/SimulationSetupDialog.h"
+#include "app/robotcontrol/bars/SimulationToolBar.h"
+#include "app/robotcontrol/bars/StatusLine.h"
+#include "app/robotcontrol/bars/StopToolBar.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/actions/WindowKeys.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Icon.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/drive/ConnectDialog.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/models/Counted.h"
+#include "widgets/Counted.h"
 
 namespace app {
 namespace {

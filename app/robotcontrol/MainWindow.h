@@ -9,7 +9,7 @@
 #include <memory>
 
 #include "app/robotcontrol/Appearance.h"
-#include "app/robotcontrol/Perspectives.h"
+#include "app/robotcontrol/docks/Perspectives.h"
 #include "robotlink/base/Error.h"
 #include "robotlink/session/CommandTable.h"
 #include "widgets/View.h"

@@ -4,10 +4,10 @@
 #include <QStatusBar>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/DockSpace.h"
+#include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/MaximizedView.h"
-#include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/docks/MaximizedView.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorCommands.h"
 #include "widgets/color/ColorFileActions.h"

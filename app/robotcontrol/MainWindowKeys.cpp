@@ -12,12 +12,12 @@
 #include <array>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/CommandActions.h"
-#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/UndoOrder.h"
-#include "app/robotcontrol/ViewDocks.h"
-#include "app/robotcontrol/WindowKeys.h"
+#include "app/robotcontrol/actions/UndoOrder.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "app/robotcontrol/actions/WindowKeys.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/ColorFiles.h"

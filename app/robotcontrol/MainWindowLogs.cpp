@@ -9,14 +9,14 @@
 #include <QVBoxLayout>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/CommandActions.h"
-#include "app/robotcontrol/LogContentsBar.h"
-#include "app/robotcontrol/LogOpening.h"
-#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/bars/LogContentsBar.h"
+#include "app/robotcontrol/actions/LogOpening.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/OpeningBar.h"
-#include "app/robotcontrol/RecordedBar.h"
-#include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/bars/OpeningBar.h"
+#include "app/robotcontrol/bars/RecordedBar.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/log/OpenLogs.h"
 
 namespace app {

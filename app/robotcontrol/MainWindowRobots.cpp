@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the main window connects robots.
-#include "app/core/RobotFiles.h"
+#include "app/core/program/RobotFiles.h"
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "robotlink/config/RobotDescription.h"

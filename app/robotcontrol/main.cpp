@@ -11,7 +11,7 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/FileKind.h"
+#include "app/robotcontrol/actions/FileKind.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
 #include "robotlink/base/Resources.h"

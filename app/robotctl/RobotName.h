@@ -3,7 +3,7 @@
 
 #include <string>
 
-#include "logplayer/LogImport.h"
+#include "logplayer/file/LogImport.h"
 
 namespace app {
 

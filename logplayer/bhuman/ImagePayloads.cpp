@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/ImageCoding.h"
+#include "logplayer/images/ImageCoding.h"
 #include "logplayer/bhuman/PayloadReader.h"
 #include "logplayer/bhuman/Payloads.h"
 

@@ -3,7 +3,7 @@
 
 #include <functional>
 
-#include "logplayer/ImportReport.h"
+#include "logplayer/base/ImportReport.h"
 #include "logplayer/bhuman/ByteSource.h"
 #include "logplayer/bhuman/FrameConverter.h"
 

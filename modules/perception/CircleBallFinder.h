@@ -5,7 +5,7 @@
 #include <span>
 #include <vector>
 
-#include "colortool/Regions.h"
+#include "colortool/image/Regions.h"
 #include "modules/perception/BallGeometry.h"
 #include "robotlink/base/Image.h"
 

@@ -4,8 +4,8 @@
 #include <string>
 #include <vector>
 
-#include "colortool/ColorClasses.h"
-#include "colortool/PaletteTable.h"
+#include "colortool/image/ColorClasses.h"
+#include "colortool/table/PaletteTable.h"
 #include "robotlink/config/FieldDescription.h"
 
 namespace modules {

@@ -3,7 +3,7 @@
 
 #include <vector>
 
-#include "colortool/ColorTable.h"
+#include "colortool/table/ColorTable.h"
 #include "modules/perception/LandmarkGeometry.h"
 
 namespace modules {

@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "colortool/Regions.h"
+#include "colortool/image/Regions.h"
 #include "modules/perception/CameraView.h"
 
 namespace modules {

@@ -4,9 +4,9 @@
 #include <string_view>
 #include <vector>
 
-#include "colortool/ColorCorrection.h"
-#include "colortool/PaletteTable.h"
-#include "colortool/Regions.h"
+#include "colortool/image/ColorCorrection.h"
+#include "colortool/table/PaletteTable.h"
+#include "colortool/image/Regions.h"
 #include "modules/perception/BallGeometry.h"
 #include "modules/perception/LandmarkGeometry.h"
 

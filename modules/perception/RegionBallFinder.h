@@ -4,7 +4,7 @@
 #include <span>
 #include <vector>
 
-#include "colortool/Regions.h"
+#include "colortool/image/Regions.h"
 #include "modules/perception/BallGeometry.h"
 
 namespace modules {

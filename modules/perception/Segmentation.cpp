@@ -3,7 +3,7 @@
 #include <optional>
 
 #include "PerceptionParameters.pb.h"
-#include "colortool/ImageCorrector.h"
+#include "colortool/correction/ImageCorrector.h"
 #include "foxglove/Image.pb.h"
 #include "modules/perception/FieldLandmarks.h"
 #include "modules/perception/PerceptPackages.h"

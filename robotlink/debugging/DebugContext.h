@@ -10,7 +10,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Image.h"
 #include "robotlink/debugging/DebugKey.h"
-#include "robotlink/debugging/Drawings.h"
+#include "robotlink/debugging/drawing/Drawings.h"
 
 namespace google::protobuf {
 class Message;

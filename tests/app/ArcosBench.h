@@ -5,7 +5,7 @@
 #include <string>
 #include <vector>
 
-#include "app/core/ArcosSimulation.h"
+#include "app/core/simulated/ArcosSimulation.h"
 #include "robotlink/arcos/codec/Command.h"
 #include "robotlink/arcos/codec/ServerPackets.h"
 #include "robotlink/arcos/stream/ByteStream.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/ColorTables.h"
+#include "app/core/program/ColorTables.h"
 
 #include <gtest/gtest.h>
 

@@ -11,7 +11,7 @@
 #include "tests/app/Desk.h"
 #include "tests/app/WindowTest.h"
 #include "widgets/color/ColorBench.h"
-#include "widgets/color/ColorCanvas.h"
+#include "widgets/color/image/ColorCanvas.h"
 #include "widgets/image/ImagePixels.h"
 
 namespace {

@@ -11,7 +11,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/ViewDocks.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
 #include "foxglove/Geometry.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"

@@ -7,7 +7,7 @@
 #include <QLabel>
 #include <QSignalSpy>
 
-#include "app/robotcontrol/DockSpace.h"
+#include "app/robotcontrol/docks/DockSpace.h"
 #include "tests/app/Desk.h"
 #include "tests/app/WindowTest.h"
 

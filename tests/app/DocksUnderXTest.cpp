@@ -11,7 +11,7 @@
 #include <QRegularExpression>
 #include <QStatusBar>
 
-#include "app/robotcontrol/DockSpace.h"
+#include "app/robotcontrol/docks/DockSpace.h"
 #include "tests/app/Desk.h"
 #include "tests/app/XServer.h"
 

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/KickOff.h"
+#include "app/core/simulated/KickOff.h"
 
 #include <gmock/gmock.h>
 
-#include "app/core/BallTrials.h"
+#include "app/core/simulated/BallTrials.h"
 #include "app/core/Workbench.h"
 
 using namespace app;

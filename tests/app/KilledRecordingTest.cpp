@@ -12,7 +12,7 @@
 #include <sstream>
 #include <thread>
 
-#include "logplayer/LogFile.h"
+#include "logplayer/file/LogFile.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using logplayer::tests::TestFolder;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/LinkMeter.h"
+#include "app/core/pioneer/LinkMeter.h"
 
 #include <gtest/gtest.h>
 

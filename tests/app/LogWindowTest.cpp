@@ -17,10 +17,10 @@
 #include <QtTest>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/LogToolBar.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/ViewDocks.h"
-#include "colortool/ColorTableFile.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
+#include "colortool/table/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/WindowTest.h"
 #include "tests/widgets/Bench.h"

@@ -8,7 +8,7 @@
 #include <QProgressBar>
 #include <fstream>
 
-#include "app/robotcontrol/FileKind.h"
+#include "app/robotcontrol/actions/FileKind.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/PackageDifferences.h"
+#include "app/core/replay/PackageDifferences.h"
 
 #include <gtest/gtest.h>
 

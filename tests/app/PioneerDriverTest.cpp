@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/PioneerDriver.h"
+#include "app/core/pioneer/PioneerDriver.h"
 
 #include <gtest/gtest.h>
 

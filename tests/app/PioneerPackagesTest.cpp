@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/PioneerPackages.h"
+#include "app/core/pioneer/PioneerPackages.h"
 
 #include <gtest/gtest.h>
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/PioneerRun.h"
+#include "app/core/pioneer/PioneerRun.h"
 
 #include <gtest/gtest.h>
 

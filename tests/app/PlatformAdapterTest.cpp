@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/PlatformAdapter.h"
+#include "app/core/program/PlatformAdapter.h"
 
 #include <gtest/gtest.h>
 

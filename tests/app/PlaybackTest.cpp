@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/Playback.h"
+#include "app/core/replay/Playback.h"
 
 #include <gtest/gtest.h>
 

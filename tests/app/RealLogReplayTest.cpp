@@ -6,7 +6,7 @@
 #include <set>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "tests/app/ReplayFixture.h"
 

@@ -16,10 +16,10 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/RecordingToolBar.h"
-#include "app/robotcontrol/StreamChooser.h"
+#include "app/robotcontrol/bars/RecordingToolBar.h"
+#include "app/robotcontrol/actions/StreamChooser.h"
 #include "foxglove/Event.pb.h"
-#include "logplayer/RecordedStreams.h"
+#include "logplayer/base/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"
 #include "tests/app/WindowTest.h"
 #include "tests/logplayer/RecordedMessages.h"

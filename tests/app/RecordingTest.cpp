@@ -6,8 +6,8 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/RecordingTap.h"
-#include "app/core/SimulatedRun.h"
+#include "app/core/program/RecordingTap.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"

@@ -5,7 +5,7 @@
 
 #include <cstdlib>
 
-#include "app/core/ReplayRun.h"
+#include "app/core/replay/ReplayRun.h"
 
 namespace {
 

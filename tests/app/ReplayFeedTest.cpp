@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/ReplayFeed.h"
+#include "app/core/replay/ReplayFeed.h"
 
 #include <gmock/gmock.h>
 #include <unistd.h>

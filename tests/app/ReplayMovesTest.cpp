@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/ReplayMoves.h"
+#include "app/core/replay/ReplayMoves.h"
 
 #include <google/protobuf/text_format.h>
 #include <gtest/gtest.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/ReplayPlan.h"
+#include "app/core/replay/ReplayPlan.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // Recordings of the simulated robot, played.
-#include "app/core/ReplayRun.h"
+#include "app/core/replay/ReplayRun.h"
 
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
@@ -9,7 +9,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Scene.pb.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "tests/app/ReplayFixture.h"

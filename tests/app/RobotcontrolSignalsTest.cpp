@@ -4,7 +4,7 @@
 
 #include <csignal>
 
-#include "logplayer/LogFile.h"
+#include "logplayer/file/LogFile.h"
 #include "tests/TestFolder.h"
 #include "tests/app/StartedProgram.h"
 

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "logplayer/ImageCoding.h"
+#include "logplayer/images/ImageCoding.h"
 #include "tests/TestFolder.h"
 #include "tests/app/RobotctlRun.h"
 

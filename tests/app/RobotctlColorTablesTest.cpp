@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "colortool/NamedColorTable.h"
+#include "colortool/table/NamedColorTable.h"
 #include "tests/app/RobotctlColor.h"
 
 namespace {

@@ -4,7 +4,7 @@
 
 #include <nlohmann/json.hpp>
 
-#include "colortool/ColorTableFile.h"
+#include "colortool/table/ColorTableFile.h"
 #include "tests/app/RobotctlColor.h"
 
 namespace {

@@ -10,7 +10,7 @@
 #include <sstream>
 #include <string>
 
-#include "logplayer/BookmarkStorage.h"
+#include "logplayer/bookmarks/BookmarkStorage.h"
 #include "tests/app/RobotctlRun.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "tests/logplayer/SampleLog.h"

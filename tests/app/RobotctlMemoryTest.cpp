@@ -8,7 +8,7 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/mcap/Writer.h"
+#include "logplayer/mcap/write/Writer.h"
 #include "tests/TestFolder.h"
 
 namespace {

@@ -9,7 +9,7 @@
 #include <memory>
 #include <vector>
 
-#include "logplayer/LogFile.h"
+#include "logplayer/file/LogFile.h"
 #include "tests/app/RobotctlRun.h"
 #include "tests/app/StartedProgram.h"
 #include "tests/logplayer/SampleLog.h"

@@ -4,9 +4,9 @@
 
 #include <nlohmann/json.hpp>
 
-#include "colortool/ClassPresets.h"
-#include "colortool/NamedColorTable.h"
-#include "colortool/PaletteTable.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/table/NamedColorTable.h"
+#include "colortool/table/PaletteTable.h"
 #include "tests/TestFolder.h"
 #include "tests/app/RobotctlRun.h"
 

@@ -7,8 +7,8 @@
 #include <string>
 #include <thread>
 
-#include "app/core/ArcosPorts.h"
-#include "app/core/SimulatedWorld.h"
+#include "app/core/simulated/ArcosPorts.h"
+#include "app/core/simulated/SimulatedWorld.h"
 #include "robotlink/base/Resources.h"
 #include "simcore/Scene.h"
 

@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "foxglove/Robot.pb.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/base/Image.h"
 #include "robotlink/packages/Conversions.h"

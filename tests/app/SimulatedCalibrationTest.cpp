@@ -5,14 +5,14 @@
 
 #include <fstream>
 
-#include "app/core/SimulatedWorld.h"
+#include "app/core/simulated/SimulatedWorld.h"
 #include "app/core/Workbench.h"
-#include "colortool/ClassPresets.h"
-#include "colortool/ColorImage.h"
-#include "colortool/CorrectionEstimate.h"
-#include "colortool/Evaluation.h"
-#include "colortool/PaletteTable.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/image/ColorImage.h"
+#include "colortool/correction/CorrectionEstimate.h"
+#include "colortool/scoring/Evaluation.h"
+#include "colortool/table/PaletteTable.h"
+#include "colortool/training/TableTrainer.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Random.h"
 #include "robotlink/base/Resources.h"

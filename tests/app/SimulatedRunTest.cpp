@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/SimulatedRun.h"
+#include "app/core/simulated/SimulatedRun.h"
 
 #include <gmock/gmock.h>
 #include <google/protobuf/message.h>
@@ -8,7 +8,7 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/BallTrials.h"
+#include "app/core/simulated/BallTrials.h"
 #include "app/core/Workbench.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/SimulationFeed.h"
+#include "app/core/simulated/SimulationFeed.h"
 
 #include <gtest/gtest.h>
 #include <unistd.h>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/TextLimit.h"
+#include "app/core/program/TextLimit.h"
 
 #include <gtest/gtest.h>
 

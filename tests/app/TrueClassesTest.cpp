@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/TrueClasses.h"
+#include "app/core/simulated/TrueClasses.h"
 
 #include <gtest/gtest.h>
 
-#include "app/core/SimulatedRun.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "app/core/Workbench.h"
-#include "colortool/ClassPresets.h"
+#include "colortool/image/ClassPresets.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "simcore/world/RenderScene.h"

@@ -5,7 +5,7 @@
 #include <QTreeView>
 #include <fstream>
 
-#include "colortool/ColorTableFile.h"
+#include "colortool/table/ColorTableFile.h"
 #include "tests/app/Desk.h"
 #include "tests/app/ShortLog.h"
 #include "tests/app/WindowTest.h"

@@ -4,7 +4,7 @@
 
 #include <random>
 
-#include "colortool/ColorTable.h"
+#include "colortool/table/ColorTable.h"
 
 namespace colortool {
 namespace {

@@ -5,8 +5,8 @@
 #include <map>
 #include <random>
 
-#include "colortool/ColorVotes.h"
-#include "colortool/TableCleanUp.h"
+#include "colortool/votes/ColorVotes.h"
+#include "colortool/votes/TableCleanUp.h"
 #include "tests/colortool/AiboPatches.h"
 
 namespace {

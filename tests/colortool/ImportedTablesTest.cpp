@@ -2,10 +2,10 @@
 // The real tables of other teams: what they make of colours that real robots saw, and that people named.
 #include <gtest/gtest.h>
 
-#include "colortool/ColorImage.h"
-#include "colortool/ColorTable.h"
-#include "colortool/TableImport.h"
-#include "logplayer/ImageCoding.h"
+#include "colortool/image/ColorImage.h"
+#include "colortool/table/ColorTable.h"
+#include "colortool/table/TableImport.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "tests/colortool/AiboPatches.h"
 

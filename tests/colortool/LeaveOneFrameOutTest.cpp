@@ -7,10 +7,10 @@
 #include <filesystem>
 #include <random>
 
-#include "colortool/ClassPresets.h"
-#include "colortool/Evaluation.h"
-#include "colortool/TableTrainer.h"
-#include "logplayer/ImageCoding.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/scoring/Evaluation.h"
+#include "colortool/training/TableTrainer.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace {

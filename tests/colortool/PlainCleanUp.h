@@ -5,7 +5,7 @@
 #include <cstdlib>
 #include <vector>
 
-#include "colortool/TableCleanUp.h"
+#include "colortool/votes/TableCleanUp.h"
 
 namespace colortool {
 

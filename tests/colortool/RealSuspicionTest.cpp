@@ -6,11 +6,11 @@
 #include <map>
 #include <random>
 
-#include "colortool/ClassPresets.h"
-#include "colortool/ColorTableFile.h"
-#include "colortool/Suspicion.h"
-#include "colortool/TableTrainer.h"
-#include "logplayer/ImageCoding.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/table/ColorTableFile.h"
+#include "colortool/training/Suspicion.h"
+#include "colortool/training/TableTrainer.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace {

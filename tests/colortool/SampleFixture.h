@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "colortool/Samples.h"
+#include "colortool/samples/Samples.h"
 
 namespace colortool {
 

@@ -3,7 +3,7 @@
 // OpenCV's ways to the same (SegmentationReferences.cpp), in the same run.
 #include <cstring>
 
-#include "colortool/Regions.h"
+#include "colortool/image/Regions.h"
 #include "tests/colortool/SegmentationScene.h"
 
 namespace {

@@ -6,8 +6,8 @@
 #include <array>
 #include <filesystem>
 
-#include "colortool/ColorTable.h"
-#include "colortool/ColorTableFile.h"
+#include "colortool/table/ColorTable.h"
+#include "colortool/table/ColorTableFile.h"
 #include "robotlink/base/AtomicFile.h"
 
 // The data of segmentation benchmarks: an image of a real camera and its team's table if they are available,

@@ -7,10 +7,10 @@
 #include <algorithm>
 #include <random>
 
-#include "colortool/ColorVotes.h"
-#include "colortool/CrossValidation.h"
-#include "colortool/ImageCorrector.h"
-#include "colortool/TableCleanUp.h"
+#include "colortool/votes/ColorVotes.h"
+#include "colortool/scoring/CrossValidation.h"
+#include "colortool/correction/ImageCorrector.h"
+#include "colortool/votes/TableCleanUp.h"
 
 namespace {
 

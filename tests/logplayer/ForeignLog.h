@@ -5,7 +5,7 @@
 #include <memory>
 #include <string>
 
-#include "logplayer/mcap/Writer.h"
+#include "logplayer/mcap/write/Writer.h"
 
 namespace logplayer::tests {
 

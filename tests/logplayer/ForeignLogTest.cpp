@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "logplayer/LogExport.h"
+#include "logplayer/export/LogExport.h"
 #include "logplayer/LogInfo.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/TestFolder.h"

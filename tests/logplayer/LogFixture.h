@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "foxglove/Scene.pb.h"
-#include "logplayer/LogWriter.h"
-#include "logplayer/TemporaryFolder.h"
+#include "logplayer/base/LogWriter.h"
+#include "logplayer/base/TemporaryFolder.h"
 #include "robotcontrol/Debugging.pb.h"
 
 namespace logplayer::tests {

@@ -6,7 +6,7 @@
 #include <fstream>
 #include <nlohmann/json.hpp>
 
-#include "logplayer/BookmarkStorage.h"
+#include "logplayer/bookmarks/BookmarkStorage.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace logplayer {

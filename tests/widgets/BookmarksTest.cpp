@@ -8,13 +8,13 @@
 #include <fstream>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/base/LogWriter.h"
 #include "robotlink/process/Link.h"
 #include "tests/widgets/LogBench.h"
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/log/BookmarksView.h"
-#include "widgets/log/TimeLineCanvas.h"
-#include "widgets/log/TimeLineView.h"
+#include "widgets/timeline/TimeLineCanvas.h"
+#include "widgets/timeline/TimeLineView.h"
 
 using widgets::BookmarkModel;
 using widgets::BookmarksView;

@@ -8,8 +8,8 @@
 #include <chrono>
 
 #include "tests/widgets/ColorWorld.h"
-#include "widgets/color/ColorCanvas.h"
-#include "widgets/color/ColorImageView.h"
+#include "widgets/color/image/ColorCanvas.h"
+#include "widgets/color/image/ColorImageView.h"
 
 namespace {
 

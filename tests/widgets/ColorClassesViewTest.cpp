@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorClassesView.h"
+#include "widgets/color/samples/ColorClassesView.h"
 
 #include <QAbstractItemModelTester>
 #include <QApplication>

@@ -5,7 +5,7 @@
 #include <QTemporaryDir>
 #include <QTest>
 
-#include "colortool/SampleFile.h"
+#include "colortool/samples/SampleFile.h"
 #include "tests/widgets/ColorWorld.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/ColorFrameFinder.h"

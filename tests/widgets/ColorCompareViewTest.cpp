@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorCompareView.h"
+#include "widgets/color/quality/ColorCompareView.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -14,10 +14,10 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "colortool/NamedColorTable.h"
+#include "colortool/table/NamedColorTable.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/ColorWorld.h"
-#include "widgets/color/ColorImageView.h"
+#include "widgets/color/image/ColorImageView.h"
 
 namespace widgets::test {
 namespace {

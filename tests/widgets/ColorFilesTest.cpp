@@ -12,12 +12,12 @@
 #include <QTest>
 #include <fstream>
 
-#include "colortool/NamedColorTable.h"
-#include "colortool/SampleFile.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/table/NamedColorTable.h"
+#include "colortool/samples/SampleFile.h"
+#include "colortool/training/TableTrainer.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/ColorClassesView.h"
+#include "widgets/color/samples/ColorClassesView.h"
 #include "widgets/color/ColorFileActions.h"
 
 namespace widgets::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorFramesView.h"
+#include "widgets/color/image/ColorFramesView.h"
 
 #include <QAbstractItemModelTester>
 #include <QAction>
@@ -11,8 +11,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "logplayer/LogFile.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/file/LogFile.h"
+#include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/ColorWorld.h"

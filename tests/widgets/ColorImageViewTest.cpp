@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorImageView.h"
+#include "widgets/color/image/ColorImageView.h"
 
 #include <QAction>
 #include <QApplication>
@@ -15,10 +15,10 @@
 #include <QToolButton>
 #include <fstream>
 
-#include "colortool/ColorTable.h"
+#include "colortool/table/ColorTable.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/ColorCanvas.h"
+#include "widgets/color/image/ColorCanvas.h"
 #include "widgets/color/ColorFiles.h"
 
 namespace widgets::test {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorQualityView.h"
+#include "widgets/color/quality/ColorQualityView.h"
 
 #include <QAbstractItemModelTester>
 #include <QApplication>
@@ -13,7 +13,7 @@
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/LabelledFolder.h"
-#include "widgets/models/ConfusionModel.h"
+#include "widgets/color/quality/ConfusionModel.h"
 
 namespace widgets::test {
 

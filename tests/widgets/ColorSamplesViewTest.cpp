@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/ColorSamplesView.h"
+#include "widgets/color/samples/ColorSamplesView.h"
 
 #include <QAbstractItemModelTester>
 #include <QAbstractProxyModel>

@@ -10,7 +10,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/color/ColorSpaceRenderer.h"
+#include "widgets/color/space/ColorSpaceRenderer.h"
 
 namespace {
 

@@ -11,8 +11,8 @@
 #include <set>
 
 #include "tests/widgets/ColorWorld.h"
-#include "widgets/color/ColorSpaceCanvas.h"
-#include "widgets/color/ColorSpaceView.h"
+#include "widgets/color/space/ColorSpaceCanvas.h"
+#include "widgets/color/space/ColorSpaceView.h"
 
 namespace widgets::test {
 namespace {

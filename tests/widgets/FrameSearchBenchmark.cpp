@@ -5,8 +5,8 @@
 #include <condition_variable>
 #include <mutex>
 
-#include "colortool/NamedColorTable.h"
-#include "logplayer/LogFile.h"
+#include "colortool/table/NamedColorTable.h"
+#include "logplayer/file/LogFile.h"
 #include "widgets/color/FrameSearch.h"
 
 namespace {

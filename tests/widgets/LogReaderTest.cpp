@@ -12,14 +12,14 @@
 #include <fstream>
 
 #include "foxglove/Robot.pb.h"
-#include "logplayer/LogFile.h"
-#include "logplayer/LogWriter.h"
+#include "logplayer/file/LogFile.h"
+#include "logplayer/base/LogWriter.h"
 #include "tests/app/ShortLog.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogBars.h"
 #include "widgets/log/LogJobs.h"
 #include "widgets/log/LogReader.h"
-#include "widgets/log/TimeLineView.h"
+#include "widgets/timeline/TimeLineView.h"
 
 using widgets::LogOverview;
 using widgets::LogReader;

@@ -11,7 +11,7 @@
 #include "tests/widgets/SyntheticWorld.h"
 #include "widgets/log/ReplayPackagesView.h"
 #include "widgets/log/StreamsView.h"
-#include "widgets/models/TimeScale.h"
+#include "widgets/log/TimeScale.h"
 
 using robotcontrol::ControlReplay;
 using widgets::ReplayPackageModel;

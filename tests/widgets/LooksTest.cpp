@@ -9,13 +9,13 @@
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "tests/widgets/Bench.h"
-#include "widgets/DebugKeysView.h"
-#include "widgets/MessagesView.h"
-#include "widgets/MotionView.h"
-#include "widgets/PlotsView.h"
-#include "widgets/ProcessesView.h"
-#include "widgets/SolutionsView.h"
-#include "widgets/TimingView.h"
+#include "widgets/keys/DebugKeysView.h"
+#include "widgets/messages/MessagesView.h"
+#include "widgets/motion/MotionView.h"
+#include "widgets/plots/PlotsView.h"
+#include "widgets/processes/ProcessesView.h"
+#include "widgets/solutions/SolutionsView.h"
+#include "widgets/processes/TimingView.h"
 
 using robotcontrol::KeyMode;
 

@@ -10,7 +10,7 @@
 
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Image.h"
-#include "robotlink/debugging/Drawings.h"
+#include "robotlink/debugging/drawing/Drawings.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "widgets/View.h"

@@ -7,7 +7,7 @@
 
 #include "widgets/Controls.h"
 #include "widgets/color/ColorBench.h"
-#include "widgets/models/Counted.h"
+#include "widgets/Counted.h"
 
 namespace widgets {
 namespace {

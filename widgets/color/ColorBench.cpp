@@ -4,7 +4,7 @@
 #include <QUndoCommand>
 #include <algorithm>
 
-#include "colortool/ClassPresets.h"
+#include "colortool/image/ClassPresets.h"
 #include "foxglove/Image.pb.h"
 #include "widgets/color/ColorSender.h"
 #include "widgets/image/ImagePixels.h"

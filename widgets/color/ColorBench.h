@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "colortool/CellSet.h"
-#include "colortool/SampleDocument.h"
+#include "colortool/table/CellSet.h"
+#include "colortool/samples/SampleDocument.h"
 #include "widgets/View.h"
 #include "widgets/color/ColorLearner.h"
 

@@ -6,10 +6,10 @@
 #include <memory>
 #include <utility>
 
-#include "colortool/ClassEdits.h"
-#include "colortool/ClassPresets.h"
-#include "colortool/PixelArea.h"
-#include "colortool/TrainingOptions.h"
+#include "colortool/samples/ClassEdits.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/image/PixelArea.h"
+#include "colortool/training/TrainingOptions.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"

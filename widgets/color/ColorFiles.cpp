@@ -5,10 +5,10 @@
 #include <algorithm>
 #include <utility>
 
-#include "colortool/ColorTableFile.h"
-#include "colortool/NamedColorTable.h"
-#include "colortool/SampleFile.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/table/ColorTableFile.h"
+#include "colortool/table/NamedColorTable.h"
+#include "colortool/samples/SampleFile.h"
+#include "colortool/training/TableTrainer.h"
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorActions.h"

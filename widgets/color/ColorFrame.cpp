@@ -5,7 +5,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/models/TypedStreams.h"
+#include "widgets/TypedStreams.h"
 
 namespace widgets {
 namespace {

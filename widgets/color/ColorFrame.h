@@ -6,8 +6,8 @@
 #include <memory>
 #include <mutex>
 
-#include "colortool/ColorImage.h"
-#include "colortool/Samples.h"
+#include "colortool/image/ColorImage.h"
+#include "colortool/samples/Samples.h"
 #include "robotlink/base/Clock.h"
 #include "robotlink/base/Image.h"
 

@@ -7,7 +7,7 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/models/TypedStreams.h"
+#include "widgets/TypedStreams.h"
 
 namespace widgets {
 namespace {

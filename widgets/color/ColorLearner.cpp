@@ -3,8 +3,8 @@
 
 #include <utility>
 
-#include "colortool/ImageCorrector.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/correction/ImageCorrector.h"
+#include "colortool/training/TableTrainer.h"
 
 namespace widgets {
 namespace {

@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "colortool/Samples.h"
+#include "colortool/samples/Samples.h"
 #include "robotlink/base/Image.h"
 #include "widgets/color/ColorFrame.h"
 #include "widgets/color/ColorScorer.h"

@@ -9,7 +9,7 @@
 #include <optional>
 #include <thread>
 
-#include "colortool/SampleFile.h"
+#include "colortool/samples/SampleFile.h"
 
 class QLockFile;
 

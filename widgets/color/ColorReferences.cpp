@@ -3,8 +3,8 @@
 
 #include <QCoreApplication>
 
-#include "colortool/TableImport.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/table/TableImport.h"
+#include "colortool/training/TableTrainer.h"
 
 namespace widgets {
 namespace {

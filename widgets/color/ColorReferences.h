@@ -4,7 +4,7 @@
 #include <QString>
 #include <filesystem>
 
-#include "colortool/SampleDocument.h"
+#include "colortool/samples/SampleDocument.h"
 #include "robotlink/base/Error.h"
 #include "widgets/color/ColorBench.h"
 

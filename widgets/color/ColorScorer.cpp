@@ -8,7 +8,7 @@
 #include <array>
 #include <utility>
 
-#include "colortool/Suspicion.h"
+#include "colortool/training/Suspicion.h"
 
 namespace widgets {
 namespace {

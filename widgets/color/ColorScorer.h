@@ -11,8 +11,8 @@
 #include <thread>
 #include <vector>
 
-#include "colortool/ColorTable.h"
-#include "colortool/CrossValidation.h"
+#include "colortool/table/ColorTable.h"
+#include "colortool/scoring/CrossValidation.h"
 #include "widgets/color/ColorFrame.h"
 
 namespace widgets {

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "colortool/ColorTable.h"
-#include "colortool/Samples.h"
+#include "colortool/table/ColorTable.h"
+#include "colortool/samples/Samples.h"
 
 namespace robotcontrol {
 class ColorTable;

@@ -4,10 +4,10 @@
 #include <algorithm>
 #include <queue>
 
-#include "colortool/ImageCorrector.h"
+#include "colortool/correction/ImageCorrector.h"
 #include "foxglove/Image.pb.h"
-#include "logplayer/ImageCoding.h"
-#include "logplayer/LogFile.h"
+#include "logplayer/images/ImageCoding.h"
+#include "logplayer/file/LogFile.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/image/ImagePixels.h"
 

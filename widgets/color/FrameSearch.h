@@ -13,8 +13,8 @@
 #include <variant>
 #include <vector>
 
-#include "colortool/ColorCorrection.h"
-#include "colortool/Suspicion.h"
+#include "colortool/image/ColorCorrection.h"
+#include "colortool/training/Suspicion.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace widgets {

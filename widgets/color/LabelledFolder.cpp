@@ -6,10 +6,10 @@
 #include <span>
 #include <utility>
 
-#include "colortool/ClassPresets.h"
-#include "colortool/NamedColorTable.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/table/NamedColorTable.h"
 #include "foxglove/Image.pb.h"
-#include "logplayer/ImageCoding.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
 

@@ -7,7 +7,7 @@
 #include <span>
 #include <string>
 
-#include "logplayer/ImageCoding.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace widgets {

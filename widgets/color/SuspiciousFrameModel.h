@@ -4,7 +4,7 @@
 #include <QAbstractTableModel>
 #include <vector>
 
-#include "colortool/ColorClasses.h"
+#include "colortool/image/ColorClasses.h"
 #include "widgets/color/FrameSearch.h"
 
 namespace widgets {

@@ -21,8 +21,8 @@
 #include "widgets/drive/BatteryGauge.h"
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
-#include "widgets/models/Counted.h"
-#include "widgets/models/Silence.h"
+#include "widgets/Counted.h"
+#include "widgets/Silence.h"
 
 namespace widgets {
 namespace {

@@ -6,7 +6,7 @@
 #include <algorithm>
 
 #include "widgets/Controls.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

@@ -23,7 +23,7 @@
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
 #include "widgets/drive/LinkWords.h"
-#include "widgets/models/TypedStreams.h"
+#include "widgets/TypedStreams.h"
 
 namespace widgets {
 namespace {

@@ -3,7 +3,7 @@
 
 #include <QString>
 
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace robotcontrol {
 class LinkStatus;

@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "widgets/drive/RadarPainter.h"
-#include "widgets/models/RadarReadings.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/drive/RadarReadings.h"
+#include "widgets/world/WorldDrawings.h"
 
 namespace widgets {
 

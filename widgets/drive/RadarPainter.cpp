@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/models/RadarReadings.h"
-#include "widgets/models/Theme.h"
+#include "widgets/drive/RadarReadings.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

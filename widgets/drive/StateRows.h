@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 class QGridLayout;
 class QLabel;

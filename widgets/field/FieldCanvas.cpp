@@ -14,7 +14,7 @@
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/field/MapPainter.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

@@ -11,7 +11,7 @@
 #include "widgets/field/FieldFigures.h"
 #include "widgets/field/FieldViewport.h"
 #include "widgets/field/GoalFigures.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/world/WorldDrawings.h"
 
 namespace robotcontrol {
 class GroundMap;

@@ -8,7 +8,7 @@
 #include <cmath>
 
 #include "widgets/field/FieldViewport.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

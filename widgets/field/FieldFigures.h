@@ -11,7 +11,7 @@
 #include <vector>
 
 #include "robotlink/base/Geometry.h"
-#include "widgets/models/RobotBeliefs.h"
+#include "widgets/world/RobotBeliefs.h"
 
 class QPainter;
 class QPalette;

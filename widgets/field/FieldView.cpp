@@ -17,17 +17,17 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/DrawingsPanel.h"
+#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
 #include "widgets/field/PlaceNotice.h"
-#include "widgets/models/DrawingsModel.h"
-#include "widgets/models/DriveAims.h"
-#include "widgets/models/ShownMap.h"
-#include "widgets/models/Silence.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/drawings/DrawingsModel.h"
+#include "widgets/world/DriveAims.h"
+#include "widgets/world/ShownMap.h"
+#include "widgets/Silence.h"
+#include "widgets/world/WorldDrawings.h"
 
 namespace widgets {
 namespace {

@@ -3,10 +3,10 @@
 
 #include "widgets/PackageWish.h"
 #include "widgets/View.h"
-#include "widgets/models/ModelDrag.h"
-#include "widgets/models/RobotBeliefs.h"
-#include "widgets/models/SceneState.h"
-#include "widgets/models/Trails.h"
+#include "widgets/world/ModelDrag.h"
+#include "widgets/world/RobotBeliefs.h"
+#include "widgets/world/SceneState.h"
+#include "widgets/world/Trails.h"
 
 class QAction;
 class QLabel;

@@ -6,7 +6,7 @@
 #include <QPolygonF>
 #include <cmath>
 
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

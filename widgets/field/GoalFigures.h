@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/models/DriveAims.h"
-#include "widgets/models/GoalSender.h"
+#include "widgets/world/DriveAims.h"
+#include "widgets/field/GoalSender.h"
 
 class QPainter;
 class QPalette;

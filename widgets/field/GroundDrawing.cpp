@@ -7,10 +7,10 @@
 
 #include "foxglove/Scene.pb.h"
 #include "robotlink/packages/Conversions.h"
-#include "widgets/models/CurrentDrawings.h"
-#include "widgets/models/MessageColors.h"
-#include "widgets/models/MessageFonts.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/drawings/MessageColors.h"
+#include "widgets/drawings/MessageFonts.h"
+#include "widgets/world/WorldDrawings.h"
 
 namespace widgets {
 namespace {

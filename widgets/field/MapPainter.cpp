@@ -9,7 +9,7 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "widgets/field/FieldViewport.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

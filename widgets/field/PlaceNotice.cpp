@@ -4,7 +4,7 @@
 #include <QCoreApplication>
 
 #include "robotcontrol/Driving.pb.h"
-#include "widgets/models/RobotBeliefs.h"
+#include "widgets/world/RobotBeliefs.h"
 
 namespace widgets {
 namespace {

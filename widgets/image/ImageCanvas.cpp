@@ -6,7 +6,7 @@
 #include <QPainter>
 #include <cmath>
 
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 namespace widgets {
 

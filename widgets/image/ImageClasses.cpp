@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "widgets/image/ImageClasses.h"
 
-#include "colortool/ClassPresets.h"
-#include "colortool/Evaluation.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/scoring/Evaluation.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotlink/config/FieldDescription.h"

@@ -7,9 +7,9 @@
 #include <algorithm>
 
 #include "foxglove/Image.pb.h"
-#include "widgets/models/CurrentDrawings.h"
-#include "widgets/models/MessageColors.h"
-#include "widgets/models/MessageFonts.h"
+#include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/drawings/MessageColors.h"
+#include "widgets/drawings/MessageFonts.h"
 
 namespace widgets {
 namespace {

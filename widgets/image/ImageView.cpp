@@ -15,13 +15,13 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/DrawingsPanel.h"
+#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamChoice.h"
-#include "widgets/models/DrawingsModel.h"
+#include "widgets/drawings/DrawingsModel.h"
 
 namespace widgets {
 namespace {

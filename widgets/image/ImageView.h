@@ -8,7 +8,7 @@
 #include "robotlink/base/Clock.h"
 #include "robotlink/process/Link.h"
 #include "widgets/View.h"
-#include "widgets/models/CurrentDrawings.h"
+#include "widgets/drawings/CurrentDrawings.h"
 
 class QAction;
 class QLabel;

@@ -3,7 +3,7 @@
 
 #include "widgets/View.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/models/BookmarkModel.h"
+#include "widgets/log/BookmarkModel.h"
 
 class QAction;
 class QSortFilterProxyModel;

@@ -4,13 +4,13 @@
 #include <QCoreApplication>
 #include <QStringList>
 
-#include "logplayer/LogCut.h"
-#include "logplayer/LogExport.h"
-#include "logplayer/LogFile.h"
-#include "logplayer/OutputFile.h"
-#include "logplayer/mcap/Reader.h"
-#include "widgets/models/Counted.h"
-#include "widgets/models/StreamListModel.h"
+#include "logplayer/edit/LogCut.h"
+#include "logplayer/export/LogExport.h"
+#include "logplayer/file/LogFile.h"
+#include "logplayer/base/OutputFile.h"
+#include "logplayer/mcap/read/Reader.h"
+#include "widgets/Counted.h"
+#include "widgets/log/StreamListModel.h"
 
 namespace widgets {
 namespace {

@@ -5,9 +5,9 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
-#include "logplayer/ImageCoding.h"
-#include "logplayer/LogFile.h"
-#include "logplayer/LogImport.h"
+#include "logplayer/images/ImageCoding.h"
+#include "logplayer/file/LogFile.h"
+#include "logplayer/file/LogImport.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/image/ImagePixels.h"
 

@@ -6,7 +6,7 @@
 #include <mutex>
 #include <thread>
 
-#include "widgets/models/LogOverview.h"
+#include "widgets/log/LogOverview.h"
 
 namespace logplayer {
 class LogFile;

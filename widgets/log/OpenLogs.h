@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/Bookmarks.h"
+#include "logplayer/bookmarks/Bookmarks.h"
 #include "widgets/View.h"
-#include "widgets/models/LogOverview.h"
-#include "widgets/models/ReplayControl.h"
+#include "widgets/log/LogOverview.h"
+#include "widgets/log/ReplayControl.h"
 
 namespace widgets {
 

@@ -5,7 +5,7 @@
 #include <QSortFilterProxyModel>
 #include <QStandardItemModel>
 
-#include "widgets/models/ReplayPackageModel.h"
+#include "widgets/log/ReplayPackageModel.h"
 
 namespace widgets {
 

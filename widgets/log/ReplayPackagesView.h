@@ -3,7 +3,7 @@
 
 #include "widgets/View.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/models/ReplayPackageModel.h"
+#include "widgets/log/ReplayPackageModel.h"
 
 class QLabel;
 class QSortFilterProxyModel;

@@ -3,7 +3,7 @@
 
 #include "widgets/View.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/models/StreamListModel.h"
+#include "widgets/log/StreamListModel.h"
 
 class QLabel;
 class QSortFilterProxyModel;

@@ -2,7 +2,7 @@
 #include "widgets/scene/SceneAssembly.h"
 
 #include "foxglove/Scene.pb.h"
-#include "widgets/models/CurrentDrawings.h"
+#include "widgets/drawings/CurrentDrawings.h"
 
 namespace widgets {
 

@@ -8,8 +8,8 @@
 #include <vector>
 
 #include "robotlink/process/Link.h"
-#include "widgets/models/SceneState.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/world/SceneState.h"
+#include "widgets/world/WorldDrawings.h"
 #include "widgets/scene/SceneFrame.h"
 
 namespace widgets {

@@ -9,7 +9,7 @@
 #include <cmath>
 
 #include "widgets/Sentence.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneOverlay.h"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <cmath>
 
-#include "widgets/models/MessageFonts.h"
+#include "widgets/drawings/MessageFonts.h"
 #include "widgets/scene/SceneFrame.h"
 
 namespace widgets {

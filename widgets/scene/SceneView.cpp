@@ -20,13 +20,13 @@
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/DrawingsPanel.h"
+#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
 #include "widgets/field/FieldPainter.h"
-#include "widgets/models/DrawingsModel.h"
-#include "widgets/models/ShownMap.h"
-#include "widgets/models/WorldDrawings.h"
+#include "widgets/drawings/DrawingsModel.h"
+#include "widgets/world/ShownMap.h"
+#include "widgets/world/WorldDrawings.h"
 #include "widgets/scene/SceneCanvas.h"
 
 namespace widgets {

@@ -5,9 +5,9 @@
 #include <optional>
 
 #include "widgets/View.h"
-#include "widgets/models/ModelDrag.h"
-#include "widgets/models/RobotBeliefs.h"
-#include "widgets/models/SceneState.h"
+#include "widgets/world/ModelDrag.h"
+#include "widgets/world/RobotBeliefs.h"
+#include "widgets/world/SceneState.h"
 #include "widgets/scene/CameraRide.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneCamera.h"

@@ -3,10 +3,10 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "colortool/NamedColorTable.h"
-#include "colortool/SampleFile.h"
-#include "colortool/StrokeList.h"
-#include "colortool/TableTrainer.h"
+#include "colortool/table/NamedColorTable.h"
+#include "colortool/samples/SampleFile.h"
+#include "colortool/samples/StrokeList.h"
+#include "colortool/training/TableTrainer.h"
 #include "tests/colortool/SampleFixture.h"
 #include "tests/fuzz/FuzzTarget.h"
 

@@ -5,9 +5,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "colortool/ClassPresets.h"
-#include "colortool/TableImport.h"
-#include "colortool/TekkotsuTable.h"
+#include "colortool/image/ClassPresets.h"
+#include "colortool/table/TableImport.h"
+#include "colortool/table/TekkotsuTable.h"
 #include "tests/fuzz/FuzzTarget.h"
 
 using namespace colortool;

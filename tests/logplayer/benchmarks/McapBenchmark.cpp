@@ -13,10 +13,10 @@
 
 #include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Compression.h"
-#include "logplayer/mcap/MessageCursor.h"
-#include "logplayer/mcap/Reader.h"
+#include "logplayer/mcap/read/MessageCursor.h"
+#include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/Source.h"
-#include "logplayer/mcap/Writer.h"
+#include "logplayer/mcap/write/Writer.h"
 
 // Writes and reads 400 MB of messages on 20 channels in memory, for three sizes of messages, three ways to
 // write them, and two kinds of data: hardly compressible (A), and like a robot's sensor readings (B). What

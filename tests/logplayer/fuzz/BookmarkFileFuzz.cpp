@@ -4,7 +4,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "logplayer/BookmarkStorage.h"
+#include "logplayer/bookmarks/BookmarkStorage.h"
 #include "tests/TestFolder.h"
 #include "tests/fuzz/FuzzTarget.h"
 

@@ -3,7 +3,7 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "logplayer/ImageCoding.h"
+#include "logplayer/images/ImageCoding.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/bhuman/QueueBuilder.h"
 

@@ -3,7 +3,7 @@
 #include <cstdlib>
 
 #include "logplayer/mcap/ByteStream.h"
-#include "logplayer/mcap/ChunkLoader.h"
+#include "logplayer/mcap/read/ChunkLoader.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 

@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "logplayer/mcap/MessageCursor.h"
-#include "logplayer/mcap/Reader.h"
+#include "logplayer/mcap/read/MessageCursor.h"
+#include "logplayer/mcap/read/Reader.h"
 #include "tests/fuzz/FuzzTarget.h"
 #include "tests/logplayer/fuzz/McapSeeds.h"
 

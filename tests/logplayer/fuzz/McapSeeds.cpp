@@ -11,7 +11,7 @@
 
 #include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Codec.h"
-#include "logplayer/mcap/Writer.h"
+#include "logplayer/mcap/write/Writer.h"
 
 using namespace logplayer::mcap;
 

@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 
 #include "logplayer/mcap/ByteStream.h"
-#include "logplayer/mcap/ChunkLoader.h"
+#include "logplayer/mcap/read/ChunkLoader.h"
 
 namespace logplayer::mcap::test {
 namespace {

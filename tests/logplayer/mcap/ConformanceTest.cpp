@@ -4,7 +4,7 @@
 #include <cstdlib>
 
 #include "logplayer/mcap/ByteStream.h"
-#include "logplayer/mcap/MessageCursor.h"
+#include "logplayer/mcap/read/MessageCursor.h"
 #include "tests/logplayer/mcap/ConformanceCase.h"
 #include "tests/logplayer/mcap/TemporaryLog.h"
 

@@ -9,7 +9,7 @@
 #include <sstream>
 
 #include "logplayer/mcap/ByteStream.h"
-#include "logplayer/mcap/MessageCursor.h"
+#include "logplayer/mcap/read/MessageCursor.h"
 
 namespace logplayer::mcap::test {
 

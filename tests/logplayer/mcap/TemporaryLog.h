@@ -6,8 +6,8 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/mcap/Reader.h"
-#include "logplayer/mcap/Writer.h"
+#include "logplayer/mcap/read/Reader.h"
+#include "logplayer/mcap/write/Writer.h"
 
 namespace logplayer::mcap::test {
 

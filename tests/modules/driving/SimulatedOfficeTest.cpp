@@ -6,8 +6,8 @@
 #include <cstdlib>
 #include <filesystem>
 
-#include "app/core/SimulatedRun.h"
-#include "app/core/SimulatedWorld.h"
+#include "app/core/simulated/SimulatedRun.h"
+#include "app/core/simulated/SimulatedWorld.h"
 #include "modules/navigation/FreeSpace.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Driving.pb.h"

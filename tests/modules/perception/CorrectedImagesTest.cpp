@@ -6,8 +6,8 @@
 #include <cmath>
 #include <limits>
 
-#include "colortool/ColorCorrection.h"
-#include "colortool/ColorTable.h"
+#include "colortool/image/ColorCorrection.h"
+#include "colortool/table/ColorTable.h"
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "tests/modules/perception/LoggedRobot.h"

@@ -5,8 +5,8 @@
 
 #include <cmath>
 
-#include "colortool/ColorTableFile.h"
-#include "logplayer/ImageCoding.h"
+#include "colortool/table/ColorTableFile.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/base/Geometry.h"
 #include "tests/modules/perception/LoggedRobot.h"

@@ -9,7 +9,7 @@
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"
 #include "widgets/drive/BatteryGauge.h"
-#include "widgets/models/Theme.h"
+#include "widgets/Theme.h"
 
 using widgets::BatteryLevel;
 

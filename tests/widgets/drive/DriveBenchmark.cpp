@@ -12,8 +12,8 @@
 #include "robotlink/arcos/codec/Packet.h"
 #include "widgets/field/FieldViewport.h"
 #include "widgets/field/MapPainter.h"
-#include "widgets/models/PacketFilter.h"
-#include "widgets/models/PacketModel.h"
+#include "widgets/packets/PacketFilter.h"
+#include "widgets/packets/PacketModel.h"
 
 namespace {
 

@@ -9,10 +9,10 @@
 
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"
-#include "widgets/HeadPanel.h"
-#include "widgets/MotionButtons.h"
-#include "widgets/MotionView.h"
-#include "widgets/WalkPad.h"
+#include "widgets/motion/HeadPanel.h"
+#include "widgets/motion/MotionButtons.h"
+#include "widgets/motion/MotionView.h"
+#include "widgets/motion/WalkPad.h"
 
 using robotcontrol::MotionRequest;
 

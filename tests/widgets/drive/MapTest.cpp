@@ -9,7 +9,7 @@
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/FieldView.h"
 #include "widgets/field/PlaceNotice.h"
-#include "widgets/models/RobotBeliefs.h"
+#include "widgets/world/RobotBeliefs.h"
 
 using widgets::test::isNear;
 

@@ -1,0 +1,310 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerDriver.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+
+namespace app {
+
+namespace arcos = robotlink::arcos;
+using arcos::CommandId;
+using robotlink::Blocking;
+using robotlink::Duration;
+using robotlink::Instant;
+
+namespace {
+
+constexpr Duration kPartialLimit = std::chrono::milliseconds(100);
+constexpr Duration kRepeat = std::chrono::milliseconds(500);  // of a speed that does not change, as ARIA does
+constexpr Duration kStatusPeriod = std::chrono::milliseconds(500);
+
+/// Bytes that a person wants sent: whole packets and nothing else.
+robotlink::Result<std::vector<arcos::Packet>> packetsOf(const std::string& bytes) {
+  arcos::PacketParser parser;
+  parser.push({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()});
+  std::vector<arcos::Packet> packets;
+  while (auto found = parser.next()) {
+    if (auto* packet = std::get_if<arcos::Packet>(&*found)) {
+      packets.push_back(std::move(*packet));
+    } else {
+      return robotlink::failure("drive.packet", std::string("what is to be sent holds no packet: ") +
+                                                    arcos::describe(std::get<arcos::Damage>(*found).kind));
+    }
+  }
+  if (parser.isPartial())
+    return robotlink::failure("drive.packet", "what is to be sent ends within a packet");
+  return packets;
+}
+
+/// As ARIA decides it: such robots answer to the commands of simulators.
+bool isSimulator(const arcos::ClientSession& session) {
+  const auto* identity = session.identity();
+  const auto* configuration = session.configuration();
+  return (identity != nullptr && identity->name == "MobileSim") ||
+         (configuration != nullptr && configuration->serialNumber == "SIM");
+}
+
+/// " MobileSim (p3at-sh)", if it has told.
+std::string nameOf(const arcos::ClientSession& session) {
+  const auto* identity = session.identity();
+  return identity != nullptr ? " " + identity->name + " (" + identity->subclass + ")" : std::string();
+}
+
+robotcontrol::LinkStatus::State stateOf(const arcos::ClientSession& session) {
+  using robotcontrol::LinkStatus;
+  switch (session.state()) {
+    case arcos::ClientSession::State::kClosed:
+      return LinkStatus::CLOSED;
+    case arcos::ClientSession::State::kConnected:
+      return LinkStatus::CONNECTED;
+    case arcos::ClientSession::State::kFailed:
+    case arcos::ClientSession::State::kPausing:
+      return LinkStatus::LOST;
+    default:
+      return LinkStatus::CONNECTING;
+  }
+}
+
+}  // namespace
+
+PioneerDriver::PioneerDriver(robotlink::Process& platform, std::string robot,
+                             const robotlink::RobotDescription& description, Options options)
+    : options_(std::move(options)),
+      description_(description),
+      packages_(std::move(robot), description),
+      motorsWanted_(options_.motorsOn),
+      stateSender_(platform, robotlink::kDriveState.name, Blocking::kNo),
+      sonarSender_(platform, robotlink::kSonar.name, Blocking::kNo),
+      laserSender_(platform, robotlink::kLaser.name, Blocking::kNo),
+      statusSender_(platform, robotlink::kLinkStatus.name, Blocking::kNo),
+      packetsSender_(platform, robotlink::kLinkPackets.name, Blocking::kNo),
+      request_(platform, robotlink::kDriveRequest.name, Blocking::kNo) {
+  session_.open(platform.clock().now());
+}
+
+// ---- From the robot
+
+void PioneerDriver::lineOpened(Instant now) {
+  parser_.clear();
+  lineOpened_ = now;
+  session_.linkOpened(now);
+}
+
+void PioneerDriver::lineLost(const robotlink::Error& why, Instant now) {
+  session_.linkClosed(why, now);
+}
+
+void PioneerDriver::take(std::span<const std::uint8_t> bytes, Instant now) {
+  lastBytes_ = now;
+  parser_.push(bytes);
+  while (auto found = parser_.next()) {
+    if (const auto* packet = std::get_if<arcos::Packet>(&*found)) {
+      take(*packet, now);
+    } else {
+      meter_.damage(std::get<arcos::Damage>(*found).bytes, now);
+      session_.take(*found, now);
+    }
+  }
+}
+
+void PioneerDriver::take(const arcos::Packet& packet, Instant now) {
+  meter_.packet(true, arcos::encode(packet), now);
+  session_.take(packet, now);
+  use(packet, now);
+}
+
+void PioneerDriver::overhear(const arcos::Packet& packet, bool fromRobot, Instant now) {
+  meter_.packet(fromRobot, arcos::encode(packet), now);
+  if (fromRobot) use(packet, now);
+}
+
+void PioneerDriver::setOtherClient(const std::string& address, Instant now) {
+  if (address == otherClient_) return;
+  otherClient_ = address;
+  if (address.empty()) {
+    session_.open(now);
+  } else {
+    session_.close(now);
+    session_.takeOutgoing();  // The line is the other's.
+  }
+}
+
+void PioneerDriver::use(const arcos::Packet& packet, Instant now) {
+  if (const arcos::Identity* identity = session_.identity()) packages_.setSubclass(identity->subclass);
+  if (packet.id == arcos::Configuration::kId) {
+    if (const auto configuration = arcos::decodeConfiguration(packet)) {
+      packages_.setBumpers(configuration->frontBumpers, configuration->rearBumpers);
+    }
+  }
+  if (packet.id == arcos::StandardInformation::kStandingId ||
+      packet.id == arcos::StandardInformation::kMovingId) {
+    const auto information = arcos::decodeStandardInformation(packet);
+    if (!information) return;
+    meter_.cycle(now);
+    state_ = packages_.state(*information, now);
+    if (auto sonars = packages_.sonars(*information, now)) sonars_ = std::move(sonars);
+  }
+  if (packet.id == arcos::LaserPacket::kPlainId || packet.id == arcos::LaserPacket::kExtendedId) {
+    const auto part = arcos::decodeLaser(packet);
+    if (!part) return;
+    if (auto scan = packages_.laser(*part, now)) laser_ = std::move(scan);
+  }
+}
+
+// ---- To the robot
+
+void PioneerDriver::command(CommandId id, int argument, Instant now) {
+  // Without a connection there is nobody to obey; what holds is said when there is one again.
+  if (session_.isConnected()) (void)session_.send(arcos::command(id, argument), now);
+}
+
+void PioneerDriver::actuate(bool stopEngaged, Instant now) {
+  if (parser_.isPartial() && now - lastBytes_ > kPartialLimit) parser_.dropPartial();
+  session_.tick(now);
+  followConnection(now);
+  if (stopEngaged != held_) {
+    held_ = stopEngaged;
+    driving_ = false;
+    if (held_) command(CommandId::kEStop, 0, now);
+    command(CommandId::kEnable, !held_ && motorsWanted_ ? 1 : 0, now);
+  }
+  if (!held_) drive(now);
+}
+
+void PioneerDriver::followConnection(Instant now) {
+  if (session_.isConnected() == connected_) return;
+  connected_ = !connected_;
+  if (connected_) {
+    becomeConnected(now);
+  } else {
+    packages_.restart();
+    meter_.restart();
+  }
+}
+
+void PioneerDriver::becomeConnected(Instant now) {
+  driving_ = false;
+  command(CommandId::kSonar, 1, now);
+  const bool laser = options_.laser && description_.laser && isSimulator(session_);
+  if (laser) startLaser(now);
+  const bool motors = motorsWanted_ && !held_;
+  if (motors) command(CommandId::kEnable, 1, now);
+  const auto milliseconds = static_cast<long>(std::lround(1000 * robotlink::seconds(now - lineOpened_)));
+  report_ = "The robot" + nameOf(session_) + " was set up in " + std::to_string(milliseconds) +
+            " ms: sonars on, " + (laser ? "laser on, " : "") + "motors " + (motors ? "on." : "off.");
+}
+
+void PioneerDriver::startLaser(Instant now) {
+  const auto degrees = [](double angle) { return static_cast<int>(std::lround(robotlink::degrees(angle))); };
+  command(CommandId::kLegacyLaserStart, degrees(description_.laser->startAngle), now);
+  command(CommandId::kLegacyLaserEnd, degrees(description_.laser->endAngle), now);
+  command(CommandId::kLegacyLaserResolution, 100, now);
+  command(CommandId::kLegacyLaserEnable, 2, now);
+}
+
+/// As the program's newest request says, as long as it is fresh.
+void PioneerDriver::drive(Instant now) {
+  const robotcontrol::DriveRequest* request = request_.get();
+  if (request != nullptr && request_.isNew()) requestCame_ = now;
+  if (request == nullptr || now - requestCame_ > kSilence) {
+    if (driving_) command(CommandId::kStop, 0, now);
+    driving_ = false;
+    return;
+  }
+  const auto& limits = *description_.drive;
+  const auto limited = [](double value, double limit) {
+    return std::isfinite(value) ? std::clamp(value, -limit, limit) : 0.0;
+  };
+  const auto speedMmS =
+      static_cast<int>(std::lround(1000 * limited(request->velocity().x(), limits.maximumSpeed)));
+  const auto rotationDegS = static_cast<int>(
+      std::lround(robotlink::degrees(limited(request->velocity().rotation(), limits.maximumRotation))));
+  const bool same = driving_ && speedMmS == speedMmS_ && rotationDegS == rotationDegS_;
+  if (same && now - commandSent_ < kRepeat) return;
+  command(CommandId::kVel, speedMmS, now);
+  command(CommandId::kRvel, rotationDegS, now);
+  speedMmS_ = speedMmS;
+  rotationDegS_ = rotationDegS;
+  commandSent_ = now;
+  driving_ = true;
+}
+
+std::vector<arcos::Packet> PioneerDriver::takeOutgoing(Instant now) {
+  std::vector<arcos::Packet> packets;
+  outgoingParser_.push(session_.takeOutgoing());
+  while (auto found = outgoingParser_.next()) {
+    auto* packet = std::get_if<arcos::Packet>(&*found);
+    if (packet == nullptr) continue;
+    meter_.packet(false, arcos::encode(*packet), now);
+    packets.push_back(std::move(*packet));
+  }
+  return packets;
+}
+
+robotlink::Result<void> PioneerDriver::control(const robotcontrol::ControlDrive& wish, Instant now) {
+  if (!session_.isConnected()) {
+    return robotlink::failure("drive.not-connected",
+                              otherClient_.empty() ? "the robot is not connected: " + session_.describe()
+                                                   : "a client at " + otherClient_ + " drives the robot now");
+  }
+  std::vector<arcos::Packet> packets;
+  for (const std::string& bytes : wish.packets()) {
+    auto found = packetsOf(bytes);
+    if (!found) return tl::unexpected(found.error());
+    packets.insert(packets.end(), found->begin(), found->end());
+  }
+  if (wish.has_motors()) {
+    if (wish.motors() && held_)
+      return robotlink::failure("drive.stopped", "STOP is engaged; release it first");
+    motorsWanted_ = wish.motors();
+    command(CommandId::kEnable, wish.motors() ? 1 : 0, now);
+  }
+  if (wish.has_sonar()) command(CommandId::kSonar, wish.sonar() ? 1 : 0, now);
+  if (wish.reset_odometry()) packages_.resetOdometry();
+  for (const arcos::Packet& packet : packets) {
+    if (auto sent = session_.send(packet, now); !sent) return sent;
+  }
+  return {};
+}
+
+// ---- To the program
+
+std::vector<robotlink::AnySender*> PioneerDriver::senders() {
+  return {&stateSender_, &sonarSender_, &laserSender_, &statusSender_, &packetsSender_};
+}
+
+void PioneerDriver::sendPackages(Instant now) {
+  meter_.setKeeping(packetsSender_.connected());
+  if (state_) stateSender_.send(std::exchange(state_, nullptr));
+  if (sonars_) sonarSender_.send(std::exchange(sonars_, nullptr));
+  if (laser_) laserSender_.send(std::exchange(laser_, nullptr));
+  if (auto packets = meter_.takePackets(now)) packetsSender_.send(std::move(packets));
+  if (statusSent_ == Instant{} || now - statusSent_ >= kStatusPeriod) sendStatus(now);
+}
+
+void PioneerDriver::sendStatus(Instant now) {
+  statusSent_ = now;
+  auto status = std::make_shared<robotcontrol::LinkStatus>();
+  robotlink::assign(*status->mutable_timestamp(), now);
+  status->set_state(otherClient_.empty() ? stateOf(session_) : robotcontrol::LinkStatus::CONNECTED);
+  status->set_address(options_.address);
+  status->set_client(otherClient_);
+  if (const arcos::Identity* identity = session_.identity()) {
+    status->set_robot_name(identity->name);
+    status->set_robot_class(identity->robotClass);
+    status->set_robot_subclass(identity->subclass);
+  }
+  meter_.fill(*status, now);
+  status->set_checksum_errors(parser_.counters().checksumErrors);
+  status->set_skipped_bytes(parser_.counters().skippedBytes);
+  const auto& statistics = session_.statistics();
+  status->set_round_trip(robotlink::seconds(statistics.roundTrip));
+  status->set_reconnects(statistics.connections > 0 ? statistics.connections - 1 : 0);
+  status->set_text(otherClient_.empty() ? session_.describe() : "driven by a client at " + otherClient_);
+  statusSender_.send(std::move(status));
+}
+
+}  // namespace app

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerFeed.h"
+
+#include "app/core/program/SceneMessages.h"
+#include "foxglove/Robot.pb.h"
+#include "logplayer/record/Recorder.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+namespace {
+
+constexpr std::chrono::milliseconds kStep{10};
+constexpr std::chrono::milliseconds kPioneerStatusEvery{100};
+
+/// "tcp://localhost:8101", or in short "localhost:8101" and "/dev/ttyUSB0".
+bool isAddress(const std::string& source) {
+  if (source.starts_with("tcp://") || source.starts_with("serial://")) return true;
+  std::error_code ignored;
+  const bool isFile =
+      !source.starts_with("/dev/") && (source.starts_with('/') || std::filesystem::exists(source, ignored));
+  return !isFile && robotlink::arcos::parseUrl(source).has_value();
+}
+
+const PlatformRegistration kPioneerRegistration{
+    {PioneerFeed::kAdapter, "a Pioneer's address, tcp://HOST[:PORT] or serial://DEVICE[?baud=RATE]",
+     PlatformTime::kReal, false, isAddress, 2}};
+
+}  // namespace
+
+PlatformOpening PioneerFeed::opening(PioneerOptions options) {
+  // One way to write it, so that the same robot is recognized; what is no address is refused by create().
+  if (const auto url = robotlink::arcos::parseUrl(options.url))
+    options.url = robotlink::arcos::toString(*url);
+  return {kAdapter, {options.url}, [options](const PlatformContext& context) -> PlatformOpening::Made {
+            PioneerOptions chosen = options;
+            const auto before = context.wishes.find(chosen.robot);
+            if (before != context.wishes.end()) chosen.wishes = before->second;
+            return create(std::move(chosen), context.session, context.recorder);
+          }};
+}
+
+tl::expected<std::unique_ptr<PioneerFeed>, robotlink::Errors> PioneerFeed::create(
+    PioneerOptions options, robotlink::Session& session, logplayer::Recorder& recorder) {
+  auto feed = std::unique_ptr<PioneerFeed>(new PioneerFeed(session, recorder));
+  auto run = PioneerRun::create(std::move(options), feed->listeners(), &recorder);
+  if (!run) return tl::unexpected(std::move(run.error()));
+  feed->run_ = std::move(*run);
+  return feed;
+}
+
+PioneerRun::Listeners PioneerFeed::listeners() {
+  return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            outlet_.tellTrouble(robot, process, text);
+          },
+          [this](const std::string& robot, const std::string& text) {
+            if (run_) outlet_.tellText(robot, "platform", run_->clock().now(), foxglove::Log::INFO, text);
+          }};
+}
+
+void PioneerFeed::begin() {
+  outlet_.open();
+  due_ = Clock::now();
+  if (const auto map = run_->map()) {
+    const auto now = run_->clock().now();
+    outlet_.tell({robotlink::streams::kMap, now, mapMessage(*map, now)});
+    outlet_.tellMapNotes(run_->options().robot, now, *map);
+  }
+  publishStatus();
+}
+
+void PioneerFeed::step() {
+  run_->step();
+  const auto real = Clock::now();
+  due_ = std::max(due_ + kStep, real);  // What was missed is not made up for.
+  if (real - lastStatus_ >= kPioneerStatusEvery) publishStatus();
+}
+
+robotlink::Result<void> PioneerFeed::requestRobot(const robotcontrol::Request& request) {
+  return run_->request(request);
+}
+
+std::map<std::string, ProgramWishes> PioneerFeed::wishes() const {
+  return {{run_->options().robot, run_->wishes()}};
+}
+
+robotlink::Errors PioneerFeed::setLayout(const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayout(file);
+  if (!errors.empty()) return errors;
+  for (const std::string& lost : run_->lostChoices()) {
+    outlet_.tellText(run_->options().robot, "layout", run_->clock().now(), foxglove::Log::WARNING, lost);
+  }
+  return {};
+}
+
+LoadedPlatform PioneerFeed::describe() const {
+  LoadedPlatform loaded;
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kReal;
+  loaded.sources = {run_->options().url};
+  loaded.title = run_->options().url;
+  loaded.lostChoices = run_->lostChoices();
+  loaded.robots[run_->options().robot] = run_->robot().description;
+  if (!run_->robot().fieldFile.empty()) loaded.field = run_->robot().field;
+  loaded.layout = run_->layout();
+  return loaded;
+}
+
+void PioneerFeed::publishStatus() {
+  lastStatus_ = Clock::now();
+  const auto now = run_->clock().now();
+  auto status = std::make_shared<robotcontrol::SimulationStatus>();
+  status->set_time(robotlink::seconds(now));
+  status->set_speed(1);
+  status->set_requested_speed(1);
+  status->set_running(true);
+  status->set_scene(run_->options().url);
+  status->add_robots(run_->options().robot);
+  if (run_->platform().stopEngaged()) status->add_stopped_robots(run_->options().robot);
+  outlet_.tell({robotlink::streams::kSimulation, now, std::move(status)});
+  outlet_.tell({robotlink::streams::kRecording, now,
+                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+}
+
+}  // namespace app

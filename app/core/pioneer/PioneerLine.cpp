@@ -1,0 +1,109 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerLine.h"
+
+#include <array>
+
+#include "robotlink/arcos/stream/OpenStream.h"
+
+namespace app {
+namespace {
+
+namespace arcos = robotlink::arcos;
+using robotlink::Duration;
+
+constexpr std::size_t kMaxEvents = 4096, kMaxOutgoing = 1024;
+constexpr Duration kReadTimeout = std::chrono::milliseconds(5);
+constexpr Duration kOpeningLimit = std::chrono::seconds(3);
+
+}  // namespace
+
+PioneerLine::PioneerLine(std::string url, const robotlink::Clock& clock)
+    : url_(std::move(url)), clock_(clock), events_(kMaxEvents), outgoing_(kMaxOutgoing), thread_([this] {
+        run();
+      }) {}
+
+PioneerLine::~PioneerLine() {
+  {
+    const std::lock_guard lock(mutex_);
+    quit_ = true;
+    wanted_ = false;
+  }
+  wakeUp_.notify_all();
+  thread_.join();
+}
+
+void PioneerLine::send(Bytes bytes) {
+  if (open_) outgoing_.push(std::move(bytes));
+}
+
+void PioneerLine::tell(std::variant<Opened, Bytes, Lost> what) {
+  events_.push({std::move(what), clock_.now()});
+}
+
+void PioneerLine::open() {
+  {
+    const std::lock_guard lock(mutex_);
+    wanted_ = !quit_;
+  }
+  wakeUp_.notify_all();
+}
+
+void PioneerLine::close() {
+  const std::lock_guard lock(mutex_);
+  wanted_ = false;
+}
+
+/// False: the thread shall end.
+bool PioneerLine::waitUntilWanted() {
+  std::unique_lock lock(mutex_);
+  wakeUp_.wait(lock, [this] { return wanted_ || quit_; });
+  return !quit_;
+}
+
+bool PioneerLine::wanted() {
+  const std::lock_guard lock(mutex_);
+  return wanted_;
+}
+
+void PioneerLine::run() {
+  while (waitUntilWanted()) {
+    if (auto stream = arcos::open(url_, kOpeningLimit)) {
+      outgoing_.drain();
+      open_ = true;
+      tell(Opened{});
+      serve(**stream);
+      open_ = false;
+    } else {
+      lose(stream.error());
+    }
+  }
+}
+
+/// Until the line is lost or is not wanted any more.
+void PioneerLine::serve(arcos::ByteStream& stream) {
+  std::array<std::uint8_t, 4096> buffer{};
+  while (wanted()) {
+    const auto count = stream.read(buffer, kReadTimeout);
+    if (!count) return lose(count.error());
+    if (*count > 0) tell(Bytes(buffer.begin(), buffer.begin() + static_cast<std::ptrdiff_t>(*count)));
+    if (!writeWaiting(stream)) return;
+  }
+  writeWaiting(stream);  // What ends the connection in good order.
+}
+
+void PioneerLine::lose(const robotlink::Error& why) {
+  close();
+  tell(Lost{why});
+}
+
+bool PioneerLine::writeWaiting(arcos::ByteStream& stream) {
+  for (const Bytes& bytes : outgoing_.drain()) {
+    if (const auto written = stream.write(bytes); !written) {
+      lose(written.error());
+      return false;
+    }
+  }
+  return true;
+}
+
+}  // namespace app

@@ -1,0 +1,72 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerPlatform.h"
+
+namespace app {
+namespace {
+
+/// By what kind of event it is.
+template <typename... Functions>
+struct Overloaded : Functions... {
+  using Functions::operator()...;
+};
+template <typename... Functions>
+Overloaded(Functions...) -> Overloaded<Functions...>;
+
+}  // namespace
+
+PioneerPlatform::PioneerPlatform(const robotlink::Clock& clock, std::string robot,
+                                 const robotlink::RobotDescription& description,
+                                 PioneerDriver::Options options)
+    : Platform("platform", clock),
+      driver_(*this, std::move(robot), description, options),
+      line_(options.address, clock) {}
+
+PioneerPlatform::~PioneerPlatform() {
+  PioneerPlatform::shutDown();
+}
+
+void PioneerPlatform::shutDown() {
+  if (std::exchange(shutDown_, true)) return;
+  driver_.end(clock().now());
+  sendWaiting();
+}
+
+void PioneerPlatform::takeEvents() {
+  for (const PioneerLine::Event& event : line_.take()) {
+    std::visit(Overloaded{[&](const PioneerLine::Opened&) { driver_.lineOpened(event.time); },
+                          [&](const PioneerLine::Bytes& bytes) { driver_.take(bytes, event.time); },
+                          [&](const PioneerLine::Lost& lost) { driver_.lineLost(lost.why, event.time); }},
+               event.what);
+  }
+}
+
+void PioneerPlatform::sendWaiting() {
+  for (const auto& packet : driver_.takeOutgoing(clock().now())) line_.send(robotlink::arcos::encode(packet));
+}
+
+void PioneerPlatform::engageStop(bool engaged) {
+  stopEngaged_.store(engaged);
+  if (!engaged) return;  // The motors are switched on again by actuate(), if they were.
+  using robotlink::arcos::CommandId;
+  for (const auto& command :
+       {robotlink::arcos::command(CommandId::kEStop), robotlink::arcos::command(CommandId::kEnable, 0)})
+    line_.send(robotlink::arcos::encode(toPacket(command)));
+}
+
+void PioneerPlatform::actuate() {
+  takeEvents();
+  driver_.actuate(stopEngaged(), clock().now());
+  sendWaiting();
+  if (const std::string text = driver_.takeReport(); !text.empty()) report(text);
+  if (driver_.wantsLine()) {
+    line_.open();
+  } else {
+    line_.close();
+  }
+}
+
+void PioneerPlatform::execute() {
+  driver_.sendPackages(clock().now());
+}
+
+}  // namespace app

@@ -1,0 +1,132 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/pioneer/PioneerRun.h"
+
+#include "app/core/program/ProgramSetups.h"
+#include "app/core/program/RecordingTap.h"
+#include "app/core/program/RobotFiles.h"
+#include "app/core/program/SceneMessages.h"
+#include "app/core/program/SolutionChoices.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/arcos/stream/StreamUrl.h"
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/config/RobotUse.h"
+#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+
+using robotlink::Errors;
+
+PioneerRun::PioneerRun(PioneerOptions options, Listeners listeners, logplayer::Recorder* recorder)
+    : options_(std::move(options)),
+      listeners_(std::move(listeners)),
+      tap_(recorder != nullptr ? std::make_unique<RecordingTap>(*recorder) : nullptr) {}
+
+PioneerRun::~PioneerRun() {
+  stop();
+  if (stopSwitch_) stopSwitch_->forget();
+  if (tap_) tap_->clear();
+}
+
+tl::expected<std::unique_ptr<PioneerRun>, Errors> PioneerRun::create(PioneerOptions options,
+                                                                     Listeners listeners,
+                                                                     logplayer::Recorder* recorder) {
+  const auto url = robotlink::arcos::parseUrl(options.url);
+  if (!url) return tl::unexpected(Errors{url.error()});
+  options.url = robotlink::arcos::toString(*url);  // one way to write it, whichever it was given in
+  auto run = std::unique_ptr<PioneerRun>(new PioneerRun(std::move(options), std::move(listeners), recorder));
+  if (Errors errors = run->load(); !errors.empty()) return tl::unexpected(std::move(errors));
+  return run;
+}
+
+Errors PioneerRun::load() {
+  if (Errors errors = describeRobot(); !errors.empty()) return errors;
+  if (const auto plain = robotlink::readLayout(layout())) {
+    Errors errors = checkSolutions(options_.solutions, robotlink::registeredTasks(), {&*plain});
+    if (!errors.empty()) return errors;
+  }
+  auto platform = std::make_unique<PioneerPlatform>(
+      clock_, options_.robot, robot_->description(),
+      PioneerDriver::Options{.address = options_.url, .motorsOn = options_.motorsOn});
+  platform_ = platform.get();
+  stopSwitch_ =
+      std::make_shared<StopSwitch>(options_.robot, [this](bool engaged) { platform_->engageStop(engaged); });
+  auto program = makeProgram(std::move(platform), layout());
+  if (!program) return program.error();
+  if (tap_) tap_->restart();
+  start(std::move(*program));
+  return {};
+}
+
+Errors PioneerRun::describeRobot() {
+  auto description = readRobot(options_.kind);
+  if (!description) return description.error();
+  const auto use = readUse(options_.kind);
+  if (!use) return use.error();
+  const std::filesystem::path fieldOfKind = fieldFile(use->field);
+  auto field = readField(fieldOfKind);
+  if (!field) return field.error();
+  std::shared_ptr<const robotlink::GroundMap> map;
+  if (!options_.map.empty()) {
+    auto read = robotlink::GroundMap::load(options_.map);
+    if (!read) return read.error();
+    map = std::make_shared<const robotlink::GroundMap>(std::move(*read));
+  }
+  robot_ = std::make_unique<RobotHost>(
+      HostedRobot{options_.robot, use->teamOf(options_.robot), *description, *field, map, fieldOfKind},
+      listeners_, tap_.get(), options_.wishes);
+  return {};
+}
+
+std::filesystem::path PioneerRun::layout() const {
+  return !options_.layout.empty() ? options_.layout : layoutFile(robot_->description());
+}
+
+tl::expected<RobotHost::Candidate, Errors> PioneerRun::makeProgram(
+    std::unique_ptr<robotlink::Platform> platform, const std::filesystem::path& file) {
+  auto layout = readLayoutWith(file, options_.solutions);
+  if (!layout) return tl::unexpected(layout.error());
+  return robot_->make(std::move(platform), file, *layout);
+}
+
+void PioneerRun::start(RobotHost::Candidate program) {
+  robot_->adopt(std::move(program));
+  executor_ = std::make_unique<ProgramExecutor>(ProgramExecutor::Options{
+      .kind = ExecutorKind::kThreads,
+      .trouble = [this](const auto& process, const auto& text) { robot_->reportTrouble(process, text); }});
+  lostChoices_ = robot_->begin(*executor_);
+  if (const auto& known = map(); known && tap_)
+    tap_->world({robotlink::streams::kMap, clock_.now(), mapMessage(*known, clock_.now())});
+  executor_->start();
+}
+
+void PioneerRun::stop() {
+  executor_.reset();
+  if (robot_) robot_->stop();
+}
+
+void PioneerRun::step() {
+  robot_->enqueueRequests();
+  if (tap_) tap_->askForPackages();
+  executor_->step();
+  robot_->reportPlatform();
+  if (tap_) tap_->endStep();
+}
+
+Errors PioneerRun::setLayout(const std::filesystem::path& file) {
+  auto program = makeProgram(nullptr, file);
+  if (!program) return program.error();
+  stop();
+  options_.layout = file;
+  start(std::move(*program));
+  return {};
+}
+
+robotlink::Result<void> PioneerRun::request(const robotcontrol::Request& request) {
+  if (request.robot() == options_.robot) return robot_->request(request);
+  return robotlink::failure("request.no-robot", "there is no robot " + request.robot(), {},
+                            {request.robot()});
+}
+
+}  // namespace app

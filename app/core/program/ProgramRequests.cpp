@@ -1,0 +1,119 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/ProgramRequests.h"
+
+#include <algorithm>
+
+#include "robotlink/debugging/RequestKinds.h"
+#include "robotlink/debugging/RobotProgram.h"
+
+namespace app {
+
+using robotcontrol::Request;
+
+namespace {
+
+constexpr std::size_t kMaxOpen = 1000;
+/// Ids of what is asked anew on behalf of a person; sessions count from 1.
+constexpr std::uint64_t kOwnIds = std::uint64_t{1} << 63U;
+
+bool isOwn(const Request& request) {
+  return (request.id() & kOwnIds) != 0;
+}
+
+/// What was chosen, for a sentence; empty: nothing that a person would miss.
+std::string choiceOf(const Request& request) {
+  const robotlink::RequestKind& kind = robotlink::kindOf(request);
+  return kind.choice != nullptr ? kind.choice(request) : std::string();
+}
+
+}  // namespace
+
+std::vector<std::string> ProgramRequests::begin(robotlink::RobotProgram& program) {
+  const std::lock_guard lock(mutex_);
+  preview_.reset();
+  // What was told to be accepted is among the wishes.
+  std::deque<Open> asked = std::exchange(open_, {});
+  std::erase_if(asked, [](const Open& open) { return open.told || isOwn(open.request); });
+  std::vector<std::string> lost;
+  robotlink::RequestPreview preview(program);
+  for (Request& request : wishes_.requests(robot_)) {
+    if (const std::string why = preview.add(request); why.empty()) {
+      addOwn(std::move(request));
+    } else if (const std::string what = choiceOf(request); !what.empty()) {
+      lost.push_back(robot_ + " could not keep " + what + ": " + why);
+    }
+  }
+  for (Open& open : asked) open_.push_back({std::move(open.request)});
+  return lost;
+}
+
+void ProgramRequests::addOwn(Request request) {
+  request.set_id(kOwnIds | ++ownRequests_);
+  open_.push_back({std::move(request)});
+}
+
+/// So that a color that is painted or a slider that is dragged in a pause does not leave a heap of old values
+/// behind.
+bool ProgramRequests::replacesLast(const Request& request) const {
+  return !open_.empty() && open_.back().told && !open_.back().handed &&
+         robotlink::setTheSame(open_.back().request, request);
+}
+
+bool ProgramRequests::ask(const Request& request) {
+  const std::lock_guard lock(mutex_);
+  if (replacesLast(request)) open_.pop_back();
+  if (open_.size() >= kMaxOpen) return false;
+  open_.push_back({request});
+  return true;
+}
+
+void ProgramRequests::hand(const std::function<bool(const Request&)>& give) {
+  const std::lock_guard lock(mutex_);
+  for (Open& open : open_) {
+    if (open.handed) continue;
+    if (!give(open.request)) break;
+    open.handed = true;
+    if (open.request.id() == 0) wishes_.note(open.request);  // Nobody will know the answer.
+  }
+  std::erase_if(open_, [](const Open& open) { return open.handed && open.request.id() == 0; });
+}
+
+void ProgramRequests::answered(const robotcontrol::DebugQueue& queue) {
+  const std::lock_guard lock(mutex_);
+  if (open_.empty()) return;
+  for (const auto& message : queue.messages()) {
+    if (!message.has_result()) continue;
+    const auto found = std::find_if(open_.begin(), open_.end(), [&](const Open& open) {
+      return open.request.id() == message.result().id();
+    });
+    if (found == open_.end()) continue;
+    if (message.result().accepted() && !found->told && !isOwn(found->request)) wishes_.note(found->request);
+    open_.erase(found);
+  }
+}
+
+std::shared_ptr<const robotcontrol::DebugQueue> ProgramRequests::answersToCome(
+    robotlink::RobotProgram& program, robotlink::Instant now) {
+  const std::lock_guard lock(mutex_);
+  if (std::all_of(open_.begin(), open_.end(), [](const Open& open) { return open.told; })) return nullptr;
+  if (!preview_) {
+    preview_.emplace(program);
+    for (Open& open : open_) open.previewed = false;
+  }
+  for (Open& open : open_) {
+    if (std::exchange(open.previewed, true)) continue;
+    if (std::exchange(open.told, true)) {
+      preview_->add(open.request);
+    } else if (preview_->answer(open.request) && !isOwn(open.request)) {
+      wishes_.note(open.request);
+    }
+  }
+  return preview_->takeQueue(now);
+}
+
+ProgramWishes ProgramRequests::wishes() const {
+  const std::lock_guard lock(mutex_);
+  return wishes_;
+}
+
+}  // namespace app

@@ -1,0 +1,138 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/ProgramSetups.h"
+
+#include <algorithm>
+#include <map>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/base/Resources.h"
+#include "robotlink/debugging/RobotProgram.h"
+
+namespace app {
+
+using robotcontrol::ProgramSetup;
+
+namespace {
+
+using Choices = std::map<std::string, std::string>;  // task -> solution
+
+/// "layouts/compact.yaml" if it is below the resources, else its whole path.
+std::string nameOf(const std::filesystem::path& file) {
+  const auto relative = file.lexically_relative(robotlink::resourceDirectory());
+  const bool shipped = !relative.empty() && *relative.begin() != "..";
+  return (shipped ? relative : file).generic_string();
+}
+
+/// Without a file nothing is filled in.
+void fill(ProgramSetup::File& to, const std::filesystem::path& file) {
+  if (file.empty()) return;
+  to.set_name(nameOf(file));
+  if (auto text = robotlink::readFile(file)) to.set_text(std::move(*text));
+}
+
+Choices solutionsOf(const robotlink::Layout& layout) {
+  Choices choices;
+  for (const auto& process : layout.processes) {
+    for (const auto& task : process.tasks) choices[task.task] = task.solution;
+  }
+  return choices;
+}
+
+Choices solutionsOf(const ProgramSetup& setup) {
+  Choices choices;
+  for (const auto& choice : setup.solutions()) choices[choice.task()] = choice.solution();
+  return choices;
+}
+
+void assign(ProgramSetup& setup, const Choices& choices) {
+  setup.clear_solutions();
+  for (const auto& [task, solution] : choices) {
+    auto& choice = *setup.add_solutions();
+    choice.set_task(task);
+    choice.set_solution(solution);
+  }
+}
+
+/// The layout's own, without what was chosen instead when the program was made.
+Choices defaultsOf(const ProgramSetup& setup) {
+  const auto layout = robotlink::parseLayout(setup.layout().text(), setup.layout().name());
+  return layout ? solutionsOf(*layout) : Choices{};
+}
+
+void addOffered(ProgramSetup& setup, const robotlink::Process& process) {
+  for (const robotlink::AnySender* sender : process.senders()) {
+    if (!sender->package().starts_with("debug/")) setup.add_offered(sender->package());
+  }
+}
+
+bool followSolutions(ProgramSetup& setup, const robotcontrol::SolutionTable& table) {
+  const Choices before = solutionsOf(setup);
+  const Choices defaults = defaultsOf(setup);
+  Choices after = before;
+  for (const auto& task : table.tasks()) {
+    const auto own = defaults.find(task.name());
+    if (own != defaults.end() && own->second == task.active()) {
+      after.erase(task.name());
+    } else {
+      after[task.name()] = task.active();
+    }
+  }
+  if (after == before) return false;
+  assign(setup, after);
+  return true;
+}
+
+bool followParameters(ProgramSetup& setup, const robotcontrol::ParameterValues& told) {
+  for (auto& values : *setup.mutable_parameters()) {
+    if (values.task() != told.task() || values.solution() != told.solution()) continue;
+    if (values.value().data() == told.value().data()) return false;
+    *values.mutable_value() = told.value();
+    return true;
+  }
+  return false;
+}
+
+}  // namespace
+
+tl::expected<robotlink::Layout, robotlink::Errors> readLayoutWith(
+    const std::filesystem::path& file, const std::map<std::string, std::string>& solutions) {
+  auto layout = robotlink::readLayout(file);
+  if (!layout) return layout;
+  for (auto& process : layout->processes) {
+    for (auto& task : process.tasks) {
+      const auto chosen = solutions.find(task.task);
+      if (chosen != solutions.end()) task.choose(chosen->second);
+    }
+  }
+  return layout;
+}
+
+ProgramSetup programSetup(const robotlink::RobotProgram& program, const robotlink::Platform& platform,
+                          const ProgramFiles& files) {
+  ProgramSetup setup;
+  setup.set_robot(program.robot().name);
+  setup.set_team(program.robot().team);
+  fill(*setup.mutable_layout(), files.layout);
+  fill(*setup.mutable_description(), files.description);
+  fill(*setup.mutable_field(), files.field);
+  Choices chosen = solutionsOf(program.layout());
+  for (const auto& [task, solution] : defaultsOf(setup)) {
+    if (const auto found = chosen.find(task); found != chosen.end() && found->second == solution)
+      chosen.erase(found);
+  }
+  assign(setup, chosen);
+  for (auto& values : program.parameters()) *setup.add_parameters() = std::move(values);
+  setup.set_executor(files.executor);
+  addOffered(setup, platform);
+  for (const robotlink::Process* process : program.processes()) {
+    if (dynamic_cast<const robotlink::DebugProcess*>(process) != nullptr) addOffered(setup, *process);
+  }
+  return setup;
+}
+
+bool follow(ProgramSetup& setup, const robotcontrol::DebugMessage& message) {
+  if (message.has_parameters()) return followParameters(setup, message.parameters());
+  return message.has_solutions() && followSolutions(setup, message.solutions());
+}
+
+}  // namespace app

@@ -1,0 +1,188 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/RecordingTap.h"
+
+#include <algorithm>
+#include <set>
+
+#include "app/core/program/ProgramSetups.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/RobotProgram.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/QueueMessages.h"
+
+namespace app {
+
+using robotcontrol::DebugMessage;
+using robotcontrol::DebugQueue;
+using robotlink::StreamMessage;
+
+namespace {
+
+constexpr char kPlatform[] = "platform";
+
+/// What the senders of one process have sent in its present frame. Used by that process's thread only.
+struct TappedFrame {
+  std::string robot;
+  std::string process;
+  std::vector<StreamMessage> messages;
+  std::set<std::string> paths;  ///< that are recorded here, and therefore nowhere else
+};
+
+/// The tap keeps the frame alive, however long the sender lives.
+void tapSenders(const robotlink::Process& process, const std::shared_ptr<TappedFrame>& frame,
+                const logplayer::Recorder& recorder) {
+  for (robotlink::AnySender* sender : process.senders()) {
+    if (sender->package().starts_with("debug/")) continue;
+    const std::string path = frame->robot + "/" + sender->package();
+    frame->paths.insert(path);
+    sender->addTap([&recorder, frame, path, from = &process](const robotlink::PackagePtr& package) {
+      StreamMessage message{path, from->clock().now(), package, frame->process, from->frames() + 1};
+      if (recorder.active() || robotlink::holdsUntilToldAnew(message))
+        frame->messages.push_back(std::move(message));
+    });
+  }
+}
+
+StreamMessage frameInfo(const std::string& robot, const std::string& process, robotlink::Instant time,
+                        std::uint64_t number) {
+  auto info = std::make_shared<robotcontrol::FrameInfo>();
+  robotlink::assign(*info->mutable_timestamp(), time);
+  info->set_process(process);
+  info->set_number(number);
+  return {robot + "/" + robotlink::streams::kFrames + process, time, std::move(info), process, number};
+}
+
+/// Whether something in it is to be known also while nothing is recorded.
+bool tellsWhatHolds(const DebugQueue& queue) {
+  return std::any_of(queue.messages().begin(), queue.messages().end(), [](const DebugMessage& message) {
+    return message.has_keys() || message.has_solutions() || message.has_processes() ||
+           message.has_parameters();
+  });
+}
+
+}  // namespace
+
+struct RecordingTap::Robot {
+  std::string name;
+  robotlink::Platform* platform = nullptr;
+  robotlink::RobotProgram* program = nullptr;
+  std::set<std::string> asked;  // packages that the program tells
+  std::shared_ptr<TappedFrame> sensors = std::make_shared<TappedFrame>();
+  std::shared_ptr<TappedFrame> wishes = std::make_shared<TappedFrame>();  // of the debug process
+
+  // The debug process's thread.
+  robotcontrol::ProgramSetup setup;
+  robotlink::Instant lastTime;
+
+  StreamMessage setupMessage(robotlink::Instant time) const {
+    return {name + "/" + robotlink::streams::kProgram, time,
+            std::make_shared<robotcontrol::ProgramSetup>(setup)};
+  }
+  std::set<std::string> wanted(const logplayer::Recorder& recorder) const {
+    std::set<std::string> packages;
+    for (const std::string& package : program->yieldedPackages()) {
+      if (recorder.wants(name + "/" + package)) packages.insert(package);
+    }
+    return packages;
+  }
+};
+
+RecordingTap::~RecordingTap() = default;
+
+RecordingTap::Robot* RecordingTap::find(const std::string& name) const {
+  for (const auto& robot : robots_) {
+    if (robot->name == name) return robot.get();
+  }
+  return nullptr;
+}
+
+void RecordingTap::attach(const std::string& name, robotlink::Platform& platform,
+                          robotlink::RobotProgram& program, robotcontrol::ProgramSetup setup) {
+  auto robot = std::make_shared<Robot>();
+  robot->name = name;
+  robot->platform = &platform;
+  robot->program = &program;
+  robot->setup = std::move(setup);
+  robot->lastTime = platform.clock().now();
+  robot->sensors->robot = robot->wishes->robot = name;
+  robot->sensors->process = kPlatform;
+  robot->wishes->process = program.debugProcess().name();
+  if (const Robot* before = find(name); before != nullptr && before->platform == &platform) {
+    robot->sensors = before->sensors;
+    std::erase_if(robots_, [&](const auto& other) { return other->name == name; });
+  } else {
+    tapSenders(platform, robot->sensors, recorder_);
+  }
+  tapSenders(program.debugProcess(), robot->wishes, recorder_);
+  robot->asked = robot->wanted(recorder_);
+  program.recordPackages(robot->asked);
+  recorder_.forget(name);
+  recorder_.add({robot->setupMessage(platform.clock().now())});
+  robots_.push_back(std::move(robot));
+}
+
+void RecordingTap::askForPackages() {
+  const std::uint64_t demand = recorder_.demand();
+  if (demand == demand_) return;
+  for (const auto& robot : robots_) {
+    std::set<std::string> packages = robot->wanted(recorder_);
+    if (packages == robot->asked) continue;
+    robotcontrol::Request request;
+    request.set_robot(robot->name);
+    request.mutable_record_packages();
+    for (const std::string& package : packages) request.mutable_record_packages()->add_packages(package);
+    if (!robot->program->debugProcess().request(request))
+      return;  // Too many requests wait: the next step tries again.
+    robot->asked = std::move(packages);
+  }
+  demand_ = demand;
+}
+
+void RecordingTap::endStep() {
+  for (const auto& robot : robots_) {
+    std::vector<StreamMessage> messages = std::exchange(robot->sensors->messages, {});
+    if (messages.empty()) continue;
+    messages.push_back(frameInfo(robot->name, kPlatform, messages.back().time, messages.back().frame));
+    recorder_.add(std::move(messages));
+  }
+}
+
+void RecordingTap::handedIn(const robotcontrol::Request& request) {
+  const Robot* robot = find(request.robot());
+  if (robot == nullptr || !recorder_.active() || request.has_record_packages()) return;
+  recorder_.add({{robot->name + "/" + robotlink::streams::kRequests, robot->platform->clock().now(),
+                  std::make_shared<robotcontrol::Request>(request)}});
+}
+
+void RecordingTap::world(StreamMessage message) {
+  if (recorder_.active() || robotlink::holdsUntilToldAnew(message)) recorder_.add({std::move(message)});
+}
+
+void RecordingTap::add(const std::string& name, const std::shared_ptr<const DebugQueue>& queue) {
+  Robot* robot = find(name);
+  if (robot == nullptr) return;
+  bool setupChanged = false;
+  for (const DebugMessage& message : queue->messages()) setupChanged |= follow(robot->setup, message);
+  const bool own = queue->process() == robot->wishes->process;
+  if (recorder_.active() || tellsWhatHolds(*queue) || (own && !robot->wishes->messages.empty())) {
+    auto parts = robotlink::messagesOf(name, queue, robot->lastTime, robotlink::QueueReader::kRecorder);
+    if (!parts.messages.empty()) robot->lastTime = parts.messages.back().time;
+    for (std::vector<StreamMessage>& frame : robotlink::framesOf(std::move(parts.messages))) {
+      std::erase_if(frame, [robot](const StreamMessage& message) {
+        return robot->sensors->paths.contains(message.path) || robot->wishes->paths.contains(message.path);
+      });
+      if (own && !frame.empty()) {  // What was sent in this frame was so before its end.
+        auto wishes = std::exchange(robot->wishes->messages, {});
+        frame.insert(frame.end() - 1, std::make_move_iterator(wishes.begin()),
+                     std::make_move_iterator(wishes.end()));
+      }
+      recorder_.add(std::move(frame));
+    }
+  }
+  if (setupChanged) recorder_.add({robot->setupMessage(robot->lastTime)});
+}
+
+}  // namespace app

@@ -1,0 +1,121 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/program/SceneMessages.h"
+
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Scene.pb.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/MapConversions.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+
+namespace app {
+namespace {
+
+constexpr const char* kFieldFrame = "field";
+
+robotlink::Instant now(const simcore::Simulation& simulation) {
+  return robotlink::Instant(simulation.time());
+}
+
+/// "red1" for the body "red1/legFL2", if that is one of the movable models; else empty.
+std::string modelOf(const std::string& body, const std::vector<std::string>& movable) {
+  for (const std::string& model : movable) {
+    if (body == model || body.rfind(model + "/", 0) == 0) return model;
+  }
+  return {};
+}
+
+/// A body's frame. The ground frame of a robot has the robot's own name, so bodies wear a prefix.
+std::string frameOf(const std::string& body) {
+  return body == "world" ? kFieldFrame : "body:" + body;
+}
+
+void assignMesh(foxglove::TriangleListPrimitive& to, const simcore::Mesh& mesh) {
+  for (const auto& vertex : mesh.vertices) {
+    auto& point = *to.add_points();
+    point.set_x(vertex.x());
+    point.set_y(vertex.y());
+    point.set_z(vertex.z());
+  }
+  for (const auto& triangle : mesh.triangles) {
+    for (const std::uint32_t index : triangle) to.add_indices(index);
+  }
+}
+
+void addTransform(foxglove::FrameTransforms& to, const std::string& child, const robotlink::Pose3& pose,
+                  robotlink::Instant time) {
+  auto& transform = *to.add_transforms();
+  robotlink::assign(*transform.mutable_timestamp(), time);
+  transform.set_parent_frame_id(kFieldFrame);
+  transform.set_child_frame_id(child);
+  foxglove::Pose message;
+  robotlink::assign(message, pose);
+  transform.mutable_translation()->Swap(message.mutable_position());
+  transform.mutable_rotation()->Swap(message.mutable_orientation());
+}
+
+robotlink::Pose3 onGround(const robotlink::Pose2& pose) {
+  robotlink::Pose3 result = robotlink::Pose3::Identity();
+  result.translate(robotlink::Vector3(pose.x, pose.y, 0));
+  result.rotate(Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()));
+  return result;
+}
+
+}  // namespace
+
+std::vector<std::string> movableModels(const simcore::Simulation& simulation) {
+  std::vector<std::string> models;
+  for (const auto& robot : simulation.scene().robots()) models.push_back(robot.name);
+  if (simulation.modelPose("ball")) models.emplace_back("ball");
+  return models;
+}
+
+std::shared_ptr<const robotcontrol::GroundMap> mapMessage(const robotlink::GroundMap& map,
+                                                          robotlink::Instant now) {
+  auto message = std::make_shared<robotcontrol::GroundMap>();
+  robotlink::assign(*message, map);
+  robotlink::assign(*message->mutable_timestamp(), now);
+  return message;
+}
+
+std::shared_ptr<const foxglove::SceneUpdate> sceneMessage(const simcore::Simulation& simulation) {
+  auto update = std::make_shared<foxglove::SceneUpdate>();
+  const auto scene = simulation.renderScene();
+  const std::vector<std::string> movable = movableModels(simulation);
+  for (std::size_t i = 0; i < scene->instances.size(); ++i) {
+    const simcore::RenderInstance& instance = scene->instances[i];
+    const std::string& body = scene->bodies[static_cast<std::size_t>(instance.body)];
+    auto& entity = *update->add_entities();
+    robotlink::assign(*entity.mutable_timestamp(), now(simulation));
+    entity.set_frame_id(frameOf(body));
+    entity.set_id(std::to_string(i) + ":" + instance.name);
+    if (const std::string model = modelOf(body, movable); !model.empty()) {
+      auto& pair = *entity.add_metadata();
+      pair.set_key("model");
+      pair.set_value(model);
+    }
+    auto& triangles = *entity.add_triangles();
+    robotlink::assign(*triangles.mutable_pose(), instance.meshInBody);
+    robotlink::assign(*triangles.mutable_color(), instance.color);
+    assignMesh(triangles, scene->meshes[static_cast<std::size_t>(instance.mesh)]);
+  }
+  return update;
+}
+
+std::shared_ptr<const foxglove::FrameTransforms> transformsMessage(const simcore::Simulation& simulation) {
+  auto message = std::make_shared<foxglove::FrameTransforms>();
+  const auto scene = simulation.renderScene();
+  const auto poses = simulation.bodyPoses();
+  for (std::size_t i = 1; i < poses.size(); ++i) {
+    addTransform(*message, frameOf(scene->bodies[i]), poses[i], now(simulation));
+  }
+  for (const auto& robot : simulation.scene().robots()) {
+    if (const auto pose = simulation.modelPose(robot.name)) {
+      addTransform(*message, robot.name, onGround(robotlink::groundPose(*pose)), now(simulation));
+    }
+  }
+  return message;
+}
+
+}  // namespace app

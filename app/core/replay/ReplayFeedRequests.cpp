@@ -1,0 +1,157 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// What a replay is asked for.
+#include "app/core/replay/ReplayFeed.h"
+
+#include <algorithm>
+
+#include "robotcontrol/Requests.pb.h"
+
+namespace app {
+
+using robotcontrol::ControlReplay;
+using robotlink::failure;
+using robotlink::Instant;
+using robotlink::Result;
+
+namespace {
+
+Instant instantOf(std::int64_t time) {
+  return Instant(robotlink::Duration(time));
+}
+
+}  // namespace
+
+Result<void> ReplayFeed::requestReplay(const robotcontrol::Request& request) {
+  return control(request.control_replay());
+}
+
+Result<void> ReplayFeed::requestSimulation(const robotcontrol::Request&) {
+  return failure("simulation.none", "a log is open, nothing is simulated; open a scene first");
+}
+
+Result<void> ReplayFeed::requestRobot(const robotcontrol::Request& request) {
+  if (request.has_stop())
+    return failure("replay.stop", "what a logged robot did cannot be stopped; pause the log instead");
+  auto done = run_->request(request);
+  if (!done || request.has_record_packages()) return done;
+  stale_ = true;
+  return done;
+}
+
+Result<void> ReplayFeed::control(const ControlReplay& control) {
+  if (auto done = set(control); !done) return done;
+  if (auto done = change(control); !done) return done;
+  const auto done = act(control);
+  if (!done || !stale_ || playback_.playing()) return done;
+  return jump(run_->now());  // Who is answered sees all that was asked for before.
+}
+
+/// What needs no telling anew. All or nothing.
+Result<void> ReplayFeed::set(const ControlReplay& control) {
+  if (control.has_speed() &&
+      !(control.speed() >= Playback::kSlowest && control.speed() <= Playback::kFastest)) {
+    return failure("replay.speed", "the speed must be between 0.05 and 50 times real time");
+  }
+  if (control.has_step_process() && !run_->setStepProcess(control.step_process())) {
+    return failure("replay.process", "the log has no frames of a process " + control.step_process(), {},
+                   {control.step_process()});
+  }
+  if (control.has_speed()) playback_.setSpeed(control.speed(), Clock::now(), place());
+  if (control.has_loop()) playback_.setLoop(control.loop());
+  if (control.has_skip_gaps()) playback_.setSkipsGaps(control.skip_gaps());
+  if (control.has_range()) {
+    const auto inside = [this](std::int64_t time) {
+      return std::clamp(instantOf(time), run_->begin(), run_->end());
+    };
+    const Instant from = inside(control.range().from()), to = inside(control.range().to());
+    playback_.setRange(from == to ? std::nullopt
+                                  : std::optional(Playback::Range{std::min(from, to), std::max(from, to)}));
+  }
+  return {};
+}
+
+/// What changes the program or the time line.
+Result<void> ReplayFeed::change(const ControlReplay& control) {
+  if (control.packages_size() > 0) {
+    std::map<std::string, ControlReplay::PackageSource> packages;
+    for (const auto& choice : control.packages()) packages[choice.package()] = choice.source();
+    if (auto done = changed([&] { return run_->choosePackages(packages); }); !done) return done;
+  }
+  if (control.offsets_size() == 0) return {};
+  for (const auto& offset : control.offsets()) {
+    const auto& logs = run_->options().logs;
+    const bool known =
+        std::any_of(logs.begin(), logs.end(), [&](const auto& log) { return log.file == offset.log(); });
+    if (!known)
+      return failure("replay.log", offset.log() + " is not open", {offset.log(), 0, 0}, {offset.log()});
+  }
+  return changed([&] {
+    for (const auto& offset : control.offsets())
+      run_->setOffset(offset.log(), robotlink::Duration(offset.offset()));
+    return robotlink::Errors();
+  });
+}
+
+Result<void> ReplayFeed::act(const ControlReplay& control) {
+  switch (control.action()) {
+    case ControlReplay::PLAY:
+      return play();
+    case ControlReplay::PAUSE:
+      playback_.pause();
+      return {};
+    case ControlReplay::STOP:
+      playback_.pause();
+      return jump(firstImage());
+    case ControlReplay::STEP_FRAME:
+      return stepFrames(control);
+    case ControlReplay::STEP_MESSAGE:
+      return stepMessages(control);
+    case ControlReplay::JUMP_TO_TIME:
+      return jump(instantOf(control.time()));
+    case ControlReplay::JUMP_TO_FRAME:
+      return jumpToFrame(control);
+    default:
+      return {};
+  }
+}
+
+Result<void> ReplayFeed::play() {
+  if (playback_.playing()) return {};
+  if (!run_->nextTime() && !playback_.loop()) {
+    if (auto done = jump(firstImage()); !done) return done;
+  }
+  playback_.play(Clock::now(), place());
+  return {};
+}
+
+/// At the ends of the log no step leads on.
+bool ReplayFeed::leads(Instant to, int count) const {
+  return count < 0 ? to < run_->now() : to > run_->now();
+}
+
+Result<void> ReplayFeed::stepFrames(const ControlReplay& control) {
+  playback_.pause();
+  const std::string& process = control.process().empty() ? run_->stepProcess() : control.process();
+  const auto time = run_->frameTime(process, control.count());
+  if (!time) return failure("replay.process", "the log has no frames of a process " + process, {}, {process});
+  return leads(*time, control.count()) ? goTo(*time) : Result<void>();
+}
+
+Result<void> ReplayFeed::stepMessages(const ControlReplay& control) {
+  playback_.pause();
+  const auto time = run_->messageTime(control.stream(), control.count());
+  if (time && leads(*time, control.count())) return goTo(*time);
+  const std::string where = control.count() < 0 ? "before" : "after";
+  return failure("replay.stream", where + " here the log has no message of " + control.stream(), {},
+                 {control.stream()});
+}
+
+Result<void> ReplayFeed::jumpToFrame(const ControlReplay& control) {
+  const std::string& process = control.process().empty() ? run_->stepProcess() : control.process();
+  const auto time = run_->timeOfFrame(process, control.frame());
+  if (time) return jump(*time);
+  const std::string frame = std::to_string(control.frame());
+  return failure("replay.frame", "the log has no frame " + frame + " of " + process, {}, {frame, process});
+}
+
+}  // namespace app

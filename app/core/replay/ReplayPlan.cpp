@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/replay/ReplayPlan.h"
+
+#include <algorithm>
+
+#include "robotlink/packages/PackageTitles.h"
+
+namespace app {
+
+using robotcontrol::ControlReplay;
+using robotlink::Errors;
+using robotlink::Layout;
+using robotlink::TaskCatalog;
+
+namespace {
+
+/// Where nothing else sets a process's pace: so short that it runs at every instant of any log.
+constexpr robotlink::Duration kEveryInstant = std::chrono::microseconds(1);
+
+bool contains(const std::vector<std::string>& list, const std::string& item) {
+  return std::find(list.begin(), list.end(), item) != list.end();
+}
+
+std::set<std::string> outputsOf(const TaskCatalog::Task* task) {
+  std::set<std::string> outputs;
+  if (task == nullptr) return outputs;
+  for (const auto& solution : task->solutions)
+    outputs.insert(solution.outputs.begin(), solution.outputs.end());
+  return outputs;
+}
+
+std::string listed(const std::set<std::string>& texts) {
+  std::string all;
+  for (const std::string& text : texts) all += (all.empty() ? "" : ", ") + text;
+  return all;
+}
+
+class Planner {
+ public:
+  Planner(ReplayWishes wishes, const TaskCatalog& catalog) : wishes_(std::move(wishes)), catalog_(catalog) {
+    plan_.layout = wishes_.layout;
+  }
+
+  tl::expected<ReplayPlan, Errors> make() {
+    findObtainable();
+    listPackages();
+    choose();
+    if (!errors_.empty()) return tl::unexpected(std::move(errors_));
+    replaceTasks();
+    removeUnavailable();
+    for (Layout::Process& process : plan_.layout.processes) setPace(process);
+    Errors errors = checkLayout(plan_.layout, catalog_, platform_);
+    if (!errors.empty()) return tl::unexpected(std::move(errors));
+    return std::move(plan_);
+  }
+
+ private:
+  void findObtainable();
+  const std::string* missing(const TaskCatalog::Solution& solution) const;
+  void listPackages();
+  void describeProducer(ReplayPlan::Package& package) const;
+  void choose();
+  void replaceTasks();
+  void removeUnavailable();
+  bool removeOneUnavailable();
+  std::string makeAvailable(Layout::Task& task);
+  void removeEmptyProcesses();
+  void setPace(Layout::Process& process) const;
+  bool isOffered(const std::string& package, const Layout::Process& to) const;
+  bool isRead(const std::string& package, const Layout::Process& by) const;
+  std::string paceOf(const Layout::Process& process) const;
+
+  ReplayWishes wishes_;
+  const TaskCatalog& catalog_;
+  ReplayPlan plan_;
+  std::set<std::string> obtainable_;  // logged, or yielded by a task that could run if it were chosen
+  robotlink::PlatformPackages platform_;
+  Errors errors_;
+};
+
+// ---- Packages
+
+void Planner::findObtainable() {
+  obtainable_ = wishes_.logged;
+  obtainable_.insert(wishes_.debugOffers.begin(), wishes_.debugOffers.end());
+  for (std::size_t before = 0; before != obtainable_.size();) {
+    before = obtainable_.size();
+    for (const Layout::Process& process : wishes_.layout.processes) {
+      for (const Layout::Task& task : process.tasks) {
+        const TaskCatalog::Task* known = catalog_.find(task.task);
+        if (known == nullptr) continue;
+        for (const auto& solution : known->solutions) {
+          if (missing(solution) == nullptr)
+            obtainable_.insert(solution.outputs.begin(), solution.outputs.end());
+        }
+      }
+    }
+  }
+}
+
+/// The first package that it needs and that cannot be had; null if there is none.
+const std::string* Planner::missing(const TaskCatalog::Solution& solution) const {
+  const auto found = std::find_if(solution.required.begin(), solution.required.end(),
+                                  [&](const std::string& package) { return !obtainable_.contains(package); });
+  return found == solution.required.end() ? nullptr : &*found;
+}
+
+void Planner::listPackages() {
+  std::set<std::string> names = wishes_.logged;
+  for (const Layout::Process& process : wishes_.layout.processes) {
+    for (const Layout::Task& task : process.tasks) names.merge(outputsOf(catalog_.find(task.task)));
+  }
+  for (const std::string& name : names) {
+    ReplayPlan::Package package;
+    package.name = name;
+    package.logged = wishes_.logged.contains(name);
+    package.whyNot = "no task of layout " + wishes_.layout.name + " yields it";
+    describeProducer(package);
+    plan_.packages.push_back(std::move(package));
+  }
+}
+
+void Planner::describeProducer(ReplayPlan::Package& package) const {
+  for (const Layout::Process& process : wishes_.layout.processes) {
+    for (const Layout::Task& task : process.tasks) {
+      const TaskCatalog::Task* known = catalog_.find(task.task);
+      if (!outputsOf(known).contains(package.name)) continue;
+      package.process = process.name;
+      const std::string* wanting = nullptr;
+      for (const auto& solution : known->solutions) {
+        if (!contains(solution.outputs, package.name)) continue;
+        const std::string* lacks = missing(solution);
+        if (lacks == nullptr) package.canRecompute = true;
+        // What the solution that is wished for lacks says more than what others do.
+        if (wanting == nullptr || solution.name == task.solution) wanting = lacks;
+      }
+      package.whyNot = package.canRecompute || wanting == nullptr ? "" : robotlink::notProvided(*wanting);
+      return;
+    }
+  }
+}
+
+void Planner::choose() {
+  for (ReplayPlan::Package& package : plan_.packages) {
+    const auto wish = wishes_.packages.find(package.name);
+    const auto source = wish == wishes_.packages.end() ? ControlReplay::AUTOMATIC : wish->second;
+    package.chosen = source != ControlReplay::AUTOMATIC;
+    const bool recomputed = !package.logged || (wishes_.recomputeAll && package.canRecompute);
+    package.source = recomputed ? ControlReplay::RECOMPUTED : ControlReplay::AS_LOGGED;
+    if (source == ControlReplay::RECOMPUTED && !package.canRecompute) {
+      errors_.push_back({"replay.cannot-recompute",
+                         package.name + " cannot be recomputed: " + package.whyNot,
+                         {package.name, package.whyNot},
+                         {}});
+    } else if (source == ControlReplay::AS_LOGGED && !package.logged) {
+      errors_.push_back({"replay.not-logged", package.name + " is not in the log", {package.name}, {}});
+    } else if (package.chosen) {
+      package.source = source;
+    }
+  }
+  for (const auto& [name, source] : wishes_.packages) {
+    if (source == ControlReplay::AUTOMATIC || plan_.find(name) != nullptr) continue;
+    errors_.push_back(
+        {"replay.no-package",
+         "there is no package " + name + ", neither in the log nor of layout " + wishes_.layout.name,
+         {name},
+         {}});
+  }
+}
+
+// ---- Tasks
+
+void Planner::replaceTasks() {
+  for (const auto& package : plan_.packages) {
+    if (package.source == ControlReplay::AS_LOGGED) platform_.offers.push_back(package.name);
+  }
+  platform_.debugOffers = wishes_.debugOffers;
+  for (Layout::Process& process : plan_.layout.processes) {
+    std::erase_if(process.tasks, [&](const Layout::Task& task) {
+      std::set<std::string> replaced;
+      const std::set<std::string> outputs = outputsOf(catalog_.find(task.task));
+      for (const std::string& output : outputs) {
+        if (plan_.isAsLogged(output)) replaced.insert(output);
+      }
+      const bool goes = !outputs.empty() && replaced.size() == outputs.size();
+      if (goes) {
+        plan_.layout.absent.push_back(
+            {process.name, task.task, "what it yields is as logged: " + listed(replaced)});
+      } else {
+        plan_.layout.withheld.merge(replaced);
+      }
+      return goes;
+    });
+  }
+  removeEmptyProcesses();
+}
+
+void Planner::removeUnavailable() {
+  while (removeOneUnavailable()) removeEmptyProcesses();
+}
+
+/// One at a time, as others may need what it yields.
+bool Planner::removeOneUnavailable() {
+  for (Layout::Process& process : plan_.layout.processes) {
+    for (auto task = process.tasks.begin(); task != process.tasks.end(); ++task) {
+      const std::string reason = makeAvailable(*task);
+      if (reason.empty()) continue;
+      plan_.unavailable.push_back(task->task + ": " + reason);
+      plan_.layout.absent.push_back({process.name, task->task, reason});
+      process.tasks.erase(task);
+      return true;
+    }
+  }
+  return false;
+}
+
+/// Takes another solution if the one that is wished for cannot run; why not, if none can.
+std::string Planner::makeAvailable(Layout::Task& task) {
+  const auto reasonOf = [&](const std::string& solution) {
+    constexpr std::string_view kPrefix = "unavailable because ";
+    if (const auto broken = wishes_.broken.find({task.task, solution}); broken != wishes_.broken.end()) {
+      return broken->second;
+    }
+    const std::string reason = unavailability(plan_.layout, catalog_, platform_, task.task, solution);
+    return reason.starts_with(kPrefix) ? reason.substr(kPrefix.size()) : reason;
+  };
+  const TaskCatalog::Task* known = catalog_.find(task.task);
+  const bool misspelt = catalog_.find(task.task, task.solution) == nullptr;
+  if (misspelt && !wishes_.fromLog) return {};  // for the check of the layout to say
+  if (known == nullptr) return "this program has no such task";
+  const std::string reason = misspelt ? "this program has no such solution" : reasonOf(task.solution);
+  if (reason.empty()) return {};
+  for (const auto& other : known->solutions) {
+    if (!reasonOf(other.name).empty()) continue;
+    plan_.notes.push_back("task " + task.task + " is done by " + other.name + ", because " + task.solution +
+                          " is unavailable: " + reason);
+    plan_.replaced[task.task] = reason;
+    task.solution = other.name;
+    return {};
+  }
+  return reason;
+}
+
+void Planner::removeEmptyProcesses() {
+  std::erase_if(plan_.layout.processes,
+                [](const Layout::Process& process) { return !process.debug && process.tasks.empty(); });
+}
+
+// ---- Pace
+
+/// A process goes on at the pace at which it was recorded, also if what it waited for is read by none of the
+/// tasks that are left.
+void Planner::setPace(Layout::Process& process) const {
+  if (process.debug) {
+    process.period =
+        kEveryInstant;  // What programs tell at an instant is heard then, and not a moment later.
+    return;
+  }
+  const bool waited = !process.blocking.empty();
+  std::erase_if(process.blocking,
+                [&](const Layout::Input& input) { return !isOffered(input.package, process); });
+  for (Layout::Input& input : process.blocking) input.paceOnly = !isRead(input.package, process);
+  if (!waited || !process.blocking.empty()) return;
+  if (const std::string pace = paceOf(process); !pace.empty()) {
+    process.blocking.push_back({pace, process.where});
+  } else if (process.period == robotlink::Duration::zero()) {
+    process.period = kEveryInstant;
+  }
+}
+
+bool Planner::isOffered(const std::string& package, const Layout::Process& to) const {
+  if (contains(platform_.offers, package) || contains(platform_.debugOffers, package)) return true;
+  return std::any_of(
+      plan_.layout.processes.begin(), plan_.layout.processes.end(), [&](const Layout::Process& from) {
+        return &from != &to &&
+               std::any_of(from.tasks.begin(), from.tasks.end(), [&](const Layout::Task& task) {
+                 return outputsOf(catalog_.find(task.task)).contains(package);
+               });
+      });
+}
+
+bool Planner::isRead(const std::string& package, const Layout::Process& by) const {
+  return std::any_of(by.tasks.begin(), by.tasks.end(), [&](const Layout::Task& task) {
+    const TaskCatalog::Task* known = catalog_.find(task.task);
+    return known != nullptr &&
+           std::any_of(known->solutions.begin(), known->solutions.end(), [&](const auto& solution) {
+             return contains(solution.required, package) || contains(solution.optional, package);
+           });
+  });
+}
+
+/// The first package of the log that its tasks need; empty if they need none.
+std::string Planner::paceOf(const Layout::Process& process) const {
+  for (const Layout::Task& task : process.tasks) {
+    const TaskCatalog::Solution* solution = catalog_.find(task.task, task.solution);
+    if (solution == nullptr) continue;
+    for (const std::string& package : solution->required) {
+      if (contains(platform_.offers, package)) return package;
+    }
+  }
+  return {};
+}
+
+}  // namespace
+
+bool ReplayPlan::runs(const std::string& task) const {
+  return std::any_of(layout.processes.begin(), layout.processes.end(), [&](const Layout::Process& process) {
+    return std::any_of(process.tasks.begin(), process.tasks.end(),
+                       [&](const Layout::Task& entry) { return entry.task == task; });
+  });
+}
+
+bool ReplayPlan::hasProcess(const std::string& process) const {
+  return std::any_of(layout.processes.begin(), layout.processes.end(),
+                     [&](const Layout::Process& entry) { return entry.name == process; });
+}
+
+const ReplayPlan::Package* ReplayPlan::find(const std::string& package) const {
+  const auto found = std::find_if(packages.begin(), packages.end(),
+                                  [&](const Package& entry) { return entry.name == package; });
+  return found == packages.end() ? nullptr : &*found;
+}
+
+bool ReplayPlan::isAsLogged(const std::string& package) const {
+  const Package* found = find(package);
+  return found != nullptr && found->source == ControlReplay::AS_LOGGED;
+}
+
+tl::expected<ReplayPlan, Errors> planReplay(ReplayWishes wishes, const TaskCatalog& catalog) {
+  return Planner(std::move(wishes), catalog).make();
+}
+
+}  // namespace app

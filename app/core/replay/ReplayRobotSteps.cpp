@@ -1,0 +1,193 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// How a ReplayRobot goes over its log.
+#include <algorithm>
+
+#include "app/core/program/ColorTables.h"
+#include "app/core/replay/ReplayRobotProgram.h"
+#include "robotlink/debugging/RegisteredTasks.h"
+#include "robotlink/debugging/Streams.h"
+
+namespace app {
+
+namespace streams = robotlink::streams;
+
+using robotcontrol::ProgramSetup;
+using robotcontrol::Request;
+using robotlink::Errors;
+using robotlink::Instant;
+using robotlink::StreamMessage;
+
+// ---- Running it
+
+bool ReplayRobot::computes() const {
+  const auto& all = plan_.layout.processes;
+  return std::any_of(all.begin(), all.end(), [](const auto& process) { return !process.tasks.empty(); });
+}
+
+std::string ReplayRobot::whyNotDoneBy(const std::string& task, const std::string& solution) const {
+  for (const auto& process : plan_.layout.processes) {
+    for (const auto& entry : process.tasks) {
+      if (entry.task != task || entry.solution == solution) continue;
+      const auto found = plan_.replaced.find(task);
+      return found != plan_.replaced.end() ? found->second : "it is unavailable here";
+    }
+  }
+  return {};
+}
+
+std::vector<std::string> ReplayRobot::neededStreams() const {
+  std::vector<std::string> needed;
+  for (const std::string& path : streams_) {
+    // What is recomputed is read, too, to be compared.
+    const bool needs = logged_.contains(path) || path.starts_with(streams::kFrames) ||
+                       path == streams::kRequests || path == streams::kProgram ||
+                       robotlink::isDebugPackage(path);
+    if (needs) needed.push_back(logName_ + "/" + path);
+  }
+  return needed;
+}
+
+void ReplayRobot::take(Instant now, const std::vector<StreamMessage>& messages) {
+  clock_.set(now);
+  bool startedAnew = false;
+  for (const StreamMessage& message : messages) {
+    const auto* setup = dynamic_cast<const ProgramSetup*>(message.value.get());
+    const bool isSetup = setup != nullptr && below(message.path) == streams::kProgram;
+    if (isSetup && takeSetup(*setup, now)) startedAnew = true;
+  }
+  for (const StreamMessage& message : messages) {
+    const std::string path = below(message.path);
+    // What was sent in the instant of a start went to the program before.
+    if (logged_.contains(path) && !startedAnew) takePackage(path, message);
+    const auto* request = dynamic_cast<const Request*>(message.value.get());
+    if (request != nullptr && path == streams::kRequests) takeRequest(*request);
+    if (!hasRequests() && robotlink::isDebugPackage(path)) takeWish(*message.value);
+  }
+  // As late as then: the debug process here runs at every instant, so that what programs tell is heard at
+  // once.
+  if (!debugProcessRan(messages)) return;
+  for (const Request& request : std::exchange(due_, {})) program_->program->debugProcess().request(request);
+}
+
+bool ReplayRobot::debugProcessRan(const std::vector<StreamMessage>& messages) const {
+  for (const auto& process : setup_->layout.processes) {
+    const std::string frames = streams::kFrames + process.name;
+    if (!process.debug || !streams_.contains(frames)) continue;
+    return std::any_of(messages.begin(), messages.end(),
+                       [&](const StreamMessage& message) { return below(message.path) == frames; });
+  }
+  return true;  // the log does not tell
+}
+
+void ReplayRobot::takePackage(const std::string& package, const StreamMessage& message) {
+  if (program_->platform.put(package, message.value)) return;
+  if (countsDifferences_ && !plan_.isAsLogged(package)) differences_.addLogged(package, message.value);
+}
+
+/// A program that was started anew then is started anew now; true if it was.
+bool ReplayRobot::takeSetup(const ProgramSetup& setup, Instant now) {
+  if (!loggedSetup_ || !isAnotherProgram(*loggedSetup_, setup)) return false;
+  const Errors errors = startWith(now, choices_);
+  if (errors.empty()) return true;
+  listeners_.trouble(program_->platform,
+                     "cannot be started anew as in the log: " + robotlink::describe(errors));
+  return false;
+}
+
+/// What a person chooses now counts more than what one chose then; and what one looked at then does not
+/// matter.
+void ReplayRobot::takeRequest(const Request& request) {
+  bool counts = false;
+  if (request.has_select_solution()) {
+    const std::string& task = request.select_solution().task();
+    counts = plan_.runs(task) && !choices_.wishes.solutions().contains(task);
+  } else if (request.has_set_parameters()) {
+    const auto& wish = request.set_parameters();
+    counts =
+        plan_.runs(wish.task()) && !choices_.wishes.parameters().contains({wish.task(), wish.solution()});
+  } else if (request.has_motion() || request.has_set_goal()) {
+    counts = true;
+  } else if (request.has_set_color_table()) {
+    counts = choices_.wishes.colorTable() == nullptr;
+  }
+  if (!counts) return;
+  due_.push_back(request);
+  due_.back().clear_id();
+  due_.back().set_robot(name_);
+  if (request.has_set_color_table() && !request.set_color_table().table().cells().empty())
+    *due_.back().mutable_set_color_table()->mutable_table() =
+        colorTableOfLog(request.set_color_table().table());
+}
+
+/// A log may hold what the debug process sent, but not who asked for it.
+void ReplayRobot::takeWish(const google::protobuf::Message& package) {
+  Request request;
+  if (const auto* motion = dynamic_cast<const robotcontrol::RemoteMotion*>(&package)) {
+    *request.mutable_motion() = *motion;
+  } else if (const auto* goal = dynamic_cast<const robotcontrol::DriveGoal*>(&package)) {
+    *request.mutable_set_goal() = *goal;
+  } else if (const auto* table = dynamic_cast<const robotcontrol::ColorTable*>(&package)) {
+    *request.mutable_set_color_table()->mutable_table() = *table;
+  }
+  takeRequest(request);
+}
+
+void ReplayRobot::run() {
+  program_->executor.stepPlatforms();
+  program_->executor.runProcesses();
+  if (countsDifferences_) {
+    differences_.endInstant(clock_.now());
+  } else {
+    differences_.dropInstant();
+  }
+}
+
+StreamMessage ReplayRobot::told(StreamMessage message) const {
+  const std::string path = below(message.path);
+  const bool anew = paths_.isToldAnew(path, *message.value);
+  message.path = name_ + "/" + (anew ? streams::kLogged : "") + path;
+  // The process counts other frames here; drawings are told apart by their times.
+  if (!anew && paths_.runs(message.process)) message.frame = 0;
+  return message;
+}
+
+// ---- Requests
+
+robotlink::Result<void> ReplayRobot::request(const Request& request) {
+  if (request.has_stop()) {
+    return robotlink::failure("replay.stop", "robot " + name_ + " is logged: there is nothing to stop", {},
+                              {name_});
+  }
+  remember(request);
+  if (!program_->program->debugProcess().request(request)) {
+    return robotlink::failure("request.queue-full",
+                              "robot " + name_ + " does not take requests now: too many wait already", {},
+                              {name_});
+  }
+  if (request.id() != 0) unanswered_[request.id()] = request;
+  return {};
+}
+
+bool ReplayRobot::isAvailable(const std::string& task, const std::string& solution) const {
+  robotlink::PlatformPackages platform;
+  for (const auto& package : platformPackages(plan_)) platform.offers.push_back(package.name);
+  platform.debugOffers = robotlink::debugPackages();
+  return robotlink::unavailability(plan_.layout, robotlink::registeredTasks(), platform, task, solution)
+      .empty();
+}
+
+void ReplayRobot::remember(const Request& request) {
+  const auto& solution = request.select_solution();
+  if (request.has_select_solution() && !isAvailable(solution.task(), solution.solution())) return;
+  if (!choices_.wishes.note(request)) return;
+  if (!request.has_set_key() && !request.has_record_packages()) differences_.clear();
+}
+
+void ReplayRobot::noticeAnswers(const robotcontrol::DebugQueue& queue) {
+  if (unanswered_.empty()) return;
+  for (const auto& message : queue.messages()) {
+    if (message.has_result()) unanswered_.erase(message.result().id());
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,100 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/KickOff.h"
+
+#include <cmath>
+
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+
+namespace app {
+namespace {
+
+using robotlink::Vector3;
+
+// The red team plays towards +x, as FieldDescription says.
+constexpr const char* kTowardsPlusX = "red";
+constexpr const char* kTowardsMinusX = "blue";
+
+}  // namespace
+
+std::unique_ptr<KickOff> KickOff::create(std::shared_ptr<const robotlink::FieldDescription> field,
+                                         simcore::Simulation& simulation) {
+  const simcore::Scene& scene = simulation.scene();
+  if (!field || scene.field().empty() || scene.balls().empty()) return nullptr;
+  return std::unique_ptr<KickOff>(new KickOff(std::move(field), simulation));
+}
+
+KickOff::KickOff(std::shared_ptr<const robotlink::FieldDescription> field, simcore::Simulation& simulation)
+    : field_(std::move(field)), simulation_(simulation), ball_(simulation.scene().balls().front()) {
+  for (const auto& robot : simulation.scene().robots()) {
+    if (const auto pose = simulation.modelPose(robot.name))
+      robots_.push_back({robot.name, robotlink::groundPose(*pose)});
+  }
+  restart();
+}
+
+void KickOff::restart() {
+  goals_ = {{kTowardsPlusX, 0}, {kTowardsMinusX, 0}};
+  outSince_.reset();
+}
+
+std::optional<std::string> KickOff::scorer(const Vector3& ball) const {
+  for (const auto& goal : field_->goals) {
+    const double direction = goal.x < 0 ? -1 : 1;
+    // All of the ball has crossed the line.
+    const double beyond = direction * (ball.x() - goal.x) - field_->ballRadius;
+    const bool inside = beyond > 0 && beyond < field_->goalDepth &&
+                        std::abs(ball.y()) < 0.5 * field_->goalWidth && ball.z() < field_->goalHeight;
+    if (inside) return goal.x < 0 ? kTowardsMinusX : kTowardsPlusX;
+  }
+  return std::nullopt;
+}
+
+bool KickOff::onField(const Vector3& ball) const {
+  const double margin = field_->hasBoundary() ? field_->ballRadius : field_->wallThickness;
+  return std::abs(ball.x()) < field_->goalLineX() + margin &&
+         std::abs(ball.y()) < field_->touchLineY() + margin;
+}
+
+std::string KickOff::score() const {
+  return "Red " + std::to_string(goals_.at(kTowardsPlusX)) + ", blue " +
+         std::to_string(goals_.at(kTowardsMinusX)) + ".";
+}
+
+std::optional<std::string> KickOff::step() {
+  const auto pose = simulation_.modelPose(ball_);
+  if (!pose) return std::nullopt;
+  const Vector3 ball = pose->translation();
+  return outSince_ ? whileWaiting(ball) : whilePlaying(ball);
+}
+
+std::optional<std::string> KickOff::whilePlaying(const Vector3& ball) {
+  const auto team = scorer(ball);
+  if (!team && onField(ball)) return std::nullopt;
+  outSince_ = simulation_.time();
+  if (!team) return "The ball left the field.";
+  ++goals_[*team];
+  return "Goal for the " + *team + " team! " + score();
+}
+
+std::optional<std::string> KickOff::whileWaiting(const Vector3& ball) {
+  if (!scorer(ball) && onField(ball)) {  // A person brought it back.
+    outSince_.reset();
+    return std::nullopt;
+  }
+  if (simulation_.time() - *outSince_ < kPause) return std::nullopt;
+  placeRobots();
+  // Who stands in the middle and could not be put elsewhere moves on some time.
+  if (!simulation_.placeModel(ball_, {})) return std::nullopt;
+  outSince_.reset();
+  return "Kick-off: the ball is in the middle again, and the robots are where they started.";
+}
+
+void KickOff::placeRobots() {
+  // One may stand where another belongs, and goes away in the first round.
+  for (int round = 0; round < 2; ++round) {
+    for (const Robot& robot : robots_) (void)simulation_.placeModel(robot.name, robot.start);
+  }
+}
+
+}  // namespace app

@@ -1,0 +1,166 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/SimulatedJointPlatform.h"
+
+#include <cmath>
+
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "simcore/Scene.h"
+
+namespace app {
+
+using robotlink::Blocking;
+
+namespace {
+
+/// Share of the torque that a stopped robot's joints hold with: enough not to collapse, too little to pinch.
+constexpr double kStoppedTorque = 0.3;
+
+template <typename Ports>
+int indexOf(const Ports& ports, const std::string& path) {
+  for (std::size_t i = 0; i < ports.size(); ++i) {
+    if (ports[i].info.path == path) return static_cast<int>(i);
+  }
+  return -1;
+}
+
+}  // namespace
+
+SimulatedJointPlatform::SimulatedJointPlatform(SimulatedWorld& world, std::string robot)
+    : SimulatedPlatform(world, std::move(robot)),
+      image_(*this, robotlink::kCameraImage.name, Blocking::kNo),
+      classes_(*this, robotlink::kOracleClasses.name, Blocking::kNo),
+      jointStates_(*this, robotlink::kJointStates.name, Blocking::kNo),
+      bodySensors_(*this, robotlink::kBodySensors.name, Blocking::kNo),
+      jointRequest_(*this, robotlink::kJointRequest.name, Blocking::kNo) {}
+
+robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedJointPlatform::create(
+    SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
+  auto platform =
+      std::unique_ptr<SimulatedJointPlatform>(new SimulatedJointPlatform(world, std::move(robot)));
+  if (auto bound = platform->bindJoints(description); !bound) return tl::unexpected(bound.error());
+  platform->bindSensors();
+  return platform;
+}
+
+robotlink::Result<void> SimulatedJointPlatform::bindJoints(const robotlink::RobotDescription& description) {
+  const simcore::Simulation& simulation = world().simulation();
+  for (const auto& joint : description.joints) {
+    const int sensor = indexOf(simulation.sensors(), robot() + "/" + joint.name + "/position");
+    const int servo = indexOf(simulation.servos(), robot() + "/" + joint.name + "/request");
+    if (sensor < 0 || servo < 0) {
+      return robotlink::failure(
+          "platform.joint",
+          "robot " + robot() + " has no joint " + joint.name + ", which its description " + description.name +
+              " names; correct the model or resources/robots/" + description.name + ".yaml",
+          {simulation.scene().file().string(), 0, 0}, {robot(), joint.name});
+    }
+    joints_.push_back(
+        {joint.name, static_cast<std::size_t>(sensor), static_cast<std::size_t>(servo), std::nan("")});
+  }
+  return {};
+}
+
+void SimulatedJointPlatform::bindSensors() {
+  const simcore::Simulation& simulation = world().simulation();
+  const auto sensors = simulation.sensors();
+  for (std::size_t i = 0; i < sensors.size(); ++i) {
+    const simcore::PortInfo& info = sensors[i].info;
+    if (info.robot != robot()) continue;
+    if (info.type == "contact") contacts_.push_back(i);
+    if (info.type == "acceleration") accelerometer_ = static_cast<int>(i);
+    if (info.type == "distance") distance_ = static_cast<int>(i);
+  }
+  for (std::size_t i = 0; i < simulation.cameras().size(); ++i) {
+    if (simulation.cameras()[i].info.robot == robot()) cameras_.push_back(i);
+  }
+}
+
+void SimulatedJointPlatform::holdStill() {
+  if (holding_) return;
+  holding_ = true;
+  simcore::Simulation& simulation = world().simulation();
+  for (const Joint& joint : joints_) {
+    simulation.requestAngle(joint.servo, simulation.sensors()[joint.sensor].values[0]);
+    simulation.setTorqueLimit(joint.servo, kStoppedTorque);
+  }
+}
+
+void SimulatedJointPlatform::actuate() {
+  if (stopEngaged()) {
+    holdStill();
+    return;
+  }
+  const robotcontrol::JointRequest* request = jointRequest_.get();
+  if (request == nullptr) return;
+  holding_ = false;
+  const double torque = std::isfinite(request->stiffness()) ? request->stiffness() : 1;
+  for (std::size_t i = 0; i < joints_.size(); ++i) {
+    world().simulation().setTorqueLimit(joints_[i].servo, torque);
+    const int index = static_cast<int>(i);
+    if (index >= request->positions_size() || !std::isfinite(request->positions(index))) continue;
+    world().simulation().requestAngle(joints_[i].servo, request->positions(index));
+  }
+}
+
+void SimulatedJointPlatform::execute() {
+  sendJoints();
+  sendBody();
+  sendOracle();
+  sendImages();
+}
+
+void SimulatedJointPlatform::sendJoints() {
+  auto states = std::make_shared<foxglove::JointStates>();
+  robotlink::assign(*states->mutable_timestamp(), clock().now());
+  const auto sensors = world().simulation().sensors();
+  for (Joint& joint : joints_) {
+    const double angle = sensors[joint.sensor].values[0];
+    auto& state = *states->add_joints();
+    state.set_name(joint.name);
+    state.set_position(angle);
+    if (std::isfinite(joint.lastAngle)) {
+      state.set_velocity((angle - joint.lastAngle) / robotlink::seconds(SimulatedWorld::kStep));
+    }
+    joint.lastAngle = angle;
+  }
+  jointStates_.send(std::move(states));
+}
+
+void SimulatedJointPlatform::sendBody() {
+  auto body = std::make_shared<robotcontrol::BodySensors>();
+  robotlink::assign(*body->mutable_timestamp(), clock().now());
+  const auto sensors = world().simulation().sensors();
+  if (accelerometer_ >= 0) {
+    const auto& a = sensors[static_cast<std::size_t>(accelerometer_)].values;
+    robotlink::assign(*body->mutable_acceleration(), robotlink::Vector3(a[0], a[1], a[2]));
+  }
+  if (distance_ >= 0) body->set_distance(sensors[static_cast<std::size_t>(distance_)].values[0]);
+  for (const std::size_t contact : contacts_) body->add_paw_contacts(sensors[contact].values[0] > 0.5);
+  bodySensors_.send(std::move(body));
+}
+
+void SimulatedJointPlatform::sendImages() {
+  for (const std::size_t camera : cameras_) {
+    if (!world().imageDue(camera)) continue;
+    auto image = std::make_shared<foxglove::RawImage>();
+    robotlink::assign(*image, world().render(camera).view(), clock().now(), robot() + "/camera");
+    image_.send(image);
+    if (classesAlways_ || classes_.connected()) sendClasses(*image);
+  }
+}
+
+void SimulatedJointPlatform::alwaysSendClasses(LabelledListener listener) {
+  classesAlways_ = true;
+  labelledListener_ = std::move(listener);
+}
+
+/// Those of the image that was rendered last.
+void SimulatedJointPlatform::sendClasses(const foxglove::RawImage& image) {
+  auto classes = std::make_shared<foxglove::RawImage>();
+  robotlink::assign(*classes, world().trueClasses().view(), clock().now(), image.frame_id());
+  classes_.send(classes);
+  if (labelledListener_) labelledListener_(image, *classes);
+}
+
+}  // namespace app

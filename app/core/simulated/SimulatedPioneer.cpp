@@ -1,0 +1,234 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/SimulatedPioneer.h"
+
+#include <algorithm>
+#include <utility>
+
+#include "robotlink/base/GroundMap.h"
+#include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
+#include "simcore/Simulation.h"
+
+namespace app {
+
+using robotlink::Instant;
+using robotlink::arcos::Packet;
+using robotlink::arcos::RobotSensing;
+using robotlink::arcos::WheelCommand;
+
+namespace {
+
+constexpr std::size_t kMostRequests = 64;
+constexpr std::size_t kMostBumpers = 5;
+/// Beyond this nothing of what the encoders could miscount is plausible.
+constexpr double kMostTyreError = 0.02;
+
+/// The same on every machine.
+std::uint64_t streamOf(const std::string& name) {
+  std::uint64_t stream = 0;
+  for (const char character : name)
+    stream = robotlink::mixBits(stream ^ static_cast<unsigned char>(character));
+  return stream;
+}
+
+/// The index of the port with this path in any list of them.
+template <typename List>
+std::optional<std::size_t> find(const List& list, const std::string& path) {
+  const auto found = std::ranges::find_if(list, [&](const auto& port) { return port.info.path == path; });
+  if (found == list.end()) return std::nullopt;
+  return static_cast<std::size_t>(found - list.begin());
+}
+
+}  // namespace
+
+robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(simcore::Simulation& simulation,
+                                                                              std::string robot,
+                                                                              Options options) {
+  Ports ports;
+  const auto drives = simulation.drives();
+  const auto drive =
+      std::ranges::find_if(drives, [&](const auto& candidate) { return candidate.info.robot == robot; });
+  if (drive == drives.end()) {
+    return robotlink::failure(
+        "pioneer.no-drive", "robot " + robot + " has no drive: no microcontroller can move it", {}, {robot});
+  }
+  ports.drive = static_cast<std::size_t>(drive - drives.begin());
+  const auto sensors = simulation.sensors();
+  const auto gyroscope = std::ranges::find_if(sensors, [&](const auto& sensor) {
+    return sensor.info.robot == robot && sensor.info.type == "angular_velocity";
+  });
+  if (gyroscope != sensors.end()) ports.gyroscope = static_cast<std::size_t>(gyroscope - sensors.begin());
+  for (std::size_t i = 1; i <= kMostBumpers; ++i) {
+    const std::string number = std::to_string(i);
+    if (const auto found = find(sensors, robot + "/frontBumper" + number))
+      ports.frontBumpers.push_back(*found);
+    if (const auto found = find(sensors, robot + "/rearBumper" + number)) ports.rearBumpers.push_back(*found);
+  }
+  auto& settings = options.settings;
+  const auto ranges = simulation.rangeSensors();
+  for (std::size_t i = 0; i < ranges.size(); ++i) {
+    if (ranges[i].info.robot != robot) continue;
+    if (ranges[i].kind == simcore::RangeSensor::Kind::kSonar) ports.sonars.emplace_back(i);
+    if (ranges[i].kind == simcore::RangeSensor::Kind::kLaser && !ports.laser) ports.laser = i;
+  }
+  ports.sonars.resize(static_cast<std::size_t>(settings.sonars));  // numbered as the model has them
+  // The microcontroller says that it has what it has.
+  settings.motion.track = drive->track;
+  settings.frontBumpers = static_cast<int>(ports.frontBumpers.size());
+  settings.rearBumpers = static_cast<int>(ports.rearBumpers.size());
+  if (!ports.gyroscope) settings.gyroscope = robotlink::arcos::ServerSettings::Gyroscope::kNone;
+  if (!ports.laser) {
+    settings.laser.reset();
+  } else {
+    const auto& laser = ranges[*ports.laser];
+    settings.laser = {laser.startAngle, laser.endAngle, laser.maximum};
+  }
+  return std::unique_ptr<SimulatedPioneer>(
+      new SimulatedPioneer(simulation, std::move(robot), std::move(options), std::move(ports)));
+}
+
+SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string robot, Options options,
+                                   Ports ports)
+    : simulation_(simulation),
+      robot_(std::move(robot)),
+      options_(std::move(options)),
+      ports_(std::move(ports)),
+      session_(options_.settings) {
+  if (ports_.laser) {
+    scan_.resize(static_cast<std::size_t>(simulation_.rangeSensors()[*ports_.laser].readings));
+  }
+  start_ = truePose();
+  drawTyres();
+}
+
+void SimulatedPioneer::drawTyres() {
+  robotlink::Random random(options_.seed, streamOf(robot_));
+  const auto draw = [&] {
+    return 1 + std::clamp(options_.tyreError * random.normal(), -kMostTyreError, kMostTyreError);
+  };
+  leftTyre_ = draw();
+  rightTyre_ = draw();
+}
+
+robotlink::Pose2 SimulatedPioneer::truePose() const {
+  const auto pose = simulation_.modelPose(robot_);
+  return pose ? robotlink::groundPose(*pose) : robotlink::Pose2{};
+}
+
+void SimulatedPioneer::reset(std::uint64_t seed) {
+  timeBefore_ += now_.time_since_epoch();
+  now_ = {};
+  options_.seed = seed;
+  drawTyres();
+  battery_ = {};
+  session_.robotReset();
+  start_ = truePose();
+  driveOn_ = true;  // as the simulation begins
+}
+
+void SimulatedPioneer::step(Instant now) {
+  const robotlink::Duration passed = now - now_;
+  now_ = now;
+  const RobotSensing sensing = sense();
+  const WheelCommand command = session_.step(sensing, *this, now + timeBefore_);
+  battery_.discharge(command.motorsOn, (sensing.leftSpeed + sensing.rightSpeed) / 2, passed);
+  if (command.motorsOn != driveOn_) simulation_.setDriveOn(ports_.drive, driveOn_ = command.motorsOn);
+  if (command.motorsOn) simulation_.requestWheelSpeeds(ports_.drive, command.left, command.right);
+  fulfilRequests();
+}
+
+RobotSensing SimulatedPioneer::sense() {
+  const simcore::WheelState& wheels = simulation_.wheelState(ports_.drive);
+  RobotSensing sensing;
+  sensing.leftTravel = wheels.leftTravel * leftTyre_;
+  sensing.rightTravel = wheels.rightTravel * rightTyre_;
+  sensing.leftSpeed = wheels.leftSpeed * leftTyre_;
+  sensing.rightSpeed = wheels.rightSpeed * rightTyre_;
+  sensing.leftBlocked = wheels.leftBlocked;
+  sensing.rightBlocked = wheels.rightBlocked;
+  readBumpers(sensing);
+  sensing.stopButton = stopButton_;
+  sensing.battery = battery_.voltage();
+  sensing.charge = battery_.charge();
+  if (ports_.gyroscope) sensing.rotationRate = simulation_.sensors()[*ports_.gyroscope].values.at(2);
+  if (session_.tellsTruth()) senseTruth(sensing);
+  return sensing;
+}
+
+void SimulatedPioneer::senseTruth(RobotSensing& sensing) const {
+  sensing.truePose = truePose();
+  sensing.odometryError = (leftTyre_ + rightTyre_) / 2 - 1;
+  const auto map = simulation_.scene().groundMap();
+  if (!map || !map->origin) return;
+  sensing.globalPosition =
+      robotlink::globalPosition(*map->origin, {sensing.truePose.x, sensing.truePose.y, sensing.trueHeight});
+}
+
+void SimulatedPioneer::readBumpers(RobotSensing& sensing) const {
+  const auto sensors = simulation_.sensors();
+  const auto bitsOf = [&](const std::vector<std::size_t>& bumpers) {
+    unsigned bits = 0;
+    for (std::size_t i = 0; i < bumpers.size(); ++i)
+      bits |= (sensors[bumpers[i]].values[0] > 0 ? 1U : 0U) << i;
+    return static_cast<std::uint8_t>(bits);
+  };
+  sensing.frontBumpers = bitsOf(ports_.frontBumpers);
+  sensing.rearBumpers = bitsOf(ports_.rearBumpers);
+}
+
+double SimulatedPioneer::sonar(int number) {
+  const auto port = ports_.sonars.at(static_cast<std::size_t>(number));
+  double range = options_.settings.sonarMaximum;
+  if (port) simulation_.measure(*port, {&range, 1});
+  return range;
+}
+
+std::span<const double> SimulatedPioneer::laser() {
+  if (ports_.laser) simulation_.measure(*ports_.laser, scan_);
+  return scan_;
+}
+
+void SimulatedPioneer::fulfilRequests() {
+  namespace request = robotlink::arcos::simulator_request;
+  std::optional<robotlink::Pose2> target;  // Of many the last one counts: to place a robot is not cheap.
+  for (auto& wish : session_.takeRequests()) {
+    if (const auto* pose = std::get_if<request::SetPose>(&wish)) {
+      target = pose->pose;
+    } else if (std::holds_alternative<request::Reset>(wish)) {
+      target = start_;
+    } else if (requests_.size() < kMostRequests) {
+      requests_.push_back(std::move(wish));
+    }
+  }
+  if (target) place(*target);
+}
+
+void SimulatedPioneer::place(const robotlink::Pose2& pose) {
+  const auto placed = simulation_.placeModel(robot_, pose);
+  if (!placed && requests_.size() < kMostRequests) {
+    requests_.emplace_back(robotlink::arcos::simulator_request::Message{placed.error().text});
+  }
+}
+
+std::vector<robotlink::arcos::SimulatorRequest> SimulatedPioneer::takeRequests() {
+  return std::exchange(requests_, {});
+}
+
+void SimulatedPioneer::take(const Packet& packet, Instant now) {
+  if (listener_ && !outsideClient_.empty()) listener_(packet, false, now);
+  session_.take(packet, now + timeBefore_);
+}
+
+std::vector<Packet> SimulatedPioneer::takeOutgoing() {
+  std::vector<Packet> packets = session_.takeOutgoing();
+  if (listener_ && !outsideClient_.empty()) {
+    for (const Packet& packet : packets) listener_(packet, true, now_);
+  }
+  return packets;
+}
+
+void SimulatedPioneer::clientGone(Instant now) {
+  session_.clientGone(now + timeBefore_);
+}
+
+}  // namespace app

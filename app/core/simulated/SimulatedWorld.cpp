@@ -1,0 +1,161 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/SimulatedWorld.h"
+
+#include <cstring>
+
+#include "robotlink/base/Random.h"
+#include "simcore/Scene.h"
+
+namespace app {
+namespace {
+
+using robotlink::Duration;
+
+/// Adds the real time from its making to its end.
+class CostMeter {
+ public:
+  explicit CostMeter(Duration& sum) : sum_(sum) {}
+  ~CostMeter() { sum_ += std::chrono::steady_clock::now() - start_; }
+  CostMeter(const CostMeter&) = delete;
+  CostMeter& operator=(const CostMeter&) = delete;
+
+ private:
+  Duration& sum_;
+  std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
+};
+
+std::uint64_t hashOf(const std::vector<std::uint8_t>& bytes) {
+  std::uint64_t hash = bytes.size();
+  for (std::size_t i = 0; i + 8 <= bytes.size(); i += 8) {
+    std::uint64_t word = 0;
+    std::memcpy(&word, bytes.data() + i, 8);
+    hash = (hash ^ word) * 0x9E3779B97F4A7C15ULL;
+    hash ^= hash >> 32U;
+  }
+  return hash;
+}
+
+/// Black in YCbCr 4:2:2.
+void blacken(robotlink::Image& image) {
+  for (std::size_t i = 0; i < image.data.size(); ++i) image.data[i] = i % 2 == 0 ? 0 : 128;
+}
+
+}  // namespace
+
+robotlink::Result<std::unique_ptr<SimulatedWorld>> SimulatedWorld::create(
+    std::shared_ptr<const simcore::Scene> scene, Options options) {
+  auto simulation =
+      simcore::Simulation::create(std::move(scene), {options.seed, options.noise, options.kinematic});
+  if (!simulation) return tl::unexpected(simulation.error());
+  std::unique_ptr<SimulatedWorld> world(new SimulatedWorld(std::move(*simulation), options));
+  if (auto made = world->makePioneers(); !made) return tl::unexpected(made.error());
+  return world;
+}
+
+SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, Options options)
+    : options_(options), simulation_(std::move(simulation)), trueClasses_(*simulation_->renderScene()) {
+  if (simulation_->cameras().empty()) return;
+  renderer_ = std::make_unique<simcore::CameraRenderer>(simulation_->renderScene(),
+                                                        simcore::CameraRenderer::Options{options.shadows});
+  renderer_->setLighting(options.lighting);
+}
+
+robotlink::Result<void> SimulatedWorld::makePioneers() {
+  SimulatedPioneer::Options options = options_.pioneers;
+  options.seed = options_.seed;
+  if (!options_.noise) options.tyreError = 0;
+  for (const auto& drive : simulation_->drives()) {
+    if (drive.controller != SimulatedPioneer::kController) continue;
+    auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, options);
+    if (!pioneer) return tl::unexpected(pioneer.error());
+    pioneers_.push_back(std::move(*pioneer));
+  }
+  return {};
+}
+
+SimulatedPioneer* SimulatedWorld::pioneer(const std::string& robot) const {
+  for (const auto& pioneer : pioneers_) {
+    if (pioneer->robot() == robot) return pioneer.get();
+  }
+  return nullptr;
+}
+
+void SimulatedWorld::mixIntoDigest(std::uint64_t value) {
+  digest_ = robotlink::mixBits(digest_ ^ value);
+}
+
+void SimulatedWorld::advance() {
+  for (Duration done{}; done < kStep; done += simcore::Simulation::kStep) {
+    {
+      const CostMeter meter(costs_.physics);
+      simulation_->step();
+      ++costs_.steps;
+    }
+    clock_.set(robotlink::Instant(simulation_->time()));
+    if (pioneers_.empty()) continue;
+    const CostMeter meter(costs_.pioneers);
+    for (const auto& pioneer : pioneers_) pioneer->step(clock_.now());
+  }
+  const CostMeter meter(costs_.physics);
+  mixIntoDigest(simulation_->digest());
+}
+
+void SimulatedWorld::reset(std::uint64_t seed) {
+  options_.seed = seed;
+  simulation_->reset(seed);
+  posesRendered_ = ~std::uint64_t{0};
+  digest_ = 0;
+  costs_ = {};
+  clock_.set(robotlink::Instant{});
+  for (const auto& pioneer : pioneers_) pioneer->reset(seed);
+}
+
+bool SimulatedWorld::imageDue(std::size_t camera) const {
+  return simulation_->time() % simulation_->cameras()[camera].period < kStep;
+}
+
+const robotlink::Image& SimulatedWorld::render(std::size_t camera) {
+  const CostMeter meter(costs_.rendering);
+  ++costs_.images;
+  const simcore::CameraSensor& sensor = simulation_->cameras()[camera];
+  const auto poses = simulation_->bodyPoses();
+  if (posesRendered_ != simulation_->steps()) {
+    renderer_->setPoses(poses);
+    posesRendered_ = simulation_->steps();
+  }
+  simcore::ImageNoise noise;
+  noise.sigma = options_.noise ? options_.imageNoise.value_or(sensor.noise) : 0;
+  noise.seed = options_.seed;
+  noise.stream = camera;
+  noise.frame = simulation_->steps();
+  simcore::CameraModel model = sensor.model;
+  model.vignetting = options_.vignetting.value_or(model.vignetting);
+  renderer_->render(poses[static_cast<std::size_t>(sensor.body)] * sensor.cameraInBody, model,
+                    robotlink::PixelFormat::kYuyv, noise, image_);
+  if (options_.blackout) blacken(image_);
+  mixIntoDigest(hashOf(image_.data));
+  return image_;
+}
+
+const robotlink::Image& SimulatedWorld::trueClasses() {
+  const CostMeter meter(costs_.rendering);
+  renderer_->label(trueClasses_.ofInstances(), TrueClasses::kBackground, classes_);
+  TrueClasses::ignoreMixedPairs(classes_);
+  return classes_;
+}
+
+robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lighting) {
+  // Written so that a NaN is out of range, too.
+  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMostBrightness)) {
+    return robotlink::failure("simulation.light",
+                              "the brightness must be between 0 and 10 times that of the scene");
+  }
+  if (!(lighting.warmth >= -1 && lighting.warmth <= 1)) {
+    return robotlink::failure("simulation.light", "the warmth must be between -1 (bluish) and 1 (reddish)");
+  }
+  options_.lighting = lighting;
+  if (renderer_) renderer_->setLighting(lighting);
+  return {};
+}
+
+}  // namespace app

@@ -1,0 +1,254 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/core/simulated/SimulationFeed.h"
+
+#include "app/core/program/SceneMessages.h"
+#include "foxglove/Geometry.pb.h"
+#include "foxglove/Robot.pb.h"
+#include "foxglove/Scene.pb.h"
+#include "logplayer/record/Recorder.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "simcore/Scene.h"
+
+namespace app {
+namespace {
+
+constexpr std::chrono::milliseconds kTransformsPeriod{15};
+constexpr std::chrono::milliseconds kSimulationStatusEvery{100};
+
+bool isWorld(const std::string& source) {
+  const auto extension = std::filesystem::path(source).extension();
+  return extension == ".sdf" || extension == ".world" || extension == ".xml" || extension == ".map";
+}
+
+const PlatformRegistration kSimulationRegistration{
+    {SimulationFeed::kAdapter, "a world (.sdf, .world) or the map of a building (.map) to simulate",
+     PlatformTime::kSimulated, false, isWorld, 1}};
+
+}  // namespace
+
+PlatformOpening SimulationFeed::opening(RunOptions options, Choices choices) {
+  return {kAdapter,
+          {options.scene.string()},
+          [options, choices](const PlatformContext& context) -> PlatformOpening::Made {
+            return create(options, context.session, context.recorder, choices);
+          }};
+}
+
+tl::expected<std::unique_ptr<SimulationFeed>, robotlink::Errors> SimulationFeed::create(
+    RunOptions options, robotlink::Session& session, logplayer::Recorder& recorder, Choices choices) {
+  auto feed = std::unique_ptr<SimulationFeed>(new SimulationFeed(session, recorder));
+  feed->choices_ = std::move(choices);
+  auto run = SimulatedRun::create(std::move(options), feed->listeners(), &recorder);
+  if (!run) return tl::unexpected(std::move(run.error()));
+  feed->run_ = std::move(*run);
+  return feed;
+}
+
+SimulatedRun::Listeners SimulationFeed::listeners() {
+  return {[this](const std::string& robot, auto queue) { outlet_.tellQueue(robot, std::move(queue)); },
+          [this](const std::string& robot, const robotlink::Process& process, const std::string& text) {
+            outlet_.tellTrouble(robot, process, text);
+          },
+          {},
+          [this](const std::string& text) { tellOfPorts(text, foxglove::Log::INFO); },
+          [this](robotlink::Instant, const std::string& text) { tellOfGame(text); },
+          [this](const std::string& robot, const std::string& text) {
+            const robotlink::Instant time = run_ ? now() : robotlink::Instant{};
+            outlet_.tellText(robot, "platform", time, foxglove::Log::INFO, text);
+          }};
+}
+
+void SimulationFeed::tellOfPorts(const std::string& text, int level) {
+  if (run_ && !run_->robots().empty()) outlet_.tellText(run_->robots().front(), "ports", now(), level, text);
+}
+
+void SimulationFeed::tellOfGame(const std::string& text) {
+  if (run_ && !run_->robots().empty())
+    outlet_.tellText(run_->robots().front(), "game", now(), foxglove::Log::INFO, text);
+}
+
+bool SimulationFeed::makeWay() {
+  run_->closePorts();
+  return true;
+}
+
+robotlink::Errors SimulationFeed::goOn() {
+  const auto opened = run_->openPorts();
+  return opened ? robotlink::Errors{} : robotlink::Errors{opened.error()};
+}
+
+void SimulationFeed::goOnLike(const Going& before) {
+  running_ = before.running;
+  pace_.setSpeed(before.speed);
+}
+
+void SimulationFeed::begin() {
+  outlet_.open();
+  if (choices_) choices_(run_->options());
+  restartPace();
+  publishScene();
+  if (const auto map = run_->map(); map && !run_->robots().empty()) {
+    outlet_.tellMapNotes(run_->robots().front(), now(), *map);
+  }
+  if (const ArcosPorts* ports = run_->ports()) {
+    const auto last = static_cast<std::size_t>(std::max<std::size_t>(ports->ports().robots(), 1)) - 1;
+    tellOfPorts("programs find the robots at " + ports->url(0) + (last > 0 ? " to " + ports->url(last) : ""),
+                foxglove::Log::INFO);
+    if (!ports->warning().empty()) tellOfPorts(ports->warning(), foxglove::Log::WARNING);
+  }
+  tellAnswers();
+}
+
+std::optional<PacedThread::Clock::time_point> SimulationFeed::due() {
+  if (running_) return pace_.due(now());
+  if (stepsWanted_ > 0) return Clock::now();
+  return std::nullopt;
+}
+
+void SimulationFeed::step() {
+  pace_.forgetLag(Clock::now(), now());
+  run_->step();
+  if (stepsWanted_ > 0) --stepsWanted_;
+  const auto real = Clock::now();
+  const bool single = !running_;
+  if (single || real - lastTransforms_ >= kTransformsPeriod) {
+    lastTransforms_ = real;
+    publishTransforms();
+  }
+  if (single || real - lastStatus_ >= kSimulationStatusEvery) publishStatus();
+  tellAnswers();
+}
+
+/// While it is paused there are no frames in which the programs could answer.
+void SimulationFeed::tellAnswers() {
+  if (!running_ && stepsWanted_ == 0) run_->tellAnswersToCome();
+}
+
+LoadedPlatform SimulationFeed::describe() const {
+  LoadedPlatform loaded;
+  for (const std::string& robot : run_->robots()) loaded.robots[robot] = run_->description(robot);
+  loaded.adapter = kAdapter;
+  loaded.time = PlatformTime::kSimulated;
+  loaded.sources = {run_->options().scene.string()};
+  loaded.title = run_->options().scene.stem().string();
+  if (!run_->field()->name.empty()) loaded.field = run_->field();
+  loaded.layout = run_->layout();
+  loaded.lostChoices = run_->lostChoices();
+  return loaded;
+}
+
+robotlink::Result<void> SimulationFeed::requestRobot(const robotcontrol::Request& request) {
+  auto done = run_->request(request);
+  tellAnswers();
+  return done;
+}
+
+robotlink::Result<void> SimulationFeed::requestSimulation(const robotcontrol::Request& request) {
+  robotlink::Result<void> done;
+  if (request.has_control_simulation()) {
+    done = control(request.control_simulation());
+  } else if (request.has_place_model()) {
+    const auto& place = request.place_model();
+    done = run_->world().simulation().placeModel(place.model(), robotlink::pose2(place.pose_in_field()));
+    publishTransforms();
+  } else {
+    done = run_->world().setLighting({request.set_lighting().brightness(), request.set_lighting().warmth()});
+  }
+  tellAnswers();
+  return done;
+}
+
+robotlink::Result<void> SimulationFeed::control(const robotcontrol::ControlSimulation& control) {
+  using Control = robotcontrol::ControlSimulation;
+  if (control.speed() >= 0) pace_.setSpeed(control.speed());
+  restartPace();
+  switch (control.action()) {
+    case Control::START:
+      running_ = true;
+      break;
+    case Control::PAUSE:
+      running_ = false;
+      break;
+    case Control::STEP:
+      running_ = false;
+      ++stepsWanted_;
+      break;
+    case Control::RESET:
+      return reset();
+    default:
+      break;
+  }
+  return {};
+}
+
+robotlink::Errors SimulationFeed::setLayout(const std::filesystem::path& file) {
+  robotlink::Errors errors = run_->setLayout(file);
+  if (errors.empty()) {
+    if (choices_) choices_(run_->options());
+    tellAnswers();
+    tellLostChoices();
+  }
+  return errors;
+}
+
+void SimulationFeed::tellLostChoices() {
+  for (const std::string& lost : run_->lostChoices()) {
+    outlet_.tellText(run_->robots().front(), "layout", now(), foxglove::Log::WARNING, lost);
+  }
+}
+
+robotlink::Result<void> SimulationFeed::reset() {
+  stepsWanted_ = 0;
+  if (const robotlink::Errors errors = run_->reset(run_->options().world.seed); !errors.empty()) {
+    return tl::unexpected(errors.front());
+  }
+  restartPace();
+  publishScene();
+  return {};
+}
+
+void SimulationFeed::publishScene() {
+  lastStatusTime_ = now();
+  lastStatus_ = Clock::now();
+  if (const auto map = run_->map()) outlet_.tell({robotlink::streams::kMap, now(), mapMessage(*map, now())});
+  outlet_.tell({robotlink::streams::kScene, now(), sceneMessage(run_->world().simulation())});
+  publishTransforms();
+  publishStatus();
+}
+
+void SimulationFeed::publishTransforms() {
+  outlet_.tell({robotlink::streams::kTransforms, now(), transformsMessage(run_->world().simulation())});
+}
+
+void SimulationFeed::publishStatus() {
+  SimulatedWorld& world = run_->world();
+  const double elapsed = std::chrono::duration<double>(Clock::now() - lastStatus_).count();
+  if (elapsed >= 0.5 * std::chrono::duration<double>(kSimulationStatusEvery).count()) {
+    measuredSpeed_ = running_ ? robotlink::seconds(now() - lastStatusTime_) / elapsed : 0;
+    lastStatus_ = Clock::now();
+    lastStatusTime_ = now();
+  }
+  auto status = std::make_shared<robotcontrol::SimulationStatus>();
+  status->set_time(robotlink::seconds(now()));
+  status->set_speed(running_ ? measuredSpeed_ : 0);
+  status->set_requested_speed(pace_.speed());
+  status->set_running(running_);
+  status->set_steps(world.costs().steps);
+  status->set_ball_contacts(world.simulation().ballContacts());
+  status->set_brightness(world.options().lighting.brightness);
+  status->set_warmth(world.options().lighting.warmth);
+  status->set_scene(run_->options().scene.string());
+  for (const auto& robot : run_->robots()) status->add_robots(robot);
+  for (const auto& robot : run_->stoppedRobots()) status->add_stopped_robots(robot);
+  for (const auto& model : movableModels(world.simulation())) status->add_models(model);
+  const robotlink::StreamMessage message{robotlink::streams::kSimulation, now(), std::move(status)};
+  if (recorder_.active()) recorder_.add({message});
+  outlet_.tell(message);
+  outlet_.tell({robotlink::streams::kRecording, now(),
+                std::make_shared<robotcontrol::RecordingStatus>(recorder_.status())});
+}
+
+}  // namespace app

@@ -1,0 +1,32 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/actions/CommandActions.h"
+
+#include "widgets/Icon.h"
+
+namespace app {
+
+QAction* CommandActions::make(const QString& text, const char* icon, const QString& command,
+                              const std::vector<robotlink::CommandTable::Value>& arguments,
+                              const QList<QKeySequence>& shortcuts) {
+  auto* action = new QAction(widgets::icon(icon), text, this);
+  action->setObjectName(command);
+  action->setShortcuts(shortcuts);
+  action->setShortcutContext(Qt::ApplicationShortcut);
+  const auto* known = commands_.find(command.toStdString());
+  QString tip = known != nullptr ? QString::fromStdString(known->help) : text;
+  if (!shortcuts.isEmpty())
+    tip += QStringLiteral(" (%1)").arg(QKeySequence::listToString(shortcuts, QKeySequence::NativeText));
+  action->setToolTip(tip);
+  action->setStatusTip(tip);
+  connect(action, &QAction::triggered, this, [this, command, arguments] { run(command, arguments); });
+  return action;
+}
+
+void CommandActions::run(const QString& command,
+                         const std::vector<robotlink::CommandTable::Value>& arguments) {
+  if (guard_ && !guard_(command)) return;
+  const auto done = commands_.run(command.toStdString(), arguments);
+  if (!done) Q_EMIT refused(QString::fromStdString(done.error().text));
+}
+
+}  // namespace app

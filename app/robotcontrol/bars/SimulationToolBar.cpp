@@ -1,0 +1,186 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/bars/SimulationToolBar.h"
+
+#include <QAbstractItemView>
+#include <QComboBox>
+#include <QLabel>
+#include <cmath>
+#include <set>
+
+#include "app/core/Workbench.h"
+#include "app/robotcontrol/bars/ColorTableButton.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/config/RobotDescription.h"
+#include "widgets/Icon.h"
+#include "widgets/StopStyle.h"
+
+namespace app {
+namespace {
+
+QComboBox* makeBox(QToolBar* bar, const char* name, const QString& accessible, const QString& tip) {
+  auto* box = new QComboBox(bar);
+  box->setObjectName(QLatin1String(name));
+  box->setAccessibleName(accessible);
+  box->setToolTip(tip);
+  box->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  return box;
+}
+
+void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
+  for (const auto& file : files) {
+    box->addItem(QString::fromStdString(file.stem().string()), QString::fromStdString(file.string()));
+  }
+}
+
+/// Selects a file, which is added if it is not among the shipped ones; without a file the placeholder is
+/// shown.
+void selectFile(QComboBox* box, const std::filesystem::path& file) {
+  if (file.empty()) return box->setCurrentIndex(-1);
+  const QString path = QString::fromStdString(file.string());
+  int index = box->findText(QString::fromStdString(file.stem().string()));
+  if (index < 0) {
+    box->addItem(QString::fromStdString(file.filename().string()), path);
+    index = box->count() - 1;
+  }
+  box->setCurrentIndex(index);
+}
+
+}  // namespace
+
+SimulationToolBar::SimulationToolBar(Workbench& workbench, CommandActions& actions, QWidget* parent)
+    : QToolBar(tr("Simulation"), parent), workbench_(workbench), actions_(actions) {
+  setObjectName(QStringLiteral("simulationToolBar"));
+  createActions();
+  createBoxes();
+  connectSignals();
+}
+
+void SimulationToolBar::createActions() {
+  start_ = actions_.make(tr("Start"), "play", QStringLiteral("simulation.start"), {}, {Qt::Key_F5});
+  pause_ = actions_.make(tr("Pause"), "pause", QStringLiteral("simulation.pause"), {}, {Qt::Key_F6});
+  step_ = actions_.make(tr("Step"), "step", QStringLiteral("simulation.step"), {}, {Qt::Key_F10});
+  reset_ = actions_.make(tr("Reset"), "reset", QStringLiteral("simulation.reset"), {},
+                         {QKeySequence(QStringLiteral("Ctrl+R"))});
+  simulationActions_ = {start_, pause_, step_, reset_};
+  start_->setCheckable(true);
+  pause_->setCheckable(true);
+
+  stop_ = new QAction(widgets::icon("stop"), widgets::stopText(false), this);
+  stop_->setObjectName(QStringLiteral("robot.stop"));
+  stop_->setCheckable(true);
+  stop_->setShortcuts({QKeySequence(QStringLiteral("Shift+Esc")), QKeySequence(Qt::Key_Pause)});
+  stop_->setShortcutContext(Qt::ApplicationShortcut);
+  stop_->setToolTip(tr(
+      "Stops all robots at their platforms, whatever their programs do, until released (Shift+Esc, Pause)"));
+}
+
+void SimulationToolBar::createBoxes() {
+  scene_ = makeBox(this, "sceneBox", tr("Scene"), tr("The scene that is simulated"));
+  layout_ =
+      makeBox(this, "layoutBox", tr("Process layout"),
+              tr("Which process of the robot's program does which tasks; a change starts the program anew"));
+  robot_ = makeBox(this, "robotBox", tr("Robot"), tr("The robot that views and toolbars talk about"));
+  speed_ = makeBox(this, "speedBox", tr("Speed"), tr("How many times real time the simulation runs"));
+  scene_->setPlaceholderText(tr("none"));
+  layout_->setPlaceholderText(tr("none"));
+  layout_->setMinimumContentsLength(10);  // "of the log"
+  addFiles(scene_, Workbench::scenes());
+  for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
+  const auto addLabelled = [this](const QString& text, QWidget* widget) {
+    auto* label = new QLabel(text, this);
+    label->setMargin(4);
+    return QList<QAction*>{addWidget(label), addWidget(widget)};
+  };
+  addLabelled(tr("Scene:"), scene_);
+  addLabelled(tr("Layout:"), layout_);
+  addLabelled(tr("Robot:"), robot_);
+  colorTable_ = new ColorTableButton(this);
+  ofColors_ = addWidget(colorTable_);
+  ofColors_->setVisible(false);
+  addSeparator();
+  addActions(simulationActions_);
+  ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
+}
+
+void SimulationToolBar::connectSignals() {
+  const auto chosen = QOverload<int>::of(&QComboBox::activated);
+  connect(scene_, chosen, this, [this](int index) {
+    actions_.run(QStringLiteral("simulation.open"), {scene_->itemData(index).toString().toStdString()});
+  });
+  connect(layout_, chosen, this, [this](int index) {
+    actions_.run(QStringLiteral("layout.open"), {layout_->itemData(index).toString().toStdString()});
+  });
+  connect(robot_, chosen, this, [this](int index) {
+    actions_.run(QStringLiteral("robot.select"), {robot_->itemText(index).toStdString()});
+  });
+  connect(speed_, chosen, this, [this](int index) {
+    actions_.run(QStringLiteral("simulation.speed"), {speed_->itemData(index).toDouble()});
+  });
+  connect(stop_, &QAction::triggered, this,
+          [this](bool engaged) { actions_.run(QStringLiteral("robot.stop"), {engaged}); });
+}
+
+/// The layouts in which at least one of the robots can run.
+void SimulationToolBar::showLayouts(const LoadedPlatform& loaded) {
+  layout_->clear();
+  std::set<std::string> kinds;
+  std::set<std::filesystem::path> files;
+  for (const auto& [name, description] : loaded.robots) {
+    if (!kinds.insert(description->name).second) continue;
+    for (const auto& file : Workbench::layoutsFor(*description)) files.insert(file);
+  }
+  addFiles(layout_, {files.begin(), files.end()});
+}
+
+void SimulationToolBar::showLoaded() {
+  const auto* loaded = workbench_.loaded();
+  if (loaded == nullptr) return;
+  // A log has a toolbar of its own to play it, and a real robot's time cannot be stopped.
+  for (QAction* action : ofSimulation_) action->setVisible(!loaded->isLogged() && !loaded->isReal());
+  selectFile(scene_, std::filesystem::path(loaded->isSimulated() ? loaded->sources.front() : std::string()));
+  layout_->setPlaceholderText(loaded->isLogged() ? tr("of the log") : tr("none"));
+  showLayouts(*loaded);
+  selectFile(layout_, loaded->layout);
+  robot_->clear();
+  for (const std::string& robot : workbench_.session().robots())
+    robot_->addItem(QString::fromStdString(robot));
+  robot_->setEnabled(robot_->count() > 0);
+}
+
+void SimulationToolBar::refreshSpeed(double requested) {
+  if (speed_->view()->isVisible()) return;
+  for (int i = 0; i < speed_->count(); ++i) {
+    if (std::abs(speed_->itemData(i).toDouble() - requested) < 1e-9) {
+      speed_->setCurrentIndex(i);
+      return;
+    }
+  }
+  speed_->addItem(speedText(requested), requested);
+  speed_->setCurrentIndex(speed_->count() - 1);
+}
+
+void SimulationToolBar::refresh() {
+  auto& session = workbench_.session();
+  const int robot = robot_->findText(QString::fromStdString(session.selectedRobot()));
+  if (robot >= 0 && robot != robot_->currentIndex()) robot_->setCurrentIndex(robot);
+  ofColors_->setVisible(colorTable_->refresh(session));
+  const auto* status =
+      session.store().latestAs<robotcontrol::SimulationStatus>("simulation", session.timeline().newest());
+  const bool there = status != nullptr;
+  for (QAction* action : simulationActions_) action->setEnabled(there);
+  stop_->setEnabled(there);
+  speed_->setEnabled(there);
+  if (!there) return;
+  start_->setChecked(status->running());
+  pause_->setChecked(!status->running());
+  stop_->setChecked(status->stopped_robots_size() > 0);
+  stop_->setText(widgets::stopText(stop_->isChecked()));
+  refreshSpeed(status->requested_speed());
+}
+
+QString SimulationToolBar::speedText(double speed) {
+  return speed <= 0 ? tr("as fast as possible") : QStringLiteral("%1×").arg(speed);
+}
+
+}  // namespace app

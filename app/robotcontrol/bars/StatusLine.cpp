@@ -1,0 +1,108 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotcontrol/bars/StatusLine.h"
+
+#include <algorithm>
+
+#include <QLabel>
+#include <QStatusBar>
+
+#include "app/core/Workbench.h"
+#include "robotcontrol/Driving.pb.h"
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Requests.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Packages.h"
+#include "widgets/Silence.h"
+
+namespace app {
+namespace {
+
+QLabel* addLabel(QStatusBar& bar, const char* name, const QString& tip, int characters) {
+  auto* label = new QLabel(&bar);
+  label->setObjectName(QLatin1String(name));
+  label->setToolTip(tip);
+  label->setMinimumWidth(label->fontMetrics().averageCharWidth() * characters);
+  label->setAlignment(Qt::AlignRight | Qt::AlignVCenter);
+  bar.addPermanentWidget(label);
+  return label;
+}
+
+}  // namespace
+
+StatusLine::StatusLine(Workbench& workbench, QStatusBar& bar)
+    : QObject(&bar),
+      workbench_(workbench),
+      state_(addLabel(bar, "statusState", tr("What the simulation or the log does"), 10)),
+      time_(addLabel(bar, "statusTime", tr("Simulated time; in a log the time that is shown, and its frame"),
+                     12)),
+      speed_(addLabel(bar, "statusSpeed",
+                      tr("How many times real time the simulation runs or the log is played"), 10)),
+      contacts_(addLabel(bar, "statusContacts", tr("How often a robot and the ball began to touch"), 16)),
+      dropped_(addLabel(bar, "statusDropped",
+                        tr("Messages that were lost because more came than could be taken in"), 12)) {}
+
+void StatusLine::refresh() {
+  auto& session = workbench_.session();
+  const auto newest = session.timeline().newest();
+  dropped_->setText(tr("%1 dropped").arg(session.dropped()));
+  if (const auto* log =
+          session.store().latestAs<robotcontrol::ReplayStatus>(robotlink::streams::kReplay, newest)) {
+    showLog(*log);
+  } else if (const auto* simulation = session.store().latestAs<robotcontrol::SimulationStatus>(
+                 robotlink::streams::kSimulation, newest)) {
+    showSimulation(*simulation);
+  } else {
+    showNothing();
+  }
+}
+
+QString StatusLine::robotState() {
+  auto& session = workbench_.session();
+  const auto& robots = workbench_.loaded()->robots;
+  const std::string robot = robots.empty() ? std::string() : robots.begin()->first;
+  const auto newest = session.timeline().newest();
+  wish_.want(session, robot, {robotlink::kDriveState.name, robotlink::kLinkStatus.name});
+  const auto* heard = session.store().latest(robot + '/' + robotlink::kDriveState.name, newest);
+  const double silence = heard == nullptr ? 0 : robotlink::seconds(newest - heard->time);
+  const auto* link =
+      session.store().latestAs<robotcontrol::LinkStatus>(robot + '/' + robotlink::kLinkStatus.name, newest);
+  const bool connected = link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTED;
+  if (connected && silence < widgets::kSilentAfter) return tr("running");
+  if (heard == nullptr) return connected ? tr("connected") : tr("not connected");
+  const QString what = connected ? tr("silent")
+                       : link != nullptr && link->state() == robotcontrol::LinkStatus::CONNECTING
+                           ? tr("connecting")
+                           : tr("lost");
+  return tr("%1, last heard %2 s ago").arg(what).arg(silence, 0, 'f', 0);
+}
+
+void StatusLine::showSimulation(const robotcontrol::SimulationStatus& status) {
+  const bool real = workbench_.loaded() != nullptr && workbench_.loaded()->isReal();
+  state_->setText(workbench_.loading()               ? tr("loading…")
+                  : status.stopped_robots_size() > 0 ? tr("STOP engaged")
+                  : real                             ? robotState()
+                  : status.running()                 ? tr("running")
+                                                     : tr("paused"));
+  time_->setText(tr("%1 s").arg(status.time(), 0, 'f', 3));
+  speed_->setText(real ? tr("real time") : tr("sim %1×").arg(status.speed(), 0, 'f', 1));
+  const auto contacts = status.ball_contacts();
+  const auto& models = status.models();
+  if (std::find(models.begin(), models.end(), "ball") == models.end()) return contacts_->clear();
+  contacts_->setText(contacts == 1 ? tr("1 ball contact") : tr("%1 ball contacts").arg(contacts));
+}
+
+void StatusLine::showLog(const robotcontrol::ReplayStatus& status) {
+  state_->setText(workbench_.loading() ? tr("loading…") : status.playing() ? tr("playing") : tr("paused"));
+  const robotlink::Instant shown{robotlink::Duration(status.time())};
+  const double time = robotlink::seconds(workbench_.session().timeline().sinceOrigin(shown));
+  time_->setText(tr("%1 s  frame %2").arg(time, 0, 'f', 3).arg(status.frame()));
+  speed_->setText(tr("log %1×").arg(status.speed()));
+  contacts_->clear();
+}
+
+void StatusLine::showNothing() {
+  state_->setText(workbench_.loading() ? tr("loading…") : tr("nothing is open"));
+  for (QLabel* label : {time_, speed_, contacts_}) label->clear();
+}
+
+}  // namespace app

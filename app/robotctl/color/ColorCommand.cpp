@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color`: the command itself, and what its subcommands share.
+#include <CLI/CLI.hpp>
+
+#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/Commands.h"
+#include "colortool/image/ClassPresets.h"
+
+namespace app {
+
+using colortool::NamedColorTable;
+
+void addClassesOption(CLI::App& command, ClassNames& names, const char* help) {
+  std::string presets;
+  for (const auto& preset : colortool::classPresets())
+    presets += (presets.empty() ? "" : ", ") + std::string(preset.name);
+  command.add_option("--classes", names, std::string(help) + ", or one of: " + presets)->delimiter(',');
+}
+
+robotlink::Result<colortool::ColorClasses> chosenClasses(const ClassNames& names) {
+  return colortool::chooseClasses(names.empty() ? ClassNames{"bhuman2009"} : names);
+}
+
+tl::expected<NamedColorTable, robotlink::Errors> loadTable(const std::string& file, const ClassNames& names) {
+  if (names.empty()) return NamedColorTable::load(file);
+  auto classes = chosenClasses(names);
+  if (!classes) return tl::unexpected(robotlink::Errors{classes.error()});
+  auto table = colortool::ColorTableFile::load(file);
+  if (!table) return tl::unexpected(robotlink::Errors{table.error()});
+  NamedColorTable named{std::move(*table), std::move(*classes)};
+  named.nameAll();
+  return named;
+}
+
+colortool::ColorTable singleTable(const colortool::ColorTableFile& file) {
+  std::vector<std::uint8_t> same(256);
+  for (std::size_t i = 0; i < same.size(); ++i) same[i] = static_cast<std::uint8_t>(i);
+  return colortool::ColorTable::translated(file.singleClasses(), same);
+}
+
+void addColorCommand(CLI::App& app, int& status) {
+  CLI::App* color = app.add_subcommand("color", "Makes, scores, shows, compares and converts colour tables");
+  color->require_subcommand(1);
+  addColorTrainCommand(*color, status);
+  addColorEvaluateCommand(*color, status);
+  addColorTableCommands(*color, status);
+  addColorSegmentCommand(*color, status);
+  addColorConvertCommand(*color, status);
+}
+
+}  // namespace app

@@ -1,0 +1,237 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl color train`.
+#include <CLI/CLI.hpp>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <set>
+#include <string>
+#include <vector>
+
+#include "app/robotctl/color/ColorCommands.h"
+#include "app/robotctl/color/ColorImages.h"
+#include "app/robotctl/Commands.h"
+#include "colortool/samples/SampleFile.h"
+#include "colortool/samples/StrokeList.h"
+#include "colortool/training/TableTrainer.h"
+#include "logplayer/base/Plural.h"
+
+namespace app {
+namespace {
+
+using colortool::ColorTableFile;
+using colortool::DiscStroke;
+using colortool::Samples;
+using colortool::TrainingMethod;
+using robotlink::Errors;
+
+const std::map<std::string, TrainingMethod> kMethods = {{"kernel", TrainingMethod::kVotes},
+                                                        {"gauss", TrainingMethod::kGaussians},
+                                                        {"svm", TrainingMethod::kSupportVectors}};
+
+struct TrainArguments {
+  std::string strokes, images, samples, out, samplesOut;
+  std::string method = "kernel";
+  ClassNames classes;
+  /// Share of the winner's votes for further classes of a cell; 0: each cell has one class.
+  double several = 0;
+  bool asLearned = false;
+  colortool::TrainingSettings settings;
+};
+
+/// The samples made from strokes, and the strokes that could not be used.
+struct Learned {
+  Samples samples;
+  int outside = 0;
+  Errors problems;
+};
+
+/// Fails with one error per unknown class name.
+tl::expected<void, Errors> checkClasses(const std::vector<DiscStroke>& strokes,
+                                        const colortool::ColorClasses& known, const std::string& file) {
+  Errors errors;
+  std::set<std::string> told{std::string(DiscStroke::kBackground)};
+  for (const DiscStroke& stroke : strokes) {
+    if (known.index(stroke.colorClass) != colortool::ColorClasses::kNone ||
+        !told.insert(stroke.colorClass).second)
+      continue;
+    std::string names;
+    for (const std::string& name : known.names()) names += ", " + name;
+    errors.push_back({"color.class",
+                      "there is no class '" + stroke.colorClass + "'; the classes are background" + names +
+                          " (see --classes)",
+                      {stroke.colorClass},
+                      {file, 0, 0}});
+  }
+  if (!errors.empty()) return tl::unexpected(std::move(errors));
+  return {};
+}
+
+/// Adds what a stroke touches of its image. False: nothing.
+bool addStroke(Samples& samples, const DiscStroke& stroke, const colortool::ColorImage& image) {
+  const double scale = static_cast<double>(image.width) / DiscStroke::kReferenceWidth;
+  const colortool::ImagePoint at[] = {{stroke.x * scale, stroke.y * scale}};
+  const auto area = colortool::brushArea(image.width, image.height, at, stroke.radius * scale);
+  return addStroke(samples, {0, stroke.image, "", "", 0, 0}, image, area,
+                   {samples.classes.index(stroke.colorClass), false, 1, "point"}) != 0;
+}
+
+tl::expected<Learned, Errors> samplesOfStrokes(const TrainArguments& arguments) {
+  const auto strokes = colortool::readStrokeList(arguments.strokes);
+  if (!strokes) return tl::unexpected(strokes.error());
+  auto classes = chosenClasses(arguments.classes);
+  if (!classes) return tl::unexpected(Errors{classes.error()});
+  if (auto checked = checkClasses(*strokes, *classes, arguments.strokes); !checked)
+    return tl::unexpected(checked.error());
+  const auto images = ColorImages::open(arguments.images);
+  if (!images) return tl::unexpected(Errors{images.error()});
+  Learned learned;
+  learned.samples.classes = std::move(*classes);
+  std::map<std::string, colortool::ColorImage> loaded;
+  for (const DiscStroke& stroke : *strokes) {
+    auto image = loaded.find(stroke.image);
+    if (image == loaded.end()) {
+      auto read = images->load(stroke.image);
+      if (!read) return tl::unexpected(Errors{read.error()});
+      image = loaded.emplace(stroke.image, std::move(*read)).first;
+    }
+    if (!addStroke(learned.samples, stroke, image->second)) ++learned.outside;
+  }
+  return learned;
+}
+
+tl::expected<Learned, Errors> samplesOfFile(const std::string& file) {
+  auto read = colortool::loadSamples(file);
+  if (!read) return tl::unexpected(Errors{read.error()});
+  return Learned{std::move(read->samples), 0, std::move(read->problems)};
+}
+
+/// The table learned from the samples, with several classes per cell if requested.
+ColorTableFile::Packed tableOf(const Samples& samples, double several) {
+  colortool::TableTrainer trainer;
+  const colortool::ColorTable& table = trainer.train(samples);
+  std::vector<std::uint16_t> masks(ColorTableFile::kCellCount);
+  for (std::size_t cell = 0; cell < masks.size() && several > 0; ++cell) {
+    if (table.cells()[cell] != 0) masks[cell] = trainer.votes().classesOf(cell, several);
+  }
+  return ColorTableFile::pack(table.cells(), masks);
+}
+
+/// Reports losses to stderr and returns the resulting ExitStatus.
+int tellLosses(const TrainArguments& arguments, const Learned& learned, const ColorTableFile::Packed& made) {
+  for (const robotlink::Error& problem : learned.problems) std::cerr << problem.describe() << "\n";
+  if (learned.outside != 0) {
+    std::cerr << arguments.strokes << ": "
+              << (learned.outside == 1
+                      ? "one stroke lies outside of its image"
+                      : std::to_string(learned.outside) + " strokes lie outside of their images")
+              << "\n";
+  }
+  if (made.reducedCells != 0) {
+    std::cerr << arguments.out << ": of " << made.reducedCells
+              << " cells of several classes only the best is kept, since a .c64 has room for several classes "
+                 "with numbers up to "
+              << ColorTableFile::kMaxOfSeveral << "\n";
+  }
+  const bool losses = !learned.problems.empty() || learned.outside != 0 || made.reducedCells != 0;
+  return losses ? kDoneWithLosses : kDone;
+}
+
+int train(const TrainArguments& arguments) {
+  auto learned = arguments.samples.empty() ? samplesOfStrokes(arguments) : samplesOfFile(arguments.samples);
+  if (!learned) return printErrors(learned.error());
+  Samples& samples = learned->samples;
+  if (!arguments.asLearned) {
+    samples.settings = arguments.settings;
+    samples.settings.method = kMethods.at(arguments.method);
+  }
+  const auto made = tableOf(samples, arguments.several);
+  const colortool::NamedColorTable table{made.file, samples.classes};
+  if (const auto saved = table.save(arguments.out); !saved) return printErrors({saved.error()});
+  if (!arguments.samplesOut.empty()) {
+    if (const auto saved = saveSamples(samples, arguments.samplesOut); !saved)
+      return printErrors({saved.error()});
+  }
+  std::cout << arguments.out << ": " << logplayer::plural(samples.strokes.size(), "stroke") << " in "
+            << logplayer::plural(samples.images.size(), "image") << "\n";
+  return tellLosses(arguments, *learned, made);
+}
+
+/// Adds the options of the training methods, with their defaults.
+void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
+  using Votes = colortool::VoteOptions;
+  const auto number = [&](const char* name, double& value, const char* help, const CLI::Validator& range) {
+    command.add_option(name, value, help)->check(range)->capture_default_str();
+  };
+  number("--radius", settings.votes.radius, "How far a sample reaches in Cb and Cr: one standard deviation",
+         CLI::Range(Votes::kMinRadius, Votes::kMaxRadius));
+  number("--y-weight", settings.votes.brightnessWeight,
+         "What a difference in Y counts against one in Cb or Cr",
+         CLI::Range(Votes::kMinBrightnessWeight, 1.0));
+  number("--rejection", settings.votes.rejection,
+         "What a class needs at least, as a share of one sample's own vote", CLI::NonNegativeNumber);
+  number("--background-weight", settings.votes.backgroundWeight,
+         "What a sample of the background counts against one of a class", CLI::Range(0.0, 1.0));
+  number("--shading", settings.votes.shading,
+         "What a sample says of its color in shadow and glare, as a share of its own vote",
+         CLI::Range(0.0, Votes::kMaxShading));
+  number("--gray-guard", settings.votes.grayGuard,
+         "What colors of things need more where they are nearly gray, in votes of a sample",
+         CLI::NonNegativeNumber);
+  number("--reject-distance", settings.gaussians.mostSquaredDistance,
+         "gauss: squared Mahalanobis distance from a class past which a colour is not of it",
+         CLI::PositiveNumber);
+  number("--cost", settings.supportVectors.cost, "svm: what a sample on the wrong side costs",
+         CLI::PositiveNumber);
+  number("--gamma", settings.supportVectors.gamma, "svm: of its radial basis functions", CLI::PositiveNumber);
+  number("--reject-radius", settings.supportVectors.mostDistance,
+         "svm: how far from a sample a class reaches at most", CLI::PositiveNumber);
+  command.add_flag("!--keep-unsupported", settings.cleanUp.removeUnsupported,
+                   "Leaves cells that no sample speaks for in the table");
+  command.add_flag("!--keep-holes", settings.cleanUp.fillHoles,
+                   "Leaves holes in the middle of a class in the table");
+}
+
+}  // namespace
+
+void addColorTrainCommand(CLI::App& color, int& status) {
+  auto arguments = std::make_shared<TrainArguments>();
+  CLI::App* command =
+      color.add_subcommand("train", "Makes a colour table from strokes in images, or from samples");
+  CLI::Option* strokes = command->add_option(
+      "--strokes", arguments->strokes,
+      "CSV with the header image,class,x,y,radius; in pixels of the image at a width of 320; class "
+      "background is none of them");
+  CLI::Option* images = command->add_option("--images", arguments->images,
+                                            "The folder of the images (PNG, JPEG, .yuyv), or a log file");
+  CLI::Option* samples = command->add_option("--samples", arguments->samples,
+                                             "Samples that the workbench saved, instead of strokes");
+  strokes->needs(images)->excludes(samples);
+  images->needs(strokes);
+  command->add_option("--out", arguments->out, "The colour table (.c64)")->required();
+  command->add_option("--save-samples", arguments->samplesOut,
+                      "Also writes what was learned from, for the workbench");
+  addClassesOption(*command, arguments->classes,
+                   "Names of the classes, in the order of their numbers; they are written beside the table");
+  command
+      ->add_option(
+          "--method", arguments->method,
+          "kernel: samples vote around them; gauss: one Gaussian per class; svm: a support vector machine")
+      ->check(CLI::IsMember(kMethods))
+      ->capture_default_str();
+  command
+      ->add_option("--several", arguments->several,
+                   "kernel: a cell keeps all classes that have this share of the best one's votes")
+      ->check(CLI::Range(0.0, 1.0));
+  addSettings(*command, arguments->settings);
+  CLI::Option* own = command->add_flag("--own-settings", arguments->asLearned,
+                                       "Learns as the samples' file says, whatever the options here are");
+  own->needs(samples);
+  command->callback([arguments, strokes, samples, &status] {
+    if (strokes->empty() && samples->empty())
+      throw CLI::RequiredError("--strokes with --images, or --samples");
+    status = train(*arguments);
+  });
+}
+
+}  // namespace app

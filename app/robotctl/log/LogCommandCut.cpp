@@ -1,0 +1,182 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl log` cut, merge, filter and convert.
+#include <CLI/CLI.hpp>
+#include <charconv>
+#include <cmath>
+#include <cstdio>
+#include <iostream>
+#include <memory>
+#include <string>
+
+#include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/log/LogInput.h"
+#include "logplayer/edit/LogCut.h"
+
+namespace app {
+namespace {
+
+struct CutArguments {
+  std::vector<std::string> files;  ///< the last one is the output
+  std::string from, to;
+  TimeRange range;
+  logplayer::RewriteOptions options;
+  std::vector<std::string> offsets;
+};
+
+const std::map<std::string, logplayer::mcap::Compression> kCompressions{
+    {"none", logplayer::mcap::Compression::kNone},
+    {"lz4", logplayer::mcap::Compression::kLz4},
+    {"zstd", logplayer::mcap::Compression::kZstd},
+};
+
+robotlink::Result<logplayer::RewriteReport> rewrite(logplayer::RewriteOptions& options,
+                                                    const std::string& to) {
+  TerminalProgress progress;
+  options.progress = progress.function();
+  return rewriteLogs(options, to);
+}
+
+std::string counted(std::uint64_t count, const std::string& noun) {
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : "s");
+}
+
+int writeLog(logplayer::RewriteOptions& options, const std::string& to) {
+  const auto report = rewrite(options, to);
+  if (!report) return printErrors({report.error()});
+  for (const auto& [from, name] : report->renamed) std::cout << from << " is called " << name << "\n";
+  if (report->concatenated) std::cout << "the logs were put behind each other, as parts of one\n";
+  for (const std::string& note : report->notes) std::cout << note << "\n";
+  std::printf("%s: %s, %s, %s, %.3f s, %.2f MB\n", to.c_str(), counted(report->messages, "message").c_str(),
+              counted(report->frames, "frame").c_str(), counted(report->bookmarks, "bookmark").c_str(),
+              robotlink::seconds(report->end - report->begin), static_cast<double>(report->bytes) * 1e-6);
+  std::fflush(stdout);
+  return printLosses(report->losses);
+}
+
+int cut(CutArguments& arguments) {
+  const auto input = LogInput::of(arguments.from);
+  if (!input) return printErrors({input.error()});
+  const auto range = arguments.range.of(input->path());
+  if (!range) {
+    printErrors({range.error()});
+    return range.error().id == "usage" ? kUsage : kFailed;
+  }
+  arguments.options.from = range->from;
+  arguments.options.to = range->to;
+  arguments.options.inputs = {{input->path()}};
+  return writeLog(arguments.options, arguments.to);
+}
+
+/// Assigns "FILE=SECONDS" to the input with this name; prints an error and returns false if there is none.
+bool takeOffset(const std::string& text, std::vector<logplayer::RewriteInput>& inputs) {
+  const auto equals = text.rfind('=');
+  double seconds = 0;
+  const char* end = text.data() + text.size();
+  const bool number = equals != std::string::npos &&
+                      std::from_chars(text.data() + equals + 1, end, seconds).ptr == end &&
+                      equals + 1 < text.size() && std::abs(seconds) < 4e9;
+  bool taken = false;
+  for (auto& input : inputs) {
+    if (!number || input.file != text.substr(0, equals)) continue;
+    input.offset = robotlink::fromSeconds(seconds);
+    taken = true;
+  }
+  if (!taken)
+    std::cerr << "robotctl log merge: --offset takes FILE=SECONDS with one of the logs, not '" << text
+              << "'\n";
+  return taken;
+}
+
+int merge(CutArguments& arguments) {
+  for (std::size_t i = 0; i + 1 < arguments.files.size(); ++i)
+    arguments.options.inputs.push_back({arguments.files[i]});
+  for (const std::string& offset : arguments.offsets) {
+    if (!takeOffset(offset, arguments.options.inputs)) return kUsage;
+  }
+  std::vector<LogInput> opened;
+  for (auto& named : arguments.options.inputs) {
+    auto input = LogInput::of(named.file.string());
+    if (!input) return printErrors({input.error()});
+    named.file = opened.emplace_back(std::move(*input)).path();
+  }
+  return writeLog(arguments.options, arguments.files.back());
+}
+
+void addStreams(CLI::App& command, CutArguments& arguments) {
+  command
+      .add_option("--streams", arguments.options.streams.include,
+                  "Only these; * stands for any text: 'red1/*'")
+      ->allow_extra_args(false);
+  command.add_option("--exclude", arguments.options.streams.exclude, "None of these")
+      ->allow_extra_args(false);
+}
+
+void addFiles(CLI::App& command, CutArguments& arguments) {
+  command.add_option("from", arguments.from, "The log to read; - is standard input")->required();
+  command.add_option("to", arguments.to, "The MCAP file to write")->required();
+}
+
+void addOutput(CLI::App& command, CutArguments& arguments) {
+  command
+      .add_option("--compression", arguments.options.compression,
+                  "Of the new file: none, lz4 or zstd (default)")
+      ->transform(CLI::CheckedTransformer(kCompressions).description("{none,lz4,zstd}"))
+      ->type_name("TEXT");
+  command.add_flag("--force", arguments.options.overwrite, "Overwrites a file of this name");
+}
+
+}  // namespace
+
+void addLogCutCommands(CLI::App& log, int& status) {
+  auto arguments = std::make_shared<CutArguments>();
+  CLI::App* command = log.add_subcommand(
+      "cut", "Copies a range of time, with what holds at its start, whole frames and bookmarks");
+  addFiles(*command, *arguments);
+  arguments->range.addTo(*command);
+  addStreams(*command, *arguments);
+  addOutput(*command, *arguments);
+  command->callback([arguments, &status] { status = cut(*arguments); });
+
+  arguments = std::make_shared<CutArguments>();
+  command = log.add_subcommand("merge",
+                               "Puts several logs on one time line: parts of one log behind each other, "
+                               "others beside each other, where robots of equal "
+                               "names get -2, -3 behind theirs");
+  command->add_option("files", arguments->files, "The logs to read, and last the MCAP file to write")
+      ->required()
+      ->expected(2, -1);
+  auto& joining = arguments->options.joining;
+  auto* concatenate = command->add_flag_callback(
+      "--concatenate", [&joining] { joining = logplayer::Joining::kConcatenate; },
+      "Behind each other, or not at all; without it where times do not overlap and robots of equal names run "
+      "the same program");
+  command
+      ->add_flag_callback(
+          "--separate", [&joining] { joining = logplayer::Joining::kSeparate; },
+          "Beside each other in any case: robots of equal names get -2, -3 behind theirs")
+      ->excludes(concatenate);
+  command->add_option("--offset", arguments->offsets, "FILE=SECONDS, added to the times of one of the logs")
+      ->allow_extra_args(false);
+  addOutput(*command, *arguments);
+  command->callback([arguments, &status] { status = merge(*arguments); });
+
+  arguments = std::make_shared<CutArguments>();
+  command = log.add_subcommand("filter", "Copies some of the streams, with the ends of their frames");
+  addFiles(*command, *arguments);
+  addStreams(*command, *arguments);
+  addOutput(*command, *arguments);
+  command->callback([arguments, &status] { status = cut(*arguments); });
+
+  arguments = std::make_shared<CutArguments>();
+  command = log.add_subcommand("convert", "Writes a log anew, with other chunks or another compression");
+  addFiles(*command, *arguments);
+  command
+      ->add_option("--chunk-size", arguments->options.chunkBytes,
+                   "Bytes at which a chunk is complete, with k, M or G for units of 1024; frames stay whole")
+      ->transform(CLI::AsSizeValue(false))
+      ->check(CLI::Range(std::size_t{1}, std::size_t{1} << 30U).description("1 to 1G"));
+  addOutput(*command, *arguments);
+  command->callback([arguments, &status] { status = cut(*arguments); });
+}
+
+}  // namespace app

@@ -1,0 +1,55 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/run/CameraOptions.h"
+
+#include <CLI/CLI.hpp>
+
+namespace app {
+
+void CameraOptions::addTo(CLI::App& command) {
+  command.add_option("--light", lighting.brightness, "Brightness of all light, times that of the scene")
+      ->check(CLI::Range(0.0, simcore::Lighting::kMostBrightness))
+      ->capture_default_str();
+  command.add_option("--warmth", lighting.warmth, "Colour of all light: above 0 reddish, below 0 bluish")
+      ->check(CLI::Range(-1.0, 1.0))
+      ->capture_default_str();
+  command
+      .add_option(
+          "--vignetting", vignetting,
+          "Share of the light that the corners of images lack, and share of red and green that they lack "
+          "besides (0), instead of the cameras' own")
+      ->expected(1, 2)
+      ->check(CLI::Range(0.0, 1.0));
+  command
+      .add_option("--image-noise", imageNoise,
+                  "Standard deviation of the images' noise, grey values, instead of the cameras' own")
+      ->check(CLI::Range(0.0, 100.0))
+      ->excludes(command.get_option("--no-noise"));
+  command.add_flag("--class-images", classImages,
+                   "Sends the true classes of all images, as oracle/classes, for recordings");
+  auto* folder =
+      command.add_option("--labelled-images", labelledFolder,
+                         "Writes images into DIR/images and their true classes into DIR/labels, for "
+                         "robotctl color evaluate");
+  command
+      .add_option("--images-every", labelledEvery, "Of these at most one of each robot in so many seconds")
+      ->check(CLI::Range(0.0, 1e6))
+      ->capture_default_str()
+      ->needs(folder);
+}
+
+void CameraOptions::applyTo(RunOptions& run) const {
+  run.classImages = classImages;
+  run.world.lighting = lighting;
+  run.world.imageNoise = imageNoise;
+  if (!vignetting.empty())
+    run.world.vignetting = simcore::Vignetting{vignetting[0], vignetting.size() > 1 ? vignetting[1] : 0};
+}
+
+robotlink::Result<std::unique_ptr<LabelledImages>> CameraOptions::labelledImages() const {
+  if (labelledFolder.empty()) return nullptr;
+  auto made = LabelledImages::create(labelledFolder, robotlink::fromSeconds(labelledEvery));
+  if (!made) return tl::unexpected(made.error());
+  return std::make_unique<LabelledImages>(std::move(*made));
+}
+
+}  // namespace app

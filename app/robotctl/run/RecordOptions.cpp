@@ -1,0 +1,85 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "app/robotctl/run/RecordOptions.h"
+
+#include <CLI/CLI.hpp>
+#include <iomanip>
+#include <iostream>
+
+#include "app/robotctl/Commands.h"
+#include "logplayer/base/RecordedStreams.h"
+
+namespace app {
+
+using robotcontrol::ControlRecording;
+
+namespace {
+
+ControlRecording::ImageCoding imageCoding(const std::string& name) {
+  if (name == "jpeg") return ControlRecording::JPEG;
+  return name == "png" ? ControlRecording::PNG : ControlRecording::AS_IS;
+}
+
+ControlRecording::Compression compressionNamed(const std::string& name) {
+  if (name == "lz4") return ControlRecording::LZ4;
+  return name == "zstd" ? ControlRecording::ZSTD : ControlRecording::NONE;
+}
+
+}  // namespace
+
+void RecordOptions::addTo(CLI::App& command) {
+  auto* record = command.add_option("--record", file, "Records into this log file, which must not exist");
+  command
+      .add_option("--streams", streams,
+                  "What is recorded: paths with * for any text between commas, - before what is left out "
+                  "(red1/*,-*/log); all that a "
+                  "replay needs if it is not given")
+      ->check([](const std::string& text) {
+        const auto read = logplayer::readSelection(text);
+        return read ? std::string() : read.error().text;
+      })
+      ->needs(record);
+  command.add_option("--images", images, "How images are recorded: as-is, jpeg or png")
+      ->check(CLI::IsMember({"as-is", "jpeg", "png"}))
+      ->capture_default_str()
+      ->needs(record);
+  command.add_option("--compression", compression, "Of the log file: none, lz4 or zstd")
+      ->check(CLI::IsMember({"none", "lz4", "zstd"}))
+      ->capture_default_str()
+      ->needs(record);
+}
+
+robotlink::Result<std::unique_ptr<logplayer::Recorder>> RecordOptions::start() const {
+  if (file.empty()) return nullptr;
+  auto selection = logplayer::readSelection(streams);
+  if (!selection) return tl::unexpected(selection.error());
+  logplayer::Recorder::Options options;
+  options.software = "robotctl " ROBOTCONTROL_VERSION;
+  options.warn = [](const std::string& text) { std::cerr << text << "\n"; };
+  auto recorder = std::make_unique<logplayer::Recorder>(std::move(options));
+  ControlRecording control;
+  control.set_action(ControlRecording::START);
+  control.set_path(file);
+  *control.mutable_selection() = std::move(*selection);
+  control.set_image_coding(imageCoding(images));
+  control.set_compression(compressionNamed(compression));
+  if (const auto started = recorder->control(control); !started) return tl::unexpected(started.error());
+  return recorder;
+}
+
+int finishRecording(logplayer::Recorder& recorder) {
+  ControlRecording control;
+  control.set_action(ControlRecording::STOP);
+  const auto stopped = recorder.control(control);
+  recorder.finish();
+  const robotcontrol::RecordingStatus status = recorder.status();
+  if (!status.failure().empty()) return kFailed;  // the failure was already printed by `warn`
+  if (!stopped) return printErrors({stopped.error()});
+  std::cerr << status.path() << ": " << status.messages() << " messages, " << std::fixed
+            << std::setprecision(1) << 1e-6 * static_cast<double>(status.bytes()) << " MB";
+  if (status.dropped_messages() > 0)
+    std::cerr << ", " << status.dropped_messages() << " messages were left out";
+  std::cerr << "\n";
+  return status.dropped_messages() > 0 ? kDoneWithLosses : kDone;
+}
+
+}  // namespace app

@@ -1,0 +1,289 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// `robotctl sim`: simulation of a scene with the programs of its robots.
+#include <fmt/format.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <fstream>
+#include <iomanip>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+#include <thread>
+
+#include "app/core/simulated/BallTrials.h"
+#include "app/core/program/Pace.h"
+#include "app/core/Workbench.h"
+#include "app/robotctl/run/ArcosOptions.h"
+#include "app/robotctl/run/CameraOptions.h"
+#include "app/robotctl/Commands.h"
+#include "app/robotctl/Interrupt.h"
+#include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/run/RecordOptions.h"
+#include "app/robotctl/run/SimFigures.h"
+#include "app/robotctl/run/TextMessages.h"
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/base/UnfinishedFile.h"
+
+namespace app {
+namespace {
+
+constexpr robotlink::Duration kProgressEvery = std::chrono::milliseconds(100);
+
+using nlohmann::json;
+
+struct SimArguments {
+  RunOptions run = Workbench::defaultOptions();
+  std::string layout;
+  std::vector<std::string> solutions;
+  std::string executor = "lockstep";
+  double seconds = 10;
+  bool noNoise = false;
+  bool asJson = false;
+  bool digest = false;
+  bool texts = false;
+  int trials = 0;
+  double radius = 1.5;
+  double speed = 0;  ///< times real time; 0: as fast as possible
+  bool progress = false;
+  ArcosOptions arcos;
+  CameraOptions camera;
+  RecordOptions record;
+};
+
+/// Parses "task=solution" pairs; prints an error and returns false if one is invalid.
+bool takeSolutions(SimArguments& arguments) {
+  for (const std::string& text : arguments.solutions) {
+    const auto equals = text.find('=');
+    if (equals == std::string::npos || equals == 0 || equals + 1 == text.size()) {
+      std::cerr << "robotctl sim: --solution takes TASK=SOLUTION, not '" << text << "'\n";
+      return false;
+    }
+    arguments.run.solutions[text.substr(0, equals)] = text.substr(equals + 1);
+  }
+  return true;
+}
+
+std::filesystem::path layoutFile(const std::string& name) {
+  for (const auto& shipped : Workbench::layouts()) {
+    if (shipped.stem() == name) return shipped;
+  }
+  return name;
+}
+
+SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImages* images) {
+  SimulatedRun::Listeners listeners;
+  listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
+    std::cerr << robot << ": " << text << "\n";
+  };
+  if (arguments.texts) {
+    listeners.queue = [](const std::string& robot, const auto& queue) { printTexts(robot, *queue); };
+    listeners.game = [](robotlink::Instant time, const std::string& text) { printText(time, "game", text); };
+  }
+  if (images != nullptr) {
+    listeners.labelled = [images](const std::string& robot, const auto& image, const auto& classes) {
+      images->add(robot, image, classes);
+    };
+  }
+  return listeners;
+}
+
+/// Steps to the end; false if a signal came before. A recording waits for the disk, and the run for the
+/// recording: nothing is in a hurry here.
+bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recorder* recorder) {
+  Pace pace;
+  pace.setSpeed(arguments.speed);
+  const auto& clock = run.world().clock();
+  pace.restart(std::chrono::steady_clock::now(), clock.now());
+  const robotlink::Instant end(robotlink::fromSeconds(arguments.seconds));
+  robotlink::Instant told;
+  while (clock.now() < end) {
+    if (Interrupt::noted()) return false;
+    if (arguments.speed > 0) std::this_thread::sleep_until(pace.due(clock.now()));
+    run.step();
+    if (recorder != nullptr) recorder->waitForRoom();
+    if (!arguments.progress || clock.now() - told < kProgressEvery) continue;
+    told += kProgressEvery;
+    std::cerr << std::fixed << std::setprecision(3) << robotlink::seconds(clock.now()) << " s" << std::endl;
+  }
+  return true;
+}
+
+/// Reports the result of writing labeled images, if there are any.
+int finishImages(const LabelledImages* images, const std::string& folder) {
+  if (images == nullptr) return kDone;
+  if (!images->outcome()) return printErrors({images->outcome().error()});
+  std::cerr << folder << ": " << images->written() << " images with their true classes\n";
+  return kDone;
+}
+
+int runOnce(const SimArguments& arguments) {
+  const Interrupt interrupt;
+  const auto images = arguments.camera.labelledImages();
+  if (!images) return printErrors({images.error()});
+  const auto recorder = arguments.record.start();
+  if (!recorder) return printErrors({recorder.error()});
+  // Removes the file of the recording if the program ends before anything is recorded.
+  std::optional<robotlink::UnfinishedFile> unfinished;
+  if (*recorder) unfinished.emplace(arguments.record.file);
+  TerminalProgress progress;
+  RunOptions options = arguments.run;
+  options.progress = progress.function();
+  auto run =
+      SimulatedRun::create(std::move(options), listenersFor(arguments, images->get()), recorder->get());
+  progress.erase();
+  if (!run) {
+    std::error_code ignored;
+    if (*recorder) std::filesystem::remove(arguments.record.file, ignored);
+    return printErrors(run.error());
+  }
+  printMapNotes((*run)->map().get());
+  const auto start = std::chrono::steady_clock::now();
+  unfinished.reset();
+  const bool played = simulate(**run, arguments, recorder->get());
+  const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
+  int status = *recorder ? finishRecording(**recorder) : kDone;
+  if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone)
+    status = written;
+  if (!played) status = kFailed;
+  const json figures = figuresOf(**run, real);
+  if (arguments.digest && !arguments.asJson) {
+    std::cout << figures["digest"].get<std::string>() << "\n";
+  } else {
+    std::cout << (arguments.asJson ? figures.dump(2) + "\n" : figuresText(figures));
+  }
+  return status;
+}
+
+json trialJson(const BallTrials::Trial& trial) {
+  return {{"seed", trial.seed},        {"ball", {trial.ball.x(), trial.ball.y()}},
+          {"touched", trial.touched},  {"touched_after", trial.touched ? json(trial.touchedAfter) : json()},
+          {"ball_moved", trial.moved}, {"fell", trial.fell}};
+}
+
+int runTrials(const SimArguments& arguments) {
+  BallTrials trials;
+  trials.run = arguments.run;
+  trials.firstSeed = arguments.run.world.seed;
+  trials.count = arguments.trials;
+  trials.radius = arguments.radius;
+  trials.seconds = arguments.seconds;
+  const Interrupt interrupt;
+  trials.stop = &Interrupt::noted;
+  trials.onTrial = [&](const BallTrials::Trial& trial) {
+    std::cerr << "seed " << trial.seed << ": "
+              << (trial.touched ? fmt::format("touched after {:.1f} s", trial.touchedAfter) : "not touched")
+              << (trial.fell ? ", fell" : "") << "\n";
+  };
+  const auto results = trials.play();
+  if (!results) return printErrors(results.error());
+  json report;
+  report["trials"] = results->size();
+  report["touched"] =
+      std::count_if(results->begin(), results->end(), [](const auto& t) { return t.touched; });
+  report["radius"] = arguments.radius;
+  report["seconds"] = arguments.seconds;
+  report["blackout"] = arguments.run.world.blackout;
+  for (const auto& trial : *results) report["results"].push_back(trialJson(trial));
+  if (arguments.asJson) {
+    std::cout << report.dump(2) << "\n";
+  } else {
+    std::cout << report["touched"] << " of " << report["trials"] << " touched the ball\n";
+  }
+  return results->size() < static_cast<std::size_t>(arguments.trials) ? kFailed : kDone;
+}
+
+/// Runs a simulation whose robots are driven by other programs.
+int runForClients(const SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.trials > 0 || !arguments.record.file.empty() || !arguments.layout.empty() ||
+      !arguments.solutions.empty()) {
+    std::cerr << "robotctl sim: with --arcos robots have no programs here; leave --trials, --record, "
+                 "--layout and --solution away\n";
+    return kUsage;
+  }
+  ArcosRun run{
+      arguments.run.scene, arguments.run.world, {}, speedGiven ? arguments.speed : 1, arguments.asJson};
+  run.world.noise = !arguments.noNoise;
+  if (secondsGiven) run.seconds = arguments.seconds;
+  return runArcos(arguments.arcos, run);
+}
+
+int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
+  if (arguments.arcos.given()) return runForClients(arguments, secondsGiven, speedGiven);
+  if (!takeSolutions(arguments)) return kUsage;
+  const bool threads = arguments.executor == "threads";
+  if (arguments.trials > 0 && threads) {
+    std::cerr << "robotctl sim: trials are played in lockstep only; leave --executor away\n";
+    return kUsage;
+  }
+  if (arguments.trials > 0 && !arguments.record.file.empty()) {
+    std::cerr << "robotctl sim: --record takes one game, not --trials\n";
+    return kUsage;
+  }
+  if (arguments.trials > 0 && !arguments.camera.labelledFolder.empty()) {
+    std::cerr << "robotctl sim: --labelled-images takes one game, not --trials\n";
+    return kUsage;
+  }
+  arguments.camera.applyTo(arguments.run);
+  arguments.arcos.applyTo(arguments.run);
+  if (!arguments.layout.empty()) arguments.run.layout = layoutFile(arguments.layout);
+  arguments.run.world.noise = !arguments.noNoise;
+  arguments.run.executor = threads ? ExecutorKind::kThreads : ExecutorKind::kLockstep;
+  // Threads run in real time: nothing waits for them.
+  if (threads && !speedGiven) arguments.speed = 1;
+  if (arguments.trials > 0 && !secondsGiven) arguments.seconds = 60;
+  return arguments.trials > 0 ? runTrials(arguments) : runOnce(arguments);
+}
+
+}  // namespace
+
+void addSimCommand(CLI::App& app, int& status) {
+  auto arguments = std::make_shared<SimArguments>();
+  CLI::App* sim = app.add_subcommand("sim", "Simulates a scene with the programs of its robots");
+  sim->add_option("scene", arguments->run.scene, "An SDFormat world, or a map (*.map)")->required();
+  auto* seconds =
+      sim->add_option("--seconds", arguments->seconds,
+                      "Simulated seconds (10; with --trials 60 for each; with --arcos until Ctrl-C)")
+          ->check(CLI::Range(0.0, 1e6));
+  sim->add_option("--seed", arguments->run.world.seed, "Of all noise and of the trials' places")
+      ->capture_default_str();
+  sim->add_option("--layout", arguments->layout,
+                  "A process layout: a file, or the name of a shipped one (that of the robots' kind)");
+  sim->add_option("--solution", arguments->solutions, "TASK=SOLUTION to start with, instead of the layout's");
+  sim->add_option(
+         "--executor", arguments->executor,
+         "How processes run: lockstep (reproducible), or threads, for which the simulation does not wait")
+      ->check(CLI::IsMember({"lockstep", "threads"}))
+      ->capture_default_str();
+  sim->add_flag("--no-noise", arguments->noNoise, "Sensors without noise");
+  sim->add_flag("--blackout", arguments->run.world.blackout, "Cameras see nothing but black");
+  auto* trials =
+      sim->add_option(
+             "--trials", arguments->trials,
+             "Plays this many games with the ball at random places around the first robot; counts touches")
+          ->check(CLI::Range(1, 100000));
+  sim->add_option("--radius", arguments->radius, "Of these places around the robot, m")
+      ->check(CLI::Range(0.4, 10.0))
+      ->capture_default_str();
+  auto* speed =
+      sim->add_option(
+             "--speed", arguments->speed,
+             "How many times real time; 0 is as fast as possible (lockstep 0, threads and --arcos 1)")
+          ->check(CLI::Range(0.0, 100.0))
+          ->excludes(trials);
+  sim->add_flag("--progress", arguments->progress,
+                "Prints the simulated time on stderr, ten times in each simulated second");
+  arguments->arcos.addTo(*sim);
+  arguments->camera.addTo(*sim);
+  arguments->record.addTo(*sim);
+  sim->add_flag("--texts", arguments->texts, "Prints the programs' text messages on stderr");
+  sim->add_flag("--digest", arguments->digest, "Prints only a hash over all that happened");
+  sim->add_flag("--json", arguments->asJson, "Prints figures as one JSON object");
+  sim->callback([arguments, seconds, speed, &status] {
+    status = withResources([&] { return runSim(*arguments, seconds->count() > 0, speed->count() > 0); });
+  });
+}
+
+}  // namespace app

@@ -1,0 +1,122 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/base/MessageType.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/descriptor.pb.h>
+#include <google/protobuf/dynamic_message.h>
+
+#include <limits>
+#include <map>
+
+#include "logplayer/json/JsonType.h"
+#include "logplayer/json/Silence.h"
+#include "robotcontrol/Debugging.pb.h"
+
+namespace logplayer {
+
+using google::protobuf::DescriptorPool;
+using google::protobuf::FileDescriptorProto;
+using google::protobuf::FileDescriptorSet;
+using google::protobuf::Message;
+
+namespace {
+
+bool fitsProtobuf(std::size_t size) {
+  return size <= static_cast<std::size_t>(std::numeric_limits<int>::max());
+}
+
+}  // namespace
+
+struct MessageType::Dynamic {
+  explicit Dynamic(FileDescriptorSet set);
+  const Message* prototype(const std::string& name);
+  bool build(const std::string& file);
+
+  std::map<std::string, FileDescriptorProto> files;  // not built yet
+  Silence silence;
+  DescriptorPool pool;
+  google::protobuf::DynamicMessageFactory factory{&pool};
+};
+
+MessageType::Dynamic::Dynamic(FileDescriptorSet set) {
+  for (auto& file : *set.mutable_file()) {
+    std::string name = file.name();
+    files[std::move(name)] = std::move(file);
+  }
+}
+
+/// Builds a file and its imports, whatever their order in the set. Each file is tried once, so that cycles
+/// end.
+bool MessageType::Dynamic::build(const std::string& name) {
+  if (pool.FindFileByName(name) != nullptr) return true;
+  const auto found = files.find(name);
+  if (found == files.end()) return false;
+  const FileDescriptorProto file = std::move(found->second);
+  files.erase(found);
+  for (const std::string& import : file.dependency()) {
+    if (!build(import)) return false;
+  }
+  return pool.BuildFileCollectingErrors(file, &silence) != nullptr;
+}
+
+const Message* MessageType::Dynamic::prototype(const std::string& name) {
+  while (!files.empty()) build(files.begin()->first);
+  const auto* descriptor = pool.FindMessageTypeByName(name);
+  return descriptor != nullptr ? factory.GetPrototype(descriptor) : nullptr;
+}
+
+MessageType::MessageType(const mcap::Schema* schema, const std::string& messageEncoding, const Sample& sample)
+    : name_(schema != nullptr && !schema->name.empty() ? schema->name : "unknown"),
+      encoding_(messageEncoding) {
+  if (encoding_ == "json") {
+    readJsonSchema(schema, sample);
+  } else if (encoding_ == "protobuf" && schema != nullptr && schema->encoding == "protobuf") {
+    readProtobufSchema(*schema);
+  }
+}
+
+void MessageType::readProtobufSchema(const mcap::Schema& schema) {
+  const auto* known = DescriptorPool::generated_pool()->FindMessageTypeByName(name_);
+  if (known != nullptr) {
+    prototype_ = google::protobuf::MessageFactory::generated_factory()->GetPrototype(known);
+    return;
+  }
+  FileDescriptorSet set;
+  if (!fitsProtobuf(schema.data.size()) || !set.ParseFromString(schema.data)) return;
+  auto dynamic = std::make_shared<Dynamic>(std::move(set));
+  prototype_ = dynamic->prototype(name_);
+  dynamic_ = std::move(dynamic);
+}
+
+void MessageType::readJsonSchema(const mcap::Schema* schema, const Sample& sample) {
+  if (schema != nullptr && schema->encoding == "jsonschema") json_ = JsonType::ofSchema(name_, schema->data);
+  if (json_ == nullptr && sample) {
+    const std::string message = sample();
+    const mcap::Bytes bytes(reinterpret_cast<const std::uint8_t*>(message.data()), message.size());
+    if (!message.empty()) json_ = JsonType::ofMessage(schema != nullptr ? name_ : "json", bytes);
+  }
+  // A type with the name of one of this program's types, but another structure.
+  if (json_ != nullptr && DescriptorPool::generated_pool()->FindMessageTypeByName(name_) != nullptr)
+    name_ = json_->name();
+}
+
+MessageType::~MessageType() = default;
+MessageType::MessageType(MessageType&&) noexcept = default;
+MessageType& MessageType::operator=(MessageType&&) noexcept = default;
+
+robotlink::PackagePtr MessageType::read(mcap::Bytes data) const {
+  if (json_ != nullptr) return JsonType::read(json_, data);
+  if (prototype_ == nullptr) {
+    auto copy = std::make_shared<robotcontrol::PackageCopy>();
+    copy->set_type(name_);
+    copy->set_data(data.data(), data.size());
+    return copy;
+  }
+  const std::shared_ptr<Message> message(prototype_->New(),
+                                         [keep = dynamic_](const Message* dead) { delete dead; });
+  const bool read =
+      fitsProtobuf(data.size()) && message->ParseFromArray(data.data(), static_cast<int>(data.size()));
+  return read ? message : nullptr;
+}
+
+}  // namespace logplayer

@@ -1,0 +1,227 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/export/MessageTable.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <array>
+#include <charconv>
+#include <cinttypes>
+#include <cstdio>
+#include <cstdlib>
+#include <functional>
+
+namespace logplayer {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using google::protobuf::Reflection;
+
+template <typename Number>
+std::string numberText(Number value) {
+  std::array<char, 32> text{};
+  return {text.data(), std::to_chars(text.data(), text.data() + text.size(), value).ptr};
+}
+
+std::string base64(const std::string& bytes) {
+  constexpr char kDigits[] = "ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
+  std::string text;
+  text.reserve((bytes.size() + 2) / 3 * 4);
+  for (std::size_t i = 0; i < bytes.size(); i += 3) {
+    std::uint32_t group = 0;
+    for (std::size_t k = 0; k < 3; ++k) {
+      group = group << 8U | (i + k < bytes.size() ? static_cast<std::uint8_t>(bytes[i + k]) : 0U);
+    }
+    for (std::size_t k = 0; k < 4; ++k) {
+      text += i + k < bytes.size() + 1 ? kDigits[group >> (18 - 6 * k) & 63U] : '=';
+    }
+  }
+  return text;
+}
+
+/// Time stamps and durations have the same fields.
+bool isTimeMessage(const google::protobuf::Descriptor& type) {
+  const auto* seconds = type.FindFieldByNumber(1);
+  const auto* nanos = type.FindFieldByNumber(2);
+  return (type.full_name() == "google.protobuf.Timestamp" ||
+          type.full_name() == "google.protobuf.Duration") &&
+         seconds && nanos && seconds->cpp_type() == FieldDescriptor::CPPTYPE_INT64 &&
+         nanos->cpp_type() == FieldDescriptor::CPPTYPE_INT32 && !seconds->is_repeated() &&
+         !nanos->is_repeated();
+}
+
+std::string timeText(const Message& time) {
+  const auto* type = time.GetDescriptor();
+  const Reflection* reflection = time.GetReflection();
+  return secondsText(reflection->GetInt64(time, type->FindFieldByNumber(1)),
+                     reflection->GetInt32(time, type->FindFieldByNumber(2)));
+}
+
+std::string enumText(const FieldDescriptor& field, int number) {
+  const auto* value = field.enum_type()->FindValueByNumber(number);
+  return value ? value->name() : std::to_string(number);
+}
+
+/// `element` is -1 for a field that is not repeated.
+std::string valueText(const Message& message, const FieldDescriptor& field, int element) {
+  const Reflection* reflection = message.GetReflection();
+  const bool repeated = element >= 0;
+  switch (field.cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return numberText(repeated ? reflection->GetRepeatedInt32(message, &field, element)
+                                 : reflection->GetInt32(message, &field));
+    case FieldDescriptor::CPPTYPE_INT64:
+      return numberText(repeated ? reflection->GetRepeatedInt64(message, &field, element)
+                                 : reflection->GetInt64(message, &field));
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return numberText(repeated ? reflection->GetRepeatedUInt32(message, &field, element)
+                                 : reflection->GetUInt32(message, &field));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return numberText(repeated ? reflection->GetRepeatedUInt64(message, &field, element)
+                                 : reflection->GetUInt64(message, &field));
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return numberText(repeated ? reflection->GetRepeatedFloat(message, &field, element)
+                                 : reflection->GetFloat(message, &field));
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return numberText(repeated ? reflection->GetRepeatedDouble(message, &field, element)
+                                 : reflection->GetDouble(message, &field));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return (repeated ? reflection->GetRepeatedBool(message, &field, element)
+                       : reflection->GetBool(message, &field))
+                 ? "true"
+                 : "false";
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumText(field, repeated ? reflection->GetRepeatedEnumValue(message, &field, element)
+                                      : reflection->GetEnumValue(message, &field));
+    case FieldDescriptor::CPPTYPE_STRING: {
+      std::string text = repeated ? reflection->GetRepeatedString(message, &field, element)
+                                  : reflection->GetString(message, &field);
+      return field.type() == FieldDescriptor::TYPE_BYTES ? base64(text) : text;
+    }
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return timeText(repeated ? reflection->GetRepeatedMessage(message, &field, element)
+                               : reflection->GetMessage(message, &field));
+  }
+  return {};
+}
+
+}  // namespace
+
+/// Visits all values that are set in a message.
+class MessageTable::Walk {
+ public:
+  /// Called with a value `field` of `message` and its place.
+  using Visit =
+      std::function<void(const Walk&, const Message& message, const FieldDescriptor& field, int element)>;
+  explicit Walk(Visit visit) : visit_(std::move(visit)) {}
+
+  void over(const Message& message) {
+    const Reflection* reflection = message.GetReflection();
+    for (int i = 0; i < message.GetDescriptor()->field_count(); ++i) {
+      const FieldDescriptor& field = *message.GetDescriptor()->field(i);
+      if (field.is_repeated()) {
+        const int count = reflection->FieldSize(message, &field);
+        for (int element = 0; element < count; ++element) at(message, field, element);
+      } else if (!field.has_presence() || reflection->HasField(message, &field)) {
+        at(message, field, -1);
+      }
+    }
+  }
+  const Place& place() const { return place_; }
+  std::string name() const {
+    std::string text;
+    for (std::size_t i = 0; i < fields_.size(); ++i) {
+      text += (text.empty() ? "" : ".") + fields_[i]->name();
+      if (place_[2 * i + 1] >= 0) text += "[" + std::to_string(place_[2 * i + 1]) + "]";
+    }
+    return text;
+  }
+
+ private:
+  void at(const Message& message, const FieldDescriptor& field, int element) {
+    place_.push_back(field.index());
+    place_.push_back(element);
+    fields_.push_back(&field);
+    if (field.cpp_type() != FieldDescriptor::CPPTYPE_MESSAGE || isTimeMessage(*field.message_type())) {
+      visit_(*this, message, field, element);
+    } else {
+      const Reflection* reflection = message.GetReflection();
+      over(element >= 0 ? reflection->GetRepeatedMessage(message, &field, element)
+                        : reflection->GetMessage(message, &field));
+    }
+    place_.resize(place_.size() - 2);
+    fields_.pop_back();
+  }
+
+  Visit visit_;
+  Place place_;
+  std::vector<const FieldDescriptor*> fields_;
+};
+
+void MessageTable::learn(const Message& message) {
+  Walk([this](const Walk& walk, const Message&, const FieldDescriptor&, int) {
+    if (columns_.contains(walk.place())) return;
+    if (*room_ > 0) {
+      --*room_;
+      columns_.emplace(walk.place(), walk.name());
+    } else {
+      ++leftOut_;
+    }
+  }).over(message);
+}
+
+std::vector<std::string> MessageTable::columns() const {
+  std::vector<std::string> names;
+  names.reserve(columns_.size());
+  for (const auto& [place, name] : columns_) names.push_back(name);
+  return names;
+}
+
+std::vector<std::string> MessageTable::row(const Message& message) const {
+  std::vector<std::string> cells(columns_.size());
+  // Values are visited in the order of the columns, so that a single pass finds all of them.
+  auto column = columns_.begin();
+  std::size_t index = 0;
+  Walk([&](const Walk& walk, const Message& holder, const FieldDescriptor& field, int element) {
+    while (column != columns_.end() && column->first < walk.place()) {
+      ++column;
+      ++index;
+    }
+    if (column != columns_.end() && column->first == walk.place())
+      cells[index] = valueText(holder, field, element);
+  }).over(message);
+  return cells;
+}
+
+std::string csvLine(const std::vector<std::string>& cells) {
+  std::string line;
+  for (std::size_t i = 0; i < cells.size(); ++i) {
+    if (i > 0) line += ',';
+    if (cells[i].find_first_of(",\"\r\n") == std::string::npos) {
+      line += cells[i];
+      continue;
+    }
+    line += '"';
+    for (const char c : cells[i]) line.append(c == '"' ? 2 : 1, c);
+    line += '"';
+  }
+  return line + "\r\n";
+}
+
+std::string secondsText(std::int64_t seconds, std::int64_t nanos) {
+  // Nanoseconds of timestamps are never negative: "-0.5" is -1 s and 500,000,000 ns.
+  const bool negative = seconds < 0 || nanos < 0;
+  if (seconds < 0 && nanos > 0) {
+    ++seconds;
+    nanos = 1'000'000'000 - nanos;
+  }
+  std::array<char, 48> text{};
+  const auto whole = seconds < 0 ? std::uint64_t{0} - static_cast<std::uint64_t>(seconds)
+                                 : static_cast<std::uint64_t>(seconds);
+  std::snprintf(text.data(), text.size(), "%s%" PRIu64 ".%09" PRId64, negative ? "-" : "", whole,
+                std::abs(nanos));
+  return text.data();
+}
+
+}  // namespace logplayer

@@ -1,0 +1,95 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/read/ChunkLoader.h"
+
+#include <algorithm>
+
+#include "logplayer/mcap/Crc.h"
+
+namespace logplayer::mcap {
+namespace {
+
+// More than a chunk's head takes with any compression known here.
+constexpr std::size_t kChunkHeadBytes = 128;
+constexpr std::size_t kPiece = 128U << 10U;
+
+tl::unexpected<std::string> problem(std::string text) {
+  return tl::unexpected<std::string>(std::move(text));
+}
+
+}  // namespace
+
+tl::expected<void, std::string> ChunkLoader::load(const Section& section, Buffer& records) {
+  const Reader::ChunkInfo& info = section.info;
+  if (info.length > source_.bytes() || info.offset > source_.bytes() - info.length) {
+    return problem("the file ends within a chunk");
+  }
+  if (section.loose) {
+    records.resize(static_cast<std::size_t>(info.length));
+    if (!source_.read(info.offset, records)) return problem("the system cannot read it");
+    return {};
+  }
+  if (!section.unknownCompression.empty()) {
+    return problem("a chunk is compressed by " + section.unknownCompression + ", which is not known here");
+  }
+  std::uint8_t bytes[kChunkHeadBytes];
+  const std::span<std::uint8_t> begin =
+      std::span(bytes).first(std::min<std::size_t>(kChunkHeadBytes, info.length));
+  if (!source_.read(info.offset, begin)) return problem("the system cannot read it");
+  const bool isChunk =
+      begin.size() > kRecordHeadBytes && begin[0] == static_cast<std::uint8_t>(Opcode::kChunk);
+  const auto head = isChunk ? decodeChunkHead(begin.subspan(kRecordHeadBytes)) : std::nullopt;
+  if (!head) return problem("there is no chunk where the file says so");
+  return loadChunk(section, *head, kRecordHeadBytes + chunkHeadBytes(head->compression.size()), records);
+}
+
+/// Reads in pieces, so that each is still in the processor's cache when its CRC is computed.
+tl::expected<void, std::string> ChunkLoader::readPlain(std::uint64_t at, std::uint32_t expected,
+                                                       std::span<std::uint8_t> to) {
+  std::uint32_t crc = 0;
+  while (!to.empty()) {
+    const auto piece = to.first(std::min(kPiece, to.size()));
+    if (!source_.read(at, piece)) return problem("the system cannot read it");
+    if (expected != 0) crc = crc32(piece, crc);
+    at += piece.size();
+    to = to.subspan(piece.size());
+  }
+  if (crc != expected) return problem("the CRC of a chunk is wrong");
+  return {};
+}
+
+tl::expected<void, std::string> ChunkLoader::loadChunk(const Section& section, const ChunkHead& head,
+                                                       std::size_t headBytes, Buffer& records) {
+  const Reader::ChunkInfo& info = section.info;
+  Compression compression{};
+  if (!compressionOf(head.compression, compression) || compression != info.compression ||
+      head.uncompressedBytes != info.uncompressedBytes || head.recordsBytes != info.compressedBytes ||
+      headBytes > info.length || head.recordsBytes > info.length - headBytes) {
+    return problem("a chunk's head is damaged");
+  }
+  if (head.uncompressedBytes > maxRecordBytes_ || head.recordsBytes > maxRecordBytes_) {
+    return problem("a chunk claims " + std::to_string(head.uncompressedBytes) +
+                   " bytes, more than the limit of " + std::to_string(maxRecordBytes_));
+  }
+  const std::uint64_t at = info.offset + headBytes;
+  if (compression == Compression::kNone) {
+    if (head.recordsBytes != head.uncompressedBytes) return problem("a chunk's sizes contradict each other");
+    records.resize(static_cast<std::size_t>(head.recordsBytes));
+    return readPlain(at, head.uncompressedCrc, records);
+  }
+  compressed_.resize(static_cast<std::size_t>(head.recordsBytes));
+  if (!source_.read(at, compressed_)) return problem("the system cannot read it");
+  if (!Decompressor::canYield(compression, compressed_, head.uncompressedBytes)) {
+    return problem("a chunk claims " + std::to_string(head.uncompressedBytes) + " bytes of only " +
+                   std::to_string(head.recordsBytes) + " compressed ones");
+  }
+  records.resize(static_cast<std::size_t>(head.uncompressedBytes));
+  if (!decompressor_.decompress(compression, compressed_, records)) {
+    return problem("a chunk cannot be decompressed");
+  }
+  if (head.uncompressedCrc != 0 && crc32(records) != head.uncompressedCrc) {
+    return problem("the CRC of a chunk is wrong");
+  }
+  return {};
+}
+
+}  // namespace logplayer::mcap

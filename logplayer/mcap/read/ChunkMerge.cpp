@@ -1,0 +1,252 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/read/ChunkMerge.h"
+
+#include <algorithm>
+#include <queue>
+#include <tuple>
+
+namespace logplayer::mcap {
+namespace {
+
+Instant timeAt(const std::uint8_t* records, std::size_t record) {
+  return messageTime(records + record + kRecordHeadBytes);
+}
+
+std::size_t endOfRecord(const std::uint8_t* records, std::size_t record) {
+  return record + kRecordHeadBytes +
+         static_cast<std::size_t>(loadNumber<std::uint64_t>(records + record + 1));
+}
+
+/// The first that is not so, looked for ever farther, as runs of sections that overlap are short.
+template <typename Is>
+std::span<const MessageRecord>::iterator firstNot(std::span<const MessageRecord> messages, Is is) {
+  std::size_t known = 0, step = 1;
+  while (known + step <= messages.size() && is(messages[known + step - 1])) {
+    known += step;
+    step *= 2;
+  }
+  const auto rest = messages.subspan(known, std::min(step, messages.size() - known));
+  return messages.begin() + static_cast<std::ptrdiff_t>(known) +
+         (std::ranges::partition_point(rest, is) - rest.begin());
+}
+
+}  // namespace
+
+ChunkMerge::ChunkMerge(const FileIndex& index, SectionCache& cache, std::vector<std::uint16_t> channels,
+                       std::size_t maxBytes)
+    : index_(index), cache_(cache), channels_(std::move(channels)), maxBytes_(maxBytes) {
+  for (const std::uint16_t channel : channels_) wanted_.set(channel);
+}
+
+void ChunkMerge::sortSections() {
+  surprises_ = cache_.surprises();
+  sorted_ = true;
+  standing_ = false;
+  order_.clear();
+  for (std::uint32_t i = 0; i < index_.sections.size(); ++i) {
+    const auto mayHold = [&](std::uint16_t channel) { return index_.sections[i].mayHold(channel); };
+    if (std::ranges::any_of(channels_, mayHold)) order_.push_back(i);
+  }
+  std::ranges::stable_sort(order_, {}, [&](std::uint32_t i) { return index_.sections[i].info.start; });
+  lastEnd_.clear();
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    lastEnd_.push_back(i == 0 ? section(i).info.end : std::max(lastEnd_.back(), section(i).info.end));
+  }
+  fits_ = overlapsFit();
+}
+
+/// Whether at no time more than `maxBytes_` have begun and not ended; a single section always fits.
+bool ChunkMerge::overlapsFit() const {
+  using End = std::pair<Instant, std::uint64_t>;  // and the section's bytes
+  std::priority_queue<End, std::vector<End>, std::greater<>> begun;
+  std::uint64_t bytes = 0;
+  for (std::size_t i = 0; i < order_.size(); ++i) {
+    const Reader::ChunkInfo& info = section(i).info;
+    for (; !begun.empty() && begun.top().first < info.start; begun.pop()) bytes -= begun.top().second;
+    begun.emplace(info.end, info.uncompressedBytes);
+    bytes += info.uncompressedBytes;
+    if (begun.size() > 1 && bytes > maxBytes_) return false;
+  }
+  return true;
+}
+
+ChunkMerge::Run ChunkMerge::next(const MessagePosition& behind) {
+  if (standing_) finishRun();
+  do {
+    if (!sorted_ || surprises_ != cache_.surprises()) sortSections();
+    if (!fits_) return {};
+    if (!standing_) lookUp(behind);
+    enterDue(behind);
+  } while (surprises_ != cache_.surprises());
+  if (open_.empty()) return {};
+  const Open& top = *open_.front();
+  until_ = endOfRun();
+  Run run{top.offset, &top.records, top.place, top.end, until_, {}, nullptr};
+  if (!top.inOrder) {
+    const std::span<const MessageRecord> rest = std::span(top.messages).subspan(top.place);
+    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until_; };
+    run.messages = rest.first(static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin()));
+    run.channels = top.records ? nullptr : top.channels.data() + top.place;
+  }
+  return run;
+}
+
+void ChunkMerge::lookUp(const MessagePosition& behind) {
+  open_.clear();
+  standing_ = true;
+  const auto firstLater = std::ranges::partition_point(
+      order_, [&](std::uint32_t i) { return index_.sections[i].info.start <= behind.time; });
+  due_ = static_cast<std::size_t>(firstLater - order_.begin());
+  for (std::size_t i = due_; i > 0 && lastEnd_[i - 1] >= behind.time; --i) {
+    if (section(i - 1).info.end >= behind.time) enter(order_[i - 1], behind);
+  }
+}
+
+/// Sections that begin no later than the next message may hold one before it.
+void ChunkMerge::enterDue(const MessagePosition& behind) {
+  while (due_ < order_.size() && surprises_ == cache_.surprises() &&
+         (open_.empty() || section(due_).info.start <= open_.front()->time)) {
+    enter(order_[due_++], behind);
+  }
+}
+
+void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
+  std::unique_ptr<Open> open;
+  if (spare_.empty()) {
+    open = std::make_unique<Open>();
+  } else {
+    open = std::move(spare_.back());
+    spare_.pop_back();
+  }
+  open->section = section;
+  open->offset = index_.sections[section].info.offset;
+  open->messages.clear();
+  open->channels.clear();
+  if (auto records = cache_.records(section)) {
+    open->records = std::move(*records);
+    lookOver(*open);
+  } else {
+    listDamaged(*open);
+  }
+  open->goOnBehind(behind, wanted_);
+  if (open->place == open->end) return leave(std::move(open));
+  open_.push_back(std::move(open));
+  std::ranges::push_heap(open_, isLater);
+}
+
+void ChunkMerge::lookOver(Open& open) {
+  Instant first = Instant::max(), last = Instant::min();
+  open.inOrder = true;
+  open.place = 0;
+  open.end = 0;
+  visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
+    open.inOrder = open.inOrder && last <= message.time;
+    first = std::min(first, message.time);
+    last = std::max(last, message.time);
+    open.end = message.offset + kRecordHeadBytes + message.bytes;
+    return true;
+  });
+  open.last = last;
+  if (open.end == 0) return;
+  if (!open.inOrder) sort(open);
+  cache_.correctTimes(open.section, first, last);
+}
+
+void ChunkMerge::sort(Open& open) const {
+  visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
+    open.messages.push_back(message);
+    return true;
+  });
+  std::ranges::stable_sort(open.messages, {}, &MessageRecord::time);
+  open.end = open.messages.size();
+}
+
+/// What its message indexes say, so that it is known what is missing.
+void ChunkMerge::listDamaged(Open& open) {
+  open.inOrder = false;
+  open.place = open.end = 0;
+  if (!index_.sections[open.section].indexed) return;
+  const auto list = cache_.messages(open.section);
+  std::vector<MessagePosition> lost;
+  for (const std::uint16_t channel : channels_) {
+    for (const auto& entry : list->of(channel))
+      lost.push_back({entry.time, open.offset, entry.offset, channel});
+  }
+  std::ranges::sort(lost);
+  for (const MessagePosition& message : lost) {
+    open.messages.push_back({message.time, static_cast<std::uint32_t>(message.offset), 0});
+    open.channels.push_back(message.channelId);
+  }
+  open.end = lost.size();
+  if (!lost.empty()) open.last = lost.back().time;
+}
+
+/// Goes on behind the run that was handed out.
+void ChunkMerge::finishRun() {
+  if (open_.empty()) return;
+  std::ranges::pop_heap(open_, isLater);
+  open_.back()->goOnFrom(until_, wanted_);
+  if (open_.back()->place == open_.back()->end) {
+    leave(std::move(open_.back()));
+    open_.pop_back();
+  } else {
+    std::ranges::push_heap(open_, isLater);
+  }
+}
+
+void ChunkMerge::Open::goOnFrom(std::uint64_t until, const ChannelSet& wanted) {
+  if (nanosecondsOf(last) < until) {
+    place = end;
+  } else if (inOrder) {
+    const std::uint8_t* data = records->data();
+    place = nextMessage(data, place, end, wanted);
+    while (place < end && nanosecondsOf(timeAt(data, place)) < until)
+      place = nextMessage(data, endOfRecord(data, place), end, wanted);
+    if (place < end) time = timeAt(data, place);
+  } else {
+    const std::span<const MessageRecord> rest = std::span(messages).subspan(place);
+    const auto isBefore = [&](const MessageRecord& message) { return nanosecondsOf(message.time) < until; };
+    place += static_cast<std::size_t>(firstNot(rest, isBefore) - rest.begin());
+    if (place < end) time = messages[place].time;
+  }
+}
+
+void ChunkMerge::Open::goOnBehind(const MessagePosition& position, const ChannelSet& wanted) {
+  if (place == end) return;
+  goOnFrom(nanosecondsOf(position.time), wanted);
+  const auto isBefore = [&](std::uint64_t at) {
+    return std::tuple(time, offset, at) <= std::tuple(position.time, position.chunkOffset, position.offset);
+  };
+  if (inOrder) {
+    const std::uint8_t* data = records->data();
+    while (place < end && isBefore(place)) {
+      place = nextMessage(data, endOfRecord(data, place), end, wanted);
+      if (place < end) time = timeAt(data, place);
+    }
+  } else {
+    while (place < end && isBefore(messages[place].offset)) {
+      if (++place < end) time = messages[place].time;
+    }
+  }
+}
+
+/// Its memory is free for the next one.
+void ChunkMerge::leave(std::unique_ptr<Open> open) {
+  open->records.reset();
+  cache_.leave(open->section);
+  spare_.push_back(std::move(open));
+}
+
+/// Messages of the section on top that lie before this come before those of all others.
+std::uint64_t ChunkMerge::endOfRun() const {
+  const Open* second = open_.size() > 1 ? open_[1].get() : nullptr;
+  if (open_.size() > 2 && isLater(open_[1], open_[2])) second = open_[2].get();
+  std::uint64_t until = UINT64_MAX;
+  // Of equal times those that lie before in the file come first.
+  if (second != nullptr)
+    until = nanosecondsOf(second->time) + (open_.front()->offset < second->offset ? 1 : 0);
+  if (due_ < order_.size()) until = std::min(until, nanosecondsOf(section(due_).info.start));
+  return until;
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,219 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/read/Reader.h"
+
+#include <algorithm>
+
+#include "logplayer/mcap/read/ReaderImplementation.h"
+
+namespace logplayer::mcap {
+
+using robotlink::failure;
+using robotlink::Result;
+
+namespace {
+
+/// Decodes the message at an offset of a section's records.
+std::optional<Message> messageAt(Bytes records, std::uint64_t offset) {
+  if (offset >= records.size()) return std::nullopt;
+  const std::optional<RecordView> record = firstRecord(records.subspan(static_cast<std::size_t>(offset)));
+  return record && record->is(Opcode::kMessage) ? decodeMessage(record->content) : std::nullopt;
+}
+
+/// The position behind all messages of a time.
+MessagePosition behind(Instant time) {
+  return {time, UINT64_MAX, UINT64_MAX, UINT16_MAX};
+}
+
+}  // namespace
+
+const Section* Reader::Implementation::sectionAt(std::uint64_t offset) {
+  if (lastSection < index.sections.size() && index.sections[lastSection].info.offset == offset)
+    return &index.sections[lastSection];
+  const auto section =
+      std::ranges::lower_bound(index.sections, offset, {}, [](const Section& s) { return s.info.offset; });
+  if (section == index.sections.end() || section->info.offset != offset) return nullptr;
+  lastSection = static_cast<std::size_t>(section - index.sections.begin());
+  return &*section;
+}
+
+std::unique_ptr<Reader> Reader::of(Source source, Options options, FileIndex index,
+                                   std::shared_ptr<const FileIndex> known) {
+  return std::unique_ptr<Reader>(new Reader(std::make_unique<Implementation>(
+      std::move(source), std::move(options), std::move(index), std::move(known))));
+}
+
+Result<std::unique_ptr<Reader>> Reader::open(const std::filesystem::path& file, Options options) {
+  Result<Source> source = Source::open(file);
+  if (!source) return tl::unexpected(source.error());
+  options.maxRecordBytes = std::min(options.maxRecordBytes, kLargestRecord);
+  // A file of which others look through the same bytes is looked through once.
+  std::shared_ptr<const FileIndex> known = KnownIndexes::all().find(*source, options.maxRecordBytes);
+  if (known == nullptr) {
+    Result<FileIndex> index = readIndex(*source, options);
+    if (!index) return tl::unexpected(index.error());
+    if (index->bySummary) return of(std::move(*source), std::move(options), std::move(*index), nullptr);
+    known = KnownIndexes::all().add(*source, options.maxRecordBytes, std::move(*index));
+  }
+  return of(std::move(*source), std::move(options), *known, known);
+}
+
+Reader::Reader(std::unique_ptr<Implementation> implementation) : implementation_(std::move(implementation)) {}
+Reader::~Reader() = default;
+
+const Header& Reader::header() const {
+  return implementation_->index.header;
+}
+const std::map<std::uint16_t, Schema>& Reader::schemas() const {
+  return implementation_->index.schemas;
+}
+const std::map<std::uint16_t, Channel>& Reader::channels() const {
+  return implementation_->index.channels;
+}
+const Statistics& Reader::statistics() const {
+  return implementation_->index.statistics;
+}
+const std::vector<Reader::ChunkInfo>& Reader::chunks() const {
+  return implementation_->chunks;
+}
+bool Reader::complete() const {
+  return implementation_->index.complete;
+}
+std::uint64_t Reader::cutOffBytes() const {
+  return implementation_->source.cutOff();
+}
+const std::vector<Damage>& Reader::damage() const {
+  return implementation_->index.damage;
+}
+std::uint64_t Reader::fileBytes() const {
+  return implementation_->source.bytes();
+}
+
+std::optional<MessagePosition> Reader::latest(std::uint16_t channelId, Instant time) {
+  return implementation_->step(implementation_->newest, behind(time), {channelId});
+}
+
+std::optional<MessagePosition> Reader::next(const MessagePosition& than,
+                                            const std::vector<std::uint16_t>& channels) {
+  return implementation_->step(implementation_->forward, than, channels);
+}
+
+std::optional<MessagePosition> Reader::previous(const MessagePosition& than,
+                                                const std::vector<std::uint16_t>& channels) {
+  return implementation_->step(implementation_->backward, than, channels);
+}
+
+std::optional<MessagePosition> Reader::Implementation::step(Walk& walk, const MessagePosition& than,
+                                                            const std::vector<std::uint16_t>& channelIds) {
+  const auto found = walk.step(than, channelIds);
+  return refit() ? walk.step(than, channelIds) : found;
+}
+
+std::vector<Instant> Reader::times(std::uint16_t channelId) {
+  std::vector<Instant> times;
+  for (std::size_t i = 0; i < implementation_->index.sections.size(); ++i) {
+    if (!implementation_->index.sections[i].mayHold(channelId)) continue;
+    const auto list = implementation_->cache.messages(i);
+    for (const MessageList::Entry& entry : list->of(channelId)) times.push_back(entry.time);
+  }
+  if (implementation_->refit()) return this->times(channelId);
+  if (!std::ranges::is_sorted(times)) std::ranges::sort(times);
+  return times;
+}
+
+Result<Reader::MessageData> Reader::read(const MessagePosition& position) {
+  auto data = implementation_->read(position);
+  return !data && implementation_->refit() ? implementation_->read(position) : std::move(data);
+}
+
+Result<Reader::MessageData> Reader::Implementation::read(const MessagePosition& position) {
+  const Section* section = sectionAt(position.chunkOffset);
+  if (section == nullptr) return problem("mcap.no-message", position.chunkOffset, "there is no message");
+  const auto number = static_cast<std::size_t>(section - index.sections.data());
+  const auto records = cache.records(number);
+  if (!records) return problem("mcap.damaged", position.chunkOffset, records.error());
+  const std::optional<Message> message = messageAt(**records, position.offset);
+  if (message && message->channelId == position.channelId && message->logTime == position.time) {
+    return MessageData{*message, *records};
+  }
+  // Positions come from a message index, which only this checks.
+  cache.distrustIndexes(number);
+  return problem("mcap.damaged", position.chunkOffset, "a message is not where its index says");
+}
+
+ChannelSet Reader::Implementation::knownChannels() const {
+  ChannelSet channels;
+  for (const auto& [id, channel] : index.channels) channels.set(id);
+  return channels;
+}
+
+void Reader::readAll(const std::function<bool(const Message&)>& visit) {
+  Buffer records;
+  bool goOn = true;
+  const auto& sections = implementation_->index.sections;
+  ChannelSet known = implementation_->knownChannels();
+  std::uint64_t readTo = 0;
+  for (std::size_t i = 0; goOn && i < sections.size(); ++i) {
+    if (!implementation_->cache.readInto(i, records)) {
+      if (!implementation_->refit()) continue;
+      // On with the first that was not read.
+      known = implementation_->knownChannels();
+      const auto next =
+          std::ranges::lower_bound(sections, readTo, {}, [](const Section& s) { return s.info.offset; });
+      i = static_cast<std::size_t>(next - sections.begin()) - 1;
+      continue;
+    }
+    readTo = sections[i].info.offset + 1;
+    visitMessages(records, known, [&](const MessageRecord& record) {
+      return goOn = visit(messageIn(records.data(), record));
+    });
+  }
+}
+
+std::vector<std::string> Reader::attachmentNames() const {
+  std::vector<std::string> names;
+  for (const AttachmentIndex& attachment : implementation_->index.attachments)
+    names.push_back(attachment.name);
+  return names;
+}
+
+Result<Attachment> Reader::attachment(const std::string& name) {
+  const auto& self = *implementation_;
+  const auto found = std::ranges::find(self.index.attachments, name, &AttachmentIndex::name);
+  if (found == self.index.attachments.end()) {
+    return failure("mcap.no-attachment", "the log file has no attachment " + name,
+                   {self.source.file().string(), 0, 0});
+  }
+  if (found->length > self.options.maxRecordBytes) {
+    return self.problem("mcap.too-large", found->offset, "the attachment " + name + " is too large");
+  }
+  const Buffer bytes = self.source.read(found->offset, found->length);
+  const std::optional<RecordView> record = firstRecord(bytes);
+  auto decoded = record && record->is(Opcode::kAttachment) ? decodeAttachment(record->content) : std::nullopt;
+  if (!decoded) return self.problem("mcap.damaged", found->offset, "the attachment " + name + " is damaged");
+  if (!decoded->crcFits) {
+    return self.problem("mcap.damaged", found->offset, "the CRC of the attachment " + name + " is wrong");
+  }
+  return std::move(decoded->attachment);
+}
+
+const std::vector<Metadata>& Reader::metadata() {
+  auto& self = *implementation_;
+  if (self.metadata) return *self.metadata;
+  self.metadata.emplace();
+  for (const MetadataIndex& index : self.index.metadata) {
+    std::optional<Metadata> metadata;
+    if (index.length <= self.options.maxRecordBytes) {
+      const Buffer bytes = self.source.read(index.offset, index.length);
+      const std::optional<RecordView> record = firstRecord(bytes);
+      if (record && record->is(Opcode::kMetadata)) metadata = decodeMetadata(record->content);
+    }
+    if (metadata) {
+      self.metadata->push_back(std::move(*metadata));
+    } else {
+      self.index.damage.push_back({index.offset, index.length, "the metadata " + index.name + " is damaged"});
+    }
+  }
+  return *self.metadata;
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,128 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/read/SectionCache.h"
+
+#include <algorithm>
+
+namespace logplayer::mcap {
+
+namespace {
+
+constexpr int kKeptOnRegret = 64;
+
+}  // namespace
+
+SectionCache::SectionCache(const Source& source, FileIndex& index, const Reader::Options& options)
+    : source_(source),
+      index_(index),
+      maxRecordBytes_(options.maxRecordBytes),
+      loader_(source, options.maxRecordBytes),
+      records_(options.cacheBytes),
+      lists_(options.cacheBytes / 4),
+      noted_(index.sections.size()) {
+  left_.fill(SIZE_MAX);
+}
+
+void SectionCache::leave(std::size_t section) {
+  if (keep_ > 0) {
+    --keep_;
+    return;
+  }
+  records_.retire(section);
+  left_[nextLeft_++ % left_.size()] = section;
+}
+
+tl::expected<SectionCache::Records, std::string> SectionCache::records(std::size_t section) {
+  if (const auto* kept = records_.find(section)) return *kept;
+  if (std::ranges::find(left_, section) != left_.end()) {
+    keep_ = kKeptOnRegret;
+    left_.fill(SIZE_MAX);
+  }
+  const std::size_t bytes = index_.sections[section].info.uncompressedBytes;
+  std::shared_ptr<Buffer> buffer = records_.release(bytes);
+  if (buffer == nullptr || buffer.use_count() > 1) buffer = std::make_shared<Buffer>();
+  if (const auto read = readInto(section, *buffer); !read) return tl::unexpected(read.error());
+  records_.insert(section, buffer, buffer->capacity());
+  return buffer;
+}
+
+tl::expected<void, std::string> SectionCache::readInto(std::size_t section, Buffer& buffer) {
+  auto loaded = loader_.load(index_.sections[section], buffer);
+  if (!loaded) noteDamage(section, loaded.error());
+  return loaded;
+}
+
+void SectionCache::noteDamage(std::size_t section, const std::string& what) {
+  if (noted_[section]) return;
+  noted_[section] = true;
+  const Section& damaged = index_.sections[section];
+  const bool known = std::ranges::any_of(index_.damage, [&](const Damage& damage) {
+    return damage.offset == damaged.info.offset && damage.what == what;
+  });
+  if (!known)
+    index_.damage.push_back({damaged.info.offset, damaged.info.length, what, damaged.loose ? 0U : 1U});
+  doubt(damaged);
+}
+
+void SectionCache::doubt(const Section& section) {
+  if (!index_.bySummary || misfit_) return;
+  misfit_ = !chunkIsThere(source_, section, maxRecordBytes_);
+}
+
+void SectionCache::doubtAll() {
+  for (const Section& section : index_.sections) doubt(section);
+}
+
+void SectionCache::reset() {
+  records_.clear();
+  lists_.clear();
+  noted_.assign(index_.sections.size(), false);
+  misfit_ = false;
+  ++surprises_;
+}
+
+std::shared_ptr<const MessageList> SectionCache::messages(std::size_t section) {
+  if (const auto* kept = lists_.find(section)) return *kept;
+  std::optional<MessageList> list;
+  if (index_.sections[section].indexed) {
+    list = listByIndexes(index_.sections[section]);
+    if (!list) distrustIndexes(section);
+  }
+  if (!list) {
+    const auto read = records(section);
+    list = read ? MessageList::fromRecords(**read) : MessageList();
+    const auto ends = std::ranges::minmax_element(list->entries(), {}, &MessageList::Entry::time);
+    if (ends.min != list->entries().end()) correctTimes(section, ends.min->time, ends.max->time);
+  }
+  auto shared = std::make_shared<const MessageList>(std::move(*list));
+  lists_.insert(section, shared, shared->bytes());
+  return shared;
+}
+
+/// Nothing guards the times in a chunk's head.
+void SectionCache::correctTimes(std::size_t section, Instant first, Instant last) {
+  Reader::ChunkInfo& info = index_.sections[section].info;
+  if (info.start <= first && last <= info.end) return;
+  info.start = std::min(info.start, first);
+  info.end = std::max(info.end, last);
+  ++surprises_;
+}
+
+std::optional<MessageList> SectionCache::listByIndexes(const Section& section) const {
+  if (section.indexLength > maxRecordBytes_) return std::nullopt;
+  const Buffer indexes = source_.read(section.indexOffset, section.indexLength);
+  if (indexes.size() != section.indexLength) return std::nullopt;
+  return MessageList::fromIndexes(indexes, section);
+}
+
+void SectionCache::distrustIndexes(std::size_t section) {
+  Section& damaged = index_.sections[section];
+  if (!damaged.indexed) return;
+  damaged.indexed = false;
+  ++surprises_;
+  lists_.erase(section);
+  index_.damage.push_back({damaged.indexOffset, 0,
+                           "the message indexes of a chunk are wrong; its messages are found by reading it"});
+  doubt(damaged);
+}
+
+}  // namespace logplayer::mcap

@@ -1,0 +1,71 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <array>
+
+#include "logplayer/mcap/read/ChunkLoader.h"
+#include "logplayer/mcap/read/MessageList.h"
+#include "logplayer/mcap/read/RecentlyUsed.h"
+
+namespace logplayer::mcap {
+
+/// Loads the sections of a file on demand, their records as well as their message lists, and caches some of
+/// them. What cannot be read is added once to the index's damage. One thread.
+class SectionCache {
+ public:
+  using Records = std::shared_ptr<const Buffer>;
+
+  /// Source and index must outlive this object; after sections were added to the index, reset() must be
+  /// called.
+  SectionCache(const Source& source, FileIndex& index, const Reader::Options& options);
+
+  /// Tells the cache that an iteration has left a section. Its buffer is reused for the next section: it is
+  /// still in the processor's caches, which makes reading twice as fast.
+  void leave(std::size_t section);
+  /// Loads the records of a section; the error is a sentence for the user.
+  tl::expected<Records, std::string> records(std::size_t section);
+  /// Loads the records into `buffer`, bypassing the cache.
+  tl::expected<void, std::string> readInto(std::size_t section, Buffer& buffer);
+  /// The messages of a section, from its message indexes if they are valid, otherwise from its records. Empty
+  /// if the section is damaged; never null.
+  std::shared_ptr<const MessageList> messages(std::size_t section);
+  /// The messages of a section according to its message indexes; empty if they cannot be read or are
+  /// inconsistent.
+  std::optional<MessageList> listByIndexes(const Section& section) const;
+  /// Reports the message indexes of a section as wrong and ignores them from now on.
+  void distrustIndexes(std::size_t section);
+  /// Clears the cache; to be called when the index was replaced.
+  void reset();
+  /// Notes the times of a section's first and last message, should its head lie about them.
+  void correctTimes(std::size_t section, Instant first, Instant last);
+  /// Looks whether all sections are where the file's summary says.
+  void doubtAll();
+  /// Whether a section was not where the summary says.
+  bool misfit() const { return misfit_; }
+  /// Increases whenever a section turns out to contain something else than the index says. Users that cache
+  /// what they derived from the index compare this number.
+  std::uint64_t surprises() const { return surprises_; }
+
+ private:
+  void noteDamage(std::size_t section, const std::string& what);
+  /// Verifies that a section is where the summary says, and sets misfit_ otherwise.
+  void doubt(const Section& section);
+
+  const Source& source_;
+  FileIndex& index_;
+  std::size_t maxRecordBytes_;
+  ChunkLoader loader_;
+  RecentlyUsed<std::shared_ptr<Buffer>> records_;
+  RecentlyUsed<std::shared_ptr<const MessageList>> lists_;
+  /// For each section whether it is in the index's damage.
+  std::vector<bool> noted_;
+  std::uint64_t surprises_ = 0;
+  bool misfit_ = false;
+  /// The last sections that were left.
+  std::array<std::size_t, 8> left_;
+  std::size_t nextLeft_ = 0;
+  /// Number of calls of leave() to ignore, since a section was requested again after it had been left.
+  int keep_ = 0;
+};
+
+}  // namespace logplayer::mcap

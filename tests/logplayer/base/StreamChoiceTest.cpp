@@ -1,0 +1,49 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/base/StreamChoice.h"
+
+#include <gtest/gtest.h>
+
+#include "robotcontrol/Logging.pb.h"
+#include "robotcontrol/Perception.pb.h"
+
+namespace logplayer {
+namespace {
+
+TEST(StreamChoice, aStarStandsForAnyTextWithItsSlashes) {
+  EXPECT_TRUE(fits("red1/camera/image", "red1/camera/image"));
+  EXPECT_TRUE(fits("red1/camera/image", "*"));
+  EXPECT_TRUE(fits("red1/camera/image", "red1/*"));
+  EXPECT_TRUE(fits("red1/camera/image", "*/image"));
+  EXPECT_TRUE(fits("red1/camera/image", "r*1/*/im*"));
+  EXPECT_TRUE(fits("red1/camera/image", "red1/camera/image*"));
+  EXPECT_TRUE(fits("", "*"));
+  EXPECT_TRUE(fits("", ""));
+  EXPECT_TRUE(fits("a/ab/abc", "*abc"));
+  EXPECT_FALSE(fits("red1/camera/image", "red1"));
+  EXPECT_FALSE(fits("red1/camera/image", "blue*"));
+  EXPECT_FALSE(fits("red1/camera/image", "*/imag"));
+  EXPECT_FALSE(fits("red1/camera/image", ""));
+  EXPECT_FALSE(fits("", "a"));
+}
+
+TEST(StreamChoice, anythingIsTakenUnlessSomethingIsNamed) {
+  EXPECT_TRUE(StreamChoice{}.has("red1/log"));
+  const StreamChoice choice{{"red1/*", "scene"}, {"*/camera/*"}};
+  EXPECT_TRUE(choice.has("red1/log"));
+  EXPECT_TRUE(choice.has("scene"));
+  EXPECT_FALSE(choice.has("blue1/log"));
+  EXPECT_FALSE(choice.has("red1/camera/image"));
+  EXPECT_FALSE((StreamChoice{{}, {"scene"}}.has("scene")));
+}
+
+TEST(StreamChoice, tablesSceneAndSetUpsHoldUntilTheyAreToldAnew) {
+  EXPECT_TRUE(holdsUntilToldAnew("scene", "foxglove.SceneUpdate"));
+  EXPECT_TRUE(holdsUntilToldAnew("red1/program", robotcontrol::ProgramSetup::descriptor()->full_name()));
+  EXPECT_TRUE(holdsUntilToldAnew("red1/colors/table", robotcontrol::ColorTable::descriptor()->full_name()));
+  EXPECT_TRUE(holdsUntilToldAnew("red1/tables/keys", robotcontrol::KeyTable::descriptor()->full_name()));
+  EXPECT_FALSE(holdsUntilToldAnew("red1/drawings/field/ball", "foxglove.SceneUpdate"));
+  EXPECT_FALSE(holdsUntilToldAnew("red1/camera/image", "foxglove.RawImage"));
+}
+
+}  // namespace
+}  // namespace logplayer

@@ -1,0 +1,212 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "logplayer/mcap/read/MessageCursor.h"
+
+#include <gmock/gmock.h>
+
+#include <algorithm>
+#include <random>
+
+#include "tests/logplayer/mcap/TemporaryLog.h"
+
+using namespace logplayer::mcap;
+using namespace logplayer::mcap::test;
+using testing::IsEmpty;
+using testing::SizeIs;
+
+namespace {
+
+const std::vector<std::uint16_t> kAll{1, 2, 3};
+
+class MessageCursorTest : public testing::Test {
+ protected:
+  /// In chunks of some messages each.
+  std::unique_ptr<Reader> written(const std::vector<Told>& messages, std::size_t inChunk,
+                                  Reader::Options options = {}) {
+    std::vector<std::size_t> flushes;
+    for (std::size_t i = inChunk; i < messages.size(); i += inChunk) flushes.push_back(i);
+    std::filesystem::remove(file_);
+    writeLog(file_, messages, {}, flushes);
+    return test::open(file_, std::move(options));
+  }
+  static std::vector<Told> inOrder(std::vector<Told> messages) {
+    std::ranges::stable_sort(messages, {}, &Told::time);
+    return messages;
+  }
+  /// Messages whose times are up to `jitter` from their order in the file; many are equal.
+  static std::vector<Told> shuffled(int count, int jitter, std::minstd_rand& random) {
+    std::vector<Told> messages = someMessages(count, 5);
+    for (Told& told : messages) {
+      const auto off = static_cast<std::int64_t>(random() % static_cast<unsigned>(2 * jitter + 1)) - jitter;
+      told.time = std::max<std::int64_t>(0, told.time / 10 + off);
+    }
+    return messages;
+  }
+  void flipByte(std::uint64_t place) {
+    std::string bytes = readBytes(file_);
+    bytes[place] = static_cast<char>(bytes[place] ^ 0x10);
+    writeBytes(file_, bytes);
+  }
+
+  TemporaryFolder folder_;
+  std::filesystem::path file_ = folder_ / "log.mcap";
+};
+
+TEST_F(MessageCursorTest, messagesInOrderComeAsTheyAreInTheFile) {
+  const std::vector<Told> messages = someMessages(200);
+  const auto reader = written(messages, 30);
+  EXPECT_EQ(readByCursor(*reader), messages);
+}
+
+TEST_F(MessageCursorTest, theOrderIsThatOfTimeAndThenOfTheFileHoweverChunksOverlap) {
+  std::minstd_rand random(1);
+  for (const int jitter : {0, 1, 3, 10, 40, 150}) {
+    const std::vector<Told> messages = shuffled(150, jitter, random);
+    for (const std::size_t inChunk : {1U, 2U, 7U, 40U}) {
+      const auto reader = written(messages, inChunk);
+      EXPECT_EQ(readByCursor(*reader), inOrder(messages)) << jitter << " " << inChunk;
+    }
+  }
+}
+
+TEST_F(MessageCursorTest, someChannelsAloneComeAsByStepping) {
+  std::minstd_rand random(2);
+  const auto reader = written(shuffled(150, 10, random), 9);
+  for (const std::vector<std::uint16_t>& channels :
+       {std::vector<std::uint16_t>{2}, {3, 1}, {}, {7}, {2, 7}}) {
+    EXPECT_EQ(readByCursor(*reader, channels), readForwards(*reader, channels));
+  }
+}
+
+TEST_F(MessageCursorTest, itGoesToAnyPlace) {
+  std::minstd_rand random(3);
+  const std::vector<Told> messages = inOrder(shuffled(100, 10, random));
+  const auto reader = written(messages, 9);
+  MessageCursor cursor(*reader, kAll);
+  for (int i = 0; i < 200; ++i) {
+    const auto time = static_cast<std::int64_t>(random() % 120);
+    cursor.seek({at(time), 0, 0, 0});
+    const auto first = std::ranges::lower_bound(messages, time, {}, &Told::time);
+    for (auto expected = first; expected != messages.end() && expected - first < 5; ++expected) {
+      ASSERT_TRUE(cursor.next());
+      ASSERT_EQ(toldBy(cursor.message()), *expected) << time;
+    }
+  }
+}
+
+TEST_F(MessageCursorTest, itGoesOnBehindThePositionOfAnyMessage) {
+  std::minstd_rand random(4);
+  const auto reader = written(shuffled(60, 5, random), 9);
+  std::vector<MessagePosition> positions;
+  std::vector<Told> all;
+  MessageCursor cursor(*reader, kAll);
+  while (cursor.next()) {
+    positions.push_back(cursor.position());
+    all.push_back(toldBy(cursor.message()));
+  }
+  ASSERT_TRUE(std::ranges::is_sorted(positions));
+  for (std::size_t i = 0; i < positions.size(); ++i) {
+    ASSERT_EQ(toldBy(reader->read(positions[i]).value().message), all[i]);
+    cursor.seek(positions[i]);
+    ASSERT_EQ(cursor.next(), i + 1 < all.size());
+    if (i + 1 < all.size()) {
+      ASSERT_EQ(toldBy(cursor.message()), all[i + 1]);
+    }
+  }
+}
+
+TEST_F(MessageCursorTest, atTheEndItStaysUntilItIsSentElsewhere) {
+  const auto reader = written(someMessages(3), 2);
+  MessageCursor cursor(*reader, kAll);
+  for (int i = 0; i < 3; ++i) EXPECT_TRUE(cursor.next());
+  for (int i = 0; i < 3; ++i) EXPECT_FALSE(cursor.next());
+  cursor.seek({at(30), 0, 0, 0});
+  EXPECT_TRUE(cursor.next());
+  EXPECT_FALSE(cursor.next());
+}
+
+TEST_F(MessageCursorTest, theReaderMayBeAskedInBetween) {
+  std::minstd_rand random(5);
+  Reader::Options options;
+  options.cacheBytes = 600;
+  const std::vector<Told> messages = shuffled(150, 2, random);
+  const auto reader = written(messages, 9, options);
+  std::vector<Told> found;
+  std::vector<Reader::MessageData> kept;
+  for (MessageCursor cursor(*reader, kAll); cursor.next();) {
+    found.push_back(toldBy(cursor.message()));
+    if (found.size() % 7 == 0) kept.push_back(cursor.data());
+    const auto newest = reader->latest(2, at(static_cast<std::int64_t>(random() % 150)));
+    if (newest) {
+      ASSERT_TRUE(reader->read(*newest));
+    }
+  }
+  EXPECT_EQ(found, inOrder(messages));
+  for (std::size_t i = 0; i < kept.size(); ++i) EXPECT_EQ(toldBy(kept[i].message), found[7 * i + 6]);
+}
+
+// A log of which each chunk goes from its start to its end cannot be held in memory.
+TEST_F(MessageCursorTest, whereTooManyChunksOverlapItGoesByStepsAndFindsTheSame) {
+  std::minstd_rand random(6);
+  Reader::Options options;
+  options.cacheBytes = 1000;
+  const std::vector<Told> messages = shuffled(300, 300, random);
+  const auto reader = written(messages, 9, options);
+  EXPECT_EQ(readByCursor(*reader), inOrder(messages));
+}
+
+TEST_F(MessageCursorTest, ofADamagedChunkThePlacesOfItsMessagesAreTold) {
+  const std::vector<Told> messages = someMessages(100);
+  const std::uint64_t inside = [&] {
+    const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
+    return chunk.offset + chunk.length - 5;
+  }();
+  flipByte(inside);
+  const auto reader = test::open(file_);
+  std::vector<Told> read;
+  std::vector<std::int64_t> lost;
+  for (MessageCursor cursor(*reader, kAll); cursor.next();) {
+    if (cursor.readable()) {
+      read.push_back(toldBy(cursor.message()));
+    } else {
+      lost.push_back(cursor.position().time.time_since_epoch().count());
+      EXPECT_EQ(cursor.position().channelId, messages[lost.size() + 39].channelId);
+    }
+  }
+  std::vector<Told> expected = messages;
+  expected.erase(expected.begin() + 40, expected.begin() + 50);
+  EXPECT_EQ(read, expected);
+  ASSERT_THAT(lost, SizeIs(10));
+  EXPECT_EQ(lost.front(), messages[40].time);
+  EXPECT_EQ(lost.back(), messages[49].time);
+  EXPECT_THAT(reader->damage(), SizeIs(1));
+}
+
+TEST_F(MessageCursorTest, ofADamagedChunkThatOverlapsOthersNothingElseIsMissing) {
+  std::minstd_rand random(7);
+  const std::vector<Told> messages = shuffled(100, 15, random);
+  const std::uint64_t inside = [&] {
+    const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
+    return chunk.offset + chunk.length - 5;
+  }();
+  flipByte(inside);
+  const auto reader = test::open(file_);
+  std::vector<Told> expected = messages;
+  expected.erase(expected.begin() + 40, expected.begin() + 50);
+  EXPECT_EQ(readByCursor(*reader), inOrder(expected));
+}
+
+// Nothing guards the times in a chunk's head; what lies before the place reached comes too late.
+TEST_F(MessageCursorTest, aChunkWhoseHeadLiesAboutItsEndLosesNothing) {
+  const std::vector<Told> messages = someMessages(100);
+  const Reader::ChunkInfo chunk = written(messages, 10)->chunks()[4];
+  std::string bytes = readBytes(file_).substr(0, test::open(file_)->chunks().back().offset);
+  const std::size_t end = chunk.offset + 9 + 8;
+  for (std::size_t i = 0; i < 8; ++i) bytes[end + i] = bytes[end - 8 + i];  // as its start
+  writeBytes(file_, bytes);
+  const auto reader = test::open(file_);
+  std::vector<Told> expected = messages;
+  expected.resize(90);
+  EXPECT_EQ(readByCursor(*reader), expected);
+}
+
+}  // namespace

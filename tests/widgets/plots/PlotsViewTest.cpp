@@ -1,0 +1,350 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/PlotsView.h"
+
+#include <QAbstractItemModelTester>
+#include <QComboBox>
+#include <QDropEvent>
+#include <QFile>
+#include <QImage>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMimeData>
+#include <QTemporaryDir>
+#include <QToolButton>
+#include <QTreeView>
+#include <cmath>
+
+#include "robotcontrol/Motion.pb.h"
+#include "robotcontrol/Sensing.pb.h"
+#include "robotlink/config/RobotDescription.h"
+#include "tests/widgets/DialogAnswer.h"
+#include "tests/widgets/LogBench.h"
+#include "widgets/plots/PlotCanvas.h"
+
+namespace {
+
+void pushPlot(Bench& bench, double time, double value) {
+  robotcontrol::PlotValue plot;
+  plot.set_value(value);
+  plot.set_unit("m");
+  bench.push("red1/plots/ball-model/position/x", plot, time);
+}
+
+void pushStatus(Bench& bench, double time, double x) {
+  robotcontrol::MotionStatus status;
+  status.mutable_velocity()->set_x(x);
+  bench.push("red1/motion/status", status, time);
+}
+
+/// Draws what is pending: queued replots run in the event loop.
+QImage picture(Bench& bench, widgets::PlotsView& view) {
+  for (int i = 0; i < 6; ++i) bench.tick(view);
+  QCoreApplication::processEvents();
+  return child<QWidget>(view, "plotCanvas").grab().toImage();
+}
+
+constexpr char kPlot[] = "red1/plots/ball-model/position/x";
+
+}  // namespace
+
+class PlotsViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void plotValuesAndNumbersOfAllStreamsCanBeFoundAndAdded() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    pushStatus(bench, 1, 0.12);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QTest::keyClicks(&child<QLineEdit>(*view, "plotsSearch"), QStringLiteral("velocity.x"));
+    QVERIFY(!find(tree, QStringLiteral("ball-model")).isValid());
+    tree.setCurrentIndex(find(tree, QStringLiteral("velocity.x")));
+    QTest::keyClick(&tree, Qt::Key_Return);
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    QCOMPARE(legend.model()->rowCount(), 1);
+    QCOMPARE(legend.model()->index(0, 0).data().toString(), QStringLiteral("red1/motion/status: velocity.x"));
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("0.12"));
+    child<QLineEdit>(*view, "plotsSearch").clear();
+    tree.setCurrentIndex(find(tree, QStringLiteral("x")));
+    click(child<QToolButton>(*view, "plotsAdd"));
+    QCOMPARE(legend.model()->rowCount(), 2);
+    QCOMPARE(legend.model()->index(1, 2).data().toString(), QStringLiteral("m"));
+  }
+
+  void valuesAreInTheNaturalOrderWithUnitsAndTheNamesOfJoints() {
+    Bench bench;
+    auto robot = std::make_shared<robotlink::RobotDescription>();
+    for (const char* joint : {"headTilt", "headPan"}) robot->joints.push_back({.name = joint});
+    bench.context.robots["red1"] = robot;
+    auto view = bench.open<widgets::PlotsView>();
+    robotcontrol::JointRequest request;
+    for (int i = 0; i < 12; ++i) request.add_positions(0.1 * i);
+    request.set_stiffness(1);
+    for (const char* stream : {"red1/plots/10", "red1/plots/9", "red1/plots/x"})
+      bench.push(stream, robotcontrol::PlotValue(), 1);
+    bench.push("red1/motion/joints", request, 1);
+    pushStatus(bench, 1, 0.12);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    QStringList names;
+    const QModelIndex joints = find(tree, QStringLiteral("joints"));
+    for (int row = 0; row < tree.model()->rowCount(joints); ++row)
+      names << tree.model()->index(row, 0, joints).data().toString();
+    QCOMPARE(names.mid(0, 3),
+             QStringList({QStringLiteral("positions[0] headTilt"), QStringLiteral("positions[1] headPan"),
+                          QStringLiteral("positions[2]")}));
+    QVERIFY(names.indexOf(QStringLiteral("positions[11]")) ==
+            names.indexOf(QStringLiteral("positions[2]")) + 9);
+    QCOMPARE(find(tree, QStringLiteral("positions[1] headPan"), 1).data().toString(), QStringLiteral("rad"));
+    QCOMPARE(find(tree, QStringLiteral("velocity.x"), 1).data().toString(), QStringLiteral("m/s"));
+    QVERIFY(find(tree, QStringLiteral("9")).row() < find(tree, QStringLiteral("10")).row());
+    view->addCurve(QStringLiteral("red1/motion/status: velocity.x"));
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 2).data().toString(),
+             QStringLiteral("m/s"));
+  }
+
+  void theValueUnderTheCursorIsShown() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    for (int i = 0; i <= 10; ++i) pushPlot(bench, i, i);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage before = picture(bench, *view);
+    auto& canvas = *view->findChild<widgets::PlotCanvas*>();
+    auto& plot = child<QWidget>(*view, "plotCanvas");
+    const auto legend = [&view](int column) {
+      return child<QTreeView>(*view, "plotsLegend").model()->index(0, column).data().toString();
+    };
+    QCOMPARE(legend(3), QString());
+    const auto [from, to] = canvas.shownTimes();
+    QMouseEvent move(QEvent::MouseMove, QPointF(plot.width() * 3 / 4, plot.height() / 2), Qt::NoButton,
+                     Qt::NoButton, {});
+    QCoreApplication::sendEvent(&plot, &move);
+    const double value = legend(3).toDouble();
+    QVERIFY2(value >= 3 && value <= 9 && value == std::floor(value), qPrintable(legend(3)));
+    QVERIFY(from < value && value < to);
+    QVERIFY(picture(bench, *view) != before);
+    QEvent leave(QEvent::Leave);
+    QCoreApplication::sendEvent(&plot, &leave);
+    QCOMPARE(legend(3), QString());
+  }
+
+  void aCurveIsDrawnAndNewValuesChangeThePicture() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    const QImage empty = picture(bench, *view);
+    pushPlot(bench, 1, 0.5);
+    pushPlot(bench, 2, 0.7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage two = picture(bench, *view);
+    QVERIFY(two != empty);
+    pushPlot(bench, 3, -0.5);
+    QVERIFY(picture(bench, *view) != two);
+  }
+
+  void pauseHoldsThePictureAndNothingIsLost() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage before = picture(bench, *view);
+    click(child<QToolButton>(*view, "plotsPause"));
+    pushPlot(bench, 2, 0.9);
+    QVERIFY(picture(bench, *view) == before);
+    click(child<QToolButton>(*view, "plotsPause"));
+    QVERIFY(picture(bench, *view) != before);
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->index(0, 1).data().toString(),
+             QStringLiteral("0.9"));
+  }
+
+  void aPackageThatIsNotToldYetIsAskedForAndThatIsSaid() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    robotcontrol::ProcessTable processes;
+    auto& port = *processes.add_processes()->add_senders();
+    port.set_package("motion/status");
+    port.set_type("robotcontrol.MotionStatus");
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("package/motion/status");
+    bench.push("red1/tables/processes", processes, 1);
+    bench.push("red1/tables/keys", keys, 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("velocity.y")));
+    QVERIFY(tree.currentIndex().isValid());
+    click(child<QToolButton>(*view, "plotsAdd"));
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
+    QCOMPARE(bench.requests[0].set_key().mode().kind(), robotcontrol::KeyMode::ALWAYS);
+    QVERIFY(child<QLabel>(*view, "plotsState").text().contains(QStringLiteral("package/motion/status")));
+  }
+
+  void whatALogHoldsIsNotAskedFor() {
+    LogBench bench;
+    auto& package = *bench.status.add_packages();
+    package.set_package("nao/motion/status");
+    package.set_logged(true);
+    package.set_source(robotcontrol::ControlReplay::AS_LOGGED);
+    bench.openLog("/logs/game.mcap");
+    auto view = bench.openView<widgets::PlotsView>();
+    view->restoreState(
+        {{QStringLiteral("curves"), QJsonArray{QStringLiteral("nao/motion/status: velocity.x")}}});
+    robotcontrol::KeyTable keys;
+    keys.add_keys()->set_name("package/motion/status");
+    bench.push("nao/tables/keys", keys, 11);
+    bench.tick(*view);
+    QVERIFY(bench.requests.empty());
+    bench.status.mutable_packages(0)->set_source(robotcontrol::ControlReplay::RECOMPUTED);
+    bench.tell();
+    bench.tick(*view);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].set_key().name(), std::string("package/motion/status"));
+  }
+
+  void aValueIsDroppedIntoThePlot() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    const QModelIndex value = find(tree, QStringLiteral("x"));
+    QVERIFY(value.flags().testFlag(Qt::ItemIsDragEnabled));
+    std::unique_ptr<QMimeData> data(tree.model()->mimeData({value}));
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    QDragEnterEvent enter({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &enter);
+    QVERIFY(enter.isAccepted());
+    QDropEvent drop({10, 10}, Qt::CopyAction, data.get(), Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &drop);
+    QCOMPARE(child<QTreeView>(*view, "plotsLegend").model()->rowCount(), 1);
+  }
+
+  void zoomingEndsFollowingAndFollowBringsTheNewestBack() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    const QImage before = picture(bench, *view);
+    auto& plots = *view->findChild<widgets::PlotCanvas*>();
+    QCOMPARE(plots.shownTimes().first, -0.1);
+    QCOMPARE(plots.shownTimes().second, 9.9);
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    QWheelEvent wheel(QPointF(canvas.rect().center()), canvas.mapToGlobal(canvas.rect().center()), {},
+                      {0, 120}, {}, {}, Qt::NoScrollPhase, false);
+    QCoreApplication::sendEvent(&canvas, &wheel);
+    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
+    QVERIFY(picture(bench, *view) != before);
+    QVERIFY(plots.shownTimes().first > 0 && plots.shownTimes().second < 9.9);
+    click(child<QToolButton>(*view, "plotsFit"));
+    QCOMPARE(plots.shownTimes().first, 0.0);
+    click(child<QToolButton>(*view, "plotsFollow"));
+    picture(bench, *view);
+    QCOMPARE(plots.shownTimes().first, -0.1);
+    child<QComboBox>(*view, "plotsWindow").setCurrentIndex(1);
+    picture(bench, *view);
+    QCOMPARE(plots.shownTimes().first, 7.9);
+    QCOMPARE(plots.shownTimes().second, 9.9);
+  }
+
+  void draggingThePlotEndsFollowing() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    for (int i = 0; i < 100; ++i) pushPlot(bench, i * 0.1, i % 7);
+    view->addCurve(QString::fromLatin1(kPlot));
+    picture(bench, *view);
+    auto& plots = *view->findChild<widgets::PlotCanvas*>();
+    const double before = plots.shownTimes().first;
+    auto& canvas = child<QWidget>(*view, "plotCanvas");
+    const QPoint middle = canvas.rect().center();
+    QTest::mousePress(&canvas, Qt::LeftButton, {}, middle);
+    QMouseEvent move(QEvent::MouseMove, middle + QPoint(60, 0), Qt::NoButton, Qt::LeftButton, {});
+    QCoreApplication::sendEvent(&canvas, &move);
+    QTest::mouseRelease(&canvas, Qt::LeftButton, {}, middle + QPoint(60, 0));
+    QVERIFY(!child<QToolButton>(*view, "plotsFollow").isChecked());
+    pushPlot(bench, 10, 3);
+    picture(bench, *view);
+    QVERIFY(plots.shownTimes().first < before);
+  }
+
+  void theTreeOfValuesIsHiddenOnWish() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    auto& tree = child<QTreeView>(*view, "plotsTree");
+    QVERIFY(tree.isVisible());
+    click(child<QToolButton>(*view, "plotsShowTree"));
+    QVERIFY(!tree.isVisible());
+  }
+
+  void curvesAreRemoved() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.tick(*view);
+    auto& legend = child<QTreeView>(*view, "plotsLegend");
+    legend.setCurrentIndex(legend.model()->index(0, 0));
+    click(child<QToolButton>(*view, "plotsRemove"));
+    QCOMPARE(legend.model()->rowCount(), 0);
+  }
+
+  void pointsAndPictureAreExported() {
+    Bench bench;
+    QTemporaryDir folder;
+    auto view = bench.open<widgets::PlotsView>();
+    view->setFileQuestion([&](const QString&, const QString& suffix) {
+      return folder.filePath(QStringLiteral("out.") + suffix);
+    });
+    pushPlot(bench, 1, 0.5);
+    pushStatus(bench, 2, 0.25);
+    view->addCurve(QString::fromLatin1(kPlot));
+    view->addCurve(QStringLiteral("red1/motion/status: velocity.x"));
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "plotsCsv"));
+    QFile csv(folder.filePath(QStringLiteral("out.csv")));
+    QVERIFY(csv.open(QIODevice::ReadOnly));
+    QCOMPARE(csv.readAll(),
+             QByteArray("time_s,\"red1/plots/ball-model/position/x\",\"red1/motion/status: velocity.x\"\n"
+                        "1.000000,0.5,\n2.000000,,0.25\n"));
+    click(child<QToolButton>(*view, "plotsPng"));
+    QVERIFY(!QImage(folder.filePath(QStringLiteral("out.png"))).isNull());
+  }
+
+  void theFileOfAnExportIsAskedFor() {
+    Bench bench;
+    QTemporaryDir folder;
+    auto view = bench.open<widgets::PlotsView>();
+    pushPlot(bench, 1, 0.5);
+    view->addCurve(QString::fromLatin1(kPlot));
+    bench.tick(*view);
+    DialogAnswer table = DialogAnswer::file(folder.filePath(QStringLiteral("asked.csv")));
+    click(child<QToolButton>(*view, "plotsCsv"));
+    QVERIFY(table.asked());
+    QVERIFY(QFile::exists(folder.filePath(QStringLiteral("asked.csv"))));
+    DialogAnswer nothing([](QDialog& dialog) { DialogAnswer::press(dialog, QDialogButtonBox::RejectRole); });
+    click(child<QToolButton>(*view, "plotsPng"));
+    QVERIFY(nothing.asked());
+    QCOMPARE(QDir(folder.path()).entryList(QDir::Files).size(), 1);
+  }
+
+  void curvesComeBackEvenBeforeTheirData() {
+    Bench bench;
+    auto view = bench.open<widgets::PlotsView>();
+    view->addCurve(QString::fromLatin1(kPlot));
+    auto again = bench.open<widgets::PlotsView>();
+    again->restoreState(view->saveState());
+    auto& legend = child<QTreeView>(*again, "plotsLegend");
+    QCOMPARE(legend.model()->rowCount(), 1);
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("–"));
+    pushPlot(bench, 1, 0.5);
+    picture(bench, *again);
+    QCOMPARE(legend.model()->index(0, 1).data().toString(), QStringLiteral("0.5"));
+  }
+};
+
+QTEST_MAIN(PlotsViewTest)
+#include "PlotsViewTest.moc"

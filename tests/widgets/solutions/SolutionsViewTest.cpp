@@ -1,0 +1,239 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/SolutionsView.h"
+
+#include <QAbstractItemModelTester>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "tests/widgets/Bench.h"
+#include "widgets/solutions/ParameterPanel.h"
+
+using robotcontrol::SolutionTable;
+
+namespace {
+
+SolutionTable someTasks(const std::string& active = "scan-lines") {
+  SolutionTable table;
+  auto& task = *table.add_tasks();
+  task.set_name("ball-percept");
+  task.set_process("cognition");
+  task.set_active(active);
+  task.set_default_solution("scan-lines");
+  auto add = [&](const char* name, const char* help, const char* unavailable) {
+    auto& solution = *task.add_solutions();
+    solution.set_name(name);
+    solution.set_help(help);
+    solution.set_unavailable(unavailable);
+    solution.set_has_parameters(true);
+  };
+  add("scan-lines", "Fits a circle to the ball's edge", "");
+  add("regions", "Takes the largest orange region", "");
+  add("oracle", "Looks the ball up",
+      "unavailable because neither the robot nor another task provides the simulator's ground truth "
+      "(oracle/world)");
+  return table;
+}
+
+/// Any message with the kinds of fields that parameters have will do as parameters.
+robotcontrol::ParameterValues someParameters(double speed, double standard) {
+  robotcontrol::SimulationStatus now, defaults;
+  now.set_speed(speed);
+  now.set_running(true);
+  now.set_steps(7);
+  now.set_scene("field");
+  defaults = now;
+  defaults.set_speed(standard);
+  robotcontrol::ParameterValues values;
+  values.set_task("ball-percept");
+  values.set_solution("scan-lines");
+  values.mutable_value()->set_type("robotcontrol.SimulationStatus");
+  values.mutable_value()->set_data(now.SerializeAsString());
+  values.mutable_defaults()->set_type("robotcontrol.SimulationStatus");
+  values.mutable_defaults()->set_data(defaults.SerializeAsString());
+  return values;
+}
+
+robotcontrol::SimulationStatus sentParameters(const robotcontrol::Request& request) {
+  robotcontrol::SimulationStatus sent;
+  sent.ParseFromString(request.set_parameters().value().data());
+  return sent;
+}
+
+}  // namespace
+
+class SolutionsViewTest : public QObject {
+  Q_OBJECT
+ private Q_SLOTS:
+  void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
+  void cleanupTestCase() { Bench::tidyUp(); }
+
+  void oneClickSwitchesAndTheSwitchIsPendingUntilTheRobotConfirms() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    QAbstractItemModelTester tester(tree.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 1).data().toString(), QStringLiteral("cognition"));
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("scan-lines"));
+    clickCell(tree, find(tree, QStringLiteral("regions")));
+    const auto& request = bench.requests.back();
+    QCOMPARE(request.select_solution().task(), std::string("ball-percept"));
+    QCOMPARE(request.select_solution().solution(), std::string("regions"));
+    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(), QStringLiteral("switching…"));
+    bench.push("red1/tables/solutions", someTasks("regions"), 2);
+    bench.tick(*view);
+    QCOMPARE(find(tree, QStringLiteral("ball-percept"), 2).data().toString(), QStringLiteral("regions"));
+    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(),
+             QStringLiteral("Takes the largest orange region"));
+  }
+
+  void whatIsUnavailableSaysWhyAndIsNotRequested() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    const QModelIndex oracle = find(tree, QStringLiteral("oracle"));
+    QVERIFY(oracle.siblingAtColumn(2).data().toString().contains(QStringLiteral(
+        "neither the robot nor another task provides the simulator's ground truth (oracle/world)")));
+    QVERIFY(oracle.data(Qt::ToolTipRole).toString().contains(QStringLiteral("another task provides")));
+    clickCell(tree, oracle);
+    for (const auto& request : bench.requests) QVERIFY(!request.has_select_solution());
+    QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("another task provides")));
+  }
+
+  void aRefusalIsShownInItsRowWithItsReason() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    clickCell(tree, find(tree, QStringLiteral("regions")));
+    bench.answer(false, "its parameters cannot be read");
+    bench.tick(*view);
+    QCOMPARE(find(tree, QStringLiteral("regions"), 2).data().toString(),
+             QStringLiteral("refused: its parameters cannot be read"));
+    QVERIFY(child<QLabel>(*view, "solutionsState").text().contains(QStringLiteral("refused")));
+  }
+
+  void defaultsSwitchesOnlyWhatIsNotDefault() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks("regions"), 1);
+    bench.tick(*view);
+    bench.requests.clear();
+    click(child<QToolButton>(*view, "solutionsDefaults"));
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].select_solution().solution(), std::string("scan-lines"));
+  }
+
+  void aParameterIsSetOnEnterAndCanBeUndoneAndReset() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    clickCell(tree, find(tree, QStringLiteral("scan-lines")));
+    QVERIFY2(bench.requests.empty(), "nothing is asked for before somebody looks");
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    QCOMPARE(bench.requests.back().get_parameters().solution(), std::string("scan-lines"));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    QAbstractItemModelTester tester(fields.model(), QAbstractItemModelTester::FailureReportingMode::Fatal);
+    QCOMPARE(find(fields, QStringLiteral("speed"), 1).data().toString(), QStringLiteral("2"));
+    QCOMPARE(find(fields, QStringLiteral("speed"), 2).data().toString(), QStringLiteral("1"));
+
+    clickCell(fields, find(fields, QStringLiteral("speed"), 1));
+    auto& editor = child<QLineEdit>(fields, "parameterEditor");
+    QTest::keyClicks(&editor, QStringLiteral("0.25"));
+    QTest::keyClick(&editor, Qt::Key_Return);
+    QCoreApplication::processEvents();  // item views commit from the event loop
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
+    QCOMPARE(sentParameters(bench.requests.back()).steps(), std::uint64_t{7});
+    click(child<QToolButton>(*view, "parametersUndo"));
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 2.0);
+    click(child<QToolButton>(*view, "parametersRedo"));
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 0.25);
+    click(child<QToolButton>(*view, "parametersResetAll"));
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
+  }
+
+  void theCurrentParameterIsResetAndAllAreReadAgain() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    clickCell(child<QTreeView>(*view, "solutionsTree"),
+              find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    bench.requests.clear();
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    clickCell(fields, find(fields, QStringLiteral("speed")));
+    click(child<QToolButton>(*view, "parametersReset"));
+    QCOMPARE(sentParameters(bench.requests.back()).speed(), 1.0);
+    QCOMPARE(sentParameters(bench.requests.back()).steps(), std::uint64_t{7});
+    click(child<QToolButton>(*view, "parametersRefresh"));
+    QCOMPARE(bench.requests.back().get_parameters().task(), std::string("ball-percept"));
+    QCOMPARE(bench.requests.back().get_parameters().solution(), std::string("scan-lines"));
+  }
+
+  void theKeyboardChooses() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    auto& tree = child<QTreeView>(*view, "solutionsTree");
+    tree.setCurrentIndex(find(tree, QStringLiteral("regions")));
+    QTest::keyClick(&tree, Qt::Key_Space);
+    QCOMPARE(bench.requests.size(), std::size_t{1});
+    QCOMPARE(bench.requests[0].select_solution().solution(), std::string("regions"));
+  }
+
+  void aTextThatIsNoNumberChangesNothing() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    clickCell(child<QTreeView>(*view, "solutionsTree"),
+              find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    bench.requests.clear();
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    const QModelIndex steps = find(fields, QStringLiteral("steps"), 1);
+    QVERIFY(!fields.model()->setData(steps, QStringLiteral("many")));
+    QVERIFY(!fields.model()->setData(steps, QStringLiteral("-1")));
+    QVERIFY(bench.requests.empty());
+    QVERIFY(fields.model()->setData(find(fields, QStringLiteral("running"), 1), Qt::Unchecked,
+                                    Qt::CheckStateRole));
+    QCOMPARE(sentParameters(bench.requests.back()).running(), false);
+  }
+
+  void parametersThatAreRefusedAreTakenBack() {
+    Bench bench;
+    auto view = bench.open<widgets::SolutionsView>();
+    bench.push("red1/tables/solutions", someTasks(), 1);
+    bench.tick(*view);
+    click(child<QToolButton>(*view, "solutionsParameters"));
+    clickCell(child<QTreeView>(*view, "solutionsTree"),
+              find(child<QTreeView>(*view, "solutionsTree"), QStringLiteral("scan-lines")));
+    bench.push("red1/parameters/ball-percept/scan-lines", someParameters(2, 1), 2);
+    bench.tick(*view);
+    auto& fields = child<QTreeView>(*view, "parametersTree");
+    fields.model()->setData(find(fields, QStringLiteral("speed"), 1), QStringLiteral("-3"));
+    bench.answer(false, "speed must not be negative");
+    bench.tick(*view);
+    QCOMPARE(find(fields, QStringLiteral("speed"), 1).data().toString(), QStringLiteral("2"));
+    QVERIFY(child<QLabel>(*view, "parametersState").text().contains(QStringLiteral("must not be negative")));
+  }
+};
+
+QTEST_MAIN(SolutionsViewTest)
+#include "SolutionsViewTest.moc"

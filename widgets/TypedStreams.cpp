@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/TypedStreams.h"
+
+#include <algorithm>
+#include <ranges>
+
+namespace widgets {
+
+std::vector<const robotlink::StreamStore::Stream*> streamsOfType(const robotlink::StreamStore& store,
+                                                                 const std::string& robot, const char* type) {
+  auto streams = store.streams(robot.empty() ? std::string() : robot + '/');
+  std::erase_if(streams, [type](const auto* stream) { return stream->type != type; });
+  return streams;
+}
+
+std::vector<const robotlink::StreamMessage*> latestOfType(const robotlink::StreamStore& store,
+                                                          const std::string& robot, const char* type,
+                                                          robotlink::Instant time) {
+  std::vector<const robotlink::StreamMessage*> messages;
+  for (const auto* stream : streamsOfType(store, robot, type)) {
+    messages.push_back(store.latest(stream->path, time));
+  }
+  return messages;
+}
+
+std::vector<const robotlink::StreamMessage*> latestTable(const robotlink::StreamStore& store,
+                                                         const std::string& robot, const char* path,
+                                                         robotlink::Instant time) {
+  const auto* table = store.latest(robot + '/' + path, time);
+  if (table == nullptr) return {};
+  return {table};
+}
+
+std::vector<const void*> valuesOf(const std::vector<const robotlink::StreamMessage*>& messages) {
+  std::vector<const void*> values;
+  values.reserve(messages.size());
+  for (const auto* message : messages) values.push_back(message != nullptr ? message->value.get() : nullptr);
+  return values;
+}
+
+std::string lastPart(const std::string& path) {
+  return path.substr(path.rfind('/') + 1);
+}
+
+std::string robotPart(const std::string& path) {
+  const std::size_t slash = path.find('/');
+  return slash == std::string::npos ? std::string() : path.substr(0, slash);
+}
+
+bool StreamCursor::seen(const robotlink::StreamMessage& message) const {
+  return message.time <= newest_ &&
+         std::find(recent_.rbegin(), recent_.rend(), message.value) != recent_.rend();
+}
+
+StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stream) {
+  constexpr std::size_t kRemembered = 256;  // more than ever arrive out of order
+  News news;
+  if (stream.generation != generation_) {
+    news.restarted = count_ > 0;
+    *this = {};
+    generation_ = stream.generation;
+  }
+  const std::uint64_t added = stream.count - count_;
+  if (added == 0) return news;
+  for (const auto& message : std::views::reverse(stream.messages)) {
+    if (news.messages.size() == added) break;
+    if (!seen(message)) news.messages.push_back(&message);
+  }
+  std::reverse(news.messages.begin(), news.messages.end());
+  news.restarted =
+      news.restarted || (count_ > 0 && !stream.messages.empty() && stream.messages.back().time < newest_);
+  count_ = stream.count;
+  if (!stream.messages.empty()) newest_ = stream.messages.back().time;
+  for (const auto* message : news.messages) recent_.push_back(message->value);
+  while (recent_.size() > kRemembered) recent_.pop_front();
+  return news;
+}
+
+}  // namespace widgets

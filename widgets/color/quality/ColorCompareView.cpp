@@ -1,0 +1,278 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/quality/ColorCompareView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QHeaderView>
+#include <QLabel>
+#include <QMenu>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+
+#include "colortool/table/ColorTable.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/HeaderState.h"
+#include "widgets/Icon.h"
+#include "widgets/color/ColorActions.h"
+#include "widgets/color/ColorReferences.h"
+#include "widgets/Counted.h"
+#include "widgets/Theme.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kColorCompareViewRegistration{
+    {"color-compare", QT_TRANSLATE_NOOP("widgets::ColorCompareView", "Compare tables"),
+     QT_TRANSLATE_NOOP("widgets::ColorCompareView",
+                       "Shows what a colour table has other than another one, or than itself some steps ago"),
+     "color-compare", false, create<ColorCompareView>}};
+
+constexpr std::size_t kStepsListed = 30;
+
+}  // namespace
+
+ColorCompareView::ColorCompareView(ViewContext& context, QWidget* parent)
+    : View(context, parent), bench_(colorBench(context)), files_(colorFiles(context)) {
+  setObjectName(QStringLiteral("colorCompareView"));
+  createActions();
+  createViews();
+  connectSignals();
+  tick();
+}
+
+ColorCompareView::~ColorCompareView() = default;
+
+void ColorCompareView::createActions() {
+  open_ = makeAction(
+      this, "open",
+      {"colorCompareOpen", tr("File…"), tr("Compares with a table in a file, also of other teams")});
+  now_ = makeAction(this, "camera",
+                    {"colorCompareNow", tr("Now"),
+                     tr("Keeps the table as it is now, to compare what comes of it with it")});
+  none_ = makeAction(this, "close", {"colorCompareNone", tr("None"), tr("Compares with no table any more")});
+  showInImage_ = makeAction(this, "two-pictures",
+                            {"colorCompareShow", tr("In the image"),
+                             tr("Shows beside the image which of its pixels are of another class")});
+  deselect_ = makeAction(this, "check-none",
+                         {"colorCompareDeselect", tr("Deselect"), tr("Selects no cells any more"),
+                          QKeySequence(Qt::Key_Escape)});
+  addColorActions(*this, "colorCompare", bench_);
+}
+
+QWidget* ColorCompareView::createToolRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  steps_ = new QToolButton(row->parentWidget());
+  describe(*steps_,
+           {"colorCompareSteps", tr("Step"), tr("Compares with the table as it was some steps ago")});
+  steps_->setText(tr("Step"));
+  steps_->setIcon(icon(QStringLiteral("undo")));
+  steps_->setAutoRaise(true);
+  steps_->setPopupMode(QToolButton::InstantPopup);
+  stepMenu_ = new QMenu(steps_);
+  stepMenu_->setObjectName(QStringLiteral("colorCompareStepMenu"));
+  steps_->setMenu(stepMenu_);
+  QToolButton* buttons[] = {makeButton(row->parentWidget(), open_), makeButton(row->parentWidget(), now_),
+                            steps_};
+  for (QToolButton* button : buttons) {
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    row->addWidget(button);
+  }
+  row->addStretch(1);
+  addButtons(row, {showInImage_, deselect_, none_});
+  return row->parentWidget();
+}
+
+void ColorCompareView::createViews() {
+  table_ = new QTableView(this);
+  describe(*table_, {"colorCompareTable", tr("What each class gained and lost, in cells"),
+                     tr("A click selects the cells that changed")});
+  table_->setToolTip({});
+  table_->setModel(&model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setAlternatingRowColors(true);
+  table_->setShowGrid(false);
+  table_->setWordWrap(false);
+  table_->setFrameShape(QFrame::NoFrame);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(table_->fontMetrics().height() + 6);
+  // What came from where, and went where, takes the room there is.
+  new ColumnFit(*table_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kText, ColumnKind::kNumber,
+                          ColumnKind::kText, ColumnKind::kNumber, ColumnKind::kNumber});
+  hint_ = new EmptyHint(table_);
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  name_ = new QLabel(this);
+  name_->setObjectName(QStringLiteral("colorCompareName"));
+  name_->setMargin(4);
+  layout->addWidget(name_);
+  problem_ = new QLabel(this);
+  problem_->setObjectName(QStringLiteral("colorCompareProblem"));
+  problem_->setMargin(4);
+  problem_->setWordWrap(true);
+  layout->addWidget(problem_);
+  layout->addWidget(table_, 1);
+  QHBoxLayout* footer = makeFooter(this);
+  sums_ = addLabel(footer, "colorCompareSums", tr("How many cells and pixels differ"));
+  footer->addStretch(1);
+  layout->addWidget(footer->parentWidget());
+  tell({});
+}
+
+void ColorCompareView::connectSignals() {
+  connect(open_, &QAction::triggered, this, &ColorCompareView::askForFile);
+  connect(now_, &QAction::triggered, this, [this] { takeStep(bench_.document().position()); });
+  connect(none_, &QAction::triggered, &bench_, [this] { bench_.setReference({}); });
+  connect(showInImage_, &QAction::triggered, &bench_, &ColorBench::differenceWanted);
+  connect(deselect_, &QAction::triggered, &bench_, &ColorBench::clearSelection);
+  connect(stepMenu_, &QMenu::aboutToShow, this, &ColorCompareView::listSteps);
+  const auto changed = [this] { dirty_ = true; };
+  connect(&bench_, &ColorBench::colorsChanged, this, changed);
+  connect(&bench_, &ColorBench::referenceChanged, this, changed);
+  connect(table_, &QTableView::clicked, this, &ColorCompareView::selectCells);
+  connect(table_->selectionModel(), &QItemSelectionModel::currentChanged, this,
+          [this](const QModelIndex& current) { selectCells(current); });
+}
+
+void ColorCompareView::tell(const QString& problem) {
+  QPalette colors = palette();
+  colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  problem_->setPalette(colors);
+  problem_->setText(problem);
+  problem_->setVisible(!problem.isEmpty());
+}
+
+// The reference.
+
+void ColorCompareView::askForFile() {
+  auto* dialog = new QFileDialog(this, tr("Compare with a colour table"), files_.folder(),
+                                 tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
+  dialog->setObjectName(QStringLiteral("colorCompareDialog"));
+  dialog->setAttribute(Qt::WA_DeleteOnClose);
+  dialog->setFileMode(QFileDialog::ExistingFile);
+  connect(dialog, &QFileDialog::fileSelected, this, &ColorCompareView::useFile);
+  dialog->open();
+}
+
+void ColorCompareView::useFile(const QString& file) {
+  const auto read = files_.importReference(file.toStdString());
+  tell(read ? QString() : QString::fromStdString(read.error().describe()));
+  if (read) training_ = {};
+  tick();
+}
+
+void ColorCompareView::takeStep(std::size_t position) {
+  const colortool::SampleDocument& document = bench_.document();
+  tell({});
+  if (position == document.position() && bench_.upToDate()) {
+    training_ = {};
+    bench_.setReference(referenceOfNow(bench_));
+  } else {
+    // Some training methods take a second.
+    training_ = std::async(std::launch::async, trainedReference, document.samplesAt(position),
+                           stepName(document, position));
+  }
+  tick();
+}
+
+void ColorCompareView::listSteps() {
+  const colortool::SampleDocument& document = bench_.document();
+  stepMenu_->clear();
+  const std::size_t steps = document.steps();
+  for (std::size_t i = 0; i <= std::min(steps, kStepsListed); ++i) {
+    const std::size_t position = steps - i;
+    QString text = stepName(document, position);
+    if (position == document.position()) text = tr("%1 (now)").arg(text);
+    stepMenu_->addAction(text, this, [this, position] { takeStep(position); });
+  }
+}
+
+void ColorCompareView::takeTrained() {
+  if (!training_.valid() || training_.wait_for(std::chrono::seconds(0)) != std::future_status::ready) return;
+  bench_.setReference(training_.get());
+}
+
+// The comparison.
+
+void ColorCompareView::tick() {
+  takeTrained();
+  const bool busy = training_.valid();
+  hint_->setHint(
+      busy ? tr("The table of that step is being made…")
+      : bench_.reference()
+          ? QString()
+          : tr("There is no table to compare with.\nTake one from a file, or keep the one of now and "
+               "go on drawing strokes."));
+  if (std::exchange(dirty_, false)) compare();
+}
+
+void ColorCompareView::compare() {
+  const ReferenceTable& reference = bench_.givenReference();
+  const LearnedColors* colors = bench_.colors();
+  for (QAction* action : {none_, showInImage_}) action->setEnabled(reference.table != nullptr);
+  name_->setVisible(reference.table != nullptr);
+  if (!reference.table || colors == nullptr) {
+    model_.setDifference(nullptr);
+    sums_->clear();
+    return;
+  }
+  name_->setText(tr("Compared with %1").arg(reference.name));
+  name_->setToolTip(reference.name);
+  // A selection made here follows the new difference, unless something else was selected since.
+  const bool follows = selected_ && bench_.hasSelection() && bench_.selection() == *selected_;
+  model_.setDifference(std::make_shared<const colortool::TableDifference>(
+      *reference.table, reference.classes, *colors->table, colors->samples.classes));
+  showSums();
+  if (follows) selectCells(table_->currentIndex());
+}
+
+std::optional<double> ColorCompareView::changedPixels() const {
+  const LearnedColors& colors = *bench_.colors();
+  if (!colors.classes || colors.classes->data.empty()) return std::nullopt;
+  robotlink::Image before;
+  bench_.reference()->classify(colors.seen(), before);
+  std::size_t changed = 0;
+  for (std::size_t i = 0; i < std::min(before.data.size(), colors.classes->data.size()); ++i)
+    changed += before.data[i] != colors.classes->data[i] ? 1 : 0;
+  return static_cast<double>(changed) / static_cast<double>(before.data.size());
+}
+
+void ColorCompareView::showSums() {
+  const double changed = static_cast<double>(model_.difference()->changed());
+  const double share = 100 * changed / static_cast<double>(colortool::ColorTable::kCellCount);
+  QString text =
+      changed == 0
+          ? tr("No cell differs")
+          : tr("%1 (%2 %)")
+                .arg(counted(model_.difference()->changed(), tr("1 cell differs"), tr("%1 cells differ")))
+                .arg(share, 0, 'f', 2);
+  if (const auto pixels = changedPixels())
+    text += tr(", of this image's pixels %1 %").arg(100 * *pixels, 0, 'f', 2);
+  sums_->setText(text);
+}
+
+void ColorCompareView::selectCells(const QModelIndex& index) {
+  if (!index.isValid()) return;
+  const colortool::CellSet cells = model_.cellsOf(index);
+  selected_ = cells;
+  if (!bench_.hasSelection() || !(bench_.selection() == cells)) bench_.select(cells);
+}
+
+QJsonObject ColorCompareView::saveState() const {
+  return {{QStringLiteral("folder"), files_.folder()},
+          {QStringLiteral("columns"), headerState(*table_->horizontalHeader())}};
+}
+
+void ColorCompareView::restoreState(const QJsonObject& state) {
+  if (files_.folder().isEmpty()) files_.setFolder(state[QStringLiteral("folder")].toString());
+  restoreHeader(*table_->horizontalHeader(), state.value(QStringLiteral("columns")));
+}
+
+}  // namespace widgets

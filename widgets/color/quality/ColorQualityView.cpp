@@ -1,0 +1,292 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/quality/ColorQualityView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QFileDialog>
+#include <QLabel>
+#include <QSplitter>
+#include <QToolButton>
+#include <algorithm>
+#include <set>
+
+#include "widgets/Controls.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/quality/ConfusionPanel.h"
+#include "widgets/color/LabelledFolder.h"
+#include "widgets/color/quality/ConfusionModel.h"
+#include "widgets/Theme.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kColorQualityViewRegistration{
+    {"color-quality", QT_TRANSLATE_NOOP("View", "Quality"),
+     QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
+     "quality", false, create<ColorQualityView>}};
+
+/// The width of the place for labelled images while there are none, in pixels.
+constexpr int kEmptyWidth = 200;
+/// With fewer strokes of a class its figures mean little.
+constexpr int kFewStrokes = 5;
+
+/// The camera of the strokes' images if they all have the same one.
+std::string onlyCamera(const colortool::Samples& samples) {
+  std::set<std::string> cameras;
+  for (const colortool::SampleImage& image : samples.images) cameras.insert(image.camera);
+  return cameras.size() == 1 ? *cameras.begin() : std::string();
+}
+
+}  // namespace
+
+ColorQualityView::ColorQualityView(ViewContext& context, QWidget* parent)
+    : View(context, parent),
+      bench_(colorBench(context)),
+      history_(addColorActions(*this, "colorQuality", bench_)),
+      trueClasses_(bench_) {
+  setObjectName(QStringLiteral("colorQualityView"));
+  createActions();
+  createViews();
+  connectSignals();
+  showQuality();
+}
+
+ColorQualityView::~ColorQualityView() = default;
+
+void ColorQualityView::createActions() {
+  open_ = makeAction(this, "open",
+                     {"qualityOpen", tr("Labelled images…"),
+                      tr("Scores the table over a folder of images with labels: grey PNGs of the same name "
+                         "with the numbers of the classes")});
+  simulated_ = makeAction(this, "simulation",
+                          {"qualitySimulated", tr("Simulator's classes"),
+                           tr("Scores the table over what the simulated camera truly sees")});
+  simulated_->setCheckable(true);
+  close_ =
+      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Forgets the labelled images")});
+}
+
+void ColorQualityView::createViews() {
+  QHBoxLayout* row = makeToolRow(this);
+  addButtons(row, {history_.undo, history_.redo});
+  row->addSpacing(6);
+  for (QAction* action : {open_, simulated_}) {
+    auto* button = makeButton(row->parentWidget(), action);
+    button->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+    row->addWidget(button);
+  }
+  addButtons(row, {close_});
+  state_ = new QLabel(row->parentWidget());
+  describe(*state_, {"qualityState", tr("State of the labelled images"), {}});
+  row->addSpacing(8);
+  row->addWidget(state_, 1);
+  strokes_ = new ConfusionPanel("strokes", tr("Your strokes"), this);
+  labelled_ = new ConfusionPanel("labelled", tr("Labelled images"), this);
+  splitter_ = new QSplitter(Qt::Horizontal, this);
+  splitter_->setObjectName(QStringLiteral("qualitySplitter"));
+  splitter_->addWidget(strokes_);
+  splitter_->addWidget(labelled_);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 2, 4, 4);
+  layout->setSpacing(3);
+  layout->addWidget(row->parentWidget());
+  layout->addWidget(splitter_, 1);
+}
+
+void ColorQualityView::connectSignals() {
+  connect(open_, &QAction::triggered, this, &ColorQualityView::openFolder);
+  connect(close_, &QAction::triggered, this, &ColorQualityView::closeImages);
+  connect(simulated_, &QAction::toggled, this, [this](bool on) {
+    reading_.reset();
+    if (!on) return closeImages();
+    bench_.setLabelled({});
+    trueClasses_.setOn(true);
+    showQuality();
+  });
+  connect(&bench_, &ColorBench::qualityChanged, this, &ColorQualityView::showQuality);
+  connect(&bench_, &ColorBench::samplesChanged, this, &ColorQualityView::showQuality);
+  connect(&bench_, &ColorBench::referenceChanged, this, &ColorQualityView::showQuality);
+}
+
+void ColorQualityView::openFolder() {
+  const QString folder = QFileDialog::getExistingDirectory(this, tr("Folder of images with labels"), folder_);
+  if (folder.isEmpty()) return;
+  simulated_->setChecked(false);
+  folder_ = folder;
+  problem_.clear();
+  reading_ = std::make_unique<LabelledFolder>(folder.toStdString(), onlyCamera(bench_.samples()));
+}
+
+void ColorQualityView::closeImages() {
+  problem_.clear();
+  reading_.reset();
+  trueClasses_.setOn(false);
+  if (simulated_->isChecked()) return simulated_->setChecked(false);
+  bench_.setLabelled({});
+  say({});
+  showQuality();
+}
+
+void ColorQualityView::takeRead() {
+  say(tr("Reading… %1 %").arg(qRound(100 * reading_->progress())));
+  auto read = reading_->take();
+  if (!read) return;
+  reading_.reset();
+  if (!*read) {
+    problem_ = QString::fromStdString(read->error().describe());
+    say(tr("No labelled images: the reason stands below"), true);
+    return showQuality();
+  }
+  const auto count = static_cast<int>((*read)->frames.size());
+  const auto problems = static_cast<int>((*read)->problems.size());
+  bench_.setLabelled(std::move((*read)->frames));
+  QString text = tr("Labelled images: %1").arg(count);
+  if (problems > 0) text += tr("; %1 could not be read").arg(problems);
+  say(text, problems > 0);
+  if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
+  showQuality();
+}
+
+void ColorQualityView::tick() {
+  trueClasses_.tick();
+  if (reading_) takeRead();
+  if (simulated_->isChecked()) say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
+  close_->setEnabled(!bench_.labelled().empty() || reading_ != nullptr);
+}
+
+void ColorQualityView::showQuality() {
+  showStrokes();
+  showLabelled();
+}
+
+QString ColorQualityView::countNote() const {
+  const colortool::StrokeQuality& strokes = *bench_.quality()->strokes;
+  int all = 0, fewest = 0;
+  for (std::size_t i = 0; i < strokes.strokesOf.size(); ++i) {
+    const int count = strokes.strokesOf[i];
+    all += count;
+    if (i > 0 && count > 0 && (fewest == 0 || count < fewest)) fewest = count;
+  }
+  const int background = strokes.strokesOf.empty() ? 0 : strokes.strokesOf[0];
+  QString text =
+      tr("Stands on %1, at least %2 of a class and %3 of the background; each counts the same, however large "
+         "it is.")
+          .arg(strokesText(static_cast<std::size_t>(all)))
+          .arg(fewest)
+          .arg(background);
+  if (fewest < kFewStrokes || background < kFewStrokes)
+    text += tr(" That is few: take the figures as a hint.");
+  return text;
+}
+
+QString ColorQualityView::referenceNote(const colortool::Evaluation& own,
+                                        const std::optional<colortool::Evaluation>& reference,
+                                        const std::vector<std::uint8_t>& alone) const {
+  if (!reference) return {};
+  ConfusionModel mine, theirs;
+  mine.setEvaluation(bench_.quality()->classes, own, alone);
+  theirs.setEvaluation(bench_.quality()->classes, *reference, alone);
+  const auto figure = [](std::optional<double> share) {
+    return share ? QStringLiteral("%1 %").arg(100 * *share, 0, 'f', 2) : QStringLiteral("–");
+  };
+  const double recall = mine.meanRecall().value_or(0) - theirs.meanRecall().value_or(0),
+               wrong = mine.falseColors().value_or(0) - theirs.falseColors().value_or(0);
+  const QString better = recall >= 0 && wrong <= 0
+                             ? (recall > 0 || wrong < 0 ? tr("yours is better") : tr("both are alike"))
+                         : recall <= 0 && wrong >= 0 ? tr("that one is better")
+                         : recall > 0                ? tr("yours finds more, but has more false colors")
+                                                     : tr("yours finds less, but has fewer false colors");
+  return tr("%1: mean recall %2, false colors %3; %4.")
+      .arg(bench_.referenceName(), figure(theirs.meanRecall()), figure(theirs.falseColors()), better);
+}
+
+QString ColorQualityView::othersNote() const {
+  const ColorQuality::Others& others = bench_.quality()->others;
+  if (others.images < 2 || others.pixels == 0) return {};
+  std::uint64_t all = 0;
+  for (const std::uint64_t pixels : others.suspicious) all += pixels;
+  const auto share = [&](std::uint64_t pixels) {
+    return QString::number(100 * static_cast<double>(pixels) / static_cast<double>(others.pixels), 'f', 2);
+  };
+  if (all == 0)
+    return tr("In %1 images that were seen no color stands where it cannot be.").arg(others.images);
+  const auto most = std::ranges::max_element(others.suspicious);
+  const auto colorClass = static_cast<int>(most - others.suspicious.begin());
+  return tr("In %1 images that were seen %2 % of the pixels have the color of a thing where none can be, "
+            "mostly %3 "
+            "(%4 %); the view Suspicious frames shows where.")
+      .arg(others.images)
+      .arg(share(all), QString::fromStdString(bench_.quality()->classes.name(colorClass)), share(*most));
+}
+
+QString ColorQualityView::strokesNote() const {
+  const ColorQuality& quality = *bench_.quality();
+  QStringList notes, alone;
+  if (quality.labelled) notes << tr("The labelled images beside this are the better judge.");
+  notes << countNote();
+  for (const std::uint8_t colorClass : quality.strokes->alone) {
+    if (colorClass != 0) alone << QString::fromStdString(quality.classes.name(colorClass));
+  }
+  if (!alone.isEmpty())
+    notes << tr("Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.")
+                 .arg(alone.join(QStringLiteral(", ")));
+  if (quality.strokes->evaluation.labelled(0) == 0)
+    notes << tr("No stroke of the background: false colours are not known.");
+  else if (std::ranges::find(quality.strokes->alone, 0) != quality.strokes->alone.end())
+    notes << tr("A single stroke of the background: false colors are not known; draw a second one.");
+  const QString reference =
+      referenceNote(quality.strokes->evaluation, quality.referenceStrokes, quality.strokes->alone);
+  for (const QString& note : {reference, othersNote()}) {
+    if (!note.isEmpty()) notes << note;
+  }
+  return notes.join(QLatin1Char(' '));
+}
+
+void ColorQualityView::showStrokes() {
+  const ColorQuality* quality = bench_.quality();
+  if (bench_.samples().strokes.empty())
+    return strokes_->showNothing(
+        tr("There are no strokes yet. Draw at least two of each class, and some of the background."));
+  if (quality == nullptr || !quality->strokes) return strokes_->showNothing(tr("Finding out…"));
+  strokes_->show(quality->classes, quality->strokes->evaluation, quality->strokes->alone, strokesNote());
+}
+
+void ColorQualityView::showLabelled() {
+  const bool some = !bench_.labelled().empty();
+  // Without images the panel of the strokes gets the room; with the first ones both get the same.
+  const bool narrow = labelled_->maximumWidth() == kEmptyWidth;
+  labelled_->setMaximumWidth(some ? QWIDGETSIZE_MAX : kEmptyWidth);
+  if (some && narrow) splitter_->setSizes({width() / 2, width() / 2});
+  if (!some) {
+    return labelled_->showNothing(
+        !problem_.isEmpty() ? problem_
+        : simulated_->isChecked()
+            ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
+            : tr("No labelled images. Open a folder of them, or take those of the simulator."));
+  }
+  const ColorQuality* quality = bench_.quality();
+  if (quality == nullptr || !quality->labelled) return labelled_->showNothing(tr("Finding out…"));
+  labelled_->show(quality->classes, *quality->labelled, {},
+                  referenceNote(*quality->labelled, quality->referenceLabelled, {}));
+}
+
+void ColorQualityView::say(const QString& text, bool bad) {
+  QPalette colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  state_->setPalette(bad ? colors : QPalette());
+  state_->setText(text);
+  state_->setToolTip({});
+}
+
+QJsonObject ColorQualityView::saveState() const {
+  return {{QStringLiteral("folder"), folder_},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void ColorQualityView::restoreState(const QJsonObject& state) {
+  folder_ = state.value(QStringLiteral("folder")).toString();
+  const QString sizes = state.value(QStringLiteral("splitter")).toString();
+  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+}
+
+}  // namespace widgets

@@ -1,0 +1,86 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <memory>
+#include <optional>
+#include <vector>
+
+#include "colortool/scoring/Evaluation.h"
+
+#include "widgets/View.h"
+#include "widgets/color/ColorActions.h"
+#include "widgets/color/TrueClassFrames.h"
+
+class QAction;
+class QLabel;
+class QSplitter;
+
+namespace widgets {
+
+class ColorBench;
+class ConfusionPanel;
+class LabelledFolder;
+
+/// How good the table is, always up to date: on the left by cross-validation over the user's strokes, on the
+/// right over images whose classes are known, from a folder or from the simulator.
+///
+/// Registered as "color-quality". GUI thread.
+class ColorQualityView final : public View {
+  Q_OBJECT
+ public:
+  explicit ColorQualityView(ViewContext& context, QWidget* parent = nullptr);
+  /// Waits for the image that is being read.
+  ~ColorQualityView() override;
+  /// Takes over images that were read, and asks the simulator for more.
+  void tick() override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Asks for a folder of labeled images and begins to read it.
+  void openFolder();
+  /// Takes over the images when they are read.
+  void takeRead();
+  /// Removes all labeled images.
+  void closeImages();
+  /// Updates both matrices.
+  void showQuality();
+  /// The matrix of the strokes.
+  void showStrokes();
+  /// The matrix of the labeled images.
+  void showLabelled();
+  /// What the figures of the strokes are based on, and what is missing.
+  QString strokesNote() const;
+  /// Number of labeled images and where they are from.
+  QString countNote() const;
+  /// Suspicious pixels in other images.
+  QString othersNote() const;
+  /// The figures of the reference table, and which of both is better; empty without a reference.
+  QString referenceNote(const colortool::Evaluation& own,
+                        const std::optional<colortool::Evaluation>& reference,
+                        const std::vector<std::uint8_t>& alone) const;
+  void say(const QString& text, bool bad = false);
+
+  ColorBench& bench_;
+  ColorActions history_;
+  TrueClassFrames trueClasses_;
+  /// Null: no folder is being read.
+  std::unique_ptr<LabelledFolder> reading_;
+  /// Where labeled images were opened last.
+  QString folder_;
+  QAction* open_ = nullptr;
+  /// Whether labeled images are requested from the simulator.
+  QAction* simulated_ = nullptr;
+  QAction* close_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  ConfusionPanel* strokes_ = nullptr;
+  ConfusionPanel* labelled_ = nullptr;
+  QLabel* state_ = nullptr;
+  /// Why there are no labeled images.
+  QString problem_;
+};
+
+}  // namespace widgets

@@ -1,0 +1,333 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/color/space/ColorSpaceView.h"
+
+#include <QAction>
+#include <QComboBox>
+#include <QHBoxLayout>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLocale>
+#include <QScrollArea>
+#include <QSplitter>
+#include <QVBoxLayout>
+#include <algorithm>
+
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/space/ColorSpaceCanvas.h"
+#include "widgets/color/space/ColorSpacePanel.h"
+#include "widgets/Counted.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kColorSpaceViewRegistration{
+    {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Colour space"),
+     QT_TRANSLATE_NOOP("widgets::ColorSpaceView",
+                       "Pixels, samples and the table's classes in the three dimensions of colour"),
+     "color-space", true, create<ColorSpaceView>}};
+
+constexpr int kTicksBetweenImages = 3;  // images are followed at 10 Hz
+
+QString rangeOf(int cell) {
+  const int first = cell * static_cast<int>(colortool::ColorTable::kCellSize);
+  return QStringLiteral("%1-%2").arg(first).arg(first + static_cast<int>(colortool::ColorTable::kCellSize) -
+                                                1);
+}
+
+std::size_t pixelsIn(const ColorCloud& cloud, const colortool::CellSet& cells) {
+  std::size_t pixels = 0;
+  for (const CloudPoint& point : cloud.points) {
+    if (cells.contains(colortool::ColorTable::cellOf(point.color))) pixels += point.pixels;
+  }
+  return pixels;
+}
+
+}  // namespace
+
+ColorSpaceView::ColorSpaceView(ViewContext& context, QWidget* parent)
+    : View(context, parent), bench_(colorBench(context)) {
+  setObjectName(QStringLiteral("colorSpaceView"));
+  createActions();
+  createViews();
+  connectSignals();
+  connectBench();
+  tick();
+}
+
+ColorSpaceView::~ColorSpaceView() = default;
+
+void ColorSpaceView::createActions() {
+  const auto toggle = [this](const char* icon, const ControlText& text, bool checked) {
+    QAction* action = makeAction(this, icon, text);
+    action->setCheckable(true);
+    action->setChecked(checked);
+    return action;
+  };
+  pixels_ = toggle(
+      "color-pixels",
+      {"colorSpacePixels", tr("Pixels"), tr("Shows the colours of the image's pixels"), Qt::Key_P}, true);
+  samplesShown_ = toggle("color-samples",
+                         {"colorSpaceSamples", tr("Samples"),
+                          tr("Shows the colours that strokes touched, in their class's colour"), Qt::Key_S},
+                         true);
+  tableShown_ = toggle(
+      "color-surfaces",
+      {"colorSpaceTable", tr("Table"), tr("Shows the surfaces of the table's classes"), Qt::Key_T}, true);
+  showPanel_ = toggle("settings",
+                      {"colorSpaceSettings", tr("Classes and cut"),
+                       tr("Shows which classes are shown, and where it is cut"), Qt::Key_D},
+                      true);
+  reset_ =
+      makeAction(this, "reset", {"colorSpaceReset", tr("Reset"), tr("Looks at it as at first"), Qt::Key_R});
+  clear_ = makeAction(
+      this, "clear",
+      {"colorSpaceClear", tr("Select nothing"), tr("Forgets what is selected (Escape in the picture)")});
+}
+
+void ColorSpaceView::createViews() {
+  canvas_ = new ColorSpaceCanvas(this);
+  hint_ = new EmptyHint(canvas_);
+  panel_ = new ColorSpacePanel;
+  // In a low dock the panel scrolls.
+  auto* scroll = new QScrollArea(this);
+  scroll->setWidgetResizable(true);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  scroll->setWidget(panel_);
+  scroll->setMinimumWidth(std::max(150, panel_->minimumSizeHint().width() + 18));
+  auto* splitter = new QSplitter(this);
+  splitter->setObjectName(QStringLiteral("colorSpaceSplitter"));
+  splitter->addWidget(canvas_);
+  splitter->addWidget(scroll);
+  splitter->setStretchFactor(0, 1);
+  splitter->setCollapsible(0, false);
+  splitter->setSizes({420, 150});
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createToolRow());
+  layout->addWidget(splitter, 1);
+  layout->addWidget(createFooter());
+  connect(showPanel_, &QAction::toggled, scroll, &QWidget::setVisible);
+}
+
+QWidget* ColorSpaceView::createToolRow() {
+  QHBoxLayout* row = makeToolRow(this);
+  space_ = new QComboBox(row->parentWidget());
+  widgets::describe(*space_,
+                    {"colorSpaceChoice", tr("Colour space"), tr("In which space colours are shown")});
+  for (const colortool::ColorSpace space : colortool::kColorSpaces)
+    space_->addItem(QLatin1String(colortool::nameOf(space)));
+  row->addWidget(space_);
+  addButtons(row, {pixels_, samplesShown_, tableShown_});
+  row->addStretch(1);
+  selection_ = addLabel(row, "colorSpaceSelection", tr("What is selected"));
+  addButtons(row, {clear_, reset_, showPanel_});
+  return row->parentWidget();
+}
+
+QWidget* ColorSpaceView::createFooter() {
+  QHBoxLayout* footer = makeFooter(this);
+  swatch_ = addLabel(footer, "colorSpaceSwatch", tr("Colour under the cursor"));
+  swatch_->setFixedSize(22, 14);
+  pointed_ = addLabel(footer, "colorSpacePointed", tr("Cell under the cursor"));
+  pointed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  pointed_->setMinimumHeight(fontMetrics().lineSpacing() + 2);  // keeps its height without a text
+  footer->setStretchFactor(pointed_, 1);
+  return footer->parentWidget();
+}
+
+void ColorSpaceView::connectSignals() {
+  connect(space_, qOverload<int>(&QComboBox::currentIndexChanged), this, [this] {
+    panel_->setLook(look());
+    updateLook();
+  });
+  for (QAction* action : {pixels_, samplesShown_, tableShown_})
+    connect(action, &QAction::toggled, this, &ColorSpaceView::updateLook);
+  connect(panel_, &ColorSpacePanel::lookChanged, this, &ColorSpaceView::updateLook);
+  connect(reset_, &QAction::triggered, canvas_, [this] { canvas_->setCamera({}); });
+  connect(clear_, &QAction::triggered, &bench_, &ColorBench::clearSelection);
+  connect(canvas_, &ColorSpaceCanvas::clearWanted, &bench_, &ColorBench::clearSelection);
+  connect(canvas_, &ColorSpaceCanvas::cellsChosen, this, &ColorSpaceView::select);
+  connect(canvas_, &ColorSpaceCanvas::pointedCellChanged, this, &ColorSpaceView::updatePointed);
+  connect(canvas_, &ColorSpaceCanvas::pictureShown, this, &ColorSpaceView::updateSelection);
+}
+
+void ColorSpaceView::connectBench() {
+  connect(&bench_, &ColorBench::selectionChanged, this, [this] { changed(Due::kNow); });
+  connect(&bench_, &ColorBench::referenceChanged, this, [this] { changed(Due::kNow); });
+  connect(&bench_, &ColorBench::pointedChanged, this, [this] {
+    const auto& color = bench_.pointed();
+    canvas_->setMarkedCell(color ? std::optional(colortool::ColorTable::cellOf(*color)) : std::nullopt);
+  });
+
+  connect(&bench_, &ColorBench::colorsChanged, this, [this] {
+    const LearnedColors& colors = *bench_.colors();
+    const bool sameTable = contents_->table == colors.table && contents_->samples == colors.samples;
+    const bool sameImage = contents_->frame == colors.frame && contents_->corrected == colors.corrected;
+    changed(!sameTable ? Due::kNow : sameImage ? Due::kNothing : Due::kSoon);
+    updatePointed();
+  });
+}
+
+void ColorSpaceView::changed(Due due) {
+  due_ = std::max(due_, due);
+}
+
+void ColorSpaceView::tick() {
+  ++ticks_;
+  if (due_ == Due::kNow || (due_ == Due::kSoon && ticks_ >= kTicksBetweenImages)) updateContents();
+  canvas_->tick();
+}
+
+void ColorSpaceView::updateContents() {
+  due_ = Due::kNothing;
+  ticks_ = 0;
+  auto contents = std::make_shared<ColorSpaceContents>();
+  if (const LearnedColors* colors = bench_.colors()) {
+    contents->frame = colors->frame;
+    contents->corrected = colors->corrected;
+    contents->table = colors->table;
+    contents->samples = colors->samples;
+  } else {
+    contents->samples = bench_.samples();
+  }
+  contents->reference = bench_.reference();
+  if (bench_.hasSelection()) contents->selection = std::make_shared<colortool::CellSet>(bench_.selection());
+  contents_ = contents;
+  panel_->setClasses(contents->samples.classes);
+  panel_->setHasReference(contents->reference != nullptr);
+  canvas_->setContents(std::move(contents));
+  clear_->setEnabled(bench_.hasSelection());
+  updateHint();
+  updateSelection();
+}
+
+void ColorSpaceView::updateHint() {
+  const bool nothing =
+      contents_->frame == nullptr && contents_->samples.strokes.empty() &&
+      (contents_->table == nullptr ||
+       std::ranges::all_of(contents_->table->cells(), [](std::uint8_t cell) { return cell == 0; }));
+  hint_->setHint(
+      nothing ? tr("There are no colours yet.\nOpen a colour image and draw strokes in it: its pixels, "
+                   "the strokes' samples and the table that is made of them appear here.")
+              : QString());
+}
+
+ColorSpaceLook ColorSpaceView::look() const {
+  ColorSpaceLook look;
+  look.space = colortool::kColorSpaces[static_cast<std::size_t>(std::max(0, space_->currentIndex()))];
+  look.pixels = pixels_->isChecked();
+  look.samples = samplesShown_->isChecked();
+  look.table = tableShown_->isChecked();
+  panel_->addTo(look);
+  return look;
+}
+
+void ColorSpaceView::updateLook() {
+  canvas_->setLook(look());
+}
+
+void ColorSpaceView::updatePointed() {
+  const auto cell = canvas_->pointedCell();
+  pointed_->setText(cell ? describe(*cell) : QString());
+  pointed_->setToolTip(pointed_->text());  // for narrow views
+  if (!cell) return swatch_->clear();
+  const auto middle = [](std::size_t part) { return static_cast<std::uint8_t>((part & 63U) * 4 + 2); };
+  const robotlink::Rgb color = robotlink::toRgb({middle(*cell >> 12U), middle(*cell >> 6U), middle(*cell)});
+  QPixmap pixmap(22, 14);
+  pixmap.fill(QColor(color.r, color.g, color.b));
+  swatch_->setPixmap(pixmap);
+}
+
+QString ColorSpaceView::describe(std::size_t cell) const {
+  QStringList parts{tr("Y %1  Cb %2  Cr %3")
+                        .arg(rangeOf(static_cast<int>(cell >> 12U)),
+                             rangeOf(static_cast<int>(cell >> 6U & 63U)),
+                             rangeOf(static_cast<int>(cell & 63U)))};
+  const auto classIn = [&](const colortool::ColorTable& table) {
+    const std::uint8_t colorClass = table.cells()[cell];
+    const auto& classes = contents_->samples.classes;
+    const bool none = colorClass == colortool::ColorClasses::kNone || colorClass >= classes.size();
+    return none ? tr("background") : QString::fromStdString(classes.name(colorClass));
+  };
+  if (contents_->table != nullptr) parts << classIn(*contents_->table);
+  if (contents_->reference != nullptr) parts << tr("reference: %1").arg(classIn(*contents_->reference));
+  const LearnedColors* colors = bench_.colors();
+  if (colors != nullptr && colors->margins != nullptr)
+    parts << tr("margin %1 %").arg(qRound((*colors->margins)[cell] / 2.55));
+  if (canvas_->picture().cloud != nullptr)
+    parts << tr("pixels: %1").arg(canvas_->picture().cloud->pixelsIn(cell));
+  return parts.join(QStringLiteral("   "));
+}
+
+void ColorSpaceView::updateSelection() {
+  if (contents_ == nullptr || contents_->selection == nullptr) return selection_->clear();
+  const auto& cloud = canvas_->picture().cloud;
+  QString text = counted(contents_->selection->size(), tr("1 cell"), tr("%1 cells"));
+  if (cloud != nullptr)
+    text += QStringLiteral(", ") +
+            counted(pixelsIn(*cloud, *contents_->selection), tr("1 pixel"), tr("%1 pixels"));
+  selection_->setText(text);
+}
+
+void ColorSpaceView::select(const colortool::CellSet& cells, SelectionChange change) {
+  colortool::CellSet selection = cells;
+  if (change != SelectionChange::kReplace && bench_.hasSelection()) {
+    for (std::size_t row = 0; row < colortool::CellSet::kRows; ++row) {
+      const auto before = bench_.selection().row(row);
+      selection.row(row) =
+          change == SelectionChange::kAdd ? before | cells.row(row) : before & ~cells.row(row);
+    }
+  } else if (change == SelectionChange::kTakeAway) {
+    return;
+  }
+  selection.empty() ? bench_.clearSelection() : bench_.select(selection);
+}
+
+QJsonObject ColorSpaceView::saveState() const {
+  const ColorSpaceLook shown = look();
+  QJsonArray hidden;
+  for (const std::string& name : shown.hidden) hidden.append(QString::fromStdString(name));
+  return {{QStringLiteral("space"), QLatin1String(colortool::nameOf(shown.space))},
+          {QStringLiteral("pixels"), shown.pixels},
+          {QStringLiteral("samples"), shown.samples},
+          {QStringLiteral("table"), shown.table},
+          {QStringLiteral("surfaces"), static_cast<int>(shown.surfaces)},
+          {QStringLiteral("opacity"), shown.opacity},
+          {QStringLiteral("hidden"), hidden},
+          {QStringLiteral("cut"), static_cast<int>(shown.cut.along)},
+          {QStringLiteral("cutAt"), shown.cut.at},
+          {QStringLiteral("cutOther"), shown.cut.other},
+          {QStringLiteral("panel"), showPanel_->isChecked()},
+          {QStringLiteral("camera"), stateOf(canvas_->camera())}};
+}
+
+void ColorSpaceView::restoreState(const QJsonObject& state) {
+  ColorSpaceLook wanted;
+  space_->setCurrentIndex(std::max(0, space_->findText(state[QStringLiteral("space")].toString())));
+  wanted.space = look().space;
+  const int surfaces = state[QStringLiteral("surfaces")].toInt();
+  if (surfaces >= 0 && surfaces <= static_cast<int>(SurfacesOf::kDifference))
+    wanted.surfaces = static_cast<SurfacesOf>(surfaces);
+  wanted.opacity = std::clamp(state[QStringLiteral("opacity")].toDouble(wanted.opacity), 0.0, 1.0);
+  for (const QJsonValue& name : state[QStringLiteral("hidden")].toArray())
+    wanted.hidden.push_back(name.toString().toStdString());
+  const int along = state[QStringLiteral("cut")].toInt();
+  if (along >= 0 && along <= static_cast<int>(ColorSpaceCut::Along::kThird))
+    wanted.cut.along = static_cast<ColorSpaceCut::Along>(along);
+  wanted.cut.at = std::clamp(state[QStringLiteral("cutAt")].toDouble(wanted.cut.at), 0.0, 1.0);
+  wanted.cut.other = state[QStringLiteral("cutOther")].toBool();
+  panel_->setLook(wanted);
+  pixels_->setChecked(state[QStringLiteral("pixels")].toBool(true));
+  samplesShown_->setChecked(state[QStringLiteral("samples")].toBool(true));
+  tableShown_->setChecked(state[QStringLiteral("table")].toBool(true));
+  showPanel_->setChecked(state[QStringLiteral("panel")].toBool(true));
+  canvas_->setCamera(colorSpaceCameraOf(state[QStringLiteral("camera")].toObject()));
+  updateLook();
+}
+
+}  // namespace widgets

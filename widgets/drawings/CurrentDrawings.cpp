@@ -1,0 +1,47 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drawings/CurrentDrawings.h"
+
+#include <algorithm>
+#include <map>
+
+#include "robotlink/session/FrameDrawings.h"
+#include "robotlink/session/Session.h"
+
+namespace widgets {
+namespace {
+
+using robotlink::DrawingKind;
+
+struct DrawnKind {
+  const char* folder;
+  DrawingKind kind;
+};
+constexpr DrawnKind kKinds[] = {
+    {"image/", DrawingKind::kImage}, {"field/", DrawingKind::kField}, {"robot/", DrawingKind::kRobot}};
+
+}  // namespace
+
+std::vector<CurrentDrawing> currentDrawings(robotlink::Session& session, const std::string& robot,
+                                            const QStringList& ids, robotlink::Instant shown) {
+  std::map<std::string, const robotlink::StreamMessage*> byId;
+  for (const DrawnKind& kind : kKinds) {
+    const QLatin1String folder(kind.folder);
+    const auto isOfKind = [&](const QString& id) { return id.startsWith(folder); };
+    if (std::none_of(ids.begin(), ids.end(), isOfKind)) continue;
+    const std::size_t prefix = robotlink::drawingPrefix(robot, kind.kind).size();
+    for (const auto* message : robotlink::currentDrawings(session.store(), robot, kind.kind, shown)) {
+      byId[kind.folder + message->path.substr(prefix)] = message;
+    }
+  }
+  std::vector<CurrentDrawing> drawings;
+  for (const QString& id : ids) {
+    const auto found = byId.find(id.toStdString());
+    if (found == byId.end()) continue;
+    const robotlink::StreamMessage& message = *found->second;
+    drawings.push_back({id, robot, message.value, message.time,
+                        !robotlink::isOfLatestFrame(session.store(), robot, message, shown)});
+  }
+  return drawings;
+}
+
+}  // namespace widgets

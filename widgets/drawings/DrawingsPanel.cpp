@@ -1,0 +1,101 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/drawings/DrawingsPanel.h"
+
+#include <QAction>
+#include <QHBoxLayout>
+#include <QLineEdit>
+#include <QListView>
+#include <QSortFilterProxyModel>
+#include <QToolButton>
+#include <QVBoxLayout>
+
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/drawings/DrawingsModel.h"
+
+namespace widgets {
+
+DrawingsPanel::DrawingsPanel(DrawingsModel& model, QWidget* parent) : QWidget(parent), model_(model) {
+  setObjectName(QStringLiteral("drawingsPanel"));
+  createViews();
+}
+
+void DrawingsPanel::createViews() {
+  filtered_ = new QSortFilterProxyModel(this);
+  filtered_->setSourceModel(&model_);
+  filtered_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  auto* search = makeSearchField(
+      this, {"drawingsSearch", tr("Search drawings"), tr("Shows only drawings whose name contains this")});
+  connect(search, &QLineEdit::textChanged, filtered_, &QSortFilterProxyModel::setFilterFixedString);
+
+  list_ = new QListView(this);
+  describe(*list_, {"drawingsList", tr("Drawings"),
+                    tr("Checked drawings are shown; what is lower in the list lies on top. Grey ones are off "
+                       "at the robot: "
+                       "check one to switch it on")});
+  list_->setModel(filtered_);
+  list_->setUniformItemSizes(true);
+  list_->setFrameShape(QFrame::NoFrame);
+  list_->setTextElideMode(Qt::ElideMiddle);
+  list_->setHorizontalScrollBarPolicy(Qt::ScrollBarAlwaysOff);
+  auto* hint = new EmptyHint(list_);
+  const auto update = [this, hint] {
+    hint->setHint(model_.rowCount() == 0       ? tr("There is no robot that could draw anything here.")
+                  : filtered_->rowCount() == 0 ? tr("No drawing has this in its name.")
+                                               : QString());
+  };
+  connect(filtered_, &QAbstractItemModel::rowsInserted, hint, update);
+  connect(filtered_, &QAbstractItemModel::rowsRemoved, hint, update);
+  connect(filtered_, &QAbstractItemModel::modelReset, hint, update);
+  update();
+
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 0, 0, 0);
+  layout->setSpacing(2);
+  layout->addWidget(search);
+  layout->addWidget(list_, 1);
+  layout->addWidget(createButtons());
+}
+
+QWidget* DrawingsPanel::createButtons() {
+  auto* row = new QWidget(this);
+  auto* layout = new QHBoxLayout(row);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  const auto add = [&](const char* icon, const ControlText& text, auto slot) {
+    QAction* action = makeAction(list_, icon, text);
+    connect(action, &QAction::triggered, this, slot);
+    layout->addWidget(makeButton(row, action));
+  };
+  add("check-all", {"drawingsAll", tr("Show all"), tr("Shows all drawings")},
+      [this] { model_.setAllShown(true); });
+  add("check-none", {"drawingsNone", tr("Show none"), tr("Hides all drawings")},
+      [this] { model_.setAllShown(false); });
+  add("clear",
+      {"drawingsOff", tr("Switch off"),
+       tr("Switches the chosen drawing's debug key off: the robot no longer draws it")},
+      [this] {
+        const QModelIndex current = list_->currentIndex();
+        if (current.isValid()) model_.switchKey(filtered_->mapToSource(current).row(), false);
+      });
+  layout->addStretch(1);
+  add("up",
+      {"drawingsUp", tr("Lower"), tr("Puts the drawing below the one before it"),
+       QKeySequence(QStringLiteral("Alt+Up"))},
+      [this] { moveCurrent(-1); });
+  add("down",
+      {"drawingsDown", tr("Raise"), tr("Puts the drawing on top of the next one"),
+       QKeySequence(QStringLiteral("Alt+Down"))},
+      [this] { moveCurrent(1); });
+  return row;
+}
+
+void DrawingsPanel::moveCurrent(int by) {
+  const QModelIndex current = list_->currentIndex();
+  const QModelIndex neighbour = filtered_->index(current.row() + by, 0);
+  if (!current.isValid() || !neighbour.isValid()) return;
+  const int from = filtered_->mapToSource(current).row();
+  model_.move(from, filtered_->mapToSource(neighbour).row() - from);
+}
+
+}  // namespace widgets

@@ -1,0 +1,225 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/keys/DebugKeysView.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QLineEdit>
+#include <QToolButton>
+#include <QTreeView>
+#include <algorithm>
+
+#include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/keys/KeyDelegate.h"
+#include "widgets/Requests.h"
+#include "widgets/keys/KeyFilter.h"
+#include "widgets/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kDebugKeysViewRegistration{
+    {"debug-keys", QT_TRANSLATE_NOOP("View", "Debug keys"),
+     QT_TRANSLATE_NOOP("View", "Switches what the robot's processes tell: drawings, images, plots."), "keys",
+     false, create<DebugKeysView>}};
+
+}  // namespace
+
+DebugKeysView::DebugKeysView(ViewContext& context, QWidget* parent)
+    : View(context, parent), filter_(new KeyFilter(this)) {
+  setObjectName(QStringLiteral("debugKeysView"));
+  createActions();
+  createViews();
+  connectSignals();
+  listPresets();
+  showState();
+}
+
+void DebugKeysView::createActions() {
+  activeOnly_ = makeAction(this, "filter",
+                           {"keysActiveOnly", tr("Only those that are on"),
+                            tr("Shows only the keys that are not off"), tr("Ctrl+Shift+A")});
+  activeOnly_->setCheckable(true);
+  allOff_ = makeAction(this, "clear",
+                       {"keysAllOff", tr("All off"), tr("Switches every key off"), tr("Ctrl+Shift+K")});
+  savePreset_ =
+      makeAction(this, "save",
+                 {"keysSavePreset", tr("Save preset"),
+                  tr("Keeps the keys that are on under the name in the field"), tr("Ctrl+Shift+P")});
+  removePreset_ = makeAction(
+      this, "remove", {"keysRemovePreset", tr("Delete preset"), tr("Forgets the preset that is named")});
+}
+
+void DebugKeysView::createViews() {
+  search_ = makeSearchField(this, {"keysSearch", tr("Search keys"),
+                                   tr("Words that the key's name contains; just type in the list")});
+  presets_ = new QComboBox(this);
+  describe(*presets_, {"keysPresets", tr("Preset"),
+                       tr("A named set of keys: choose one to switch to it, or type a new name and save")});
+  presets_->setEditable(true);
+  presets_->setInsertPolicy(QComboBox::NoInsert);
+  presets_->lineEdit()->setObjectName(QStringLiteral("keysPresetName"));
+  presets_->lineEdit()->setPlaceholderText(tr("Preset"));
+  tree_ = new QTreeView(this);
+  styleTree(*tree_);
+  describe(*tree_, {"keysTree", tr("Debug keys"), {}});
+  filter_->setSourceModel(&model_);
+  tree_->setModel(filter_);
+  tree_->setItemDelegate(new KeyDelegate(tree_));
+  tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked);
+  auto* fit = new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber});
+  fit->expect(KeyTreeModel::kMode, tr("every n-th"));
+  hint_ = new EmptyHint(tree_);
+  state_ = new QLabel(this);
+  describe(*state_, {"keysState", tr("State of the debug keys"), {}});
+  state_->setWordWrap(true);
+
+  auto* top = new QHBoxLayout;
+  top->addWidget(search_, 1);
+  top->addWidget(makeButton(this, activeOnly_));
+  top->addWidget(makeButton(this, allOff_));
+  auto* middle = new QHBoxLayout;
+  middle->addWidget(presets_, 1);
+  middle->addWidget(makeButton(this, savePreset_));
+  middle->addWidget(makeButton(this, removePreset_));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addLayout(top);
+  layout->addLayout(middle);
+  layout->addWidget(tree_, 1);
+  layout->addWidget(state_);
+}
+
+void DebugKeysView::connectSignals() {
+  tree_->installEventFilter(this);
+  connect(search_, &QLineEdit::textChanged, this, &DebugKeysView::search);
+  connect(search_, &QLineEdit::returnPressed, this, [this] {
+    tree_->setFocus();
+    if (!tree_->currentIndex().isValid()) tree_->setCurrentIndex(filter_->index(0, 0));
+  });
+  connect(activeOnly_, &QAction::toggled, this, [this](bool on) {
+    filter_->setActiveOnly(on);
+    if (filter_->filters()) tree_->expandAll();
+    showState();
+  });
+  connect(allOff_, &QAction::triggered, this, &DebugKeysView::allOff);
+  connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (index.column() != KeyTreeModel::kName && index.flags().testFlag(Qt::ItemIsEditable))
+      tree_->edit(index);
+  });
+  connect(&model_, &KeyTreeModel::keyChosen, this, &DebugKeysView::request);
+  connect(presets_, QOverload<int>::of(&QComboBox::activated), this,
+          [this](int index) { loadPreset(presets_->itemText(index)); });
+  connect(savePreset_, &QAction::triggered, this, &DebugKeysView::savePreset);
+  connect(removePreset_, &QAction::triggered, this, &DebugKeysView::removePreset);
+}
+
+void DebugKeysView::tick() {
+  const std::string& robot = session().selectedRobot();
+  const auto tables =
+      latestTable(session().store(), robot, robotlink::streams::kKeys, session().timeline().shown());
+  auto values = valuesOf(tables);
+  if (robot == robot_ && values == shown_) return;
+  const std::size_t before = robot == robot_ ? model_.keys().size() : 0;
+  robot_ = robot;
+  shown_ = std::move(values);
+  model_.setKeys(robot.empty() ? std::vector<KeyEntry>() : mergeKeys(tables));
+  if (model_.keys().size() != before || filter_->filters()) tree_->expandAll();
+  showState();
+}
+
+void DebugKeysView::search(const QString& text) {
+  filter_->setWords(text);
+  if (filter_->filters()) tree_->expandAll();
+  showState();
+}
+
+void DebugKeysView::showState() {
+  const auto& keys = model_.keys();
+  const auto on = std::count_if(keys.begin(), keys.end(), [this](const KeyEntry& key) {
+    return model_.shownValue(key).kind != KeyValue::Kind::kOff;
+  });
+  allOff_->setEnabled(on > 0);
+  // The column of numbers is hidden while no key has one, so that names have more room.
+  tree_->setColumnHidden(KeyTreeModel::kNumber,
+                         std::none_of(keys.begin(), keys.end(), [this](const KeyEntry& key) {
+                           return hasNumber(model_.shownValue(key).kind);
+                         }));
+  QStringList said;
+  if (!notice_.isEmpty()) said << notice_;
+  if (!keys.empty()) said << tr("%1 of %2 keys are on").arg(on).arg(keys.size());
+  state_->setText(said.join(QLatin1Char('\n')));
+  if (session().selectedRobot().empty()) {
+    hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
+  } else if (keys.empty()) {
+    hint_->setHint(tr("The robot has not told its debug keys yet. Start its program."));
+  } else {
+    hint_->setHint(filter_->rowCount() > 0 ? QString()
+                                           : tr("No key is like that. Clear the search or the filter."));
+  }
+}
+
+void DebugKeysView::request(const QString& key, const KeyValue& value) {
+  robotcontrol::Request request;
+  request.mutable_set_key()->set_name(key.toStdString());
+  assign(*request.mutable_set_key()->mutable_mode(), value);
+  ask(session(), robot_, std::move(request), this, [this, key](bool accepted, const QString& reason) {
+    if (accepted) return;
+    model_.refuse(key.toStdString(), reason);
+    notify(tr("%1 was refused: %2").arg(key, reason));
+  });
+  notify({});
+}
+
+void DebugKeysView::toggle(const QModelIndex& index) {
+  if (!index.isValid()) return;
+  const bool on = index.data(KeyTreeModel::kActiveRole).toBool();
+  const QModelIndex source = filter_->mapToSource(index.siblingAtColumn(0));
+  for (const std::string& key : model_.keysBelow(source)) {
+    model_.choose(key, {on ? KeyValue::Kind::kOff : KeyValue::Kind::kAlways, 0});
+  }
+}
+
+void DebugKeysView::allOff() {
+  const std::vector<KeyEntry> keys = model_.keys();
+  for (const KeyEntry& key : keys) {
+    if (model_.shownValue(key).kind != KeyValue::Kind::kOff) model_.choose(key.name, {});
+  }
+}
+
+bool DebugKeysView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched != tree_ || event->type() != QEvent::KeyPress) return View::eventFilter(watched, event);
+  // Keys that an editor in the tree has not used are not meant for the tree.
+  const QWidget* focused = QApplication::focusWidget();
+  if (focused != tree_ && tree_->isAncestorOf(focused)) return View::eventFilter(watched, event);
+  auto* key = static_cast<QKeyEvent*>(event);
+  if (key->key() == Qt::Key_Space || key->key() == Qt::Key_Return || key->key() == Qt::Key_Enter) {
+    toggle(tree_->currentIndex());
+    return true;
+  }
+  const QString text = key->text();
+  const bool plain = (key->modifiers() & ~(Qt::ShiftModifier | Qt::KeypadModifier)) == Qt::NoModifier;
+  if (!plain || text.isEmpty() || !text.at(0).isPrint()) return View::eventFilter(watched, event);
+  search_->setFocus();
+  search_->setText(search_->text() + text);
+  return true;
+}
+
+QJsonObject DebugKeysView::saveState() const {
+  return {{QStringLiteral("search"), search_->text()},
+          {QStringLiteral("activeOnly"), activeOnly_->isChecked()}};
+}
+
+void DebugKeysView::restoreState(const QJsonObject& state) {
+  search_->setText(state.value(QStringLiteral("search")).toString());
+  activeOnly_->setChecked(state.value(QStringLiteral("activeOnly")).toBool());
+}
+
+}  // namespace widgets

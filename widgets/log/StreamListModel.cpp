@@ -1,0 +1,103 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/log/StreamListModel.h"
+
+#include <QFont>
+#include <QLocale>
+#include <algorithm>
+#include <filesystem>
+
+#include "widgets/log/LogOverview.h"
+
+namespace widgets {
+
+QString bytesText(std::uint64_t bytes) {
+  return QLocale::c().formattedDataSize(static_cast<qint64>(bytes), 1, QLocale::DataSizeSIFormat);
+}
+
+std::vector<StreamListModel::Row> StreamListModel::rowsOf(const std::string& log, const LogOverview& overview,
+                                                          const std::set<std::string>& hidden) {
+  std::vector<Row> rows;
+  for (const auto& stream : overview.streams) {
+    rows.push_back({log, stream.path, stream.type, stream.count, stream.bytes, stream.rate(),
+                    !hidden.contains(stream.path)});
+  }
+  return rows;
+}
+
+void StreamListModel::setRows(std::vector<Row> rows) {
+  if (rows == rows_) return;
+  const auto sameStream = [](const Row& a, const Row& b) { return a.log == b.log && a.path == b.path; };
+  if (!std::equal(rows.begin(), rows.end(), rows_.begin(), rows_.end(), sameStream)) {
+    beginResetModel();
+    rows_ = std::move(rows);
+    endResetModel();
+    return;
+  }
+  rows_ = std::move(rows);
+  if (!rows_.empty()) Q_EMIT dataChanged(index(0, 0), index(rowCount() - 1, kColumns - 1));
+}
+
+int StreamListModel::rowCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : static_cast<int>(rows_.size());
+}
+
+int StreamListModel::columnCount(const QModelIndex& parent) const {
+  return parent.isValid() ? 0 : kColumns;
+}
+
+QVariant StreamListModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  const Row& at = row(index.row());
+  const bool isNumber = index.column() >= kCount && index.column() <= kRate;
+  if (role == Qt::TextAlignmentRole && isNumber) return int(Qt::AlignRight | Qt::AlignVCenter);
+  if (role == Qt::CheckStateRole && index.column() == kPath) return at.shown ? Qt::Checked : Qt::Unchecked;
+  if (role == kFilterRole) return QString::fromStdString(at.path + ' ' + at.type);
+  if (role == Qt::FontRole && at.stepped) {
+    QFont font;
+    font.setBold(true);
+    return font;
+  }
+  if (role == Qt::ToolTipRole && index.column() == kPath) {
+    return at.stepped ? tr("%1: its messages are stepped").arg(QString::fromStdString(at.path))
+                      : QString::fromStdString(at.path);
+  }
+  if (role != Qt::DisplayRole && role != kSortRole) return {};
+  const bool sort = role == kSortRole;
+  switch (index.column()) {
+    case kPath:
+      return QString::fromStdString(at.path);
+    case kCount:
+      return sort ? QVariant(qulonglong{at.count}) : QString::number(at.count);
+    case kBytes:
+      return sort ? QVariant(qulonglong{at.bytes}) : at.bytes > 0 ? bytesText(at.bytes) : QStringLiteral("–");
+    case kRate:
+      return sort ? QVariant(at.rate) : at.rate > 0 ? QString::number(at.rate, 'f', 1) : QStringLiteral("–");
+    case kSchema:
+      return QString::fromStdString(at.type);
+    default:
+      return QString::fromStdString(std::filesystem::path(at.log).filename().string());
+  }
+}
+
+bool StreamListModel::setData(const QModelIndex& index, const QVariant& value, int role) {
+  if (!index.isValid() || role != Qt::CheckStateRole || index.column() != kPath) return false;
+  Row& at = rows_[static_cast<std::size_t>(index.row())];
+  at.shown = value.toInt() == Qt::Checked;
+  Q_EMIT dataChanged(index, index, {Qt::CheckStateRole});
+  Q_EMIT shownChanged(at.log, at.path, at.shown);
+  return true;
+}
+
+QVariant StreamListModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  const QString titles[] = {tr("Stream"), tr("Messages"), tr("Size"), tr("Hz"), tr("Schema"), tr("Log")};
+  return titles[section];
+}
+
+Qt::ItemFlags StreamListModel::flags(const QModelIndex& index) const {
+  if (!index.isValid()) return Qt::NoItemFlags;
+  auto flags = QAbstractTableModel::flags(index) | Qt::ItemNeverHasChildren;
+  return index.column() == kPath ? flags | Qt::ItemIsUserCheckable : flags;
+}
+
+}  // namespace widgets

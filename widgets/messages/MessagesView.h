@@ -1,0 +1,98 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <map>
+#include <memory>
+#include <set>
+#include <utility>
+#include <vector>
+
+#include "widgets/View.h"
+#include "widgets/log/LogModel.h"
+#include "widgets/TypedStreams.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QTableView;
+
+namespace widgets {
+
+class EmptyHint;
+class LogFilter;
+
+/// The text messages (foxglove.Log) of all robots in a table, with filters for level, robot and text, a
+/// search, follow, pause, clear and copy. While the timeline is paused at an instant, the row of that instant
+/// is the current one. If logs are open all their messages are listed, those after the play head muted; a
+/// double click jumps to a message's time.
+///
+/// Registered as "messages". GUI thread.
+class MessagesView final : public View {
+  Q_OBJECT
+ public:
+  explicit MessagesView(ViewContext& context, QWidget* parent = nullptr);
+  /// Appends new messages (unless paused) and moves the current row to the shown instant.
+  void tick() override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
+
+ private:
+  /// Actions of the toolbar, among them regular expression, previous and next match, follow, pause.
+  void createActions();
+  void createFilters();
+  void createViews();
+  void connectSignals();
+  /// Appends the messages that arrived since the last tick. Starts over when the store was reset or the set
+  /// of open logs changed.
+  void takeNew();
+  /// Replaces the table by all messages that the open logs hold, played or not.
+  void takeLogs();
+  /// Mutes rows after the play head and selects the row of the shown instant.
+  void showInstant();
+  /// Fills the combo box of robots; it is hidden while there is only one.
+  void listRobots();
+  /// Passes the filter text to the proxy; shows what is wrong with a regular expression.
+  void setPattern();
+  /// Selects the next match of the search; `step` is 1 (down), -1 (up) or 0 (from the current row on).
+  void find(int step);
+  /// Copies the selected rows to the clipboard, cells separated by tabs.
+  void copy();
+  /// Updates the count of messages and the hint of an empty table.
+  void showState();
+  /// The row with filters, search and buttons.
+  QWidget* createBar();
+
+  /// All messages, bounded; see LogModel.
+  LogModel model_;
+  LogFilter* filter_;
+  QTableView* table_ = nullptr;
+  QComboBox* level_ = nullptr;
+  QComboBox* robot_ = nullptr;
+  QLineEdit* pattern_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  QLabel* state_ = nullptr;
+  /// Error in the filter's regular expression; hidden if there is none.
+  QLabel* problem_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* regex_ = nullptr;
+  QAction* follow_ = nullptr;
+  QAction* pause_ = nullptr;
+  QAction* clear_ = nullptr;
+  QAction* copy_ = nullptr;
+  QAction* next_ = nullptr;
+  QAction* previous_ = nullptr;
+  /// What was already read of each stream, by path.
+  std::map<std::string, StreamCursor> cursors_;
+  /// Generation of the store when it was last read; another one means that it was reset.
+  std::uint64_t generation_ = 0;
+  OpenLogs& logs_;
+  /// The texts and offsets of the logs that are listed, to detect a change.
+  std::vector<std::pair<std::shared_ptr<const std::vector<LogEntry>>, robotlink::Duration>> listed_;
+  /// Keys of the messages that the open logs hold, so that a message is not listed again when it is played.
+  std::set<std::string> logged_;
+  /// The instant whose row was selected last.
+  robotlink::Instant shown_;
+};
+
+}  // namespace widgets

@@ -1,0 +1,79 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/motion/MotionCommander.h"
+
+#include <algorithm>
+#include <cmath>
+
+#include "robotcontrol/Motion.pb.h"
+
+namespace widgets {
+namespace {
+
+constexpr int kResendTicks = 3;   // 10 Hz at 30 ticks a second
+constexpr int kMotionTicks = 30;  // a second
+using Kind = robotcontrol::MotionRequest;
+
+}  // namespace
+
+void MotionCommander::play(const std::string& motion) {
+  motion_ = motion;
+  motionTicks_ = 0;
+}
+
+void MotionCommander::halt() {
+  axes_ = {};
+  motion_.clear();
+}
+
+void MotionCommander::setActive(bool active) {
+  if (active == active_) return;
+  active_ = active;
+  sinceSent_ = kResendTicks;
+  sent_.clear();
+  halt();
+}
+
+void MotionCommander::settleMotion(const robotcontrol::MotionStatus* status) {
+  if (motion_.empty()) return;
+  const auto kind = motion_ == kGetUp ? Kind::GET_UP : Kind::KEY_FRAMES;
+  const bool begun = status != nullptr && status->executed().kind() == kind &&
+                     (kind == Kind::GET_UP || status->executed().motion() == motion_);
+  if (begun || ++motionTicks_ > kMotionTicks) motion_.clear();
+}
+
+bool MotionCommander::tick(const robotcontrol::MotionStatus* status) {
+  if (!active_) return false;
+  settleMotion(status);
+  std::string next = command().SerializeAsString();
+  if (++sinceSent_ < kResendTicks && next == sent_) return false;
+  sinceSent_ = 0;
+  sent_ = std::move(next);
+  return true;
+}
+
+robotcontrol::RemoteMotion MotionCommander::command() const {
+  robotcontrol::RemoteMotion result;
+  auto& motion = *result.mutable_motion();
+  if (!motion_.empty()) {
+    motion.set_kind(motion_ == kGetUp ? Kind::GET_UP : Kind::KEY_FRAMES);
+    motion.set_motion(motion_);
+  } else if (!axes_.zero()) {
+    // Limits the square of the axes to a disc of speeds: full deflection is the limit in every direction.
+    const double length = std::max(1.0, std::hypot(axes_.forward, axes_.left));
+    motion.set_kind(Kind::WALK);
+    motion.mutable_walk()->set_x(axes_.forward / length * limits_.speed);
+    motion.mutable_walk()->set_y(axes_.left / length * limits_.speed);
+    motion.mutable_walk()->set_rotation(axes_.turn * limits_.rotation);
+  }
+  auto& head = *result.mutable_head();
+  head.set_kind(static_cast<robotcontrol::HeadMode::Kind>(head_.kind));
+  if (head_.kind == HeadWish::Kind::kAngles) {
+    head.set_tilt(head_.tilt);
+    head.set_pan(head_.pan);
+    head.set_roll(head_.roll);
+    head.set_mouth(head_.mouth);
+  }
+  return result;
+}
+
+}  // namespace widgets

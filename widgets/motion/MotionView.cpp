@@ -1,0 +1,419 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/motion/MotionView.h"
+
+#include <QBoxLayout>
+#include <QEvent>
+#include <QLabel>
+#include <QPushButton>
+#include <QScrollArea>
+#include <QSlider>
+#include <QToolButton>
+#include <algorithm>
+
+#include "robotcontrol/Driving.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "widgets/Controls.h"
+#include "widgets/motion/HeadPanel.h"
+#include "widgets/Icon.h"
+#include "widgets/motion/MotionButtons.h"
+#include "widgets/Requests.h"
+#include "widgets/motion/SpeedPanel.h"
+#include "widgets/StopStyle.h"
+#include "widgets/motion/WalkPad.h"
+#include "widgets/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kMotionViewRegistration{
+    {"motion", QT_TRANSLATE_NOOP("View", "Motion tester"),
+     QT_TRANSLATE_NOOP("View", "Takes the robot over and steers it by mouse, keys and gamepad."), "motion",
+     false, create<MotionView>}};
+
+constexpr int kTurnSteps = 100;
+
+}  // namespace
+
+MotionView::MotionView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("motionView"));
+  auto device = std::make_shared<Gamepad>();
+  gamepad_ = [device] { return device->poll(); };
+  createActions();
+  createViews();
+  connectSignals();
+  useRobot(nullptr);
+  showPad(nullptr);
+}
+
+void MotionView::createActions() {
+  take_ = makeButton(this,
+                     makeAction(this, "take-over",
+                                {"motionTakeOver", tr("Take over"),
+                                 tr("Switches the behavior to obeying you, and back"), tr("Ctrl+Shift+T")}));
+  take_->defaultAction()->setCheckable(true);
+  take_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  take_->setAutoRaise(false);
+  take_->setFocusPolicy(Qt::TabFocus);
+  motors_ = makeButton(this, makeAction(this, "motors",
+                                        {"motionMotors", tr("Motors"),
+                                         tr("Switches the motors on and off, at the base"), tr("Ctrl+M")}));
+  motors_->defaultAction()->setCheckable(true);
+  motors_->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  motors_->setAutoRaise(false);
+  motors_->setFocusPolicy(Qt::TabFocus);
+  stop_ = new QPushButton(tr("STOP"), this);
+  describe(*stop_, {"motionStop", tr("Emergency stop"),
+                    tr("Stops the robot at its platform, whatever its program does; stays until released")});
+  stop_->setCheckable(true);
+  stop_->setMinimumSize(96, 44);
+  stop_->setStyleSheet(stopStyle(QStringLiteral("QPushButton")));
+}
+
+QWidget* MotionView::createTop() {
+  auto* top = new QWidget(this);
+  robotName_ = new QLabel(top);
+  describe(*robotName_, {"motionRobot", tr("Robot that is steered"), tr("It is chosen in the toolbar")});
+  QFont bold = robotName_->font();
+  bold.setBold(true);
+  robotName_->setFont(bold);
+  state_ = new QLabel(top);
+  describe(*state_, {"motionState", tr("Who steers"), {}});
+  state_->setWordWrap(true);
+  auto* layout = new QHBoxLayout(top);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(robotName_);
+  layout->addWidget(take_);
+  layout->addWidget(state_, 1);
+  layout->addWidget(stop_);
+  return top;
+}
+
+QWidget* MotionView::createBody() {
+  auto* body = new QWidget(this);
+  walkPad_ = new WalkPad(body);
+  turn_ = new QSlider(Qt::Horizontal, body);
+  describe(*turn_, {"walkTurn", tr("Turn"), tr("Turns as long as it is held: left is counter-clockwise")});
+  turn_->setRange(-kTurnSteps, kTurnSteps);
+  turn_->setInvertedAppearance(true);
+  turn_->setTickPosition(QSlider::TicksBelow);
+  turn_->setTickInterval(kTurnSteps);
+  gamepadState_ = new QLabel(body);
+  describe(*gamepadState_,
+           {"gamepadState", tr("Gamepad"), tr("Left stick walks, right stick turns, A kicks, B is STOP")});
+  gamepadState_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
+  speed_ = new SpeedPanel(body);
+  head_ = new HeadPanel(body);
+  motions_ = new MotionButtons(body);
+  auto* left = new QVBoxLayout;
+  left->addWidget(walkPad_, 1);
+  left->addWidget(turn_);
+  left->addWidget(gamepadState_);
+  auto* right = new QVBoxLayout;
+  right->addWidget(speed_);
+  right->addWidget(motors_);
+  right->addWidget(head_);
+  right->addWidget(motions_);
+  right->addStretch();
+  auto* layout = new QHBoxLayout(body);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addLayout(left, 3);
+  layout->addLayout(right, 2);
+  return body;
+}
+
+void MotionView::createViews() {
+  auto* scroll = new QScrollArea(this);
+  scroll->setFrameShape(QFrame::NoFrame);
+  scroll->setWidgetResizable(true);
+  scroll->setFocusPolicy(Qt::NoFocus);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addWidget(createTop());
+  scroll->setWidget(createBody());
+  layout->addWidget(scroll, 1);
+}
+
+void MotionView::connectSignals() {
+  connect(take_->defaultAction(), &QAction::triggered, this, &MotionView::takeOver);
+  connect(motors_->defaultAction(), &QAction::triggered, this, &MotionView::switchMotors);
+  connect(stop_, &QPushButton::clicked, this, &MotionView::stop);
+  connect(turn_, &QSlider::sliderReleased, this, [this] { turn_->setValue(0); });
+  connect(motions_, &MotionButtons::chosen, this, &MotionView::play);
+  connect(speed_, &SpeedPanel::limitsChanged, this, [this] {
+    commander_.setLimits(speed_->limits());
+    keepLimits();
+  });
+}
+
+void MotionView::followRobot() {
+  const std::string& robot = session().selectedRobot();
+  if (robot != robot_) {
+    stand();
+    robot_ = robot;
+    takeOver_ = {};
+    tables_.clear();
+    askedForStatus_ = false;
+    commander_.setActive(false);
+    const auto description = context().robots.find(robot);
+    useRobot(description == context().robots.end() ? nullptr : description->second.get());
+    nameRobot();
+  }
+  const auto tables =
+      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().newest());
+  auto values = valuesOf(tables);
+  if (values != tables_) {
+    tables_ = std::move(values);
+    takeOver_.update(tasksOf(tables));
+  }
+  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
+  if (taken && !commander_.active()) walkPad_->setFocus();
+  commander_.setActive(taken);
+  commander_.setHead(head_->wish());
+}
+
+void MotionView::nameRobot() {
+  const QString name = QString::fromStdString(robot_);
+  robotName_->setText(name);
+  robotName_->setVisible(!name.isEmpty());
+  stop_->setToolTip(
+      name.isEmpty()
+          ? tr("Stops the robot at its platform, whatever its program does; stays until released")
+          : tr("Stops %1 at its platform, whatever its program does; stays until released").arg(name));
+}
+
+void MotionView::keepLimits() {
+  if (drive_) {
+    driveLimits_ = speed_->limits();
+  } else {
+    walkLimits_ = speed_->limits();
+  }
+}
+
+void MotionView::useRobot(const robotlink::RobotDescription* description) {
+  constexpr MotionCommander::Limits kGreatestWalk{1, 10};
+  drive_ = description == nullptr ? std::nullopt : description->drive;
+  const bool wheels = drive_.has_value();
+  head_->setRobot(description);
+  head_->setVisible(!wheels);
+  motions_->setVisible(!wheels);
+  turn_->setVisible(!wheels);
+  motors_->setVisible(wheels);
+  walkPad_->setWheels(wheels);
+  gamepadState_->setToolTip(wheels ? tr("Either stick drives and turns, B is STOP")
+                                   : tr("Left stick walks, right stick turns, A kicks, B is STOP"));
+  // setRobot() and setLimits() emit limitsChanged(), which overwrites the user's limits; so they are saved
+  // before.
+  const MotionCommander::Limits walk = walkLimits_;
+  const std::optional<MotionCommander::Limits> chosen = driveLimits_;
+  if (!wheels) {
+    speed_->setRobot(false, kGreatestWalk);
+    speed_->setLimits(walk);
+    driveLimits_ = chosen;
+    return;
+  }
+  const MotionCommander::Limits greatest{drive_->maximumSpeed, drive_->maximumRotation};
+  speed_->setRobot(true, greatest);
+  speed_->setLimits(chosen.value_or(MotionCommander::Limits{greatest.speed / 2, greatest.rotation / 2}));
+  walkLimits_ = walk;
+}
+
+const robotcontrol::DriveState* MotionView::driveState() const {
+  return session().store().latestAs<robotcontrol::DriveState>(robot_ + '/' + robotlink::kDriveState.name,
+                                                              session().timeline().newest());
+}
+
+void MotionView::switchMotors(bool on) {
+  robotcontrol::Request request;
+  request.mutable_control_drive()->set_motors(on);
+  ask(session(), robot_, std::move(request));
+  const auto* state = driveState();
+  // The button shows what the base reports, not what was clicked.
+  motors_->defaultAction()->setChecked(state != nullptr && state->motors_on());
+}
+
+void MotionView::tick() {
+  followRobot();
+  if (drive_) wish_.want(session(), robot_, {robotlink::kDriveState.name});
+  useGamepad(gamepad_());
+  std::string path = robot_ + '/';
+  path += robotlink::kMotionStatus.name;
+  const auto* status =
+      session().store().latestAs<robotcontrol::MotionStatus>(path, session().timeline().newest());
+  WalkAxes axes = pad_.axes.zero() ? walkPad_->axes() : pad_.axes;
+  if (turn_->isSliderDown()) axes.turn = turn_->value() / double(kTurnSteps);
+  commander_.setAxes(commander_.active() ? axes : WalkAxes{});
+  if (commander_.tick(status)) send();
+  showStop();
+  showPad(status);
+}
+
+void MotionView::send() {
+  robotcontrol::Request request;
+  *request.mutable_motion() = commander_.command();
+  robotlink::assign(*request.mutable_motion()->mutable_timestamp(), session().timeline().newest());
+  ask(session(), robot_, std::move(request));
+}
+
+void MotionView::stand() {
+  walkPad_->release();
+  turn_->setSliderDown(false);
+  turn_->setValue(0);
+  pad_ = {};
+  if (!commander_.active()) return;
+  commander_.halt();
+  if (commander_.tick(nullptr)) send();
+}
+
+void MotionView::takeOver(bool take) {
+  const std::string solution = takeOver_.begin(take);
+  if (!take) stand();
+  if (!solution.empty()) {
+    robotcontrol::Request request;
+    request.mutable_select_solution()->set_task(takeOver_.task());
+    request.mutable_select_solution()->set_solution(solution);
+    ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
+      if (!accepted) takeOver_.refused(reason);
+    });
+  }
+  showPad(nullptr);
+  if (take && !askedForStatus_ && !drive_) {
+    askedForStatus_ = true;
+    robotcontrol::Request request;
+    std::string key = "package/";
+    key += robotlink::kMotionStatus.name;
+    request.mutable_set_key()->set_name(key);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    ask(session(), robot_, std::move(request));
+  }
+}
+
+void MotionView::stop(bool engage) {
+  robotcontrol::Request request;
+  request.mutable_stop()->set_engaged(engage);
+  ask(session(), robot_, std::move(request));
+}
+
+void MotionView::play(const QString& motion) {
+  if (commander_.active() && !drive_) commander_.play(motion.toStdString());
+}
+
+void MotionView::useGamepad(const Gamepad::State& pad) {
+  if (pad.kick && !pad_.kick) {
+    const QStringList motions = MotionButtons::shippedMotions();
+    const auto kick = std::find_if(motions.begin(), motions.end(), [](const QString& name) {
+      return name.startsWith(QLatin1String("kick"));
+    });
+    if (kick != motions.end()) play(*kick);
+  }
+  if (pad.stop && !pad_.stop) stop(true);
+  pad_ = pad;
+  if (drive_) pad_.axes = {pad.axes.forward, 0, std::clamp(pad.axes.turn + pad.axes.left, -1.0, 1.0)};
+  gamepadState_->setText(pad.connected ? tr("Gamepad: %1").arg(pad.name)
+                                       : tr("No gamepad; plug one in to use it"));
+  gamepadState_->setEnabled(pad.connected);
+}
+
+void MotionView::showStop() {
+  const auto* status = session().store().latestAs<robotcontrol::SimulationStatus>(
+      robotlink::streams::kSimulation, session().timeline().newest());
+  if (status != nullptr && !stop_->isDown()) {
+    const auto& stopped = status->stopped_robots();
+    stop_->setChecked(std::find(stopped.begin(), stopped.end(), robot_) != stopped.end());
+  }
+  stop_->setEnabled(!robot_.empty());
+  stop_->setText(stopText(stop_->isChecked()));
+}
+
+void MotionView::showPad(const robotcontrol::MotionStatus* status) {
+  const TakeOver::State who = takeOver_.state();
+  const bool taken = who == TakeOver::State::kTaken;
+  QAction& take = *take_->defaultAction();
+  take.setChecked(taken);
+  take.setEnabled(who == TakeOver::State::kFree || taken);
+  take.setText(taken ? tr("Give back") : tr("Take over"));
+  state_->setText(stateText());
+  const auto* base = drive_ ? driveState() : nullptr;
+  motors_->setEnabled(drive_.has_value());
+  motors_->defaultAction()->setChecked(base != nullptr && base->motors_on());
+  motors_->setText(base == nullptr ? tr("Motors") : base->motors_on() ? tr("Motors on") : tr("Motors off"));
+  motions_->setEnabled(taken);
+  head_->setEnabled(taken);
+  turn_->setEnabled(taken);
+  motions_->showPlaying(status != nullptr &&
+                                status->executed().kind() == robotcontrol::MotionRequest::KEY_FRAMES
+                            ? QString::fromStdString(status->executed().motion())
+                            : QString());
+  showSpeeds(status);
+}
+
+QString MotionView::stateText() const {
+  if (robot_.empty()) return tr("No robot. Start a simulation or connect to a robot.");
+  const auto* base = drive_ ? driveState() : nullptr;
+  if (base == nullptr || takeOver_.state() != TakeOver::State::kTaken) return takeOver_.text();
+  if (base->emergency_stop()) return tr("The emergency stop is pressed: release it at the robot.");
+  return base->motors_on() ? takeOver_.text()
+                           : tr("You steer the robot, but its motors are off: switch them on.");
+}
+
+void MotionView::showSpeeds(const robotcontrol::MotionStatus* status) {
+  const bool taken = takeOver_.state() == TakeOver::State::kTaken;
+  const auto measured = measuredSpeed(session().store(), robot_, session().timeline().shown());
+  std::optional<Speed> believed;
+  if (const auto* base = drive_ ? driveState() : nullptr; base != nullptr) {
+    believed = Speed{base->velocity().x(), 0, base->velocity().rotation()};
+  } else if (status != nullptr) {
+    believed = Speed{status->velocity().x(), status->velocity().y(), status->velocity().rotation()};
+  }
+  const auto walk = commander_.command().motion().walk();
+  speed_->showSpeeds({walk.x(), walk.y(), walk.rotation()}, measured, believed);
+  WalkPad::Picture picture{
+      commander_.axes(), {}, taken, drive_.has_value(), taken ? QString() : tr("Take over to steer")};
+  // The true speed of a real robot is unknown; the pad shows the robot's own measurement instead.
+  if (const auto real = measured ? measured : drive_ ? believed : std::nullopt) {
+    const auto limits = commander_.limits();
+    picture.measured =
+        WalkAxes{real->x / limits.speed, real->y / limits.speed, real->rotation / limits.rotation};
+  }
+  walkPad_->show(std::move(picture));
+}
+
+void MotionView::hideEvent(QHideEvent* event) {
+  stand();
+  View::hideEvent(event);
+}
+
+void MotionView::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::ActivationChange && !isActiveWindow()) stand();
+  View::changeEvent(event);
+}
+
+QJsonObject MotionView::saveState() const {
+  QJsonObject state{{QStringLiteral("speed"), walkLimits_.speed},
+                    {QStringLiteral("rotation"), walkLimits_.rotation},
+                    {QStringLiteral("headMode"), static_cast<int>(head_->wish().kind)}};
+  if (!driveLimits_) return state;
+  state[QStringLiteral("driveSpeed")] = driveLimits_->speed;
+  state[QStringLiteral("driveRotation")] = driveLimits_->rotation;
+  return state;
+}
+
+void MotionView::restoreState(const QJsonObject& state) {
+  const MotionCommander::Limits standard;
+  walkLimits_ = {state.value(QStringLiteral("speed")).toDouble(standard.speed),
+                 state.value(QStringLiteral("rotation")).toDouble(standard.rotation)};
+  driveLimits_.reset();
+  if (state.contains(QStringLiteral("driveSpeed"))) {
+    driveLimits_ = MotionCommander::Limits{state.value(QStringLiteral("driveSpeed")).toDouble(),
+                                           state.value(QStringLiteral("driveRotation")).toDouble()};
+  }
+  const auto description = context().robots.find(robot_);
+  useRobot(description == context().robots.end() ? nullptr : description->second.get());
+  HeadWish wish = head_->wish();
+  wish.kind = static_cast<HeadWish::Kind>(std::clamp(state.value(QStringLiteral("headMode")).toInt(), 0, 4));
+  head_->setWish(wish);
+}
+
+}  // namespace widgets

@@ -1,0 +1,92 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/motion/TakeOver.h"
+
+#include <QCoreApplication>
+#include <algorithm>
+
+namespace widgets {
+namespace {
+
+QString translated(const char* source) {
+  return QCoreApplication::translate("TakeOver", source);
+}
+
+bool obeys(const TaskEntry& task) {
+  return std::any_of(task.solutions.begin(), task.solutions.end(),
+                     [](const auto& solution) { return solution.name == TakeOver::kObey; });
+}
+
+/// The first task with a solution "obey"; if there is none, the first task that should have one. Null: none.
+const TaskEntry* findTask(const std::vector<TaskEntry>& tasks) {
+  auto found = std::find_if(tasks.begin(), tasks.end(), obeys);
+  if (found == tasks.end()) {
+    found = std::find_if(tasks.begin(), tasks.end(),
+                         [](const auto& task) { return task.name == "behavior" || task.name == "driving"; });
+  }
+  return found == tasks.end() ? nullptr : &*found;
+}
+
+}  // namespace
+
+void TakeOver::update(const std::vector<TaskEntry>& tasks) {
+  const TaskEntry* task = findTask(tasks);
+  if (task == nullptr) {
+    *this = {};
+    return;
+  }
+  if (task->name != task_) *this = {};
+  task_ = task->name;
+  active_ = task->active;
+  if (active_ != kObey) former_ = active_;
+  if (former_.empty()) former_ = task->standard;
+  const auto obey = std::find_if(task->solutions.begin(), task->solutions.end(),
+                                 [](const auto& solution) { return solution.name == kObey; });
+  if (wished_ == active_) wished_.clear();
+  if (active_ == kObey && wished_.empty()) {
+    state_ = State::kTaken;
+  } else if (!wished_.empty()) {
+    state_ = State::kSwitching;
+  } else if (obey == task->solutions.end() || !obey->unavailable.isEmpty()) {
+    state_ = State::kUnavailable;
+    reason_ = obey == task->solutions.end()
+                  ? translated("its %1 has no solution “obey”").arg(QString::fromStdString(task_))
+                  : obey->unavailable;
+  } else {
+    state_ = State::kFree;
+  }
+}
+
+std::string TakeOver::begin(bool take) {
+  if (state_ == State::kUnknown || (take && state_ == State::kUnavailable)) return {};
+  const std::string wanted = take ? kObey : former_;
+  if (wanted.empty() || wanted == active_) return {};
+  wished_ = wanted;
+  reason_.clear();
+  state_ = State::kSwitching;
+  return wanted;
+}
+
+void TakeOver::refused(const QString& reason) {
+  wished_.clear();
+  reason_ = reason;
+  state_ = active_ == kObey ? State::kTaken : State::kFree;
+}
+
+QString TakeOver::text() const {
+  switch (state_) {
+    case State::kUnknown:
+      return translated("The robot has not told its behavior yet.");
+    case State::kUnavailable:
+      return translated("Cannot be taken over: %1").arg(reason_);
+    case State::kSwitching:
+      return translated("Switching to %1…").arg(QString::fromStdString(wished_));
+    case State::kTaken:
+      return translated("You steer the robot.");
+    case State::kFree:
+      break;
+  }
+  if (!reason_.isEmpty()) return translated("Refused: %1").arg(reason_);
+  return translated("%1 steers the robot.").arg(QString::fromStdString(active_));
+}
+
+}  // namespace widgets

@@ -1,0 +1,423 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/packets/PacketInspector.h"
+
+#include <QAction>
+#include <QApplication>
+#include <QBoxLayout>
+#include <QClipboard>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QFileInfo>
+#include <QHeaderView>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QMenu>
+#include <QMessageBox>
+#include <QScrollBar>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+#include <algorithm>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/packages/Conversions.h"
+#include "robotlink/packages/Packages.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/Requests.h"
+#include "widgets/packets/PacketDetails.h"
+#include "widgets/packets/PacketReplayBar.h"
+#include "widgets/Counted.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kPacketInspectorRegistration{
+    {"packets", QT_TRANSLATE_NOOP("View", "Packets"),
+     QT_TRANSLATE_NOOP(
+         "View",
+         "What goes over the line to a robot, decoded, both ways; records and repeats conversations."),
+     "link-packets", false, create<PacketInspector>}};
+
+}  // namespace
+
+PacketInspector::PacketInspector(ViewContext& context, QWidget* parent)
+    : View(context, parent), filter_(new PacketFilter(this)) {
+  setObjectName(QStringLiteral("packetInspector"));
+  createActions();
+  createFilters();
+  createViews();
+  connectSignals();
+  connectFilters();
+  showState();
+}
+
+void PacketInspector::createActions() {
+  damaged_ = makeAction(this, "warning",
+                        {"packetsDamaged", tr("Damaged only"), tr("Shows only what was damaged on its way"),
+                         tr("Ctrl+Shift+D")});
+  follow_ = makeAction(this, "follow",
+                       {"packetsFollow", tr("Follow"), tr("Keeps the newest packet in view"), tr("Ctrl+E")});
+  pause_ = makeAction(
+      this, "pause",
+      {"packetsPause", tr("Pause"), tr("Stops taking packets in; they come when it goes on"), tr("Ctrl+T")});
+  for (QAction* action : {damaged_, follow_, pause_}) action->setCheckable(true);
+  follow_->setChecked(true);
+  copy_ = makeAction(
+      this, "copy",
+      {"packetsCopy", tr("Copy"), tr("Copies the selected rows with their bytes"), QKeySequence::Copy});
+  clear_ =
+      makeAction(this, "clear", {"packetsClear", tr("Clear"), tr("Empties the list"), tr("Ctrl+Shift+X")});
+  save_ = makeAction(this, "save",
+                     {"packetsSave", tr("Save conversation..."),
+                      tr("Saves all packets of the list, whatever the filters, as a .wire file"),
+                      QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  open_ = makeAction(this, "open",
+                     {"packetsOpen", tr("Open conversation..."),
+                      tr("Shows a .wire file, whose client's half can be said again")});
+  goLive_ = makeAction(
+      this, "close",
+      {"packetsLive", tr("Back to the line"), tr("Closes the file and shows what goes over the line now")});
+}
+
+void PacketInspector::createFilters() {
+  from_ = new QComboBox(this);
+  describe(*from_,
+           {"packetsFrom", tr("Direction"), tr("Shows what the robot says, what it is told, or both")});
+  from_->addItem(tr("both ways"));
+  from_->addItem(tr("from the robot"));
+  from_->addItem(tr("to the robot"));
+  names_ = new QToolButton(this);
+  describe(*names_, {"packetsNames", tr("Names"), tr("Which packets are shown, by their names")});
+  names_->setText(tr("all names"));
+  names_->setPopupMode(QToolButton::InstantPopup);
+  names_->setAutoRaise(true);
+  namesMenu_ = new QMenu(names_);
+  namesMenu_->setObjectName(QStringLiteral("packetsNamesMenu"));
+  names_->setMenu(namesMenu_);
+  text_ = makeSearchField(
+      this, {"packetsText", tr("Filter"),
+             tr("Shows only packets whose name, text or bytes (as hexadecimal digits) hold this")});
+}
+
+QWidget* PacketInspector::createBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(from_);
+  layout->addWidget(names_);
+  layout->addWidget(text_, 1);
+  layout->addWidget(makeButton(bar, damaged_));
+  layout->addSpacing(8);
+  for (QAction* action : {follow_, pause_, copy_, clear_, save_, open_})
+    layout->addWidget(makeButton(bar, action));
+  return bar;
+}
+
+QWidget* PacketInspector::createFileBar() {
+  fileBar_ = new QWidget(this);
+  fileName_ = new QLabel(fileBar_);
+  describe(*fileName_, {"packetsFile", tr("Conversation"), {}});
+  QFont bold = fileName_->font();
+  bold.setBold(true);
+  fileName_->setFont(bold);
+  replay_ = new PacketReplayBar(fileBar_);
+  QToolButton* live = makeButton(fileBar_, goLive_);
+  live->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  auto* layout = new QHBoxLayout(fileBar_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(fileName_);
+  layout->addWidget(replay_, 1);
+  layout->addWidget(live);
+  fileBar_->hide();
+  return fileBar_;
+}
+
+void PacketInspector::createTable() {
+  table_ = new QTableView(this);
+  describe(*table_, {"packetsTable", tr("Packets"), {}});
+  filter_->setSourceModel(&live_);
+  table_->setModel(filter_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->setWordWrap(false);
+  table_->setTabKeyNavigation(false);
+  table_->setHorizontalScrollMode(QAbstractItemView::ScrollPerPixel);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setSectionResizeMode(QHeaderView::Fixed);
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 4);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  new ColumnFit(*table_, {ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kName, ColumnKind::kText,
+                          ColumnKind::kNumber});
+  hint_ = new EmptyHint(table_);
+}
+
+void PacketInspector::createViews() {
+  createTable();
+  details_ = new PacketDetails(this);
+  auto* splitter = new QSplitter(this);
+  splitter->addWidget(table_);
+  splitter->addWidget(details_);
+  splitter->setStretchFactor(0, 3);
+  splitter->setStretchFactor(1, 2);
+  splitter->setSizes({680, 270});
+  state_ = new QLabel(this);
+  describe(*state_, {"packetsState", tr("Number of packets"), {}});
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addWidget(createBar());
+  layout->addWidget(createFileBar());
+  layout->addWidget(splitter, 1);
+  layout->addWidget(state_);
+}
+
+void PacketInspector::connectSignals() {
+  connect(copy_, &QAction::triggered, this, &PacketInspector::copy);
+  connect(save_, &QAction::triggered, this, &PacketInspector::save);
+  connect(open_, &QAction::triggered, this, &PacketInspector::open);
+  connect(goLive_, &QAction::triggered, this, &PacketInspector::showLive);
+  connect(clear_, &QAction::triggered, this, [this] {
+    if (!file_.isEmpty()) showLive();
+    live_.clear();
+    showState();
+  });
+  connect(follow_, &QAction::toggled, this, [this](bool on) {
+    if (on) table_->scrollToBottom();
+  });
+  // Scrolling up ends following, since the user wants to read; scrolling to the end resumes it.
+  connect(table_->verticalScrollBar(), &QScrollBar::actionTriggered, this, [this] {
+    const QScrollBar* bar = table_->verticalScrollBar();
+    follow_->setChecked(bar->sliderPosition() >= bar->maximum());
+  });
+  connect(table_, &QTableView::clicked, this, [this] { follow_->setChecked(false); });
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &PacketInspector::showDetails);
+  connect(replay_, &PacketReplayBar::send, this, &PacketInspector::send);
+}
+
+void PacketInspector::connectFilters() {
+  connect(from_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this](int index) {
+    filter_->setFrom(static_cast<PacketFilter::From>(index));
+    showState();
+  });
+  connect(text_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_->setText(text);
+    showState();
+  });
+  connect(damaged_, &QAction::toggled, this, [this](bool only) {
+    filter_->setDamagedOnly(only);
+    showState();
+  });
+  connect(namesMenu_, &QMenu::aboutToShow, this, &PacketInspector::listNames);
+}
+
+PacketModel& PacketInspector::shownModel() {
+  return file_.isEmpty() ? live_ : recorded_;
+}
+
+void PacketInspector::tick() {
+  followRobot();
+  wish_.want(session(), robot_, {robotlink::kLinkPackets.name});
+  if (!pause_->isChecked()) takeNew();
+  replay_->tick(session().timeline().newest());
+  const auto& timeline = session().timeline();
+  if (timeline.live() || timeline.shown() == shown_ || !file_.isEmpty()) return;
+  shown_ = timeline.shown();
+  const int row = live_.rowAt(shown_);
+  const QModelIndex index = row < 0 ? QModelIndex() : filter_->mapFromSource(live_.index(row, 0));
+  if (!index.isValid()) return;
+  table_->setCurrentIndex(index);
+  table_->scrollTo(index);
+}
+
+void PacketInspector::followRobot() {
+  const std::uint64_t generation = session().store().generation();
+  if (session().selectedRobot() == robot_ && generation == generation_) return;
+  generation_ = generation;
+  robot_ = session().selectedRobot();
+  cursor_ = {};
+  dropped_ = 0;
+  live_.clear();
+  replay_->setRobot(robot_);
+  showState();
+}
+
+void PacketInspector::takeNew() {
+  const auto* stream = session().store().find(robot_ + '/' + robotlink::kLinkPackets.name);
+  if (stream == nullptr) return;
+  std::vector<PacketEntry> entries;
+  const auto news = cursor_.take(*stream);
+  if (news.restarted) live_.clear();
+  for (const auto* message : news.messages) {
+    const auto* told = dynamic_cast<const robotcontrol::LinkPackets*>(message->value.get());
+    if (told == nullptr) continue;
+    dropped_ = told->dropped();
+    for (const auto& packet : told->packets()) {
+      const auto time = packet.has_timestamp() ? robotlink::instant(packet.timestamp()) : message->time;
+      entries.push_back(packetEntry(time, packet.from_robot(), packet.bytes(), packet.damaged()));
+    }
+  }
+  if (entries.empty()) return;
+  live_.append(std::move(entries));
+  if (file_.isEmpty() && follow_->isChecked() && session().timeline().live()) table_->scrollToBottom();
+  showState();
+}
+
+void PacketInspector::listNames() {
+  namesMenu_->clear();
+  const auto hide = [this](QSet<QString> hidden) {
+    filter_->setHiddenNames(std::move(hidden));
+    showState();
+  };
+  namesMenu_->addAction(tr("All"), this, [hide] { hide({}); })
+      ->setObjectName(QStringLiteral("packetsAllNames"));
+  namesMenu_->addSeparator();
+  for (const auto& [name, count] : shownModel().names()) {
+    QAction* action = namesMenu_->addAction(tr("%1 (%2)").arg(name).arg(count));
+    action->setCheckable(true);
+    action->setChecked(!filter_->hiddenNames().contains(name));
+    connect(action, &QAction::toggled, this, [this, hide, name = name](bool shown) {
+      QSet<QString> hidden = filter_->hiddenNames();
+      if (shown) {
+        hidden.remove(name);
+      } else {
+        hidden.insert(name);
+      }
+      hide(std::move(hidden));
+    });
+  }
+}
+
+void PacketInspector::showDetails() {
+  const QModelIndex index = filter_->mapToSource(table_->currentIndex());
+  details_->show(index.isValid() ? &shownModel().entry(index.row()) : nullptr);
+}
+
+void PacketInspector::send(const std::vector<std::string>& packets) {
+  robotcontrol::Request request;
+  for (const std::string& bytes : packets) request.mutable_control_drive()->add_packets(bytes);
+  ask(session(), robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
+    if (!accepted) replay_->fail(reason);
+  });
+}
+
+void PacketInspector::copy() {
+  QModelIndexList rows = table_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end());
+  QStringList lines;
+  for (const QModelIndex& row : rows) {
+    QStringList cells;
+    for (int column = 0; column < PacketModel::kBytes; ++column)
+      cells << row.siblingAtColumn(column).data().toString();
+    cells << hexText(shownModel().entry(filter_->mapToSource(row).row()).bytes);
+    lines << cells.join(QLatin1Char('\t'));
+  }
+  if (!lines.isEmpty()) QApplication::clipboard()->setText(lines.join(QLatin1Char('\n')));
+}
+
+bool PacketInspector::saveConversation(const QString& file) {
+  const auto written = robotlink::writeFileAtomically(
+      file.toStdString(), robotlink::arcos::writeConversation(conversationOf(shownModel())));
+  if (written) return true;
+  QMessageBox::warning(this, tr("Save conversation"),
+                       QString::fromStdString(robotlink::describe({written.error()})));
+  return false;
+}
+
+bool PacketInspector::openConversation(const QString& file) {
+  const auto conversation = robotlink::arcos::readConversationFile(file.toStdString());
+  if (!conversation) {
+    QMessageBox::warning(this, tr("Open conversation"),
+                         QString::fromStdString(robotlink::describe({conversation.error()})));
+    return false;
+  }
+  file_ = file;
+  recorded_.clear();
+  recorded_.append(entriesOf(*conversation));
+  const QString name = QFileInfo(file).fileName();
+  fileName_->setText(name);
+  fileName_->setToolTip(file);
+  replay_->setSource([this] { return clientHalf(recorded_); }, name);
+  fileBar_->show();
+  showModel(recorded_);
+  return true;
+}
+
+void PacketInspector::showLive() {
+  file_.clear();
+  replay_->setSource({}, {});
+  fileBar_->hide();
+  showModel(live_);
+  recorded_.clear();
+  if (follow_->isChecked()) table_->scrollToBottom();
+}
+
+void PacketInspector::showModel(PacketModel& model) {
+  details_->show(nullptr);
+  filter_->setSourceModel(&model);
+  if (!file_.isEmpty()) table_->scrollToTop();
+  showState();
+}
+
+void PacketInspector::save() {
+  const QString file = QFileDialog::getSaveFileName(
+      this, tr("Save conversation"), QStringLiteral("conversation.wire"), tr("Conversations (*.wire)"));
+  if (!file.isEmpty()) saveConversation(file);
+}
+
+void PacketInspector::open() {
+  const QString file = QFileDialog::getOpenFileName(this, tr("Open conversation"), {},
+                                                    tr("Conversations (*.wire);;All files (*)"));
+  if (!file.isEmpty()) openConversation(file);
+}
+
+void PacketInspector::showState() {
+  const int all = shownModel().rowCount(), shown = filter_->rowCount();
+  QString text = shown < all ? tr("%1 of %2 packets").arg(shown).arg(all)
+                             : counted(all, tr("1 packet"), tr("%1 packets"));
+  if (file_.isEmpty() && dropped_ > 0) text += tr("; %1 came too fast to be kept").arg(dropped_);
+  if (pause_->isChecked()) text += tr("; paused");
+  state_->setText(text);
+  const int hidden = filter_->hiddenNames().size();
+  names_->setText(hidden == 0 ? tr("all names")
+                              : counted(hidden, tr("1 name hidden"), tr("%1 names hidden")));
+  save_->setEnabled(all > 0);
+  if (all == 0) {
+    const QString name = QString::fromStdString(robot_);
+    hint_->setHint(robot_.empty()
+                       ? tr("No robot. Connect to one (Robot > Connect), or open a recorded conversation.")
+                       : tr("No packets yet to or from %1. They appear when its line is open; a recorded "
+                            "conversation can be opened.")
+                             .arg(name));
+  } else {
+    hint_->setHint(shown == 0 ? tr("No packet passes the filters. Clear the filter, or show all names.")
+                              : QString());
+  }
+}
+
+QJsonObject PacketInspector::saveState() const {
+  QStringList hidden = filter_->hiddenNames().values();
+  hidden.sort();
+  return {{QStringLiteral("from"), from_->currentIndex()},
+          {QStringLiteral("text"), text_->text()},
+          {QStringLiteral("damaged"), damaged_->isChecked()},
+          {QStringLiteral("follow"), follow_->isChecked()},
+          {QStringLiteral("hiddenNames"), QJsonArray::fromStringList(hidden)}};
+}
+
+void PacketInspector::restoreState(const QJsonObject& state) {
+  from_->setCurrentIndex(std::clamp(state[QStringLiteral("from")].toInt(), 0, from_->count() - 1));
+  text_->setText(state[QStringLiteral("text")].toString());
+  damaged_->setChecked(state[QStringLiteral("damaged")].toBool());
+  follow_->setChecked(state[QStringLiteral("follow")].toBool(true));
+  const QStringList hidden = state[QStringLiteral("hiddenNames")].toVariant().toStringList();
+  filter_->setHiddenNames(QSet<QString>(hidden.begin(), hidden.end()));
+  showState();
+}
+
+}  // namespace widgets

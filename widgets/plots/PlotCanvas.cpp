@@ -1,0 +1,200 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/PlotCanvas.h"
+
+#include <qcustomplot.h>
+
+#include <QBoxLayout>
+#include <QDragEnterEvent>
+#include <QMimeData>
+
+#include "widgets/plots/CurveModel.h"
+#include "widgets/plots/PlotTreeModel.h"
+#include "widgets/Theme.h"
+
+namespace widgets {
+
+namespace {
+
+/// Ticks at round numbers of seconds since an origin.
+class TimeTicker final : public QCPAxisTicker {
+ public:
+  explicit TimeTicker(double origin) { setTickOrigin(origin); }
+
+ protected:
+  QString getTickLabel(double tick, const QLocale& locale, QChar format, int precision) override {
+    return QCPAxisTicker::getTickLabel(tick - tickOrigin(), locale, format, precision);
+  }
+};
+
+}  // namespace
+
+PlotCanvas::PlotCanvas(CurveModel& curves, QWidget* parent)
+    : QWidget(parent),
+      curves_(curves),
+      plot_(new QCustomPlot(this)),
+      mark_(new QCPItemStraightLine(plot_)),
+      cursor_(new QCPItemStraightLine(plot_)) {
+  plot_->setObjectName(QStringLiteral("plotCanvas"));
+  plot_->setAccessibleName(tr("Plot"));
+  plot_->setFocusPolicy(Qt::StrongFocus);
+  plot_->setMinimumSize(160, 100);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->addWidget(plot_);
+  plot_->setInteractions(QCP::iRangeDrag | QCP::iRangeZoom);
+  plot_->setNoAntialiasingOnDrag(true);
+  plot_->setNotAntialiasedElements(QCP::aeAll);
+  plot_->xAxis->setLabel(tr("time [s]"));
+  plot_->axisRect()->setupFullAxesBox(false);
+  mark_->setVisible(false);
+  cursor_->setVisible(false);
+  plot_->setAcceptDrops(true);
+  plot_->installEventFilter(this);
+  connect(plot_, &QCustomPlot::mouseWheel, this, [this](QWheelEvent* event) {
+    const bool values =
+        event->modifiers().testFlag(Qt::ShiftModifier) || event->position().x() < plot_->axisRect()->left();
+    plot_->axisRect()->setRangeZoom(values ? Qt::Vertical : Qt::Horizontal);
+    Q_EMIT touched();
+  });
+  connect(plot_, &QCustomPlot::mouseMove, this, [this](QMouseEvent* event) {
+    if (event->buttons().testFlag(Qt::LeftButton)) Q_EMIT touched();
+    const bool inside = plot_->axisRect()->rect().contains(event->pos());
+    Q_EMIT cursorMoved(inside ? std::optional(plot_->xAxis->pixelToCoord(event->pos().x())) : std::nullopt);
+  });
+  applyTheme();
+}
+
+void PlotCanvas::applyTheme() {
+  const QPalette colors = palette();
+  const QColor& text = colors.color(QPalette::Text);
+  const QColor& base = colors.color(QPalette::Base);
+  plot_->setBackground(base);
+  for (QCPAxis* axis : {plot_->xAxis, plot_->yAxis, plot_->xAxis2, plot_->yAxis2}) {
+    axis->setBasePen(mixed(base, text, 0.6));
+    axis->setTickPen(mixed(base, text, 0.6));
+    axis->setSubTickPen(mixed(base, text, 0.3));
+    axis->setTickLabelColor(text);
+    axis->setLabelColor(text);
+    axis->setTickLabelFont(font());
+    axis->setLabelFont(font());
+    axis->grid()->setPen(QPen(mixed(base, text, 0.18), 0, Qt::DotLine));
+    axis->grid()->setZeroLinePen(QPen(mixed(base, text, 0.35), 0));
+  }
+  cursor_->setPen(QPen(mixed(base, text, 0.5), 0));
+  mark_->setPen(QPen(colorOf(Meaning::kBad, colors), 0, Qt::DashLine));
+  matchGraphs();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+/// Matches the graphs with the curves by number, name and color; a graph whose curve changed is cleared and
+/// filled again.
+void PlotCanvas::matchGraphs() {
+  auto& curves = curves_.curves();
+  while (plot_->graphCount() > static_cast<int>(curves.size())) plot_->removeGraph(plot_->graphCount() - 1);
+  while (plot_->graphCount() < static_cast<int>(curves.size())) plot_->addGraph()->setAdaptiveSampling(true);
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    QCPGraph& graph = *plot_->graph(i);
+    CurveModel::Curve& curve = *curves[static_cast<std::size_t>(i)];
+    graph.setPen(QPen(curveColor(curve.color, palette()), 1));
+    const QString name = curve.series.source().text();
+    if (graph.name() == name && !curve.restarted) continue;
+    graph.setName(name);
+    graph.data()->clear();
+    curve.taken = 0;
+    curve.restarted = false;
+  }
+}
+
+void PlotCanvas::refresh(bool follow, double end, double length) {
+  matchGraphs();
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    CurveModel::Curve& curve = *curves_.curves()[static_cast<std::size_t>(i)];
+    QCPGraph& graph = *plot_->graph(i);
+    for (; curve.taken < curve.points.size(); ++curve.taken) {
+      graph.addData(curve.points[curve.taken].time, curve.points[curve.taken].value);
+    }
+    if (!curve.points.empty()) graph.data()->removeBefore(curve.points.front().time);
+  }
+  if (follow) {
+    plot_->xAxis->setRange(end - length, end);
+    fitValues();
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotCanvas::fitValues() {
+  bool found = false;
+  QCPRange all;
+  for (int i = 0; i < plot_->graphCount(); ++i) {
+    bool has = false;
+    const QCPRange range = plot_->graph(i)->getValueRange(has, QCP::sdBoth, plot_->xAxis->range());
+    if (!has) continue;
+    if (found) all.expand(range);
+    if (!found) all = range;
+    found = true;
+  }
+  if (!found) return;
+  const double margin = all.size() > 0 ? all.size() * 0.06 : std::max(1e-3, std::abs(all.center()) * 0.1);
+  plot_->yAxis->setRange(all.lower - margin, all.upper + margin);
+}
+
+void PlotCanvas::fit() {
+  plot_->xAxis->rescale();
+  fitValues();
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotCanvas::setOrigin(double seconds) {
+  if (plot_->xAxis->ticker()->tickOrigin() == seconds) return;
+  plot_->xAxis->setTicker(QSharedPointer<TimeTicker>::create(seconds));
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+void PlotCanvas::setMark(std::optional<double> time) {
+  mark_->setVisible(time.has_value());
+  if (!time) return;
+  mark_->point1->setCoords(*time, 0);
+  mark_->point2->setCoords(*time, 1);
+}
+
+void PlotCanvas::setCursorLine(std::optional<double> time) {
+  cursor_->setVisible(time.has_value());
+  if (time) {
+    cursor_->point1->setCoords(*time, 0);
+    cursor_->point2->setCoords(*time, 1);
+  }
+  plot_->replot(QCustomPlot::rpQueuedReplot);
+}
+
+std::pair<double, double> PlotCanvas::shownTimes() const {
+  return {plot_->xAxis->range().lower, plot_->xAxis->range().upper};
+}
+
+bool PlotCanvas::savePng(const QString& file) {
+  return plot_->savePng(file, 0, 0, 2.0);
+}
+
+void PlotCanvas::changeEvent(QEvent* event) {
+  if (event->type() == QEvent::PaletteChange) applyTheme();
+  QWidget::changeEvent(event);
+}
+
+bool PlotCanvas::eventFilter(QObject* watched, QEvent* event) {
+  if (event->type() == QEvent::Leave) Q_EMIT cursorMoved(std::nullopt);
+  const QString type = QString::fromLatin1(PlotTreeModel::kMimeType);
+  if (event->type() == QEvent::DragEnter) {
+    auto* drag = static_cast<QDragEnterEvent*>(event);
+    if (drag->mimeData()->hasFormat(type)) drag->acceptProposedAction();
+    return true;
+  }
+  if (event->type() == QEvent::Drop) {
+    auto* drop = static_cast<QDropEvent*>(event);
+    Q_EMIT sourcesDropped(
+        QString::fromUtf8(drop->mimeData()->data(type)).split(QLatin1Char('\n'), Qt::SkipEmptyParts));
+    drop->acceptProposedAction();
+    return true;
+  }
+  return QWidget::eventFilter(watched, event);
+}
+
+}  // namespace widgets

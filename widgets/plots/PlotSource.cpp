@@ -1,0 +1,158 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/PlotSource.h"
+
+#include <google/protobuf/descriptor.h>
+
+#include <algorithm>
+#include <array>
+#include <map>
+#include <set>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/debugging/Streams.h"
+#include "robotlink/session/Numbers.h"
+#include "widgets/world/FieldUnits.h"
+
+namespace widgets {
+namespace {
+
+constexpr char kPlotType[] = "robotcontrol.PlotValue";
+constexpr std::array kLeftOut{"foxglove.SceneUpdate",      "foxglove.ImageAnnotations",
+                              "foxglove.RawImage",         "foxglove.Log",
+                              "robotcontrol.KeyTable",     "robotcontrol.SolutionTable",
+                              "robotcontrol.ProcessTable", "robotcontrol.ParameterValues"};
+
+bool leftOut(const std::string& type) {
+  return std::any_of(kLeftOut.begin(), kLeftOut.end(), [&](const char* name) { return type == name; });
+}
+
+std::string typeOf(const std::string& type) {
+  const auto* known = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
+  return known != nullptr && !leftOut(type) ? type : std::string();
+}
+
+/// Adds the packages that the robots' processes exchange, with their types.
+void addPackages(const robotlink::StreamStore& store, std::map<std::string, std::string>& types) {
+  for (const auto* stream : streamsOfType(store, {}, "robotcontrol.ProcessTable")) {
+    const auto* table = dynamic_cast<const robotcontrol::ProcessTable*>(stream->messages.back().value.get());
+    if (table == nullptr) continue;
+    for (const auto& process : table->processes()) {
+      for (const auto& port : process.senders()) {
+        if (port.package().starts_with("debug/") || typeOf(port.type()).empty()) continue;
+        types.emplace(robotPart(stream->path) + '/' + port.package(), port.type());
+      }
+    }
+  }
+}
+
+/// Natural order of texts: numbers in them are compared as numbers.
+bool comesBefore(const std::string& a, const std::string& b) {
+  const auto isDigit = [](char c) { return c >= '0' && c <= '9'; };
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (isDigit(a[i]) && isDigit(b[j])) {
+      const auto number = [&isDigit](const std::string& text, std::size_t& at) {
+        const std::size_t begin = std::min(text.find_first_not_of('0', at), text.size());
+        at = begin;
+        while (at < text.size() && isDigit(text[at])) ++at;
+        return std::string_view(text).substr(begin, at - begin);
+      };
+      const std::string_view left = number(a, i), right = number(b, j);
+      if (left.size() != right.size()) return left.size() < right.size();
+      if (left != right) return left < right;
+    } else if (a[i] != b[j]) {
+      return a[i] < b[j];
+    } else {
+      ++i;
+      ++j;
+    }
+  }
+  return a.size() - i < b.size() - j;
+}
+
+bool isOff(const robotcontrol::KeyTable::Key& key) {
+  return key.mode().kind() == robotcontrol::KeyMode::OFF;
+}
+
+}  // namespace
+
+QString PlotSource::text() const {
+  const QString path = QString::fromStdString(stream);
+  return field.empty() ? path : QStringLiteral("%1: %2").arg(path, QString::fromStdString(field));
+}
+
+PlotSource PlotSource::fromText(const QString& text) {
+  const int colon = text.indexOf(QStringLiteral(": "));
+  if (colon < 0) return {text.toStdString(), {}, {}};
+  return {text.left(colon).toStdString(), text.mid(colon + 2).toStdString(), {}};
+}
+
+std::vector<PlotSource> plotSources(const robotlink::StreamStore& store) {
+  std::vector<PlotSource> sources;
+  std::map<std::string, std::string> types;
+  addPackages(store, types);
+  for (const auto* stream : store.streams()) {
+    types.erase(stream->path);
+    if (leftOut(stream->type) || stream->messages.empty()) continue;
+    if (stream->type == kPlotType) {
+      sources.push_back({stream->path, {}, stream->type});
+      continue;
+    }
+    for (const std::string& field : robotlink::numericFields(*stream->messages.back().value)) {
+      sources.push_back({stream->path, field, stream->type});
+    }
+  }
+  for (const auto& [path, type] : types) {
+    const auto* described = google::protobuf::DescriptorPool::generated_pool()->FindMessageTypeByName(type);
+    for (const std::string& field : robotlink::numericFields(*described))
+      sources.push_back({path, field, type});
+  }
+  std::ranges::stable_sort(sources, comesBefore, &PlotSource::stream);
+  return sources;
+}
+
+std::string keyFor(const robotlink::StreamStore& store, const PlotSource& source, robotlink::Instant time) {
+  const std::string robot = robotPart(source.stream);
+  if (robot.empty()) return {};
+  const std::string below = source.stream.substr(robot.size() + 1);
+  const bool plot = below.starts_with("plots/");
+  std::string found;
+  for (const auto* message : latestTable(store, robot, robotlink::streams::kKeys, time)) {
+    if (message == nullptr) continue;
+    for (const auto& key : static_cast<const robotcontrol::KeyTable&>(*message->value).keys()) {
+      const std::string path = plot ? "plots/" + key.name() : key.name();
+      const bool fits = plot ? below == path || below.starts_with(path + '/') : path == "package/" + below;
+      if (fits && isOff(key) && key.name().size() > found.size()) found = key.name();
+    }
+  }
+  return found;
+}
+
+std::optional<double> PlotSeries::valueOf(const robotlink::StreamMessage& message) {
+  if (!source_.field.empty()) {
+    if (!unitKnown_) unit_ = unitOf(message.value->GetDescriptor()->full_name(), source_.field);
+    unitKnown_ = true;
+    return robotlink::numberAt(*message.value, source_.field);
+  }
+  const auto* plot = dynamic_cast<const robotcontrol::PlotValue*>(message.value.get());
+  if (plot == nullptr) return {};
+  unit_ = QString::fromStdString(plot->unit());
+  return plot->value();
+}
+
+PlotSeries::News PlotSeries::take(const robotlink::StreamStore& store) {
+  News news;
+  const auto* stream = store.find(source_.stream);
+  if (stream == nullptr) return news;
+  const StreamCursor::News added = cursor_.take(*stream);
+  news.restarted = added.restarted;
+  for (const auto* message : added.messages) {
+    const auto value = valueOf(*message);
+    if (!value) continue;
+    last_ = value;
+    news.points.push_back({robotlink::seconds(message->time), *value});
+  }
+  return news;
+}
+
+}  // namespace widgets

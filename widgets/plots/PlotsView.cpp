@@ -1,0 +1,318 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/plots/PlotsView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QFileDialog>
+#include <QJsonArray>
+#include <QLabel>
+#include <QLineEdit>
+#include <QSortFilterProxyModel>
+#include <QSplitter>
+#include <QToolButton>
+#include <QTreeView>
+#include <cstdlib>
+
+#include "robotlink/base/AtomicFile.h"
+#include "robotlink/config/RobotDescription.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/plots/PlotCanvas.h"
+#include "widgets/Requests.h"
+#include "widgets/log/OpenLogs.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kPlotsViewRegistration{
+    {"plots", QT_TRANSLATE_NOOP("View", "Plots"),
+     QT_TRANSLATE_NOOP("View", "Draws plot values and numbers of any stream over time."), "plots", true,
+     create<PlotsView>}};
+
+constexpr int kTicks = 6;                               // of this many ticks (at 30 Hz)...
+constexpr int kDrawn = 5;                               // ...at most this many draw: 25 Hz
+constexpr int kWindows[] = {1, 2, 5, 10, 30, 60, 300};  // s
+
+/// Whether a stream is a package that is replayed from a log instead of being recomputed.
+bool isAsLogged(const robotcontrol::ReplayStatus& status, const std::string& stream) {
+  return std::any_of(status.packages().begin(), status.packages().end(), [&](const auto& package) {
+    return package.package() == stream && package.logged() &&
+           package.source() == robotcontrol::ControlReplay::AS_LOGGED;
+  });
+}
+
+}  // namespace
+
+PlotsView::PlotsView(ViewContext& context, QWidget* parent)
+    : View(context, parent), filter_(new QSortFilterProxyModel(this)) {
+  setObjectName(QStringLiteral("plotsView"));
+  askForFile_ = [this](const QString& title, const QString& suffix) {
+    return QFileDialog::getSaveFileName(this, title, QStringLiteral("plot.") + suffix,
+                                        QStringLiteral("*.") + suffix);
+  };
+  createActions();
+  createTree();
+  createLegend();
+  createViews();
+  connectSignals();
+}
+
+void PlotsView::createActions() {
+  showTree_ = makeAction(
+      this, "filter",
+      {"plotsShowTree", tr("Values"), tr("Shows the tree of what can be plotted"), tr("Ctrl+Shift+V")});
+  showTree_->setIcon({});
+  showTree_->setCheckable(true);
+  showTree_->setChecked(true);
+  add_ = makeAction(this, "add",
+                    {"plotsAdd", tr("Add"), tr("Adds the selected values as curves"), tr("Ctrl+Return")});
+  remove_ = makeAction(
+      this, "remove", {"plotsRemove", tr("Remove"), tr("Removes the selected curves"), QKeySequence::Delete});
+  follow_ = makeAction(this, "follow",
+                       {"plotsFollow", tr("Follow"), tr("Keeps the newest values in view"), tr("Ctrl+E")});
+  follow_->setCheckable(true);
+  follow_->setChecked(true);
+  pause_ = makeAction(this, "pause",
+                      {"plotsPause", tr("Pause"), tr("Holds the picture; nothing is lost"), tr("Ctrl+T")});
+  pause_->setCheckable(true);
+  fit_ = makeAction(this, "fit", {"plotsFit", tr("Fit"), tr("Shows all that the curves have"), tr("Ctrl+0")});
+  csv_ = makeAction(this, "save",
+                    {"plotsCsv", tr("Export CSV"), tr("Writes all points to a table"),
+                     QKeySequence(QStringLiteral("Ctrl+Shift+E"))});
+  png_ = makeAction(this, "camera", {"plotsPng", tr("Export PNG"), tr("Writes the picture to a file")});
+}
+
+void PlotsView::createTree() {
+  treePanel_ = new QWidget(this);
+  search_ = makeSearchField(
+      treePanel_, {"plotsSearch", tr("Search values"), tr("Shows the values whose path holds this")});
+  tree_ = new QTreeView(treePanel_);
+  styleTree(*tree_);
+  describe(*tree_, {"plotsTree", tr("Values that can be plotted"),
+                    tr("Double click, Enter or drag into the plot to add a curve")});
+  filter_->setSourceModel(&sources_);
+  filter_->setRecursiveFilteringEnabled(true);
+  filter_->setFilterCaseSensitivity(Qt::CaseInsensitive);
+  filter_->setFilterRole(PlotTreeModel::kSourceRole);
+  tree_->setModel(filter_);
+  tree_->setHeaderHidden(true);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kNumber});
+  tree_->setTextElideMode(Qt::ElideMiddle);
+  tree_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  tree_->setDragEnabled(true);
+  tree_->setDragDropMode(QAbstractItemView::DragOnly);
+  auto* layout = new QVBoxLayout(treePanel_);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addWidget(search_);
+  layout->addWidget(tree_, 1);
+}
+
+void PlotsView::createLegend() {
+  legend_ = new QTreeView(this);
+  styleTree(*legend_);
+  describe(*legend_, {"plotsLegend", tr("Curves"), {}});
+  legend_->setModel(&curves_);
+  legend_->setRootIsDecorated(false);
+  legend_->setSelectionMode(QAbstractItemView::ExtendedSelection);
+  new ColumnFit(*legend_, {ColumnKind::kName, ColumnKind::kNumber, ColumnKind::kNumber, ColumnKind::kNumber});
+  legend_->setTextElideMode(Qt::ElideMiddle);
+}
+
+void PlotsView::createViews() {
+  canvas_ = new PlotCanvas(curves_, this);
+  hint_ = new EmptyHint(canvas_);
+  window_ = new QComboBox(this);
+  describe(*window_, {"plotsWindow", tr("Time window"), tr("How many seconds are shown while following")});
+  for (const int seconds : kWindows) window_->addItem(tr("%1 s").arg(seconds), seconds);
+  window_->setCurrentIndex(3);
+  state_ = new QLabel(this);
+  describe(*state_, {"plotsState", tr("State of the plots"), {}});
+  auto* top = new QHBoxLayout;
+  auto* showTree = makeButton(this, showTree_);
+  showTree->setToolButtonStyle(Qt::ToolButtonTextOnly);
+  top->addWidget(showTree);
+  for (QAction* action : {add_, remove_}) top->addWidget(makeButton(this, action));
+  top->addSpacing(8);
+  top->addWidget(window_);
+  for (QAction* action : {follow_, pause_, fit_}) top->addWidget(makeButton(this, action));
+  top->addWidget(state_, 1);
+  for (QAction* action : {csv_, png_}) top->addWidget(makeButton(this, action));
+  auto* right = new QSplitter(Qt::Vertical, this);
+  right->addWidget(canvas_);
+  right->addWidget(legend_);
+  right->setStretchFactor(0, 4);
+  right->setStretchFactor(1, 1);
+  right->setSizes({400, 100});
+  splitter_ = new QSplitter(Qt::Horizontal, this);
+  splitter_->setObjectName(QStringLiteral("plotsSplitter"));
+  splitter_->addWidget(treePanel_);
+  splitter_->addWidget(right);
+  splitter_->setStretchFactor(0, 1);
+  splitter_->setStretchFactor(1, 3);
+  splitter_->setSizes({260, 640});
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addLayout(top);
+  layout->addWidget(splitter_, 1);
+}
+
+void PlotsView::connectSignals() {
+  connect(showTree_, &QAction::toggled, treePanel_, &QWidget::setVisible);
+  connect(add_, &QAction::triggered, this, &PlotsView::addSelected);
+  connect(tree_, &QTreeView::activated, this, &PlotsView::addSelected);
+  connect(remove_, &QAction::triggered, this, &PlotsView::removeSelected);
+  connect(fit_, &QAction::triggered, this, [this] {
+    follow_->setChecked(false);
+    canvas_->fit();
+  });
+  connect(follow_, &QAction::toggled, this, [this] { dirty_ = true; });
+  connect(window_, QOverload<int>::of(&QComboBox::currentIndexChanged), this, [this] {
+    follow_->setChecked(true);
+    dirty_ = true;
+  });
+  connect(canvas_, &PlotCanvas::touched, this, [this] { follow_->setChecked(false); });
+  connect(canvas_, &PlotCanvas::sourcesDropped, this, [this](const QStringList& sources) {
+    for (const QString& source : sources) addCurve(source);
+  });
+  connect(canvas_, &PlotCanvas::cursorMoved, this, &PlotsView::showCursor);
+  connect(search_, &QLineEdit::textChanged, this, [this](const QString& text) {
+    filter_->setFilterFixedString(text);
+    if (!text.isEmpty()) tree_->expandAll();
+  });
+  connect(csv_, &QAction::triggered, this, &PlotsView::exportCsv);
+  connect(png_, &QAction::triggered, this, &PlotsView::exportPng);
+}
+
+void PlotsView::addSelected() {
+  const QModelIndexList rows = tree_->selectionModel()->selectedRows();
+  for (const QModelIndex& row : rows) {
+    const QString source = row.data(PlotTreeModel::kSourceRole).toString();
+    if (!source.isEmpty()) addCurve(source);
+  }
+}
+
+void PlotsView::addCurve(const QString& source) {
+  if (!curves_.add(PlotSource::fromText(source))) return;
+  curves_.update(session().store());
+  requestMissing();
+  dirty_ = true;
+}
+
+void PlotsView::removeSelected() {
+  QModelIndexList rows = legend_->selectionModel()->selectedRows();
+  std::sort(rows.begin(), rows.end(), [](const QModelIndex& a, const QModelIndex& b) { return b < a; });
+  for (const QModelIndex& row : rows) curves_.remove(row.row());
+  dirty_ = true;
+}
+
+void PlotsView::requestMissing() {
+  for (auto& curve : curves_.curves()) {
+    if (curve->requested) continue;
+    const PlotSource& source = curve->series.source();
+    if (isAsLogged(openLogs(context()).replay().status(), source.stream))
+      continue;  // it is published without a debug key
+    const std::string key = keyFor(session().store(), source, session().timeline().newest());
+    if (key.empty()) continue;
+    curve->requested = true;
+    robotcontrol::Request request;
+    request.mutable_set_key()->set_name(key);
+    request.mutable_set_key()->mutable_mode()->set_kind(robotcontrol::KeyMode::ALWAYS);
+    const QString name = QString::fromStdString(key);
+    state_->setText(
+        tr("Asked %1 for %2 (debug key)").arg(QString::fromStdString(robotPart(source.stream)), name));
+    ask(session(), robotPart(source.stream), std::move(request), this,
+        [this, name](bool accepted, const QString& reason) {
+          if (!accepted) state_->setText(tr("%1 was refused: %2").arg(name, reason));
+        });
+  }
+}
+
+void PlotsView::listSources() {
+  if (listVersion_ == session().store().listVersion()) return;
+  listVersion_ = session().store().listVersion();
+  sources_.setSources(plotSources(session().store()),
+                      [this](const PlotSource& source) { return jointOf(source); });
+  tree_->expandToDepth(search_->text().isEmpty() ? 0 : 9);
+}
+
+/// Returns "headPan" for "positions[1]" of a JointRequest; the robot's description numbers the joints.
+QString PlotsView::jointOf(const PlotSource& source) const {
+  constexpr std::string_view kPositions = "positions[";
+  const auto robot = context().robots.find(robotPart(source.stream));
+  if (source.type != "robotcontrol.JointRequest" || !source.field.starts_with(kPositions) ||
+      robot == context().robots.end())
+    return {};
+  const std::size_t number = std::strtoul(source.field.c_str() + kPositions.size(), nullptr, 10);
+  const auto& joints = robot->second->joints;
+  return number < joints.size() ? QString::fromStdString(joints[number].name) : QString();
+}
+
+void PlotsView::showCursor(std::optional<double> time) {
+  curves_.setCursor(time);
+  canvas_->setCursorLine(time);
+}
+
+double PlotsView::shownTime() const {
+  return robotlink::seconds(session().timeline().shown());
+}
+
+void PlotsView::tick() {
+  listSources();
+  requestMissing();
+  canvas_->setOrigin(robotlink::seconds(session().timeline().origin()));
+  const bool empty = curves_.rowCount() == 0;
+  hint_->setHint(!empty ? QString()
+                 : sources_.rowCount() == 0
+                     ? tr("Nothing to plot yet. Start a simulation or connect to a robot.")
+                     : tr("Choose values on the left: double click, Enter or drag them here."));
+  ticks_ = (ticks_ + 1) % kTicks;
+  if (pause_->isChecked()) return;
+  dirty_ = curves_.update(session().store()) || dirty_;
+  const double time = shownTime();
+  const bool live = session().timeline().live();
+  dirty_ = dirty_ || (!live && time != drawnTime_);
+  if (!dirty_ || ticks_ >= kDrawn) return;
+  dirty_ = false;
+  drawnTime_ = time;
+  canvas_->setMark(live ? std::optional<double>() : time);
+  canvas_->refresh(follow_->isChecked(), time, window_->currentData().toInt());
+}
+
+void PlotsView::exportCsv() {
+  const QString file = askForFile_(tr("Export the points as CSV"), QStringLiteral("csv"));
+  if (file.isEmpty()) return;
+  const auto written = robotlink::writeFileAtomically(file.toStdString(), curves_.csv().toStdString());
+  state_->setText(written ? tr("Wrote %1").arg(file) : QString::fromStdString(written.error().describe()));
+}
+
+void PlotsView::exportPng() {
+  const QString file = askForFile_(tr("Export the picture"), QStringLiteral("png"));
+  if (file.isEmpty()) return;
+  state_->setText(canvas_->savePng(file) ? tr("Wrote %1").arg(file) : tr("%1 cannot be written").arg(file));
+}
+
+QJsonObject PlotsView::saveState() const {
+  QJsonArray sources;
+  for (const auto& curve : curves_.curves()) sources.append(curve->series.source().text());
+  return {{QStringLiteral("curves"), sources},
+          {QStringLiteral("window"), window_->currentData().toInt()},
+          {QStringLiteral("tree"), showTree_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void PlotsView::restoreState(const QJsonObject& state) {
+  curves_.clear();
+  const QJsonArray sources = state.value(QStringLiteral("curves")).toArray();
+  for (const auto& source : sources) addCurve(source.toString());
+  const int window = window_->findData(state.value(QStringLiteral("window")).toInt(10));
+  window_->setCurrentIndex(window < 0 ? 3 : window);
+  showTree_->setChecked(state.value(QStringLiteral("tree")).toBool(true));
+  const QString sizes = state.value(QStringLiteral("splitter")).toString();
+  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+}
+
+}  // namespace widgets

@@ -1,0 +1,102 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/View.h"
+#include "widgets/plots/CurveModel.h"
+#include "widgets/plots/PlotTreeModel.h"
+
+class QAction;
+class QComboBox;
+class QLabel;
+class QLineEdit;
+class QSortFilterProxyModel;
+class QSplitter;
+class QTreeView;
+
+namespace widgets {
+
+class EmptyHint;
+class PlotCanvas;
+
+/// Plots of values over time: any plot value, and any number in the messages of any stream. Curves are added
+/// from a searchable tree by double click, Enter or drag and drop. If a robot does not yet publish a value,
+/// its debug key is requested, and the state line says so. The legend shows the current values and those
+/// under the cursor.
+///
+/// Drawing is limited to 25 Hz. Registered as "plots". GUI thread.
+class PlotsView final : public View {
+  Q_OBJECT
+ public:
+  /// Returns the name of the file to write; empty: canceled. Tests replace the dialog by it.
+  using FileQuestion = std::function<QString(const QString& title, const QString& suffix)>;
+
+  explicit PlotsView(ViewContext& context, QWidget* parent = nullptr);
+  void setFileQuestion(FileQuestion question) { askForFile_ = std::move(question); }
+  /// Adds a curve by PlotSource::text().
+  void addCurve(const QString& source);
+  /// Appends new points and redraws if something changed.
+  void tick() override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
+
+ private:
+  void createActions();
+  /// The tree of sources with its search field.
+  void createTree();
+  /// The table of the curves below the plot.
+  void createLegend();
+  void createViews();
+  void connectSignals();
+  /// Adds the sources that are selected in the tree.
+  void addSelected();
+  /// Removes the curves that are selected in the legend.
+  void removeSelected();
+  /// Rebuilds the tree when the store's list of streams changed.
+  void listSources();
+  /// Requests the debug keys of curves whose source is not published, each once.
+  void requestMissing();
+  /// Writes all points of all curves.
+  void exportCsv();
+  /// Writes the picture of the plot.
+  void exportPng();
+  /// The timeline's shown instant, in s.
+  double shownTime() const;
+  /// Name of the joint that "positions[1]" of a JointRequest refers to; empty for other sources.
+  QString jointOf(const PlotSource& source) const;
+  /// Shows the values at a time (in s) in the legend, and a line in the plot.
+  void showCursor(std::optional<double> time);
+
+  PlotTreeModel sources_;
+  CurveModel curves_;
+  /// The tree's model filtered by the search field.
+  QSortFilterProxyModel* filter_;
+  FileQuestion askForFile_;
+  PlotCanvas* canvas_ = nullptr;
+  QTreeView* tree_ = nullptr;
+  QWidget* treePanel_ = nullptr;
+  QTreeView* legend_ = nullptr;
+  QLineEdit* search_ = nullptr;
+  /// Length of the time window while following, in s.
+  QComboBox* window_ = nullptr;
+  QLabel* state_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* showTree_ = nullptr;
+  QAction* add_ = nullptr;
+  QAction* remove_ = nullptr;
+  QAction* follow_ = nullptr;
+  QAction* pause_ = nullptr;
+  QAction* fit_ = nullptr;
+  QAction* csv_ = nullptr;
+  QAction* png_ = nullptr;
+  /// Version of the store's list of streams that the tree shows.
+  std::uint64_t listVersion_ = 0;
+  /// Counts ticks modulo 6, of which 5 may draw.
+  int ticks_ = 0;
+  /// Whether something changed since the last drawing.
+  bool dirty_ = true;
+  /// The shown instant when the plot was drawn last, in s.
+  double drawnTime_ = -1;
+};
+
+}  // namespace widgets

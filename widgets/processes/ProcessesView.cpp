@@ -1,0 +1,164 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/processes/ProcessesView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QHeaderView>
+#include <QSplitter>
+#include <QTableView>
+#include <QToolButton>
+
+#include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/processes/ProcessGraphWidget.h"
+#include "widgets/Requests.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kProcessesViewRegistration{
+    {"processes", QT_TRANSLATE_NOOP("View", "Processes"),
+     QT_TRANSLATE_NOOP("View", "Shows the robot's processes, the packages between them and their rates."),
+     "processes", false, create<ProcessesView>}};
+
+constexpr robotlink::Duration kMeanOver = std::chrono::seconds(2);
+
+}  // namespace
+
+ProcessesView::ProcessesView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("processesView"));
+  createActions();
+  createViews();
+  connectSignals();
+}
+
+void ProcessesView::createActions() {
+  fit_ = makeAction(this, "fit", {"processesFit", tr("Fit"), tr("Shows the whole graph"), tr("Ctrl+0")});
+  zoomIn_ =
+      makeAction(this, "zoom-in",
+                 {"processesZoomIn", tr("Zoom in"), tr("Makes the graph larger"), QKeySequence::ZoomIn});
+  zoomOut_ =
+      makeAction(this, "zoom-out",
+                 {"processesZoomOut", tr("Zoom out"), tr("Makes the graph smaller"), QKeySequence::ZoomOut});
+  debugLinks_ = makeAction(this, "debug",
+                           {"processesDebugLinks", tr("Debug links"),
+                            tr("Shows the links of the debug process with all others, too")});
+  debugLinks_->setCheckable(true);
+  details_ =
+      makeAction(this, "info",
+                 {"processesDetails", tr("Details"), tr("Shows the table of the processes"), tr("Ctrl+D")});
+  details_->setCheckable(true);
+  details_->setChecked(true);
+  refresh_ =
+      makeAction(this, "refresh",
+                 {"processesRefresh", tr("Ask again"), tr("Asks the robot for its tables"), tr("Shift+F5")});
+}
+
+void ProcessesView::createViews() {
+  graph_ = new ProcessGraphWidget(this);
+  hint_ = new EmptyHint(graph_);
+  hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
+  table_ = new QTableView(this);
+  describe(*table_, {"processesTable", tr("Processes"), {}});
+  table_->setModel(&model_);
+  table_->setSelectionBehavior(QAbstractItemView::SelectRows);
+  table_->setSelectionMode(QAbstractItemView::SingleSelection);
+  table_->setShowGrid(false);
+  table_->setAlternatingRowColors(true);
+  table_->verticalHeader()->hide();
+  table_->verticalHeader()->setDefaultSectionSize(fontMetrics().height() + 6);
+  table_->horizontalHeader()->setDefaultAlignment(Qt::AlignLeft | Qt::AlignVCenter);
+  using enum ColumnKind;
+  new ColumnFit(*table_, {kName, kName, kNumber, kNumber, kNumber, kNumber, kNumber, kNumber, kText});
+  splitter_ = new QSplitter(Qt::Vertical, this);
+  splitter_->setObjectName(QStringLiteral("processesSplitter"));
+  splitter_->addWidget(graph_);
+  splitter_->addWidget(table_);
+  splitter_->setStretchFactor(0, 3);
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setChildrenCollapsible(false);
+  auto* top = new QHBoxLayout;
+  for (QAction* action : {fit_, zoomIn_, zoomOut_, debugLinks_, details_, refresh_})
+    top->addWidget(makeButton(this, action));
+  top->addStretch();
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addLayout(top);
+  layout->addWidget(splitter_, 1);
+}
+
+void ProcessesView::connectSignals() {
+  connect(fit_, &QAction::triggered, graph_, &ProcessGraphWidget::fit);
+  connect(zoomIn_, &QAction::triggered, this, [this] { graph_->zoom(1.2); });
+  connect(zoomOut_, &QAction::triggered, this, [this] { graph_->zoom(1 / 1.2); });
+  connect(details_, &QAction::toggled, table_, &QWidget::setVisible);
+  connect(debugLinks_, &QAction::toggled, this, &ProcessesView::showTables);
+  connect(refresh_, &QAction::triggered, this, [this] {
+    robotcontrol::Request request;
+    request.mutable_send_tables();
+    ask(session(), robot_, std::move(request));
+  });
+  connect(graph_, &ProcessGraphWidget::selected, this, [this](const QString& process) {
+    const int row = graph_->graph().find(process);
+    if (row >= 0) table_->selectRow(row);
+    if (row < 0) table_->clearSelection();
+  });
+  connect(table_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          [this](const QModelIndex& index) {
+            graph_->setSelected(index.siblingAtColumn(ProcessTableModel::kName).data().toString());
+          });
+}
+
+void ProcessesView::tick() {
+  const std::string& robot = session().selectedRobot();
+  const auto* message =
+      session().store().latest(robot + '/' + robotlink::streams::kProcesses, session().timeline().shown());
+  const void* value = message != nullptr ? message->value.get() : nullptr;
+  if (robot == robot_ && value == shown_) return;
+  robot_ = robot;
+  shown_ = value;
+  showTables();
+}
+
+void ProcessesView::showTables() {
+  const std::string path = robot_ + '/' + robotlink::streams::kProcesses;
+  const auto& store = session().store();
+  const auto* message = store.latest(path, session().timeline().shown());
+  const auto* table =
+      message != nullptr ? dynamic_cast<const robotcontrol::ProcessTable*>(message->value.get()) : nullptr;
+  if (table == nullptr) {
+    graph_->setGraph({});
+    model_.setGraph({});
+    hint_->setHint(
+        robot_.empty()
+            ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
+            : tr("The robot has not told its processes yet. Start its program."));
+    return;
+  }
+  const auto* older = store.latest(path, message->time - kMeanOver);
+  if (older == nullptr) older = &store.find(path)->messages.front();
+  const auto* before = dynamic_cast<const robotcontrol::ProcessTable*>(older->value.get());
+  ProcessGraph graph = processGraph(*table, before, message->time - older->time,
+                                    ProcessGraph::Options{debugLinks_->isChecked()});
+  hint_->setHint({});
+  model_.setGraph(graph);
+  graph_->setGraph(std::move(graph));
+}
+
+QJsonObject ProcessesView::saveState() const {
+  return {{QStringLiteral("details"), details_->isChecked()},
+          {QStringLiteral("debugLinks"), debugLinks_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void ProcessesView::restoreState(const QJsonObject& state) {
+  details_->setChecked(state.value(QStringLiteral("details")).toBool(true));
+  debugLinks_->setChecked(state.value(QStringLiteral("debugLinks")).toBool());
+  const QString sizes = state.value(QStringLiteral("splitter")).toString();
+  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+}
+
+}  // namespace widgets

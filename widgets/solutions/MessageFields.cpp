@@ -1,0 +1,248 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/MessageFields.h"
+
+#include <google/protobuf/descriptor.h>
+#include <google/protobuf/message.h>
+
+#include <QCoreApplication>
+#include <cmath>
+#include <limits>
+
+namespace widgets {
+namespace {
+
+using google::protobuf::FieldDescriptor;
+using google::protobuf::Message;
+using google::protobuf::Reflection;
+
+Message& mutableMessageAt(Message& root, const FieldPath& path, std::size_t steps) {
+  Message* message = &root;
+  for (std::size_t i = 0; i < steps; ++i) {
+    const Reflection& reflection = *message->GetReflection();
+    message = path[i].element >= 0
+                  ? reflection.MutableRepeatedMessage(message, path[i].field, path[i].element)
+                  : reflection.MutableMessage(message, path[i].field);
+  }
+  return *message;
+}
+
+QVariant enumName(const google::protobuf::EnumValueDescriptor* value) {
+  return value == nullptr ? QString() : QString::fromStdString(value->name());
+}
+
+QVariant singleValue(const Message& message, const FieldDescriptor* field) {
+  const Reflection& r = *message.GetReflection();
+  switch (field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return r.GetDouble(message, field);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return static_cast<double>(r.GetFloat(message, field));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return r.GetBool(message, field);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return r.GetInt32(message, field);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return r.GetUInt32(message, field);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return static_cast<qlonglong>(r.GetInt64(message, field));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return static_cast<qulonglong>(r.GetUInt64(message, field));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumName(r.GetEnum(message, field));
+    case FieldDescriptor::CPPTYPE_STRING:
+      return QString::fromStdString(r.GetString(message, field));
+    default:
+      return {};
+  }
+}
+
+QVariant elementValue(const Message& message, const FieldDescriptor* field, int element) {
+  const Reflection& r = *message.GetReflection();
+  switch (field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+      return r.GetRepeatedDouble(message, field, element);
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return static_cast<double>(r.GetRepeatedFloat(message, field, element));
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return r.GetRepeatedBool(message, field, element);
+    case FieldDescriptor::CPPTYPE_INT32:
+      return r.GetRepeatedInt32(message, field, element);
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return r.GetRepeatedUInt32(message, field, element);
+    case FieldDescriptor::CPPTYPE_INT64:
+      return static_cast<qlonglong>(r.GetRepeatedInt64(message, field, element));
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return static_cast<qulonglong>(r.GetRepeatedUInt64(message, field, element));
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return enumName(r.GetRepeatedEnum(message, field, element));
+    case FieldDescriptor::CPPTYPE_STRING:
+      return QString::fromStdString(r.GetRepeatedString(message, field, element));
+    default:
+      return {};
+  }
+}
+
+/// One function for singular and repeated fields, for which Reflection has a setter each per type.
+template <typename T, typename Single, typename Element>
+bool store(Message& message, const FieldStep& step, Single single, Element element, T value) {
+  const Reflection& r = *message.GetReflection();
+  if (step.element >= 0) {
+    (r.*element)(&message, step.field, step.element, value);
+  } else {
+    (r.*single)(&message, step.field, value);
+  }
+  return true;
+}
+
+template <typename Integer>
+bool inRange(qlonglong value) {
+  return value >= static_cast<qlonglong>(std::numeric_limits<Integer>::min()) &&
+         value <= static_cast<qlonglong>(std::numeric_limits<Integer>::max());
+}
+
+bool storeInteger(Message& message, const FieldStep& step, const QVariant& value) {
+  bool good = false;
+  const qlonglong number = value.toLongLong(&good);
+  if (!good) return false;
+  switch (step.field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_INT32:
+      return inRange<std::int32_t>(number) &&
+             store(message, step, &Reflection::SetInt32, &Reflection::SetRepeatedInt32,
+                   static_cast<std::int32_t>(number));
+    case FieldDescriptor::CPPTYPE_UINT32:
+      return inRange<std::uint32_t>(number) &&
+             store(message, step, &Reflection::SetUInt32, &Reflection::SetRepeatedUInt32,
+                   static_cast<std::uint32_t>(number));
+    case FieldDescriptor::CPPTYPE_INT64:
+      return store(message, step, &Reflection::SetInt64, &Reflection::SetRepeatedInt64,
+                   static_cast<std::int64_t>(number));
+    default:
+      return number >= 0 && store(message, step, &Reflection::SetUInt64, &Reflection::SetRepeatedUInt64,
+                                  static_cast<std::uint64_t>(number));
+  }
+}
+
+bool storeNumber(Message& message, const FieldStep& step, const QVariant& value) {
+  bool good = false;
+  const double number = value.toDouble(&good);
+  if (!good || !std::isfinite(number)) return false;
+  if (step.field->cpp_type() == FieldDescriptor::CPPTYPE_FLOAT) {
+    return store(message, step, &Reflection::SetFloat, &Reflection::SetRepeatedFloat,
+                 static_cast<float>(number));
+  }
+  return store(message, step, &Reflection::SetDouble, &Reflection::SetRepeatedDouble, number);
+}
+
+bool storeEnum(Message& message, const FieldStep& step, const QVariant& value) {
+  const auto* chosen = step.field->enum_type()->FindValueByName(value.toString().toStdString());
+  return chosen != nullptr &&
+         store(message, step, &Reflection::SetEnum, &Reflection::SetRepeatedEnum, chosen);
+}
+
+bool storeText(Message& message, const FieldStep& step, const QVariant& value) {
+  if (step.field->type() == FieldDescriptor::TYPE_BYTES) return false;
+  const Reflection& r = *message.GetReflection();
+  std::string text = value.toString().toStdString();
+  if (step.element >= 0) {
+    r.SetRepeatedString(&message, step.field, step.element, std::move(text));
+  } else {
+    r.SetString(&message, step.field, std::move(text));
+  }
+  return true;
+}
+
+QString fieldText(const char* source) {
+  return QCoreApplication::translate("MessageFields", source);
+}
+
+}  // namespace
+
+bool isMessage(const FieldPath& path) {
+  return path.empty() || path.back().field->cpp_type() == FieldDescriptor::CPPTYPE_MESSAGE;
+}
+
+const Message& messageAt(const Message& root, const FieldPath& path) {
+  const Message* message = &root;
+  for (const FieldStep& step : path) {
+    const Reflection& reflection = *message->GetReflection();
+    if (step.element >= 0 && step.element >= reflection.FieldSize(*message, step.field)) {
+      return *reflection.GetMessageFactory()->GetPrototype(step.field->message_type());
+    }
+    message = step.element >= 0 ? &reflection.GetRepeatedMessage(*message, step.field, step.element)
+                                : &reflection.GetMessage(*message, step.field);
+  }
+  return *message;
+}
+
+QVariant valueAt(const Message& root, const FieldPath& path) {
+  if (isMessage(path)) return {};
+  const FieldStep& last = path.back();
+  const Message& owner = messageAt(root, FieldPath(path.begin(), path.end() - 1));
+  if (!last.field->is_repeated()) return singleValue(owner, last.field);
+  const int size = owner.GetReflection()->FieldSize(owner, last.field);
+  return last.element >= 0 && last.element < size ? elementValue(owner, last.field, last.element)
+                                                  : QVariant();
+}
+
+bool setValueAt(Message& root, const FieldPath& path, const QVariant& value) {
+  if (isMessage(path) || (path.back().field->is_repeated() && path.back().element < 0)) return false;
+  Message& owner = mutableMessageAt(root, path, path.size() - 1);
+  const FieldStep& last = path.back();
+  switch (last.field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return storeNumber(owner, last, value);
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return store(owner, last, &Reflection::SetBool, &Reflection::SetRepeatedBool, value.toBool());
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return storeEnum(owner, last, value);
+    case FieldDescriptor::CPPTYPE_STRING:
+      return storeText(owner, last, value);
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return false;
+    default:
+      return storeInteger(owner, last, value);
+  }
+}
+
+QStringList choicesAt(const FieldPath& path) {
+  QStringList names;
+  if (path.empty() || path.back().field->cpp_type() != FieldDescriptor::CPPTYPE_ENUM) return names;
+  const auto* type = path.back().field->enum_type();
+  for (int i = 0; i < type->value_count(); ++i) names << QString::fromStdString(type->value(i)->name());
+  return names;
+}
+
+QString typeName(const FieldPath& path) {
+  if (path.empty()) return {};
+  switch (path.back().field->cpp_type()) {
+    case FieldDescriptor::CPPTYPE_DOUBLE:
+    case FieldDescriptor::CPPTYPE_FLOAT:
+      return fieldText("number");
+    case FieldDescriptor::CPPTYPE_BOOL:
+      return fieldText("yes or no");
+    case FieldDescriptor::CPPTYPE_ENUM:
+      return fieldText("choice");
+    case FieldDescriptor::CPPTYPE_STRING:
+      return fieldText("text");
+    case FieldDescriptor::CPPTYPE_MESSAGE:
+      return fieldText("group");
+    case FieldDescriptor::CPPTYPE_UINT32:
+    case FieldDescriptor::CPPTYPE_UINT64:
+      return fieldText("whole number, not negative");
+    default:
+      return fieldText("whole number");
+  }
+}
+
+QString pathText(const FieldPath& path) {
+  QString result;
+  for (const FieldStep& step : path) {
+    if (!result.isEmpty()) result += QLatin1Char('.');
+    result += QString::fromStdString(step.field->name());
+    if (step.element >= 0) result += QStringLiteral("[%1]").arg(step.element);
+  }
+  return result;
+}
+
+}  // namespace widgets

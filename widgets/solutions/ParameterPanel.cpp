@@ -1,0 +1,195 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/ParameterPanel.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QLabel>
+#include <QToolButton>
+#include <QTreeView>
+#include <QUndoCommand>
+#include <functional>
+
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/solutions/ParameterDelegate.h"
+#include "widgets/Requests.h"
+#include "widgets/Theme.h"
+#include "widgets/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+/// One edit of a parameter message: the message before and after it.
+class EditParameters final : public QUndoCommand {
+ public:
+  using Apply = std::function<void(const QByteArray&)>;
+  EditParameters(const QString& what, QByteArray before, QByteArray after, Apply apply)
+      : QUndoCommand(what), before_(std::move(before)), after_(std::move(after)), apply_(std::move(apply)) {}
+  void undo() override { apply_(before_); }
+  void redo() override { apply_(after_); }
+
+ private:
+  QByteArray before_;
+  QByteArray after_;
+  Apply apply_;
+};
+
+}  // namespace
+
+ParameterPanel::ParameterPanel(robotlink::Session& session, QWidget* parent)
+    : QWidget(parent), session_(session) {
+  setObjectName(QStringLiteral("parameterPanel"));
+  createActions();
+  createViews();
+  connectSignals();
+  show({}, {}, {}, false);
+}
+
+void ParameterPanel::createActions() {
+  undoAction_ = makeAction(
+      this, "undo", {"parametersUndo", tr("Undo"), tr("Takes the last edit back"), QKeySequence::Undo});
+  redoAction_ = makeAction(this, "redo",
+                           {"parametersRedo", tr("Redo"), tr("Makes the edit again"), QKeySequence::Redo});
+  reset_ = makeAction(this, "reset",
+                      {"parametersReset", tr("Reset to default"),
+                       tr("Gives the current parameter, or group, its default"), tr("Ctrl+Backspace")});
+  resetAll_ = makeAction(this, "clear",
+                         {"parametersResetAll", tr("Reset all"), tr("Gives every parameter its default")});
+  refresh_ = makeAction(
+      this, "refresh",
+      {"parametersRefresh", tr("Read again"), tr("Asks the robot for its values"), tr("Shift+F5")});
+}
+
+void ParameterPanel::createViews() {
+  title_ = new QLabel(this);
+  describe(*title_, {"parametersTitle", tr("Parameters of"), {}});
+  tree_ = new QTreeView(this);
+  styleTree(*tree_);
+  describe(*tree_, {"parametersTree", tr("Parameters"), {}});
+  tree_->setModel(&model_);
+  tree_->setItemDelegate(new ParameterDelegate(tree_));
+  tree_->setEditTriggers(QAbstractItemView::EditKeyPressed | QAbstractItemView::DoubleClicked |
+                         QAbstractItemView::AnyKeyPressed);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kName});
+  hint_ = new EmptyHint(tree_);
+  state_ = new QLabel(this);
+  describe(*state_, {"parametersState", tr("State of the parameters"), {}});
+  state_->setWordWrap(true);
+  auto* top = new QHBoxLayout;
+  top->addWidget(title_, 1);
+  for (QAction* action : {undoAction_, redoAction_, reset_, resetAll_, refresh_})
+    top->addWidget(makeButton(this, action));
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(4);
+  layout->addLayout(top);
+  layout->addWidget(tree_, 1);
+  layout->addWidget(state_);
+}
+
+void ParameterPanel::connectSignals() {
+  connect(&model_, &ParameterModel::edited, this,
+          [this](const QByteArray& before, const QByteArray& after, const QString& what) {
+            undo_.push(
+                new EditParameters(what, before, after, [this](const QByteArray& value) { apply(value); }));
+          });
+  connect(tree_, &QTreeView::clicked, this, [this](const QModelIndex& index) {
+    if (index.column() == ParameterModel::kValue && index.flags().testFlag(Qt::ItemIsEditable))
+      tree_->edit(index);
+  });
+  connect(undoAction_, &QAction::triggered, &undo_, &QUndoStack::undo);
+  connect(redoAction_, &QAction::triggered, &undo_, &QUndoStack::redo);
+  connect(&undo_, &QUndoStack::canUndoChanged, undoAction_, &QAction::setEnabled);
+  connect(&undo_, &QUndoStack::canRedoChanged, redoAction_, &QAction::setEnabled);
+  connect(reset_, &QAction::triggered, this, [this] {
+    if (tree_->currentIndex().isValid()) model_.reset(tree_->currentIndex());
+  });
+  connect(resetAll_, &QAction::triggered, this, [this] { model_.reset({}); });
+  connect(refresh_, &QAction::triggered, this, &ParameterPanel::askForValues);
+}
+
+void ParameterPanel::show(const std::string& robot, const std::string& task, const std::string& solution,
+                          bool hasParameters) {
+  robot_ = robot;
+  task_ = task;
+  solution_ = hasParameters ? solution : std::string();
+  shown_ = nullptr;
+  model_.clear();
+  undo_.clear();
+  say({});
+  undoAction_->setEnabled(false);
+  redoAction_->setEnabled(false);
+  for (QAction* action : {reset_, resetAll_, refresh_}) action->setEnabled(!solution_.empty());
+  title_->setText(solution.empty() ? tr("Parameters")
+                                   : QStringLiteral("<b>%1</b> / %2")
+                                         .arg(QString::fromStdString(task).toHtmlEscaped(),
+                                              QString::fromStdString(solution).toHtmlEscaped()));
+  if (solution.empty()) {
+    hint_->setHint(tr("Choose a solution to see its parameters."));
+  } else if (!hasParameters) {
+    hint_->setHint(tr("This solution has no parameters."));
+  } else {
+    hint_->setHint(tr("Asking the robot for the parameters…"));
+    askForValues();
+  }
+}
+
+void ParameterPanel::askForValues() {
+  robotcontrol::Request request;
+  request.mutable_get_parameters()->set_task(task_);
+  request.mutable_get_parameters()->set_solution(solution_);
+  ask(session_, robot_, std::move(request), this, [this](bool accepted, const QString& reason) {
+    if (!accepted) say(tr("Not told: %1").arg(reason), true);
+  });
+}
+
+void ParameterPanel::tick() {
+  if (solution_.empty()) return;
+  for (const auto* message :
+       latestOfType(session_.store(), robot_, "robotcontrol.ParameterValues", session_.timeline().shown())) {
+    if (message == nullptr || message->value.get() == shown_) continue;
+    const auto* values = dynamic_cast<const robotcontrol::ParameterValues*>(message->value.get());
+    if (values == nullptr || values->task() != task_ || values->solution() != solution_) continue;
+    const bool first = shown_ == nullptr;
+    shown_ = message->value.get();
+    if (!first && values->value().type() == model_.typeName()) {
+      // Setting only the values keeps the tree, the undo stack and an open editor.
+      model_.setValue(QByteArray::fromStdString(values->value().data()));
+    } else if (model_.setParameters(*values)) {
+      hint_->setHint({});
+      tree_->expandAll();
+      tree_->resizeColumnToContents(ParameterModel::kField);
+    } else {
+      hint_->setHint(tr("These parameters are of the type %1, which cannot be read here.")
+                         .arg(QString::fromStdString(values->value().type())));
+    }
+  }
+}
+
+void ParameterPanel::apply(const QByteArray& value) {
+  const QByteArray before = model_.value();
+  model_.setValue(value);
+  robotcontrol::Request request;
+  auto& set = *request.mutable_set_parameters();
+  set.set_task(task_);
+  set.set_solution(solution_);
+  set.mutable_value()->set_type(model_.typeName());
+  set.mutable_value()->set_data(value.toStdString());
+  say(tr("Sending…"));
+  ask(session_, robot_, std::move(request), this, [this, before](bool accepted, const QString& reason) {
+    if (accepted) return say(tr("Set."));
+    model_.setValue(before);
+    undo_.clear();
+    say(tr("Refused: %1").arg(reason), true);
+  });
+}
+
+void ParameterPanel::say(const QString& text, bool bad) {
+  QPalette colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  state_->setPalette(bad ? colors : QPalette());
+  state_->setText(text);
+}
+
+}  // namespace widgets

@@ -1,0 +1,70 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QUndoStack>
+#include <QWidget>
+
+#include "widgets/solutions/ParameterModel.h"
+
+class QAction;
+class QLabel;
+class QTreeView;
+
+namespace robotlink {
+class Session;
+}
+
+namespace widgets {
+
+class EmptyHint;
+
+/// Edits the parameters of one solution of a robot. The panel requests the current values, shows them as a
+/// tree, and sends the whole message back when a value is entered. Every edit and every reset can be undone.
+/// If the robot refuses a value, the reason is shown, the former value is restored and the undo stack is
+/// cleared. GUI thread.
+class ParameterPanel final : public QWidget {
+  Q_OBJECT
+ public:
+  /// `session` must outlive the panel.
+  explicit ParameterPanel(robotlink::Session& session, QWidget* parent = nullptr);
+
+  /// Requests the parameters of a solution. An empty `solution`, or one without parameters, empties the
+  /// panel. Clears the undo stack.
+  void show(const std::string& robot, const std::string& task, const std::string& solution,
+            bool hasParameters);
+  /// Applies the ParameterValues that the robot published since the last tick. A message of the same type
+  /// keeps the tree, the undo stack and an open editor.
+  void tick();
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Requests the parameters; they arrive as a ParameterValues message.
+  void askForValues();
+  /// Shows `value` (a serialized message) and sends it to the robot.
+  void apply(const QByteArray& value);
+  /// Shows a text below the tree; `bad`: in the color of an error.
+  void say(const QString& text, bool bad = false);
+
+  robotlink::Session& session_;
+  ParameterModel model_;
+  /// A child object, so that the main window's undo actions find it.
+  QUndoStack undo_{this};
+  QTreeView* tree_ = nullptr;
+  QLabel* title_ = nullptr;
+  QLabel* state_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* undoAction_ = nullptr;
+  QAction* redoAction_ = nullptr;
+  QAction* reset_ = nullptr;
+  QAction* resetAll_ = nullptr;
+  QAction* refresh_ = nullptr;
+  std::string robot_;
+  std::string task_;
+  std::string solution_;
+  /// Address of the message that is shown; null: none has arrived.
+  const void* shown_ = nullptr;
+};
+
+}  // namespace widgets

@@ -1,0 +1,196 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/SolutionModel.h"
+
+#include <QFont>
+#include <QGuiApplication>
+#include <algorithm>
+
+#include "robotcontrol/Debugging.pb.h"
+#include "robotlink/session/StreamStore.h"
+#include "widgets/Theme.h"
+
+namespace widgets {
+namespace {
+
+TaskEntry taskEntry(const robotcontrol::SolutionTable::Task& from) {
+  TaskEntry task;
+  task.name = from.name();
+  task.process = from.process();
+  task.active = from.active();
+  task.standard = from.default_solution();
+  task.help = QString::fromStdString(from.help());
+  for (const auto& solution : from.solutions()) {
+    task.solutions.push_back({solution.name(), QString::fromStdString(solution.help()),
+                              QString::fromStdString(solution.unavailable()), solution.has_parameters()});
+  }
+  return task;
+}
+
+bool sameShape(const std::vector<TaskEntry>& a, const std::vector<TaskEntry>& b) {
+  return std::equal(a.begin(), a.end(), b.begin(), b.end(), [](const TaskEntry& x, const TaskEntry& y) {
+    return x.name == y.name &&
+           std::equal(x.solutions.begin(), x.solutions.end(), y.solutions.begin(), y.solutions.end(),
+                      [](const auto& s, const auto& t) { return s.name == t.name; });
+  });
+}
+
+}  // namespace
+
+std::vector<TaskEntry> tasksOf(const std::vector<const robotlink::StreamMessage*>& tables) {
+  std::vector<TaskEntry> tasks;
+  for (const auto* message : tables) {
+    if (message == nullptr) continue;
+    const auto* table = dynamic_cast<const robotcontrol::SolutionTable*>(message->value.get());
+    if (table == nullptr) continue;
+    for (const auto& task : table->tasks()) tasks.push_back(taskEntry(task));
+  }
+  return tasks;
+}
+
+void SolutionModel::setTasks(std::vector<TaskEntry> tasks) {
+  for (const TaskEntry& task : tasks) {
+    firstActive_.emplace(task.name, task.active);
+    const auto wish = pending_.find(task.name);
+    if (wish != pending_.end() && wish->second == task.active) pending_.erase(wish);
+    const auto refusal = refusals_.find(task.name);
+    if (refusal != refusals_.end() && refusal->second.solution == task.active) refusals_.erase(refusal);
+  }
+  if (!sameShape(tasks, tasks_)) {
+    beginResetModel();
+    tasks_ = std::move(tasks);
+    endResetModel();
+    return;
+  }
+  tasks_ = std::move(tasks);
+  for (const TaskEntry& task : tasks_) taskChanged(task.name);
+}
+
+void SolutionModel::setPending(const std::string& task, const std::string& solution) {
+  pending_[task] = solution;
+  refusals_.erase(task);
+  taskChanged(task);
+}
+
+void SolutionModel::refuse(const std::string& task, const std::string& solution, const QString& reason) {
+  pending_.erase(task);
+  refusals_[task] = {solution, reason};
+  taskChanged(task);
+}
+
+std::string SolutionModel::standardOf(const TaskEntry& task) const {
+  if (!task.standard.empty()) return task.standard;
+  const auto first = firstActive_.find(task.name);
+  return first == firstActive_.end() ? task.active : first->second;
+}
+
+void SolutionModel::taskChanged(const std::string& task) {
+  for (int row = 0; row < static_cast<int>(tasks_.size()); ++row) {
+    if (tasks_[static_cast<std::size_t>(row)].name != task) continue;
+    const QModelIndex parent = index(row, 0);
+    Q_EMIT dataChanged(parent, index(row, kState));
+    if (rowCount(parent) > 0) {
+      Q_EMIT dataChanged(index(0, 0, parent), index(rowCount(parent) - 1, kState, parent));
+    }
+  }
+}
+
+// The internal id of a task's index is 0, that of a solution's index its task's row + 1.
+QModelIndex SolutionModel::index(int row, int column, const QModelIndex& parent) const {
+  if (!hasIndex(row, column, parent)) return {};
+  return createIndex(row, column, parent.isValid() ? static_cast<quintptr>(parent.row()) + 1 : 0);
+}
+
+QModelIndex SolutionModel::parent(const QModelIndex& child) const {
+  if (!child.isValid() || child.internalId() == 0) return {};
+  return createIndex(static_cast<int>(child.internalId()) - 1, 0, quintptr{0});
+}
+
+int SolutionModel::rowCount(const QModelIndex& parent) const {
+  if (!parent.isValid()) return static_cast<int>(tasks_.size());
+  if (parent.internalId() != 0 || parent.column() > 0) return 0;
+  return static_cast<int>(tasks_[static_cast<std::size_t>(parent.row())].solutions.size());
+}
+
+int SolutionModel::columnCount(const QModelIndex&) const {
+  return kColumns;
+}
+
+SolutionModel::Choice SolutionModel::choiceOf(const TaskEntry& task,
+                                              const TaskEntry::Solution& solution) const {
+  const auto wish = pending_.find(task.name);
+  if (wish != pending_.end() && wish->second == solution.name) return Choice::kPending;
+  if (solution.name == task.active) return Choice::kActive;
+  return solution.unavailable.isEmpty() ? Choice::kFree : Choice::kUnavailable;
+}
+
+QString SolutionModel::stateOf(const TaskEntry& task, const TaskEntry::Solution& solution) const {
+  const auto refusal = refusals_.find(task.name);
+  if (refusal != refusals_.end() && refusal->second.solution == solution.name) {
+    return tr("refused: %1").arg(refusal->second.reason);
+  }
+  if (choiceOf(task, solution) == Choice::kPending) return tr("switching…");
+  return solution.unavailable.isEmpty() ? solution.help : solution.unavailable;
+}
+
+QVariant SolutionModel::taskData(const TaskEntry& task, int column, int role) const {
+  if (role == kTaskRole) return QString::fromStdString(task.name);
+  if (role == Qt::ToolTipRole) return task.help;
+  if (role == Qt::FontRole) {
+    QFont font;
+    font.setBold(column == kName);
+    return font;
+  }
+  if (role != Qt::DisplayRole) return {};
+  if (column == kName) return QString::fromStdString(task.name);
+  if (column == kProcess) return QString::fromStdString(task.process);
+  const auto wish = pending_.find(task.name);
+  const QString active = task.active.empty() ? tr("nothing") : QString::fromStdString(task.active);
+  return wish == pending_.end() ? active : tr("%1 → %2…").arg(active, QString::fromStdString(wish->second));
+}
+
+QVariant SolutionModel::solutionData(const TaskEntry& task, const TaskEntry::Solution& solution, int column,
+                                     int role) const {
+  const auto refusal = refusals_.find(task.name);
+  const bool refused = refusal != refusals_.end() && refusal->second.solution == solution.name;
+  switch (role) {
+    case kTaskRole:
+      return QString::fromStdString(task.name);
+    case kSolutionRole:
+      return QString::fromStdString(solution.name);
+    case kChoiceRole:
+      return static_cast<int>(choiceOf(task, solution));
+    case kParametersRole:
+      return solution.hasParameters;
+    case Qt::DisplayRole:
+      if (column == kName) return QString::fromStdString(solution.name);
+      return column == kState ? stateOf(task, solution) : QString();
+    case Qt::ToolTipRole: {
+      const QString extra = refused ? stateOf(task, solution) : solution.unavailable;
+      return extra.isEmpty() ? solution.help : QStringLiteral("%1\n%2").arg(solution.help, extra);
+    }
+    case Qt::ForegroundRole:
+      if (refused) return colorOf(Meaning::kBad, QGuiApplication::palette());
+      if (choiceOf(task, solution) == Choice::kUnavailable || column != kName) {
+        return colorOf(Meaning::kMuted, QGuiApplication::palette());
+      }
+      return {};
+    default:
+      return {};
+  }
+}
+
+QVariant SolutionModel::data(const QModelIndex& index, int role) const {
+  if (!index.isValid()) return {};
+  if (index.internalId() == 0) {
+    return taskData(tasks_[static_cast<std::size_t>(index.row())], index.column(), role);
+  }
+  const TaskEntry& task = tasks_[index.internalId() - 1];
+  return solutionData(task, task.solutions[static_cast<std::size_t>(index.row())], index.column(), role);
+}
+
+QVariant SolutionModel::headerData(int section, Qt::Orientation orientation, int role) const {
+  if (orientation != Qt::Horizontal || role != Qt::DisplayRole) return {};
+  return section == kName ? tr("Task and solutions") : section == kProcess ? tr("Process") : tr("State");
+}
+
+}  // namespace widgets

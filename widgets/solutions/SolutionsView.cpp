@@ -1,0 +1,199 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/solutions/SolutionsView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QKeyEvent>
+#include <QLabel>
+#include <QSplitter>
+#include <QToolButton>
+#include <QTreeView>
+
+#include "robotlink/debugging/Streams.h"
+#include "widgets/ColumnFit.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/solutions/ParameterPanel.h"
+#include "widgets/Requests.h"
+#include "widgets/solutions/SolutionDelegate.h"
+#include "widgets/Theme.h"
+#include "widgets/TypedStreams.h"
+
+namespace widgets {
+namespace {
+
+const ViewRegistration kSolutionsViewRegistration{
+    {"solutions", QT_TRANSLATE_NOOP("View", "Solutions"),
+     QT_TRANSLATE_NOOP("View", "Chooses how each task of the robot is done, and sets the parameters."),
+     "solutions", false, create<SolutionsView>}};
+
+}  // namespace
+
+SolutionsView::SolutionsView(ViewContext& context, QWidget* parent) : View(context, parent) {
+  setObjectName(QStringLiteral("solutionsView"));
+  createActions();
+  createViews();
+  connectSignals();
+}
+
+void SolutionsView::createActions() {
+  defaults_ =
+      makeAction(this, "reset",
+                 {"solutionsDefaults", tr("Defaults"),
+                  tr("Switches every task to the solution that its layout names"), tr("Ctrl+Shift+L")});
+  showParameters_ = makeAction(this, "settings",
+                               {"solutionsParameters", tr("Parameters"),
+                                tr("Shows the parameters of the current solution"), tr("Ctrl+P")});
+  showParameters_->setCheckable(true);
+}
+
+void SolutionsView::createViews() {
+  tree_ = new QTreeView(this);
+  styleTree(*tree_);
+  describe(*tree_, {"solutionsTree", tr("Tasks and their solutions"), {}});
+  tree_->setModel(&model_);
+  tree_->setItemDelegate(new SolutionDelegate(tree_));
+  tree_->setAlternatingRowColors(false);
+  tree_->setIndentation(14);
+  new ColumnFit(*tree_, {ColumnKind::kName, ColumnKind::kName, ColumnKind::kText});
+  hint_ = new EmptyHint(tree_);
+  hint_->setHint(tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar."));
+  parameters_ = new ParameterPanel(session(), this);
+  splitter_ = new QSplitter(Qt::Vertical, this);
+  splitter_->setObjectName(QStringLiteral("solutionsSplitter"));
+  splitter_->addWidget(tree_);
+  splitter_->addWidget(parameters_);
+  splitter_->setStretchFactor(0, 2);
+  splitter_->setStretchFactor(1, 1);
+  splitter_->setChildrenCollapsible(false);
+  parameters_->hide();
+  state_ = new QLabel(this);
+  describe(*state_, {"solutionsState", tr("Last answer"), {}});
+  state_->setWordWrap(true);
+  auto* top = new QHBoxLayout;
+  top->addWidget(state_, 1);
+  top->addWidget(makeButton(this, defaults_));
+  auto* parametersButton = makeButton(this, showParameters_);
+  parametersButton->setToolButtonStyle(Qt::ToolButtonTextBesideIcon);
+  top->addWidget(parametersButton);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(4, 4, 4, 4);
+  layout->setSpacing(4);
+  layout->addLayout(top);
+  layout->addWidget(splitter_, 1);
+}
+
+void SolutionsView::connectSignals() {
+  tree_->installEventFilter(this);
+  connect(tree_, &QTreeView::clicked, this, &SolutionsView::choose);
+  connect(tree_->selectionModel(), &QItemSelectionModel::currentRowChanged, this,
+          &SolutionsView::showCurrent);
+  connect(defaults_, &QAction::triggered, this, &SolutionsView::selectDefaults);
+  connect(&model_, &QAbstractItemModel::modelReset, tree_, &QTreeView::expandAll);
+  connect(showParameters_, &QAction::toggled, this, [this](bool on) {
+    parameters_->setVisible(on);
+    if (on) splitter_->setSizes({splitter_->height() * 3 / 5, splitter_->height() * 2 / 5});
+    showCurrent(tree_->currentIndex());
+  });
+}
+
+void SolutionsView::tick() {
+  const std::string& robot = session().selectedRobot();
+  const auto tables =
+      latestTable(session().store(), robot, robotlink::streams::kSolutions, session().timeline().shown());
+  auto values = valuesOf(tables);
+  if (robot != robot_ || values != shown_) {
+    const int before = robot == robot_ ? model_.rowCount() : 0;
+    robot_ = robot;
+    shown_ = std::move(values);
+    model_.setTasks(robot.empty() ? std::vector<TaskEntry>() : tasksOf(tables));
+    if (model_.rowCount() != before) {  // Processes publish their tasks one after the other.
+      tree_->expandAll();
+      tree_->resizeColumnToContents(SolutionModel::kName);
+      tree_->resizeColumnToContents(SolutionModel::kProcess);
+      showCurrent(tree_->currentIndex());
+    }
+    hint_->setHint(
+        model_.rowCount() > 0 ? QString()
+        : robot.empty()
+            ? tr("No robot. Start a simulation or connect to a robot, and choose it in the toolbar.")
+            : tr("The robot has not told its tasks yet. Start its program."));
+  }
+  defaults_->setEnabled(model_.rowCount() > 0);
+  parameters_->tick();
+}
+
+void SolutionsView::choose(const QModelIndex& index) {
+  const QVariant solution = index.data(SolutionModel::kSolutionRole);
+  if (!solution.isValid()) return;
+  const auto choice = static_cast<SolutionModel::Choice>(index.data(SolutionModel::kChoiceRole).toInt());
+  if (choice == SolutionModel::Choice::kUnavailable) {
+    say(tr("%1 cannot be chosen: %2")
+            .arg(solution.toString(), index.siblingAtColumn(SolutionModel::kState).data().toString()),
+        true);
+  } else if (choice == SolutionModel::Choice::kFree) {
+    select(index.data(SolutionModel::kTaskRole).toString().toStdString(), solution.toString().toStdString());
+  }
+}
+
+void SolutionsView::select(const std::string& task, const std::string& solution) {
+  model_.setPending(task, solution);
+  robotcontrol::Request request;
+  request.mutable_select_solution()->set_task(task);
+  request.mutable_select_solution()->set_solution(solution);
+  ask(session(), robot_, std::move(request), this,
+      [this, task, solution](bool accepted, const QString& reason) {
+        const QString name = QString::fromStdString(task + " / " + solution);
+        if (accepted) return say(tr("%1 was accepted").arg(name), false);
+        model_.refuse(task, solution, reason);
+        say(tr("%1 was refused: %2").arg(name, reason), true);
+      });
+}
+
+void SolutionsView::selectDefaults() {
+  const std::vector<TaskEntry> tasks = model_.tasks();
+  for (const TaskEntry& task : tasks) {
+    const std::string standard = model_.standardOf(task);
+    if (!standard.empty() && standard != task.active) select(task.name, standard);
+  }
+}
+
+void SolutionsView::showCurrent(const QModelIndex& index) {
+  if (!showParameters_->isChecked()) return;  // the panel is hidden, so its values are not requested
+  const QVariant solution = index.data(SolutionModel::kSolutionRole);
+  parameters_->show(robot_, index.data(SolutionModel::kTaskRole).toString().toStdString(),
+                    solution.toString().toStdString(), index.data(SolutionModel::kParametersRole).toBool());
+}
+
+void SolutionsView::say(const QString& text, bool bad) {
+  QPalette colors = palette();
+  if (bad) colors.setColor(QPalette::WindowText, colorOf(Meaning::kBad, palette()));
+  state_->setPalette(bad ? colors : QPalette());
+  state_->setText(text);
+}
+
+bool SolutionsView::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == tree_ && event->type() == QEvent::KeyPress) {
+    const int key = static_cast<QKeyEvent*>(event)->key();
+    const QModelIndex current = tree_->currentIndex();
+    if ((key == Qt::Key_Space || key == Qt::Key_Return || key == Qt::Key_Enter) &&
+        current.data(SolutionModel::kSolutionRole).isValid()) {
+      choose(current);
+      return true;
+    }
+  }
+  return View::eventFilter(watched, event);
+}
+
+QJsonObject SolutionsView::saveState() const {
+  return {{QStringLiteral("parameters"), showParameters_->isChecked()},
+          {QStringLiteral("splitter"), QString::fromLatin1(splitter_->saveState().toBase64())}};
+}
+
+void SolutionsView::restoreState(const QJsonObject& state) {
+  showParameters_->setChecked(state.value(QStringLiteral("parameters")).toBool());
+  const QString sizes = state.value(QStringLiteral("splitter")).toString();
+  if (!sizes.isEmpty()) splitter_->restoreState(QByteArray::fromBase64(sizes.toLatin1()));
+}
+
+}  // namespace widgets

@@ -1,0 +1,64 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include "widgets/View.h"
+#include "widgets/solutions/SolutionModel.h"
+
+class QAction;
+class QLabel;
+class QSplitter;
+class QTreeView;
+
+namespace widgets {
+
+class EmptyHint;
+class ParameterPanel;
+
+/// The tasks of the selected robot and the solutions that exist for them. A click on a solution, or Space,
+/// requests a switch to it; a solution that cannot be chosen shows the reason. The panel below edits the
+/// parameters of the current solution.
+///
+/// Registered as "solutions". GUI thread.
+class SolutionsView final : public View {
+  Q_OBJECT
+ public:
+  explicit SolutionsView(ViewContext& context, QWidget* parent = nullptr);
+  /// Updates the tree if the robot or its SolutionTables changed.
+  void tick() override;
+  QJsonObject saveState() const override;
+  void restoreState(const QJsonObject& state) override;
+
+ protected:
+  /// Handles Space and Return in the tree.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
+ private:
+  void createActions();
+  void createViews();
+  void connectSignals();
+  /// Switches to the solution at `index`, or says why it cannot be chosen; ignores tasks.
+  void choose(const QModelIndex& index);
+  /// Requests a solution and shows the outcome.
+  void select(const std::string& task, const std::string& solution);
+  /// Requests the layout's default solution for every task that runs another one.
+  void selectDefaults();
+  /// Shows the parameters of the solution at `index` if the panel is visible.
+  void showCurrent(const QModelIndex& index);
+  /// Shows a text in the state line; `bad`: in the color of an error.
+  void say(const QString& text, bool bad);
+
+  SolutionModel model_;
+  QTreeView* tree_ = nullptr;
+  QSplitter* splitter_ = nullptr;
+  ParameterPanel* parameters_ = nullptr;
+  /// Outcome of the last request.
+  QLabel* state_ = nullptr;
+  EmptyHint* hint_ = nullptr;
+  QAction* defaults_ = nullptr;
+  QAction* showParameters_ = nullptr;
+  std::string robot_;
+  /// Addresses of the tables that the tree shows, to detect new ones.
+  std::vector<const void*> shown_;
+};
+
+}  // namespace widgets

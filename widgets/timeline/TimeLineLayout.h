@@ -1,0 +1,117 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#pragma once
+
+#include <QImage>
+#include <QRectF>
+#include <QString>
+#include <map>
+#include <memory>
+#include <optional>
+#include <utility>
+#include <vector>
+
+#include "logplayer/bookmarks/Bookmarks.h"
+#include "widgets/log/LogOverview.h"
+#include "widgets/log/TimeScale.h"
+
+// Contents, look and geometry of a timeline: plain values and pure functions, shared by painting and mouse.
+namespace widgets {
+
+/// One log of a timeline. Times are the log's own; `offset` is added to them.
+struct TimeLineBand {
+  /// Name of the log.
+  QString title;
+  robotlink::Duration offset{0};
+  /// Whether the offset is shown, which it is if there are several logs.
+  bool showsOffset = false;
+  /// Whether the streams are hidden.
+  bool collapsed = false;
+  /// Null: not yet known.
+  std::shared_ptr<const LogOverview> log;
+  /// Paths of the streams that have a row, in this order.
+  std::vector<std::string> streams;
+  std::vector<logplayer::Bookmark> bookmarks;
+  /// Whether there is a lane with thumbnails.
+  bool hasImages = false;
+  /// Width by height of the images.
+  double imageAspect = 4.0 / 3;
+  /// By the times for which they were requested.
+  std::map<robotlink::Instant, QImage> thumbnails;
+};
+
+/// The visible part and its look. Sizes are logical pixels.
+struct TimeLineLook {
+  QSizeF size;
+  /// Width of the column with names.
+  double gutter = 190;
+  /// Height of a stream's row, for the font in use.
+  double row = 17;
+  /// Times along x; its `left` is the gutter's right edge.
+  TimeScale scale;
+  /// Height that is scrolled away above the visible bands.
+  double scroll = 0;
+  /// Position of the play head.
+  robotlink::Instant shown{};
+  /// Extent of all logs; equal: no log is open, and the ruler is empty.
+  robotlink::Instant begin{}, end{};
+  /// The instant that the ruler shows as 0 s.
+  robotlink::Instant origin{};
+  /// The selected range; unset: none.
+  std::optional<std::pair<robotlink::Instant, robotlink::Instant>> range;
+  /// Band and id of the chosen bookmark; -1: none.
+  std::pair<int, std::uint64_t> bookmark{-1, 0};
+  /// Band and path of the stream whose messages are stepped; -1: none.
+  std::pair<int, std::string> stream{-1, {}};
+  /// Whether the widget has the focus.
+  bool focused = false;
+};
+
+/// Where everything lies, in widget pixels.
+struct TimeLineLayout {
+  /// The lanes of a band from top to bottom: title, thumbnails, text messages, and one per stream.
+  enum class Kind : std::uint8_t { kHeader, kImages, kTexts, kStream };
+  /// A row over the whole width of the widget.
+  struct Lane {
+    Kind kind;
+    int band;
+    /// Path, for kStream.
+    std::string stream;
+    /// Gutter included.
+    QRectF rect;
+  };
+  /// Without the gutter.
+  QRectF ruler;
+  /// The visible part of the bands, gutter included.
+  QRectF body;
+  std::vector<Lane> lanes;
+  /// Height of all bands.
+  double height = 0;
+
+  /// Null if there is none.
+  const Lane* laneAt(const QPointF& point) const&;
+  const Lane* laneAt(const QPointF& point) const&& = delete;  // it would not outlive the call
+};
+
+/// Computes the layout of all lanes, visible or not.
+TimeLineLayout layOut(const std::vector<TimeLineBand>& bands, const TimeLineLook& look);
+
+/// A place for a thumbnail: from x to x, and the time whose image it shows.
+struct ThumbnailSlot {
+  double left, right;
+  /// In the log's own times.
+  robotlink::Instant time;
+};
+/// The visible slots of a band; they keep their times while the timeline is panned.
+std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLineLook& look);
+/// Height of thumbnails in pixels.
+int thumbnailHeight();
+
+/// The area of a bookmark's flag in its lane, text included.
+QRectF bookmarkRect(const TimeLineBand& band, const logplayer::Bookmark& bookmark, const TimeLineLook& look,
+                    const QRectF& lane, const QFontMetricsF& metrics);
+/// The triangle that collapses a band.
+QRectF collapseRect(const QRectF& lane);
+/// The text with the band's offset.
+QRectF offsetRect(const QRectF& lane, const TimeLineLook& look);
+
+}  // namespace widgets

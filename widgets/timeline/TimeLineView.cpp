@@ -1,0 +1,371 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// The part of TimeLineView that shows logs and connects controls. TimeLineJobs.cpp has the actions on ranges
+// and files.
+#include "widgets/timeline/TimeLineView.h"
+
+#include <QAction>
+#include <QBoxLayout>
+#include <QComboBox>
+#include <QContextMenuEvent>
+#include <QLabel>
+#include <QMenu>
+#include <QToolButton>
+#include <filesystem>
+
+#include "robotlink/session/CommandTable.h"
+#include "robotlink/session/Session.h"
+#include "widgets/Controls.h"
+#include "widgets/EmptyHint.h"
+#include "widgets/log/LogBars.h"
+#include "widgets/timeline/TimeLineCanvas.h"
+#include "widgets/log/ReplayKeys.h"
+
+namespace widgets {
+
+using robotlink::Instant;
+
+namespace {
+
+const ViewRegistration kTimeLineViewRegistration{
+    {"time-line", QT_TRANSLATE_NOOP("View", "Time line"),
+     QT_TRANSLATE_NOOP("View",
+                       "Shows logs over time: images, messages, warnings, "
+                       "bookmarks; lets one jump, select, cut and export."),
+     "time-line", false, create<TimeLineView>}};
+
+QString withKey(const QString& text, ReplayKey key) {
+  return QStringLiteral("%1 (%2)").arg(text, keySequence(key).toString(QKeySequence::NativeText));
+}
+
+}  // namespace
+
+TimeLineView::TimeLineView(ViewContext& context, QWidget* parent)
+    : View(context, parent), logs_(openLogs(context)) {
+  setObjectName(QStringLiteral("timeLineView"));
+  createActions();
+  createRangeActions();
+  createViews();
+  connectSignals();
+  connectBookmarks();
+  tick();
+}
+
+void TimeLineView::createActions() {
+  bookmark_ = makeAction(this, "bookmark",
+                         {"timeLineBookmark", tr("Bookmark"),
+                          withKey(tr("Marks this moment, and lets you name it"), ReplayKey::kBookmark)});
+  undo_ = makeAction(
+      this, "undo",
+      {"timeLineUndo", tr("Undo"), tr("Takes the last change of the bookmarks back"), QKeySequence::Undo});
+  redo_ = makeAction(this, "redo",
+                     {"timeLineRedo", tr("Redo"), tr("Does again what was taken back"), QKeySequence::Redo});
+  zoomOut_ =
+      makeAction(this, "zoom-out",
+                 {"timeLineZoomOut", tr("Zoom out"), tr("Shows more time (also: the wheel)"), Qt::Key_Minus});
+  zoomIn_ = makeAction(
+      this, "zoom-in",
+      {"timeLineZoomIn", tr("Zoom in"), tr("Shows less time, larger (also: the wheel)"), Qt::Key_Plus});
+  fit_ = makeAction(this, "fit", {"timeLineFit", tr("Fit"), tr("Shows all of the logs"), Qt::Key_F});
+  follow_ = makeAction(this, "follow", {"timeLineFollow", tr("Follow"), tr("Keeps the play head in sight")});
+  follow_->setCheckable(true);
+  follow_->setChecked(true);
+}
+
+void TimeLineView::createRangeActions() {
+  loop_ = makeAction(this, "loop", {"rangeLoop", tr("Loop"), tr("Plays the selected range in a loop")});
+  cut_ = makeAction(this, "cut", {"rangeCut", tr("Cut…"), tr("Writes the selected range into a new log")});
+  export_ = makeAction(
+      this, "export",
+      {"rangeExport", tr("Export"), tr("Writes the selected range, or all, as images, a table or texts")});
+  clear_ = makeAction(this, "clear", {"rangeClear", tr("Clear range"), tr("Selects nothing (Esc)")});
+  exportMenu_ = new QMenu(this);
+  exportMenu_->setObjectName(QStringLiteral("exportMenu"));
+  exportMenu_->addAction(tr("Images as &PNG…"), this, &TimeLineView::exportImages)
+      ->setObjectName(QStringLiteral("exportImages"));
+  exportMenu_->addAction(tr("The stepped stream as &CSV…"), this, &TimeLineView::exportTable)
+      ->setObjectName(QStringLiteral("exportTable"));
+  exportMenu_->addAction(tr("&Texts…"), this, &TimeLineView::exportTexts)
+      ->setObjectName(QStringLiteral("exportTexts"));
+  export_->setMenu(exportMenu_);
+}
+
+QWidget* TimeLineView::createBar() {
+  auto* bar = new QWidget(this);
+  auto* layout = new QHBoxLayout(bar);
+  layout->setContentsMargins(4, 2, 4, 2);
+  layout->setSpacing(2);
+  for (QAction* action : {bookmark_, undo_, redo_}) layout->addWidget(makeButton(bar, action));
+  layout->addSpacing(10);
+  for (QAction* action : {zoomOut_, zoomIn_, fit_, follow_}) layout->addWidget(makeButton(bar, action));
+  layout->addSpacing(10);
+  images_ = new QComboBox(bar);
+  describe(*images_, {"timeLineImages", tr("Images"), tr("Whose images are shown")});
+  images_->setSizeAdjustPolicy(QComboBox::AdjustToContents);
+  layout->addWidget(images_);
+  layout->addStretch(1);
+  range_ = new QLabel(bar);
+  range_->setObjectName(QStringLiteral("rangeText"));
+  layout->addWidget(range_);
+  layout->addSpacing(4);
+  for (QAction* action : {loop_, cut_, export_, clear_}) {
+    auto* button = makeButton(bar, action);
+    button->setPopupMode(QToolButton::InstantPopup);
+    layout->addWidget(button);
+  }
+  return bar;
+}
+
+void TimeLineView::createViews() {
+  canvas_ = new TimeLineCanvas(this);
+  hint_ = new EmptyHint(canvas_->viewport());
+  job_ = new LogJobBar(this);
+  damage_ = new LogDamageBar(this);
+  auto* layout = new QVBoxLayout(this);
+  layout->setContentsMargins(0, 0, 0, 0);
+  layout->setSpacing(0);
+  layout->addWidget(createBar());
+  layout->addWidget(damage_);
+  layout->addWidget(job_);
+  layout->addWidget(canvas_, 1);
+  setFocusProxy(canvas_);
+}
+
+void TimeLineView::connectSignals() {
+  auto& replay = logs_.replay();
+  connect(zoomIn_, &QAction::triggered, canvas_, [this] { canvas_->zoom(1.25); });
+  connect(zoomOut_, &QAction::triggered, canvas_, [this] { canvas_->zoom(1 / 1.25); });
+  connect(fit_, &QAction::triggered, canvas_, &TimeLineCanvas::fit);
+  connect(follow_, &QAction::toggled, canvas_, &TimeLineCanvas::setFollow);
+  connect(loop_, &QAction::triggered, this, &TimeLineView::loopRange);
+  connect(cut_, &QAction::triggered, this, &TimeLineView::cut);
+  connect(clear_, &QAction::triggered, this, [&replay] { replay.clearRange(); });
+  connect(canvas_, &TimeLineCanvas::jumpWanted, this, [&replay](Instant time) { replay.jumpTo(time); });
+  connect(canvas_, &TimeLineCanvas::rangeWanted, this,
+          [&replay](Instant from, Instant to) { replay.setRange(from, to); });
+  connect(canvas_, &TimeLineCanvas::rangeDropped, this, [&replay] { replay.clearRange(); });
+  connect(canvas_, &TimeLineCanvas::streamChosen, this, &TimeLineView::chooseStream);
+  connect(canvas_, &TimeLineCanvas::offsetWanted, this, [this](int band, robotlink::Duration offset) {
+    if (const auto* log = logAt(band)) logs_.replay().setOffset(log->path, offset);
+  });
+  connect(canvas_, &TimeLineCanvas::collapseWanted, this, [this](int band, bool collapsed) {
+    if (auto* log = logAt(band)) logs_.setCollapsed(*log, collapsed);
+    showBands();
+  });
+  connect(canvas_, &TimeLineCanvas::looked, this, &TimeLineView::wantThumbnails);
+  connect(images_, QOverload<int>::of(&QComboBox::activated), this, [this](int index) {
+    const std::string stream = images_->itemText(index).toStdString();
+    for (const auto& log : logs_.logs()) {
+      if (log->overview->find(stream) != nullptr) logs_.setImageStream(*log, stream);
+    }
+  });
+  connect(damage_, &LogDamageBar::repairWanted, this, &TimeLineView::repair);
+  connect(job_, &LogJobBar::openWanted, this, [this](const QString& file) {
+    const auto done = context().commands.run("log.open", {file.toStdString()});
+    if (!done) Q_EMIT logs_.failed(QString::fromStdString(done.error().describe()));
+  });
+}
+
+void TimeLineView::connectBookmarks() {
+  connect(bookmark_, &QAction::triggered, this, [this] {
+    const auto* log = logs_.current();
+    for (int band = 0; band < static_cast<int>(logs_.logs().size()); ++band) {
+      if (logAt(band) == log) addBookmark(band, logs_.replay().shown());
+    }
+  });
+  connect(undo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::undo);
+  connect(redo_, &QAction::triggered, &logs_.undoStack(), &QUndoStack::redo);
+  connect(canvas_, &TimeLineCanvas::bookmarkWanted, this, &TimeLineView::addBookmark);
+  connect(canvas_, &TimeLineCanvas::bookmarkChanged, this,
+          [this](int band, const logplayer::Bookmark& bookmark) {
+            if (auto* log = logAt(band)) logs_.changeBookmark(*log, bookmark);
+            showBands();
+          });
+  connect(canvas_, &TimeLineCanvas::bookmarkDropped, this, [this](int band, std::uint64_t id) {
+    if (auto* log = logAt(band)) logs_.removeBookmark(*log, id);
+    canvas_->chooseBookmark(-1, 0);
+    showBands();
+  });
+}
+
+OpenLogs::Log* TimeLineView::logAt(int band) {
+  const auto& logs = logs_.logs();
+  return band >= 0 && band < static_cast<int>(logs.size()) ? logs[static_cast<std::size_t>(band)].get()
+                                                           : nullptr;
+}
+
+void TimeLineView::chooseStream(int band, const std::string& path) {
+  if (const auto* log = logAt(band)) logs_.replay().setSteppedStream(OpenLogs::toldAs(*log, path));
+}
+
+void TimeLineView::showSteppedStream() {
+  const std::string& stepped = logs_.replay().steppedStream();
+  for (int band = 0; band < static_cast<int>(logs_.logs().size()); ++band) {
+    const auto* log = logAt(band);
+    for (const auto& stream : log->overview->streams) {
+      if (OpenLogs::toldAs(*log, stream.path) == stepped) return canvas_->setSteppedStream(band, stream.path);
+    }
+  }
+  canvas_->setSteppedStream(-1, {});
+}
+
+void TimeLineView::addBookmark(int band, Instant time) {
+  OpenLogs::Log* log = logAt(band);
+  if (log == nullptr || !log->bookmarks) return;
+  const Instant own = time - log->offset;
+  const auto range = logs_.replay().range();
+  const bool whole = range && range->first <= time && range->second >= time && range->first == time;
+  const auto id = logs_.addBookmark(*log, own, whole ? range->second - log->offset : own,
+                                    tr("Bookmark %1").arg(log->bookmarks->all().size() + 1));
+  showBands();
+  canvas_->chooseBookmark(band, id);
+  canvas_->editBookmark(band, id);
+}
+
+void TimeLineView::tick() {
+  job_->tick();
+  const bool open = logs_.replay().open();
+  hint_->setHint(
+      open ? QString()
+           : tr("No log is open.\nOpen one with File > Open log…, or drop log files onto the window."));
+  showBands();
+  canvas_->setExtent(logs_.replay().begin(), logs_.replay().end());
+  canvas_->setOrigin(session().timeline().origin());
+  canvas_->setShown(logs_.replay().shown());
+  canvas_->setRange(logs_.replay().range());
+  showSteppedStream();
+  showRange();
+  showImageStreams();
+  showDamage();
+  wantThumbnails();
+  undo_->setEnabled(logs_.undoStack().canUndo());
+  redo_->setEnabled(logs_.undoStack().canRedo());
+  const auto* current = logs_.current();
+  bookmark_->setEnabled(current != nullptr && current->bookmarks.has_value());
+  for (QAction* action : {zoomIn_, zoomOut_, fit_}) action->setEnabled(open);
+}
+
+void TimeLineView::showBands() {
+  std::vector<TimeLineBand> bands;
+  for (const auto& log : logs_.logs()) {
+    TimeLineBand band;
+    band.title = QString::fromStdString(std::filesystem::path(log->path).filename().string());
+    band.offset = log->offset;
+    band.showsOffset = logs_.logs().size() > 1;
+    band.collapsed = log->collapsed;
+    band.log = log->overview;
+    if (log->bookmarks) band.bookmarks = log->bookmarks->all();
+    band.hasImages = !log->imageStream.empty();
+    band.thumbnails = log->thumbnails;
+    for (const auto& [time, image] : log->thumbnails) {
+      if (image.isNull()) continue;
+      band.imageAspect = static_cast<double>(image.width()) / image.height();
+      break;
+    }
+    for (const auto& stream : log->overview->streams) {
+      if (!log->hidden.contains(stream.path)) band.streams.push_back(stream.path);
+    }
+    bands.push_back(std::move(band));
+  }
+  canvas_->setBands(std::move(bands));
+}
+
+void TimeLineView::showRange() {
+  const auto range = logs_.replay().range();
+  const QString text =
+      !range ? QString()
+             : tr("%1 – %2 s (%3 s)")
+                   .arg(logs_.replay().shownText(range->first), logs_.replay().shownText(range->second),
+                        timeText(range->second - range->first));
+  if (range_->text() != text) range_->setText(text);
+  for (QAction* action : {loop_, clear_}) action->setEnabled(range.has_value());
+  const bool free = logs_.replay().open() && !job_->busy();
+  cut_->setEnabled(free && range.has_value());
+  export_->setEnabled(free);
+  damage_->setBusy(job_->busy());
+}
+
+void TimeLineView::showImageStreams() {
+  if (shownVersion_ == logs_.version()) return;
+  shownVersion_ = logs_.version();
+  QStringList streams;
+  QString chosen;
+  for (const auto& log : logs_.logs()) {
+    for (const std::string& stream : log->overview->imageStreams()) streams << QString::fromStdString(stream);
+    if (chosen.isEmpty()) chosen = QString::fromStdString(log->imageStream);
+  }
+  images_->clear();
+  images_->addItems(streams);
+  images_->setCurrentText(chosen);
+  images_->setVisible(streams.size() > static_cast<int>(logs_.logs().size()));
+}
+
+void TimeLineView::showDamage() {
+  std::vector<LogDamageBar::Damage> damages;
+  for (const auto& log : logs_.logs()) {
+    const QString& failure = log->overview->failure;
+    QString text = failure.isEmpty() ? log->overview->damage : failure;
+    for (const auto& played : logs_.replay().status().logs()) {
+      // Problems during the replay are newer than those found when the log was opened.
+      if (failure.isEmpty() && played.path() == log->path && !played.damage().empty())
+        text = QString::fromStdString(played.damage());
+    }
+    if (!text.isEmpty()) damages.push_back({log->path, text, failure.isEmpty() && !log->overview->converted});
+  }
+  damage_->setDamages(std::move(damages));
+}
+
+void TimeLineView::wantThumbnails() {
+  const int height = static_cast<int>(thumbnailHeight() * devicePixelRatioF());
+  for (int band = 0; band < static_cast<int>(canvas_->bands().size()); ++band) {
+    auto* log = logAt(band);
+    if (log != nullptr && !log->imageStream.empty())
+      logs_.wantThumbnails(*log, canvas_->missingThumbnails(band), height);
+  }
+}
+
+void TimeLineView::keyPressEvent(QKeyEvent* event) {
+  const auto key = replayKey(*event);
+  if (!key || !logs_.replay().open()) return View::keyPressEvent(event);
+  if (*key == ReplayKey::kBookmark) {
+    bookmark_->trigger();
+  } else {
+    press(*key, logs_.replay());
+  }
+}
+
+void TimeLineView::contextMenuEvent(QContextMenuEvent* event) {
+  if (!logs_.replay().open()) return;
+  auto* menu = new QMenu(this);
+  menu->setAttribute(Qt::WA_DeleteOnClose);
+  menu->setObjectName(QStringLiteral("timeLineMenu"));
+  const QPoint at = canvas_->viewport()->mapFromGlobal(event->globalPos());
+  const TimeLineLayout all = canvas_->layout();
+  const auto* stream = all.laneAt(at);
+  auto& replay = logs_.replay();
+  menu->addAction(bookmark_);
+  menu->addAction(withKey(tr("Range begins here"), ReplayKey::kRangeStart), this,
+                  [&replay] { replay.beginRangeHere(); });
+  menu->addAction(withKey(tr("Range ends here"), ReplayKey::kRangeEnd), this,
+                  [&replay] { replay.endRangeHere(); });
+  menu->addActions({loop_, cut_, clear_});
+  if (stream != nullptr && stream->kind == TimeLineLayout::Kind::kStream) {
+    const QString name = QString::fromStdString(stream->stream);
+    menu->addSeparator();
+    menu->addAction(tr("Step messages of %1").arg(name), this,
+                    [this, band = stream->band, path = stream->stream] { chooseStream(band, path); });
+    menu->addAction(tr("Hide %1").arg(name), this, [this, band = stream->band, path = stream->stream] {
+      if (auto* log = logAt(band)) logs_.setHidden(*log, path, true);
+    });
+  }
+  menu->popup(event->globalPos());
+}
+
+QJsonObject TimeLineView::saveState() const {
+  return {{QStringLiteral("follow"), follow_->isChecked()}};
+}
+
+void TimeLineView::restoreState(const QJsonObject& state) {
+  follow_->setChecked(state.value(QStringLiteral("follow")).toBool(true));
+}
+
+}  // namespace widgets

@@ -1,0 +1,51 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+#include "widgets/world/WorldDrawings.h"
+
+#include <algorithm>
+
+#include "foxglove/Scene.pb.h"
+#include "robotlink/session/Session.h"
+#include "widgets/drawings/CurrentDrawings.h"
+#include "widgets/world/SceneState.h"
+
+namespace widgets {
+namespace {
+
+using robotlink::Pose3;
+
+std::optional<Pose3> poseOfFrame(const std::string& frame, const SceneState& scene,
+                                 const std::vector<RobotBelief>& beliefs) {
+  if (auto pose = scene.framePose(frame)) return pose;
+  const auto belief = std::ranges::find(beliefs, frame, &RobotBelief::robot);
+  if (belief == beliefs.end() || !belief->pose()) return std::nullopt;
+  return poseOnGround(*belief->pose());
+}
+
+}  // namespace
+
+Pose3 poseOnGround(const robotlink::Pose2& pose) {
+  Pose3 result = Pose3::Identity();
+  result.translate(robotlink::Vector3(pose.x, pose.y, 0));
+  result.rotate(Eigen::AngleAxisd(pose.heading, robotlink::Vector3::UnitZ()));
+  return result;
+}
+
+std::vector<WorldDrawing> worldDrawings(robotlink::Session& session, const SceneState& scene,
+                                        const std::vector<RobotBelief>& beliefs,
+                                        const std::vector<std::string>& robots, const QStringList& ids,
+                                        robotlink::Instant shown) {
+  std::vector<WorldDrawing> drawings;
+  for (const std::string& robot : robots) {
+    for (const CurrentDrawing& current : currentDrawings(session, robot, ids, shown)) {
+      const auto* update = dynamic_cast<const foxglove::SceneUpdate*>(current.message.get());
+      if (update == nullptr) continue;
+      for (const auto& entity : update->entities()) {
+        const auto pose = poseOfFrame(entity.frame_id(), scene, beliefs);
+        if (pose) drawings.push_back({&entity, *pose, current.message, current.old});
+      }
+    }
+  }
+  return drawings;
+}
+
+}  // namespace widgets
