@@ -7,7 +7,7 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "bhuman/QueueBuilder.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/Reader.h"

@@ -8,8 +8,8 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotcontrol/Perception.pb.h"
-#include "tests/app/Desk.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/image/ColorCanvas.h"
 #include "widgets/image/ImagePixels.h"

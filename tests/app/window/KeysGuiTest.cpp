@@ -24,7 +24,7 @@
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
 #include "robotcontrol/Requests.pb.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
 #include "widgets/color/ColorBench.h"

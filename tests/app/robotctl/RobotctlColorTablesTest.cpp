@@ -5,7 +5,7 @@
 #include <nlohmann/json.hpp>
 
 #include "colortool/table/NamedColorTable.h"
-#include "tests/app/RobotctlColor.h"
+#include "tests/app/robotctl/RobotctlColor.h"
 
 namespace {
 

@@ -12,8 +12,8 @@
 #include <QStatusBar>
 
 #include "app/robotcontrol/docks/DockSpace.h"
-#include "tests/app/Desk.h"
-#include "tests/app/XServer.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/XServer.h"
 
 namespace {
 

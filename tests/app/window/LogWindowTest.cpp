@@ -22,7 +22,7 @@
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "colortool/table/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"
 

@@ -21,7 +21,7 @@
 #include "foxglove/Event.pb.h"
 #include "logplayer/base/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/logplayer/RecordedMessages.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"

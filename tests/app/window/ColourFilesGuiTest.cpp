@@ -7,7 +7,7 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/colortool/SampleFixture.h"
 #include "tests/widgets/Bench.h"
 #include "tests/widgets/DialogAnswer.h"

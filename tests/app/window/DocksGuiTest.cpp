@@ -8,8 +8,8 @@
 #include <QSignalSpy>
 
 #include "app/robotcontrol/docks/DockSpace.h"
-#include "tests/app/Desk.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
 
 namespace {
 

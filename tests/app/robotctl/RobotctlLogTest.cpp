@@ -11,7 +11,7 @@
 #include <string>
 
 #include "logplayer/bookmarks/BookmarkStorage.h"
-#include "tests/app/RobotctlRun.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "tests/logplayer/SampleLog.h"
 

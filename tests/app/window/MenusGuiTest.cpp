@@ -11,8 +11,8 @@
 #include <QTemporaryDir>
 #include <QTreeWidget>
 
-#include "tests/app/Desk.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/Desk.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
 namespace {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 
 #include "tests/widgets/Bench.h"
 

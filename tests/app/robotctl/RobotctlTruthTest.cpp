@@ -8,7 +8,7 @@
 #include "colortool/table/NamedColorTable.h"
 #include "colortool/table/PaletteTable.h"
 #include "tests/TestFolder.h"
-#include "tests/app/RobotctlRun.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 
 namespace {
 

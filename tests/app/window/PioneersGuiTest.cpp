@@ -12,9 +12,9 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/PioneerRobot.h"
-#include "tests/app/Desk.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/ServedWorld.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 
 namespace {

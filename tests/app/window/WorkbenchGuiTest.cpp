@@ -6,9 +6,9 @@
 #include <fstream>
 
 #include "colortool/table/ColorTableFile.h"
-#include "tests/app/Desk.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/ShortLog.h"
-#include "tests/app/WindowTest.h"
+#include "tests/app/window/WindowTest.h"
 
 namespace {
 

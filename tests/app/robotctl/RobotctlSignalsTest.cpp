@@ -10,7 +10,7 @@
 #include <vector>
 
 #include "logplayer/file/LogFile.h"
-#include "tests/app/RobotctlRun.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/app/StartedProgram.h"
 #include "tests/logplayer/SampleLog.h"
 

@@ -7,7 +7,7 @@
 
 #include "logplayer/images/ImageCoding.h"
 #include "tests/TestFolder.h"
-#include "tests/app/RobotctlRun.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 
 inline void writeBytes(const std::filesystem::path& file, const std::vector<std::uint8_t>& bytes) {
   std::ofstream(file, std::ios::binary)
