@@ -2,18 +2,21 @@
 # SPDX-License-Identifier: GPL-3.0-or-later
 """Fails, naming file and line, where a folder includes one that the architecture does not let it use.
 
-The table is the one of ARCHITECTURE.md. A file belongs to the longest folder of the table that its path starts with.
+The tables are those of ARCHITECTURE.md. TARGETS says which targets a target may include; ROOMS lists the
+folders of a target in their order: a folder may include those before it. A folder that is in neither table
+fails. What widgets/CMakeLists.txt lists as widgets_models knows no Qt Widgets and no view.
 Usage: architecture_layers.py SOURCE_DIR
 """
 import pathlib
 import re
 import sys
 
-ROBOTLINK_OF_PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process",
-                        "robotlink/debugging", "robotlink/motions"]
-ROBOTLINK = ROBOTLINK_OF_PROGRAM + ["robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+PROGRAM = ["robotlink/base", "robotlink/config", "robotlink/packages", "robotlink/process", "robotlink/debugging",
+           "robotlink/motions"]
+ROBOTLINK = PROGRAM + ["robotlink/session", "robotlink/foxglove", "robotlink/arcos"]
+SIMULATED = ["simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
 
-MAY_INCLUDE = {
+TARGETS = {
     "robotlink/base": [],
     "robotlink/config": ["robotlink/base"],
     "robotlink/packages": ["robotlink/base"],
@@ -28,51 +31,102 @@ MAY_INCLUDE = {
     "colortool": ["robotlink/base"],
     "logplayer/mcap": ["robotlink/base"],
     "logplayer": ["logplayer/mcap"] + ROBOTLINK,
-    "modules": ["colortool"] + ROBOTLINK_OF_PROGRAM,
-    "widgets/models": ["logplayer", "logplayer/mcap", "colortool"] + ROBOTLINK,
-    "widgets": ["widgets/models", "logplayer", "logplayer/mcap", "colortool"] + ROBOTLINK,
+    "modules": ["colortool"] + PROGRAM,
+    "widgets": ["logplayer", "logplayer/mcap", "colortool"] + ROBOTLINK,
+    "app/core": SIMULATED,
+    "app/robotctl": ["app/core"] + SIMULATED,
+    "app/robotcontrol": ["app/core", "widgets"] + SIMULATED,
 }
-EVERYTHING_BUT_WIDGETS = ["simcore", "colortool", "logplayer", "logplayer/mcap", "modules"] + ROBOTLINK
-MAY_INCLUDE["app/core"] = EVERYTHING_BUT_WIDGETS
-MAY_INCLUDE["app/robotctl"] = ["app/core"] + EVERYTHING_BUT_WIDGETS
-MAY_INCLUDE["app/robotcontrol"] = ["app/core", "widgets", "widgets/models"] + EVERYTHING_BUT_WIDGETS
 
-# Libraries whose headers only some folders may show or use.
+# "." is the target's own folder. Targets that are not here have no sub-folders.
+ROOMS = {
+    "robotlink/debugging": ["drawing", "."],
+    "robotlink/arcos": ["codec", "stream", ".", "server"],
+    "simcore": ["world", "maps", "placement", "rendering", "physics", "ranging", "sdf", "."],
+    "colortool": ["image", "table", "votes", "samples", "correction", "training", "scoring"],
+    "logplayer/mcap": [".", "read", "write"],
+    "logplayer": ["images", "json", "base", "bhuman", "record", "file", "bookmarks", "export", ".", "edit"],
+    "modules": [".", "behavior", "modeling", "motion", "navigation", "perception", "driving"],
+    "widgets": [".", "drawings", "keys", "packets", "processes", "solutions", "image", "motion", "world", "field",
+        "log", "color", "drive", "messages", "plots", "scene", "timeline", "color/image", "color/quality",
+        "color/samples", "color/space"],
+    "app/core": ["program", "pioneer", "replay", "simulated", "."],
+    "app/robotctl": [".", "color", "log", "run"],
+    "app/robotcontrol": ["actions", "docks", "bars", "."],
+}
+
+# Libraries whose headers only some targets may show or use.
 OUTSIDE = {
     r"^ode/": ["simcore"],
     r"^embree3/": ["simcore"],
     r"^boost/": ["robotlink/arcos", "robotlink/foxglove"],
     r"^sdf/": ["simcore"],
-    r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "widgets/models", "app/robotcontrol"],
+    r"^(Q[A-Z]\w*|Qt\w*/)": ["widgets", "app/robotcontrol"],
     r"^(lz4frame|zstd|libdeflate)": ["logplayer/mcap"],
     r"^bzlib": ["colortool"],
     r"^(jpeglib|png)\.h": ["logplayer"],
     r"^(qcustomplot|qtadvanceddocking)": ["widgets", "app/robotcontrol"],
 }
-INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^>"]+)[>"]')
+QT_WIDGETS = re.compile(r"^(QtWidgets|QWidget|Q(Abstract)?(Button|ItemView|ScrollArea|Slider)|QApplication|QStyle\w*|"
+                        r"QDialog|QMenu|QToolBar|QAction|QLayout|Q\w*(Box|Edit|Label|View|Dialog|Bar|Delegate))$")
+INCLUDE = re.compile(r'^\s*#\s*include\s*([<"])([^">]+)[>"]')
 
 
-def folder_of(path, folders):
-    matches = [f for f in folders if path == f or path.startswith(f + "/")]
-    return max(matches, key=len) if matches else None
+def split(path):
+    """The target and the room of a file; the room is "." in the target's own folder."""
+    folder = str(pathlib.PurePosixPath(path).parent)
+    matches = [target for target in TARGETS if folder == target or folder.startswith(target + "/")]
+    if not matches:
+        return None, None
+    target = max(matches, key=len)
+    return target, folder[len(target) + 1:] or "."
 
 
-def problems_of(source, relative, folder):
+def models_of(root):
+    """The files that widgets/CMakeLists.txt lists as models, without their suffix."""
+    text = (root / "widgets/CMakeLists.txt").read_text()
+    listed = re.search(r"robotcontrol_library\(widgets_models MOC\s+SOURCES(.*?)PUBLIC", text, re.S)
+    return {f"widgets/{name}" for name in re.findall(r"([\w/]+)\.cpp", listed.group(1))}
+
+
+def room_problem(target, room, included_target, included_room):
+    if included_target != target:
+        if included_target not in TARGETS[target]:
+            return f"{target} may not include {included_target}"
+        return None
+    order = ROOMS.get(target, ["."])
+    if included_room in order and order.index(included_room) > order.index(room):
+        return f"{target}/{room} may not include {target}/{included_room}, which comes after it"
+    return None
+
+
+def problems_of(source, relative, target, room, models):
+    is_model = relative.rsplit(".", 1)[0] in models
     for number, line in enumerate(source.read_text(errors="replace").splitlines(), 1):
         match = INCLUDE.match(line)
         if not match:
             continue
-        included = match.group(2)
-        target = folder_of(included, MAY_INCLUDE)
-        if target and match.group(1) == '"' and target != folder and target not in MAY_INCLUDE[folder]:
-            yield f"{relative}:{number}: {folder} may not include {target} ({included})"
-        for pattern, users in OUTSIDE.items():
-            if match.group(1) == "<" and re.match(pattern, included) and folder not in users:
-                yield f"{relative}:{number}: {folder} may not use <{included}>"
+        kind, included = match.groups()
+        included_target, included_room = split(included) if kind == '"' else (None, None)
+        if included_target:
+            problem = room_problem(target, room, included_target, included_room)
+            if problem:
+                yield f"{relative}:{number}: {problem} ({included})"
+            is_view = included_target == "widgets" and (source.parents[len(relative.split("/")) - 1] /
+                                                        (included[:-2] + ".cpp")).exists()
+            if is_model and is_view and included[:-2] not in models:
+                yield f"{relative}:{number}: a model may not include a view ({included})"
+        elif kind == "<":
+            if is_model and QT_WIDGETS.match(included):
+                yield f"{relative}:{number}: a model may not include <{included}>"
+            for pattern, users in OUTSIDE.items():
+                if re.match(pattern, included) and target not in users:
+                    yield f"{relative}:{number}: {target} may not use <{included}>"
 
 
 def main():
-    root = pathlib.Path(sys.argv[1])
+    root = pathlib.Path(sys.argv[1]).resolve()
+    models = models_of(root)
     problems, files = [], 0
     for top in ("app", "widgets", "robotlink", "simcore", "logplayer", "colortool", "modules"):
         for source in sorted((root / top).rglob("*")):
@@ -80,11 +134,11 @@ def main():
                 continue
             files += 1
             relative = source.relative_to(root).as_posix()
-            folder = folder_of(relative, MAY_INCLUDE)
-            if folder is None:
-                problems.append(f"{relative}:1: this folder is not in the table of {pathlib.Path(__file__).name}")
+            target, room = split(relative)
+            if target is None or room not in ROOMS.get(target, ["."]):
+                problems.append(f"{relative}:1: this folder is not in the tables of {pathlib.Path(__file__).name}")
             else:
-                problems.extend(problems_of(source, relative, folder))
+                problems.extend(problems_of(source, relative, target, room, models))
     print("\n".join(problems) or f"{files} files include only what they may")
     return 1 if problems or files == 0 else 0
 
