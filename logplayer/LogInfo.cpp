@@ -4,9 +4,9 @@
 #include <algorithm>
 
 #include "foxglove/Image.pb.h"
+#include "logplayer/base/Losses.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "logplayer/file/ContainerFile.h"
-#include "logplayer/base/Losses.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/debugging/Streams.h"
 

@@ -7,8 +7,8 @@
 #include <string_view>
 #include <utility>
 
-#include "logplayer/base/LogDates.h"
 #include "logplayer/LogInfo.h"
+#include "logplayer/base/LogDates.h"
 
 namespace logplayer {
 namespace {

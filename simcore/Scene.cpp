@@ -48,7 +48,7 @@ void addInclude(const SceneInclude& include, const SceneFiles& files, const Mode
     if (color != files.palette.end())
       instance.teamColor = color->second;
     else
-      errors.push_back({"scene.color", "no palette has the colour '" + include.team + "'", {}, where});
+      errors.push_back({"scene.color", "no palette has the color '" + include.team + "'", {}, where});
   }
   if (std::ranges::any_of(world.models,
                           [&](const ModelInstance& other) { return other.name == instance.name; })) {

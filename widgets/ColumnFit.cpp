@@ -17,7 +17,7 @@ namespace {
 constexpr int kLeastTitle = 32;                        // pixels: a sort indicator and two letters
 constexpr int kTextWidth = 160, kLeastTextWidth = 80;  // pixels
 constexpr int kFitInterval = 250;                      // ms between two fits to changed contents
-constexpr int kLeastWidth = 8, kMostWidth = 4'000;     // pixels
+constexpr int kLeastWidth = 8, kMaxWidth = 4'000;      // pixels
 
 int totalWidth(const std::vector<int>& widths) {
   return std::accumulate(widths.begin(), widths.end(), 0);
@@ -150,7 +150,7 @@ void ColumnFit::schedule() {
 void ColumnFit::pin(int column, int width) {
   if (column < 0 || column >= static_cast<int>(needs_.size())) return;
   needs_[static_cast<std::size_t>(column)].pinned =
-      width <= 0 ? 0 : std::clamp(width, kLeastWidth, kMostWidth);
+      width <= 0 ? 0 : std::clamp(width, kLeastWidth, kMaxWidth);
   schedule();
 }
 

@@ -5,8 +5,8 @@
 #include <cmath>
 #include <limits>
 
-#include "app/core/program/CommandValues.h"
 #include "app/core/Workbench.h"
+#include "app/core/program/CommandValues.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/Streams.h"
 
@@ -53,8 +53,8 @@ class Logs {
 };
 
 Result<std::int32_t> wholeCount(double value) {
-  constexpr double kMost = std::numeric_limits<std::int32_t>::max();
-  if (value == 0 || std::trunc(value) != value || std::abs(value) > kMost) {
+  constexpr double kMax = std::numeric_limits<std::int32_t>::max();
+  if (value == 0 || std::trunc(value) != value || std::abs(value) > kMax) {
     return failure("log.count", "the count must be a whole number, not 0; negative counts go backwards");
   }
   return static_cast<std::int32_t>(value);
@@ -222,9 +222,9 @@ void addJumping(CommandTable& commands, const Logs& logs) {
                 "Jumps to a frame of the chosen process",
                 {{"number", Type::kNumber, "of the frame, as the process counted"}},
                 [logs](const Values& values) -> Result<void> {
-                  constexpr double kMost = 9e15;  // above that, not every whole number is a double
+                  constexpr double kMax = 9e15;  // above that, not every whole number is a double
                   const double frame = number(values, 0);
-                  if (!(frame >= 0 && frame <= kMost) || std::trunc(frame) != frame) {
+                  if (!(frame >= 0 && frame <= kMax) || std::trunc(frame) != frame) {
                     return failure("log.frame", "the number of a frame must be a whole number, 0 or more");
                   }
                   ControlReplay control;

@@ -65,7 +65,7 @@ void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
       handler(tl::unexpected(std::move(errors)));
       return;
     }
-    if (sameKind && feed_) (*feed)->goOnLike(feed_->going());
+    if (sameKind && feed_) (*feed)->inheritPlayback(feed_->going());
     start(std::move(*feed));
     handler(describe());
   });

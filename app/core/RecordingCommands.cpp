@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/RecordingCommands.h"
 
-#include "app/core/program/CommandValues.h"
 #include "app/core/Recording.h"
 #include "app/core/Workbench.h"
+#include "app/core/program/CommandValues.h"
 #include "logplayer/base/RecordedStreams.h"
 
 namespace app {

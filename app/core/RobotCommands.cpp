@@ -4,9 +4,9 @@
 #include <algorithm>
 #include <chrono>
 
+#include "app/core/Workbench.h"
 #include "app/core/program/ColorTables.h"
 #include "app/core/program/CommandValues.h"
-#include "app/core/Workbench.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -138,11 +138,11 @@ void addForProgram(CommandTable& commands, Workbench& workbench) {
                   return ask(workbench, std::move(request));
                 }});
   commands.add({"robot.color-table",
-                "Gives the selected robot's program a colour table, which it uses from its next image on",
-                {{"file", Type::kText, "a colour table: .c64, or another team's"}},
+                "Gives the selected robot's program a color table, which it uses from its next image on",
+                {{"file", Type::kText, "a color table: .c64, or another team's"}},
                 [&workbench](const Values& values) { return setColorTable(workbench, text(values, 0)); }});
   commands.add({"robot.no-color-table",
-                "Lets the selected robot's program find colours as it does without a table",
+                "Lets the selected robot's program find colors as it does without a table",
                 {},
                 [&workbench](const Values&) {
                   Request request;
@@ -164,7 +164,7 @@ void addForDrive(CommandTable& commands, Workbench& workbench) {
                 }});
   commands.add({"robot.no-goal", "The selected robot shall go nowhere", {}, [&workbench](const Values&) {
                   Request request;
-                  request.mutable_set_goal()->set_cancelled(true);
+                  request.mutable_set_goal()->set_canceled(true);
                   return ask(workbench, std::move(request));
                 }});
   const auto addSwitch = [&](const char* name, const char* help,

@@ -4,12 +4,12 @@
 #include <algorithm>
 #include <mutex>
 
-#include "app/core/program/CommandValues.h"
 #include "app/core/LogCommands.h"
-#include "app/core/pioneer/PioneerFeed.h"
 #include "app/core/RecordingCommands.h"
-#include "app/core/replay/ReplayFeed.h"
 #include "app/core/RobotCommands.h"
+#include "app/core/pioneer/PioneerFeed.h"
+#include "app/core/program/CommandValues.h"
+#include "app/core/replay/ReplayFeed.h"
 #include "app/core/simulated/SimulationFeed.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
@@ -150,7 +150,7 @@ logplayer::LogFile::Progress Workbench::newOpening(const std::filesystem::path& 
   opening_->name = file.filename().string();
   return [opening = opening_](double share) {
     opening->share = share;
-    return !opening->cancelled;
+    return !opening->canceled;
   };
 }
 
@@ -163,7 +163,7 @@ std::string Workbench::openingName() const {
 }
 
 void Workbench::cancelOpening() {
-  if (opening_) opening_->cancelled = true;
+  if (opening_) opening_->canceled = true;
 }
 
 void Workbench::openLogs(std::vector<ReplayLog> logs, const std::filesystem::path& layout) {
@@ -213,7 +213,7 @@ void Workbench::take(const robotcontrol::Request& request) {
 }
 
 void Workbench::tick() {
-  for (Outcome& outcome : outcomes_.drain()) takeIn(std::move(outcome));
+  for (Outcome& outcome : outcomes_.drain()) apply(std::move(outcome));
   if (const robotlink::Errors warnings = recording_.takeWarnings(); !warnings.empty()) tell(warnings);
   session_.tick();
 }
@@ -222,7 +222,7 @@ void Workbench::tell(const robotlink::Errors& errors) {
   if (onErrors_) onErrors_(errors);
 }
 
-void Workbench::takeIn(Outcome outcome) {
+void Workbench::apply(Outcome outcome) {
   if (--loading_ == 0) opening_.reset();
   if (!outcome.loaded) {
     const robotlink::Errors& errors = outcome.loaded.error();

@@ -8,9 +8,9 @@
 #include <optional>
 #include <vector>
 
-#include "app/core/pioneer/PioneerRun.h"
 #include "app/core/PlatformThread.h"
 #include "app/core/Recording.h"
+#include "app/core/pioneer/PioneerRun.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/simulated/SimulatedRun.h"
 #include "robotlink/base/BoundedQueue.h"
@@ -93,7 +93,7 @@ class Workbench {
   struct Opening {
     std::string name;
     std::atomic<double> share = 0;
-    std::atomic<bool> cancelled = false;
+    std::atomic<bool> canceled = false;
   };
   enum class Change { kPlatform, kLayout };
   struct Outcome {
@@ -105,7 +105,7 @@ class Workbench {
   robotlink::Result<void> setUp(const std::vector<robotlink::CommandTable::Value>& values);
   logplayer::LogFile::Progress newOpening(const std::filesystem::path& file);
   PlatformThread::LoadHandler outcomeOf(Change change);
-  void takeIn(Outcome outcome);
+  void apply(Outcome outcome);
   /// With which the last simulation runs or ran.
   RunOptions lastSimulation() const;
   void take(const robotcontrol::Request& request);

@@ -4,8 +4,8 @@
 #include <QStatusBar>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/color/ColorBench.h"

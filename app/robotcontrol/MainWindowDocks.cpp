@@ -8,12 +8,12 @@
 #include <QTimer>
 #include <QVBoxLayout>
 
+#include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/WindowKeys.h"
 #include "app/robotcontrol/docks/DockSpace.h"
 #include "app/robotcontrol/docks/LayoutHistory.h"
-#include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/docks/MaximizedView.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
-#include "app/robotcontrol/actions/WindowKeys.h"
 #include "widgets/EmptyHint.h"
 
 namespace app {

@@ -12,12 +12,12 @@
 #include <array>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/actions/CommandActions.h"
-#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/UndoOrder.h"
-#include "app/robotcontrol/docks/ViewDocks.h"
 #include "app/robotcontrol/actions/WindowKeys.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
+#include "app/robotcontrol/docks/ViewDocks.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/ColorFiles.h"
@@ -85,8 +85,8 @@ bool MainWindow::showsColors() const {
 void MainWindow::addColorKeys() {
   auto& bench = widgets::colorBench(context_);
   for (int digit = 0; digit <= 9; ++digit) {
-    const QString text = digit == 0 ? tr("Strokes are background, while a colour view is shown")
-                                    : tr("Strokes are of class %1, while a colour view is shown").arg(digit);
+    const QString text = digit == 0 ? tr("Strokes are background, while a color view is shown")
+                                    : tr("Strokes are of class %1, while a color view is shown").arg(digit);
     keys_->add({{static_cast<int>(Qt::Key_0) + digit},
                 text,
                 [this] { return showsColors(); },
@@ -125,8 +125,7 @@ void MainWindow::saveWork() {
   auto& files = widgets::colorFiles(context_);
   widgets::openLogs(context_).saveBookmarks();
   if (!files.changed()) {
-    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the colour table"),
-                             kDoneShownMs);
+    statusBar()->showMessage(tr("All is saved: bookmarks, and the samples of the color table"), kDoneShownMs);
   } else if (widgets::saveSamples(files, this)) {
     statusBar()->showMessage(tr("Saved: %1").arg(QString::fromStdString(files.file().string())),
                              kDoneShownMs);
@@ -139,11 +138,11 @@ bool MainWindow::mayReplace(const QString& command) {
   if (!replaces(command) || loaded == nullptr || !files.changed()) return true;
   const QString name = QString::fromStdString(loaded->name());
   QMessageBox box(QMessageBox::Warning, tr("Unsaved samples"),
-                  tr("You have painted samples of colours that are not saved, and are about to close %1.")
+                  tr("You have painted samples of colors that are not saved, and are about to close %1.")
                       .arg(name.isEmpty() ? tr("what is open") : name),
                   QMessageBox::Save | QMessageBox::Cancel, this);
   box.setObjectName(QStringLiteral("unsavedWork"));
-  box.setInformativeText(tr("Save them first? They stay in the colour views either way."));
+  box.setInformativeText(tr("Save them first? They stay in the color views either way."));
   auto* goOn = box.addButton(tr("Go on without saving"), QMessageBox::DestructiveRole);
   box.setDefaultButton(QMessageBox::Save);
   const int answer = box.exec();

@@ -9,11 +9,11 @@
 #include <QVBoxLayout>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/actions/CommandActions.h"
-#include "app/robotcontrol/bars/LogContentsBar.h"
-#include "app/robotcontrol/actions/LogOpening.h"
-#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/actions/LogOpening.h"
+#include "app/robotcontrol/bars/LogContentsBar.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/bars/OpeningBar.h"
 #include "app/robotcontrol/bars/RecordedBar.h"
 #include "app/robotcontrol/docks/ViewDocks.h"

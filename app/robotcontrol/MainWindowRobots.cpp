@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // How the main window connects robots.
-#include "app/core/program/RobotFiles.h"
 #include "app/core/Workbench.h"
+#include "app/core/program/RobotFiles.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/drive/ConnectDialog.h"

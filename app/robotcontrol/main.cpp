@@ -11,9 +11,9 @@
 #include <string_view>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/actions/FileKind.h"
 #include "app/robotcontrol/MainWindow.h"
 #include "app/robotcontrol/QuitSignals.h"
+#include "app/robotcontrol/actions/FileKind.h"
 #include "robotlink/base/Resources.h"
 
 namespace {

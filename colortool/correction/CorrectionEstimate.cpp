@@ -228,7 +228,7 @@ CorrectionEstimate estimateCorrections(const Samples& samples) {
   std::vector<Camera> cameras = camerasOf(samples);
   std::erase_if(cameras, [](const Camera& camera) { return camera.strokes == 0; });
   if (cameras.empty()) {
-    estimate.notes.emplace_back("There are no strokes of a colour class yet: nothing is estimated.");
+    estimate.notes.emplace_back("There are no strokes of a color class yet: nothing is estimated.");
     return estimate;
   }
   for (Camera& camera : cameras) estimateVignetting(camera, estimate.notes);

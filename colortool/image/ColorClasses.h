@@ -19,8 +19,8 @@ struct NamedColor {
   bool operator==(const NamedColor&) const = default;
 };
 
-/// The classes that pixels are sorted into. Class 0 is "none"; the others are names of colours, each with the
-/// colour that views show it in. A plain value, small; at most kMax classes besides "none".
+/// The classes that pixels are sorted into. Class 0 is "none"; the others are names of colors, each with the
+/// color that views show it in. A plain value, small; at most kMax classes besides "none".
 class ColorClasses {
  public:
   /// The class of pixels that belong to no color.

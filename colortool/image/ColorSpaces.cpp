@@ -10,7 +10,7 @@ namespace {
 
 constexpr float kTurn = 2 * std::numbers::pi_v<float>;
 /// Colors closer to gray than this have no meaningful angle.
-constexpr float kGrey = 1e-6F;
+constexpr float kGray = 1e-6F;
 
 /// Converts an angle from radians to turns in [0, 1).
 float turns(float angle) {
@@ -65,22 +65,22 @@ bool hasRgb(const ColorValue& yCbCr, float tolerance) {
 
 UnitColor hsiOf(const UnitColor& rgb) {
   const float intensity = rgb.sum() / 3;
-  if (intensity < kGrey) return {0, 0, intensity};
+  if (intensity < kGray) return {0, 0, intensity};
   const float saturation = std::max(0.F, 1 - rgb.minCoeff() / intensity);
   // The book's arc cosine as an arc tangent, which is accurate near red and its opposite, too.
   const float along = rgb[0] - (rgb[1] + rgb[2]) / 2;
   const float across = std::sqrt(3.F) / 2 * (rgb[1] - rgb[2]);
-  const bool grey = std::hypot(along, across) < kGrey;
-  return {grey ? 0 : turns(std::atan2(across, along)), saturation, intensity};
+  const bool gray = std::hypot(along, across) < kGray;
+  return {gray ? 0 : turns(std::atan2(across, along)), saturation, intensity};
 }
 
 UnitColor tslOf(const UnitColor& rgb) {
   const float sum = rgb.sum();
   const float lightness = 0.299F * rgb[0] + 0.587F * rgb[1] + 0.114F * rgb[2];
-  if (sum < kGrey) return {0, 0, lightness};
+  if (sum < kGray) return {0, 0, lightness};
   const float red = rgb[0] / sum - 1.F / 3, green = rgb[1] / sum - 1.F / 3;
   const float chroma = std::hypot(red, green);
-  if (chroma < kGrey) return {0, 0, lightness};
+  if (chroma < kGray) return {0, 0, lightness};
   return {turns(std::atan2(red, green) + kTurn / 4), std::min(1.F, std::sqrt(1.8F) * chroma), lightness};
 }
 

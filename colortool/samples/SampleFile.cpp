@@ -286,7 +286,7 @@ Stroke readStroke(const Json& line, const Samples& samples) {
   for (const auto& [y, cb, cr] : triplesOf(member<std::string>(line, "colors"), "colours"))
     stroke.colors.push_back({y, cb, cr});
   if (stroke.colors.size() != pixelCount(stroke.area))
-    throw Wrong("it has " + std::to_string(stroke.colors.size()) + " colours for " +
+    throw Wrong("it has " + std::to_string(stroke.colors.size()) + " colors for " +
                 std::to_string(pixelCount(stroke.area)) + " pixels");
   if (line.contains("thumbnail")) stroke.thumbnail = readThumbnail(optionalPart(line, "thumbnail"));
   return stroke;
@@ -296,9 +296,9 @@ NamedColor readClass(const Json& line) {
   NamedColor named{member<std::string>(line, "class"), {}};
   const auto color = member<std::string>(line, "color");
   if (named.name.empty() || color.empty() || color.front() != '#')
-    throw Wrong("a class has a name and a colour like \"#ff6900\"");
+    throw Wrong("a class has a name and a color like \"#ff6900\"");
   const auto triples = triplesOf(color.substr(1), "colours");
-  if (triples.size() != 1) throw Wrong("a class has a name and a colour like \"#ff6900\"");
+  if (triples.size() != 1) throw Wrong("a class has a name and a color like \"#ff6900\"");
   named.rgb = {triples[0][0], triples[0][1], triples[0][2]};
   return named;
 }

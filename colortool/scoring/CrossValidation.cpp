@@ -6,8 +6,8 @@
 
 #include "colortool/training/StrokeCells.h"
 #include "colortool/training/Suspicion.h"
-#include "colortool/votes/TableCleanUp.h"
 #include "colortool/training/TableTrainer.h"
+#include "colortool/votes/TableCleanUp.h"
 
 namespace colortool {
 namespace {
@@ -105,7 +105,7 @@ std::optional<StrokeQuality> crossValidate(const Samples& samples, const std::fu
   const TrainingSettings& settings = samples.settings;
   std::vector<Candidate> candidates;
   ColorVotes votes(samples.classes.size(), settings.votes);
-  votes.setThings(thingClasses(samples.classes));
+  votes.setThings(objectClasses(samples.classes));
   for (const StrokePtr& stroke : samples.strokes) {
     candidates.push_back({stroke.get(), strokeCells(samples, *stroke)});
     addTo(votes, candidates.back().cells, stroke->colorClass);

@@ -6,8 +6,8 @@
 #include <optional>
 #include <vector>
 
-#include "colortool/scoring/Evaluation.h"
 #include "colortool/samples/Samples.h"
+#include "colortool/scoring/Evaluation.h"
 
 namespace colortool {
 

@@ -35,20 +35,20 @@ std::uint64_t Evaluation::count(int label, int found) const {
                  static_cast<std::size_t>(found)];
 }
 
-std::uint64_t Evaluation::labelled(int label) const {
+std::uint64_t Evaluation::labeled(int label) const {
   const auto row = counts_.begin() + static_cast<std::ptrdiff_t>(label) * classes_;
   return std::accumulate(row, row + classes_, std::uint64_t{0});
 }
 
 double Evaluation::recall(int label) const {
-  return share(count(label, label), labelled(label));
+  return share(count(label, label), labeled(label));
 }
 
 double Evaluation::meanRecall() const {
   double sum = 0;
   int occurring = 0;
   for (int label = 1; label < classes_; ++label) {
-    if (labelled(label) == 0) continue;
+    if (labeled(label) == 0) continue;
     sum += recall(label);
     ++occurring;
   }
@@ -60,7 +60,7 @@ double Evaluation::falseColor(std::span<const std::uint8_t> classes) const {
   for (const std::uint8_t colorClass : classes) {
     if (colorClass < classes_) wrong += count(ColorClasses::kNone, colorClass);
   }
-  return share(wrong, labelled(ColorClasses::kNone));
+  return share(wrong, labeled(ColorClasses::kNone));
 }
 
 }  // namespace colortool

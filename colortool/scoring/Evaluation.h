@@ -32,7 +32,7 @@ class Evaluation {
   /// Number of pixels labeled `label` that were classified as `found`.
   std::uint64_t count(int label, int found) const;
   /// Number of pixels with a label.
-  std::uint64_t labelled(int label) const;
+  std::uint64_t labeled(int label) const;
   /// Share of a class's pixels that were classified correctly, 0 to 1; 0 if there are none.
   double recall(int label) const;
   /// Mean recall of all classes that occur in the labels, without the background; 0 if there are none.

@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "colortool/table/ColorTable.h"
 #include "colortool/samples/Samples.h"
+#include "colortool/table/ColorTable.h"
 
 namespace colortool {
 

@@ -51,7 +51,7 @@ robotlink::Result<std::string> decompressBzip2(std::string_view bytes, std::size
       return robotlink::failure(
           "bzip2.size",
           fmt::format("this becomes larger than {} bytes when it is decompressed, which "
-                      "is more than any colour table has",
+                      "is more than any color table has",
                       mostBytes),
           {file, 0, 0});
     if (state == BZ_STREAM_END) break;

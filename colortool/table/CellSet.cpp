@@ -9,7 +9,7 @@ namespace {
 
 using Row = CellSet::Row;
 constexpr std::size_t kSetSide = 64;
-/// Rows in a grid with an empty row all around, so that each row has its neighbours.
+/// Rows in a grid with an empty row all around, so that each row has its neighbors.
 constexpr std::size_t kPaddedSide = kSetSide + 2;
 using PaddedRows = std::array<Row, kPaddedSide * kPaddedSide>;
 

@@ -49,14 +49,14 @@ class NamedTableParser {
     ++line_;
     if (line_ == 1) {
       if (trimmed(text) != kFirstLine)
-        wrong(fmt::format("this is no file of colour classes: its first line must be '{}'", kFirstLine));
+        wrong(fmt::format("this is no file of color classes: its first line must be '{}'", kFirstLine));
       return;
     }
     text = trimmed(text);
     if (text.empty()) return;
     const std::size_t space = text.find_last_of(" \t");
     const auto shown = space == std::string_view::npos ? std::nullopt : color(text.substr(space + 1));
-    if (!shown) return wrong("a class is wanted here: its name and its colour, as in 'orange #ff6900'");
+    if (!shown) return wrong("a class is wanted here: its name and its color, as in 'orange #ff6900'");
     add(std::string(trimmed(text.substr(0, space))), *shown);
   }
   bool goesOn() const { return errors_.size() < kMaxErrors && (line_ != 1 || errors_.empty()); }
@@ -162,7 +162,7 @@ tl::expected<NamedColorTable, Errors> NamedColorTable::load(const std::filesyste
 Result<void> NamedColorTable::save(const std::filesystem::path& table) const {
   if (classes.size() - 1 > ColorTableFile::kMaxClasses) {
     return robotlink::failure("color-table.classes",
-                              fmt::format("a .c64 colour table has room for {} classes, not for {}",
+                              fmt::format("a .c64 color table has room for {} classes, not for {}",
                                           ColorTableFile::kMaxClasses, classes.size() - 1),
                               {table.string(), 0, 0});
   }

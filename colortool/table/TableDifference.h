@@ -4,8 +4,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "colortool/table/CellSet.h"
 #include "colortool/image/ColorClasses.h"
+#include "colortool/table/CellSet.h"
 #include "colortool/table/ColorTable.h"
 
 namespace colortool {

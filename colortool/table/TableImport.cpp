@@ -6,9 +6,9 @@
 #include <algorithm>
 #include <bit>
 
+#include "colortool/image/ClassPresets.h"
 #include "colortool/table/Bzip2.h"
 #include "colortool/table/CellGrid.h"
-#include "colortool/image/ClassPresets.h"
 #include "colortool/table/ColorTable.h"
 #include "colortool/table/OtherTeams.h"
 #include "colortool/table/TekkotsuTable.h"
@@ -35,7 +35,7 @@ tl::unexpected<Errors> refusal(std::string id, std::string text, const std::stri
   return tl::unexpected(Errors{{std::move(id), std::move(text), {}, {file, 0, 0}}});
 }
 
-Result<TableFormat> recognise(std::string_view bytes, const std::string& file) {
+Result<TableFormat> recognize(std::string_view bytes, const std::string& file) {
   if (isTekkotsuMap(bytes)) return TableFormat::kTekkotsu;
   // A .c64 file can have any size, but runs that add up to a table are hardly a coincidence.
   const auto c64 = ColorTableFile::parse(bytes, file);
@@ -163,9 +163,9 @@ tl::expected<ImportedTable, Errors> parseTable(std::string_view bytes, const std
     bytes = plain;
   }
   if (!format) {
-    const auto recognised = recognise(bytes, file);
-    if (!recognised) return tl::unexpected(Errors{recognised.error()});
-    format = *recognised;
+    const auto recognized = recognize(bytes, file);
+    if (!recognized) return tl::unexpected(Errors{recognized.error()});
+    format = *recognized;
   }
   auto imported = *format == TableFormat::kC64        ? fromC64(bytes, file)
                   : *format == TableFormat::kTekkotsu ? fromTekkotsu(bytes, file, colors)

@@ -90,9 +90,9 @@ class ColorsParser {
     const bool open = scanner.sign('(');
     const auto red = scanner.number(255), green = scanner.number(255), blue = scanner.number(255);
     if (!open || !red || !green || !blue || !scanner.sign(')'))
-      return wrongTekkotsu("the class's colour is wanted after its number, as in (255 128 0)");
+      return wrongTekkotsu("the class's color is wanted after its number, as in (255 128 0)");
     auto name = scanner.quoted();
-    if (!name) return wrongTekkotsu("the class's name is wanted after its colour, in quotes");
+    if (!name) return wrongTekkotsu("the class's name is wanted after its color, in quotes");
     const auto byte = [](int value) { return static_cast<std::uint8_t>(value); };
     add(*index, {std::move(*name), {byte(*red), byte(*green), byte(*blue)}});
   }
@@ -145,7 +145,7 @@ Result<CellGrid> parseTekkotsuMap(std::string_view bytes, const std::string& fil
   std::size_t at = kMagic.size();
   const auto type = lineAt(bytes, at);
   if (!type || type->substr(0, kType.size()) != kType)
-    return wrongTekkotsu(file, at, "the line that says YUV is wanted; other colour spaces are not read");
+    return wrongTekkotsu(file, at, "the line that says YUV is wanted; other color spaces are not read");
   at += type->size() + 1;
   const auto sizes = lineAt(bytes, at);
   CellGrid grid;

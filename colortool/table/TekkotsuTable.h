@@ -4,8 +4,8 @@
 #include <string>
 #include <string_view>
 
-#include "colortool/table/CellGrid.h"
 #include "colortool/image/ColorClasses.h"
+#include "colortool/table/CellGrid.h"
 #include "robotlink/base/Error.h"
 
 namespace colortool {

@@ -5,8 +5,8 @@
 #include <span>
 #include <vector>
 
-#include "colortool/votes/ColorVotes.h"
 #include "colortool/samples/Samples.h"
+#include "colortool/votes/ColorVotes.h"
 
 namespace colortool {
 

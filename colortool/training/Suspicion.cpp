@@ -34,7 +34,7 @@ bool isThingColor(robotlink::Rgb shown) {
   return most != shown.g || hue < 80 || hue > 160;
 }
 
-std::vector<bool> thingClasses(const ColorClasses& classes) {
+std::vector<bool> objectClasses(const ColorClasses& classes) {
   std::vector<bool> things{false};
   for (const NamedColor& color : classes.colors()) things.push_back(isThingColor(color.rgb));
   return things;

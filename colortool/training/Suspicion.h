@@ -126,6 +126,6 @@ class SuspicionMeter {
 /// nor white, gray or black.
 bool isThingColor(robotlink::Rgb shown);
 /// isThingColor() for all classes by number; false for class 0.
-std::vector<bool> thingClasses(const ColorClasses& classes);
+std::vector<bool> objectClasses(const ColorClasses& classes);
 
 }  // namespace colortool

@@ -33,7 +33,7 @@ void TableTrainer::follow(const Samples& samples) {
   } else if (last_->settings.votes != samples.settings.votes) {
     votes_.setOptions(samples.settings.votes);
   }
-  votes_.setThings(thingClasses(samples.classes));
+  votes_.setThings(objectClasses(samples.classes));
   for (auto& [key, learned] : learned_) learned.current = false;
   for (const StrokePtr& stroke : samples.strokes) {
     const auto [learned, isNew] = learned_.try_emplace(stroke.get());

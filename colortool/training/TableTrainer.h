@@ -6,9 +6,9 @@
 #include <unordered_map>
 #include <vector>
 
-#include "colortool/votes/ColorVotes.h"
 #include "colortool/samples/Samples.h"
 #include "colortool/training/StrokeCells.h"
+#include "colortool/votes/ColorVotes.h"
 #include "colortool/votes/TableCleanUp.h"
 
 namespace colortool {

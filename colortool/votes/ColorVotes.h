@@ -19,7 +19,7 @@ struct VoteOptions {
   /// Standard deviation of a sample's vote in Cb and Cr, in values of a channel; kMinRadius to kMaxRadius.
   double radius = 8;
   /// A difference in Y counts this much against one in Cb or Cr; kMinBrightnessWeight to 1. Below 1, since
-  /// light and shadow change a colour's brightness first.
+  /// light and shadow change a color's brightness first.
   double brightnessWeight = 0.3;
   /// Minimum votes that a class needs to win a cell, as a share of the vote of a single sample pixel for its
   /// own cell; 0 or more.
@@ -28,7 +28,7 @@ struct VoteOptions {
   /// many colors, most of which no stroke ever touches.
   double backgroundWeight = 0.3;
   /// Strength of the second, wider vote along the shade of the color, as a share of the vote for the sample's
-  /// own cell; 0 disables it, kMostShading is the maximum. It decides where no sample is near: shadow and
+  /// own cell; 0 disables it, kMaxShading is the maximum. It decides where no sample is near: shadow and
   /// glare change Cb and Cr along with Y.
   double shading = 0.1;
   /// What the color of a thing needs more where colors are nearly gray, in votes of a sample pixel: walls,
@@ -53,7 +53,7 @@ class ColorVotes {
  public:
   /// `classes`: the number of classes, including class 0, the background.
   explicit ColorVotes(int classes, const VoteOptions& options = {});
-  /// Sets which classes are colors of things, by class number, see thingClasses(). The gray guard applies to
+  /// Sets which classes are colors of things, by class number, see objectClasses(). The gray guard applies to
   /// these only. Initially there are none.
   void setThings(std::vector<bool> things);
 

@@ -5,7 +5,7 @@
 #include <string_view>
 #include <vector>
 
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 namespace logplayer {
 
@@ -26,6 +26,6 @@ struct StreamChoice {
 };
 
 /// Whether a message is latched.
-using robotlink::holdsUntilToldAnew;
+using robotlink::isLatched;
 
 }  // namespace logplayer

@@ -15,13 +15,13 @@ using robotlink::Result;
 namespace {
 
 /// Maximum number of frames that are held back until the first known time.
-constexpr std::size_t kMaximumUntimed = 100;
+constexpr std::size_t kMaxUntimed = 100;
 
 /// Whether the times of two consecutive frames are plausible. Robots log several frames per second; a longer
 /// gap is accepted if the next frame confirms it.
 bool near(Instant one, Instant other) {
-  constexpr robotlink::Duration kMaximumGap = std::chrono::seconds(60);
-  return (one > other ? one - other : other - one) <= kMaximumGap;
+  constexpr robotlink::Duration kMaxGap = std::chrono::seconds(60);
+  return (one > other ? one - other : other - one) <= kMaxGap;
 }
 
 std::string processName(std::uint8_t letter) {
@@ -129,7 +129,7 @@ Result<void> FrameConverter::close() {
   Contents contents = std::exchange(contents_, Contents());
   if (contents.empty()) return {};
   const auto stated = contents.time();
-  if (!lastTime_ && !stated && untimed_.size() < kMaximumUntimed) {
+  if (!lastTime_ && !stated && untimed_.size() < kMaxUntimed) {
     untimed_.push_back(std::move(contents));
     return {};
   }

@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/bhuman/PayloadReader.h"
 #include "logplayer/bhuman/Payloads.h"
+#include "logplayer/images/ImageCoding.h"
 
 namespace logplayer::bhuman {
 namespace {
@@ -10,8 +10,8 @@ using robotlink::Image;
 using robotlink::PixelFormat;
 using robotlink::Result;
 
-constexpr std::size_t kMaximumCameraPixels = 4U << 20U;
-/// Bytes of a pixel: Y0 Cb Y1 Cr of two neighbours in a row of the camera.
+constexpr std::size_t kMaxCameraPixels = 4U << 20U;
+/// Bytes of a pixel: Y0 Cb Y1 Cr of two neighbors in a row of the camera.
 constexpr std::size_t kQuad = 4;
 
 struct ImageHeader {
@@ -26,10 +26,10 @@ Result<ImageHeader> readHeader(PayloadReader& payload) {
   header.width = payload.takeInt32();
   header.height = payload.takeInt32();
   header.time = robotlink::Instant(std::chrono::milliseconds(payload.takeUint32()));
-  constexpr int kMaximumSide = 1 << 14;
+  constexpr int kMaxSide = 1 << 14;
   const bool possible = header.width > 0 && header.width % 2 == 0 && header.height > 0 &&
-                        header.width <= kMaximumSide && header.height <= kMaximumSide &&
-                        header.pixels() <= kMaximumCameraPixels;
+                        header.width <= kMaxSide && header.height <= kMaxSide &&
+                        header.pixels() <= kMaxCameraPixels;
   if (!possible)
     return robotlink::failure("bhuman.image", "the image claims " + std::to_string(header.width) + " x " +
                                                   std::to_string(header.height) +
@@ -69,7 +69,7 @@ Result<CameraImage> readJpegImage(std::span<const std::uint8_t> payload) {
   if (!header) return tl::unexpected(header.error());
   reader.skip(sizeof(std::int32_t));  // the JPEG's size: the rest
   // Its header says that it is CMYK, of Adobe; but the components are those of a quadruple, not inverted.
-  auto jpeg = decodeJpegComponents(reader.rest(), kMaximumCameraPixels);
+  auto jpeg = decodeJpegComponents(reader.rest(), kMaxCameraPixels);
   if (!jpeg) return tl::unexpected(std::move(jpeg.error()));
   if (jpeg->width != header->width || jpeg->height != header->height ||
       jpeg->count != static_cast<int>(kQuad))

@@ -46,7 +46,7 @@ MessageQueueReader::MessageQueueReader(ByteSource& bytes) : bytes_(bytes) {
   }
 }
 
-bool MessageQueueReader::recognises(ByteSource& bytes) {
+bool MessageQueueReader::recognizes(ByteSource& bytes) {
   if (bytes.size() < kFileHeader + kMessageHeader) return false;
   MessageQueueReader reader(bytes);
   const bool appendable = reader.statedBytes_ == -1 && reader.statedMessages_ == -1;
@@ -76,8 +76,8 @@ bool MessageQueueReader::certain(const Header& header) {
     case Kind::kImage: {
       PayloadReader reader(std::span<const std::uint8_t>(begin).first(count));
       const std::int64_t width = reader.takeInt32(), height = reader.takeInt32();
-      constexpr std::int64_t kMaximumSide = 1 << 14;
-      const bool possible = width > 0 && height > 0 && width <= kMaximumSide && height <= kMaximumSide;
+      constexpr std::int64_t kMaxSide = 1 << 14;
+      const bool possible = width > 0 && height > 0 && width <= kMaxSide && height <= kMaxSide;
       return possible && width * height * 4 + 12 == header.size;
     }
     case Kind::kJpegImage: {

@@ -39,7 +39,7 @@ class MessageQueueReader {
   explicit MessageQueueReader(ByteSource& bytes);
 
   /// Whether the bytes begin as such a log does.
-  static bool recognises(ByteSource& bytes);
+  static bool recognizes(ByteSource& bytes);
 
   /// Returns the next message; empty at the end.
   std::optional<QueueMessage> next();

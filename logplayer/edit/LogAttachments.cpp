@@ -7,11 +7,11 @@
 #include <memory>
 #include <ostream>
 
-#include "logplayer/file/ContainerFile.h"
 #include "logplayer/export/ExportPass.h"
-#include "logplayer/record/LogAppend.h"
+#include "logplayer/file/ContainerFile.h"
 #include "logplayer/file/LogImport.h"
 #include "logplayer/mcap/read/Reader.h"
+#include "logplayer/record/LogAppend.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace logplayer {

@@ -6,12 +6,12 @@
 #include <iterator>
 #include <tuple>
 
+#include "logplayer/base/MessageChange.h"
+#include "logplayer/base/OutputFile.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "logplayer/edit/LogJoin.h"
 #include "logplayer/edit/LogSource.h"
-#include "logplayer/base/MessageChange.h"
 #include "logplayer/edit/MessageCopier.h"
-#include "logplayer/base/OutputFile.h"
 #include "logplayer/mcap/write/Writer.h"
 #include "robotlink/debugging/Streams.h"
 

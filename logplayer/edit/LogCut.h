@@ -8,8 +8,8 @@
 #include <string>
 #include <vector>
 
-#include "logplayer/file/LogFile.h"
 #include "logplayer/base/StreamChoice.h"
+#include "logplayer/file/LogFile.h"
 #include "logplayer/mcap/Records.h"
 #include "robotlink/base/Error.h"
 

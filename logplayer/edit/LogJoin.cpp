@@ -99,7 +99,7 @@ LogSeam::LogSeam(const LogPart& earlier, const LogPart& later)
   std::vector<std::uint16_t> channels, holding;
   for (const auto& [id, channel] : reader.channels()) {
     channels.push_back(id);
-    if (holdsUntilToldAnew(channel.topic, typeNameOf(reader, channel))) holding.push_back(id);
+    if (isLatched(channel.topic, typeNameOf(reader, channel))) holding.push_back(id);
   }
   const Duration moved = earlier.offset - later.offset;
   forEachFrom(reader, Instant::min(), holding, [&](const std::string& topic, const mcap::Message& message) {
@@ -115,7 +115,7 @@ bool LogSeam::isRepeated(const mcap::Channel& channel, const std::string& type,
                          const mcap::Message& message) const {
   if (message.logTime <= until_ && both_.contains(keyOf(channel.topic, message.sequence, message.data)))
     return true;
-  return message.sequence == 0 && message.logTime == begin_ && holdsUntilToldAnew(channel.topic, type) &&
+  return message.sequence == 0 && message.logTime == begin_ && isLatched(channel.topic, type) &&
          held_.contains(keyOf(channel.topic, message.publishTime.time_since_epoch().count(), message.data));
 }
 

@@ -4,8 +4,8 @@
 #include <algorithm>
 #include <iterator>
 
-#include "logplayer/bookmarks/BookmarkStorage.h"
 #include "logplayer/base/Losses.h"
+#include "logplayer/bookmarks/BookmarkStorage.h"
 #include "robotlink/debugging/Streams.h"
 
 namespace logplayer {
@@ -129,7 +129,7 @@ std::vector<Reader::MessageData> LogSource::held() {
     const auto& channel = reader_->channels().at(id);
     const auto schema = reader_->schemas().find(channel.schemaId);
     const std::string type = schema == reader_->schemas().end() ? "" : schema->second.name;
-    if (!holdsUntilToldAnew(channel.topic, type)) continue;
+    if (!isLatched(channel.topic, type)) continue;
     const auto position = reader_->latest(id, *from_ - robotlink::Duration(1));
     if (!position) continue;
     if (auto data = reader_->read(*position)) {

@@ -10,10 +10,10 @@
 #include <string>
 #include <vector>
 
+#include "logplayer/base/StreamChoice.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/file/LogFile.h"
-#include "logplayer/base/StreamChoice.h"
 #include "logplayer/mcap/read/MessageCursor.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "robotlink/base/Error.h"

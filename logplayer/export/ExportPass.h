@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "logplayer/base/StreamChoice.h"
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
-#include "logplayer/base/StreamChoice.h"
 #include "robotlink/session/StreamMessage.h"
 
 namespace logplayer {

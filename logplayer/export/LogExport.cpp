@@ -7,8 +7,8 @@
 #include <ostream>
 
 #include "foxglove/Robot.pb.h"
-#include "logplayer/export/ExportPass.h"
 #include "logplayer/base/LogDates.h"
+#include "logplayer/export/ExportPass.h"
 
 namespace logplayer {
 namespace {

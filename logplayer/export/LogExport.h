@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "logplayer/base/StreamChoice.h"
 #include "logplayer/export/ExportOptions.h"
 #include "logplayer/file/LogFile.h"
-#include "logplayer/base/StreamChoice.h"
 #include "robotlink/base/Error.h"
 
 namespace logplayer {

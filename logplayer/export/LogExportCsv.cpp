@@ -10,11 +10,11 @@
 #include <nlohmann/json.hpp>
 #include <ostream>
 
+#include "logplayer/base/Plural.h"
 #include "logplayer/export/ExportPass.h"
-#include "logplayer/json/JsonText.h"
 #include "logplayer/export/LogExport.h"
 #include "logplayer/export/MessageTable.h"
-#include "logplayer/base/Plural.h"
+#include "logplayer/json/JsonText.h"
 
 namespace logplayer {
 namespace {

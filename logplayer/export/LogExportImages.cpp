@@ -7,10 +7,10 @@
 #include <ostream>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/export/ExportPass.h"
-#include "logplayer/images/ImageCoding.h"
-#include "logplayer/export/LogExport.h"
 #include "logplayer/base/Plural.h"
+#include "logplayer/export/ExportPass.h"
+#include "logplayer/export/LogExport.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/packages/Conversions.h"
 
 namespace logplayer {

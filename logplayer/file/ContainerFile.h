@@ -5,8 +5,8 @@
 #include <memory>
 
 #include "logplayer/base/Progress.h"
-#include "logplayer/file/LogImport.h"
 #include "logplayer/base/TemporaryFolder.h"
+#include "logplayer/file/LogImport.h"
 #include "robotlink/base/Error.h"
 
 namespace logplayer {
@@ -17,8 +17,7 @@ class ContainerFile {
  public:
   /// Fails if a file of an older format cannot be converted. Any other file is accepted as it is; the reader
   /// reports what is wrong with it.
-  static robotlink::Result<ContainerFile> of(const std::filesystem::path& log,
-                                             const Progress& progress);
+  static robotlink::Result<ContainerFile> of(const std::filesystem::path& log, const Progress& progress);
 
   /// The MCAP file; valid as long as this object or a copy of it exists.
   const std::filesystem::path& path() const { return path_; }

@@ -7,11 +7,11 @@
 #include <mutex>
 #include <set>
 
-#include "logplayer/file/ContainerFile.h"
 #include "logplayer/base/LogChannels.h"
 #include "logplayer/base/Plural.h"
+#include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/MessageCursor.h"
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 namespace logplayer {
 
@@ -93,8 +93,7 @@ void LogFile::Implementation::listStreams() {
   }
   // Latched messages may be much older than the recording, and messages of the world may outlast its robots.
   for (const Stream& stream : streams) {
-    if (stream.path.find('/') != std::string::npos &&
-        !robotlink::holdsUntilToldAnew(stream.path, stream.type)) {
+    if (stream.path.find('/') != std::string::npos && !robotlink::isLatched(stream.path, stream.type)) {
       include(stream);
     }
   }

@@ -119,7 +119,7 @@ bool isRobotName(std::string_view name) {
 
 bool canImport(const std::filesystem::path& file) {
   const auto bytes = bhuman::openFile(file);
-  return bytes && bhuman::MessageQueueReader::recognises(**bytes);
+  return bytes && bhuman::MessageQueueReader::recognizes(**bytes);
 }
 
 Result<ImportReport> importLog(const std::filesystem::path& from, const std::filesystem::path& to,
@@ -133,7 +133,7 @@ Result<ImportReport> importLog(const std::filesystem::path& from, const std::fil
   }
   const auto bytes = bhuman::openFile(from);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (!bhuman::MessageQueueReader::recognises(**bytes))
+  if (!bhuman::MessageQueueReader::recognizes(**bytes))
     return robotlink::failure(
         "log.unknown-format",
         "this is no log that can be imported: it does not begin with a message queue of B-Human's",

@@ -27,7 +27,8 @@ bool isRobotName(std::string_view name);
 struct ImportOptions {
   /// Name of the robot, see isRobotName().
   std::string robot = "nao";
-  /// Is written into the log as its color table (app/core/program/ColorTables.h reads such files); null: none.
+  /// Is written into the log as its color table (app/core/program/ColorTables.h reads such files); null:
+  /// none.
   std::shared_ptr<const robotcontrol::ColorTable> colorTable;
   /// Called with the share done in [0, 1]; false cancels the import.
   std::function<bool(double)> progress;

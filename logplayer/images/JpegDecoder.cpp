@@ -11,9 +11,9 @@ using robotlink::Image;
 using robotlink::PixelFormat;
 using robotlink::Result;
 
-constexpr std::size_t kMaximumJpegPixels = 64U << 20U;
+constexpr std::size_t kMaxJpegPixels = 64U << 20U;
 /// A progressive image of a few kilobytes can ask for thousands of passes over all its pixels.
-constexpr int kMaximumScans = 100;
+constexpr int kMaxScans = 100;
 
 class Decoder {
  public:
@@ -58,7 +58,7 @@ class Decoder {
  private:
   static void limitScans(j_common_ptr codec) {
     const auto* decoder = reinterpret_cast<j_decompress_ptr>(codec);
-    if (decoder->input_scan_number > kMaximumScans) JpegErrors::stop(codec, "too many scans");
+    if (decoder->input_scan_number > kMaxScans) JpegErrors::stop(codec, "too many scans");
   }
 
   std::span<const std::uint8_t> data_;
@@ -127,13 +127,13 @@ Result<Image> decodeFourInks(Decoder& decoder) {
 Result<Image> decodeJpeg(std::span<const std::uint8_t> data) {
   Decoder decoder(data);
   if (!decoder.readHeader()) return refused(decoder);
-  if (auto error = tooLarge(decoder, kMaximumJpegPixels)) return tl::unexpected(*std::move(error));
+  if (auto error = tooLarge(decoder, kMaxJpegPixels)) return tl::unexpected(*std::move(error));
   if (decoder.components() == 4) return decodeFourInks(decoder);
   if (decoder.space() == JCS_YCbCr && decoder.width() % 2 == 0) return decodeYuyv(decoder);
-  const bool grey = decoder.space() == JCS_GRAYSCALE;
-  Image image(decoder.width(), decoder.height(), grey ? PixelFormat::kMono8 : PixelFormat::kRgb8);
+  const bool gray = decoder.space() == JCS_GRAYSCALE;
+  Image image(decoder.width(), decoder.height(), gray ? PixelFormat::kMono8 : PixelFormat::kRgb8);
   const auto step = static_cast<std::size_t>(image.step());
-  if (!decoder.readRows(grey ? JCS_GRAYSCALE : JCS_RGB, image.data.data(), step)) return refused(decoder);
+  if (!decoder.readRows(gray ? JCS_GRAYSCALE : JCS_RGB, image.data.data(), step)) return refused(decoder);
   return image;
 }
 

@@ -69,8 +69,8 @@ class Encoder {
 
   bool encodeRows(const ImageView& image, int quality) {
     if (setjmp(errors_.jump()) != 0) return false;
-    const bool grey = image.format == PixelFormat::kMono8;
-    begin(image, grey ? JCS_GRAYSCALE : JCS_RGB, quality);
+    const bool gray = image.format == PixelFormat::kMono8;
+    begin(image, gray ? JCS_GRAYSCALE : JCS_RGB, quality);
     jpeg_start_compress(&codec_, TRUE);
     while (codec_.next_scanline < codec_.image_height) {
       auto* row = const_cast<JSAMPROW>(image.row(static_cast<int>(codec_.next_scanline)));

@@ -11,7 +11,7 @@ using robotlink::ImageView;
 using robotlink::PixelFormat;
 using robotlink::Result;
 
-constexpr std::size_t kMaximumPngPixels = 64U << 20U;
+constexpr std::size_t kMaxPngPixels = 64U << 20U;
 
 /// The state of libpng for one image; its simplified API handles longjmp internally.
 struct PngImage : png_image {
@@ -50,11 +50,11 @@ Result<std::vector<std::uint8_t>> encodePng(const ImageView& image) {
 Result<Image> decodePng(std::span<const std::uint8_t> data) {
   PngImage png;
   if (png_image_begin_read_from_memory(&png, data.data(), data.size()) == 0) return refused(png);
-  if (std::size_t{png.width} * png.height > kMaximumPngPixels)
+  if (std::size_t{png.width} * png.height > kMaxPngPixels)
     return robotlink::failure("image.size", "the PNG image claims " + std::to_string(png.width) + " x " +
                                                 std::to_string(png.height) +
                                                 " pixels, which is not decoded; at most " +
-                                                std::to_string(kMaximumPngPixels) + " are");
+                                                std::to_string(kMaxPngPixels) + " are");
   const bool color = (png.format & PNG_FORMAT_FLAG_COLOR) != 0;
   png.format = color ? PNG_FORMAT_RGB : PNG_FORMAT_GRAY;
   Image image(static_cast<int>(png.width), static_cast<int>(png.height),

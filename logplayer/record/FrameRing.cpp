@@ -32,7 +32,7 @@ void FrameRing::trim() {
   }
 }
 
-void FrameRing::restart(robotlink::HeldMessages held) {
+void FrameRing::restart(robotlink::LatchedMessages held) {
   frames_.clear();
   bytes_ = 0;
   before_ = std::move(held);

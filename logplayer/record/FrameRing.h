@@ -5,7 +5,7 @@
 #include <vector>
 
 #include "logplayer/record/RecordedFrame.h"
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 namespace logplayer {
 
@@ -30,7 +30,7 @@ class FrameRing {
   /// Appends a frame and removes frames that are too old. Ignored if nothing is kept.
   void add(RecordedFramePtr frame);
   /// Removes all frames, for example because time was reset; `held` are the latched messages now.
-  void restart(robotlink::HeldMessages held);
+  void restart(robotlink::LatchedMessages held);
 
   Contents contents() const;
   bool empty() const { return frames_.empty(); }
@@ -46,7 +46,7 @@ class FrameRing {
   robotlink::Duration duration_{0};
   std::deque<RecordedFramePtr> frames_;
   /// The latched messages before the first frame.
-  robotlink::HeldMessages before_;
+  robotlink::LatchedMessages before_;
   /// The latest time of a frame in the ring.
   robotlink::Instant newest_;
   std::size_t bytes_ = 0;

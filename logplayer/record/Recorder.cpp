@@ -8,8 +8,8 @@
 #include <optional>
 #include <utility>
 
-#include "logplayer/record/FrameRing.h"
 #include "logplayer/base/RecordedStreams.h"
+#include "logplayer/record/FrameRing.h"
 #include "logplayer/record/RecordingThread.h"
 #include "logplayer/record/RingSaver.h"
 #include "robotcontrol/Debugging.pb.h"
@@ -77,7 +77,7 @@ struct Recorder::Implementation {
   mutable std::mutex mutex;  // protects the members below
   FrameRing ring;
   bool live = true;
-  robotlink::HeldMessages held;
+  robotlink::LatchedMessages held;
   RecordedStreams streams;
   std::filesystem::path folder;
   std::map<std::string, robotlink::Instant> newestOf;  // time of the newest FrameInfo, by path
@@ -132,7 +132,7 @@ void Recorder::Implementation::add(std::vector<StreamMessage> messages) {
 
 bool Recorder::Implementation::wants(const StreamMessage& message) const {
   if (streams.contains(message.path)) return true;
-  return robotlink::holdsUntilToldAnew(message) && !streams.excludes(message.path);
+  return robotlink::isLatched(message) && !streams.excludes(message.path);
 }
 
 /// The part of a frame that is to be recorded; null if there is none. A FrameInfo is kept with any other
@@ -149,7 +149,7 @@ RecordedFramePtr Recorder::Implementation::selected(std::vector<StreamMessage> m
     }
     frame->bytes += message.bytes;
     frame->largest = std::max(frame->largest, message.bytes);
-    frame->holds = frame->holds || robotlink::holdsUntilToldAnew(message);
+    frame->holds = frame->holds || robotlink::isLatched(message);
     frame->messages.push_back(std::move(message));
   }
   if (frame->messages.empty()) return nullptr;

@@ -22,7 +22,7 @@ using robotlink::DebugKey;
 using robotlink::Vector2;
 
 const DebugKey kStateKey{"behavior/state",
-                         "The state of the behaviour, beside the robot (drawn around the robot)"};
+                         "The state of the behavior, beside the robot (drawn around the robot)"};
 const DebugKey kTargetKey{
     "behavior/target",
     "Where the robot wants to stand, the ball and the goal it plays to (drawn around the robot)"};

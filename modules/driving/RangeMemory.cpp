@@ -15,7 +15,7 @@ using robotlink::Vector2;
 
 namespace {
 
-constexpr std::size_t kMostPoints = 3000;
+constexpr std::size_t kMaxPoints = 3000;
 // A measurement does not remove points that it passes by more than this, m.
 constexpr double kBehind = 0.15;
 // Side of the squares that yield one point each, m.
@@ -24,7 +24,7 @@ constexpr double kThinning = 0.05;
 constexpr double kRaysOutdated = 0.3;
 // How far beside a cone a ray may still explain its echo, rad.
 constexpr double kRayAside = 0.05;
-constexpr std::size_t kMostCones = 256;
+constexpr std::size_t kMaxCones = 256;
 
 double bearingOf(const Vector2& point) {
   return std::atan2(point.y(), point.x());
@@ -49,7 +49,7 @@ void RangeMemory::see(std::span<const RangeBeam> beams, const OdometryHistory& o
 }
 
 void RangeMemory::add(const Vector2& place, Instant time, Source source) {
-  if (points_.size() >= kMostPoints) points_.erase(points_.begin(), points_.begin() + kMostPoints / 10);
+  if (points_.size() >= kMaxPoints) points_.erase(points_.begin(), points_.begin() + kMaxPoints / 10);
   points_.push_back({place, time, source});
 }
 
@@ -84,7 +84,7 @@ void RangeMemory::seeCone(const RangeBeam& cone, const Pose2& robotInOdometry,
     return point.source == Source::kSonar && free.contains(point.place);
   });
   while (!freeCones_.empty() &&
-         (freeCones_.size() >= kMostCones ||
+         (freeCones_.size() >= kMaxCones ||
           robotlink::seconds(cone.time - freeCones_.front().time) > options_.coneMemory))
     freeCones_.pop_front();
   if (cone.hit() && cone.range < options_.reach && !explainedByRays(cone, rays)) addArc(free);
@@ -104,7 +104,7 @@ bool RangeMemory::explainedByRays(const RangeBeam& cone, std::span<const RangeBe
 void RangeMemory::addArc(const FreeCone& cone) {
   // From the axis outwards.
   constexpr std::array kShares{0.0, 0.3, -0.3, 0.6, -0.6, 0.9, -0.9};
-  constexpr std::size_t kMost = 3;
+  constexpr std::size_t kMax = 3;
   std::size_t added = 0;
   for (const double share : kShares) {
     const Vector2 place = cone.sensor * Pose2{0, 0, share * cone.half} * Vector2(cone.range, 0);
@@ -112,7 +112,7 @@ void RangeMemory::addArc(const FreeCone& cone) {
         std::ranges::any_of(freeCones_, [&](const FreeCone& other) { return other.contains(place); });
     if (free) continue;
     add(place, cone.time, Source::kSonar);
-    if (++added == kMost) return;
+    if (++added == kMax) return;
   }
   // The whole arc was free a moment ago, so something moves.
   if (added == 0) add(cone.sensor * Vector2(cone.range, 0), cone.time, Source::kSonar);

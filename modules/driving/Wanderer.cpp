@@ -27,7 +27,7 @@ constexpr double kBeside = 1.01 * PolarView::kSector;
 // Side of the squares whose visits are counted, m; time after which a square counts as known, s; step and
 // reach of the search for new squares, m.
 constexpr double kSquare = 1.0, kUsualVisit = 6, kNewsStep = 0.75, kNewsReach = 3;
-constexpr std::size_t kMostSquares = 20000;
+constexpr std::size_t kMaxSquares = 20000;
 
 std::uint64_t squareOf(const Vector2& place) {
   const auto x = static_cast<std::int32_t>(std::clamp(std::floor(place.x() / kSquare), -1e9, 1e9));
@@ -38,7 +38,7 @@ std::uint64_t squareOf(const Vector2& place) {
 }  // namespace
 
 void Wanderer::visit(const Vector2& place, double time) {
-  if (visits_.size() >= kMostSquares) visits_.clear();
+  if (visits_.size() >= kMaxSquares) visits_.clear();
   // Longer gaps were spent elsewhere.
   const double spent = std::clamp(time - visitedAt_, 0.0, 0.5);
   visitedAt_ = time;

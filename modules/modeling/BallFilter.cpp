@@ -49,7 +49,7 @@ void BallFilter::correct(const BallMeasurement& seen, const Pose2& robotInOdomet
   const Vector2 measured = robotInOdometry * seen.position;
   const double doubt = 1 + 2 * (1 - seen.confidence);
   const double deviation =
-      doubt * (options_.deviationNear + options_.deviationPerMetre * seen.position.norm());
+      doubt * (options_.deviationNear + options_.deviationPerMeter * seen.position.norm());
   if (!seenAt_) {
     restart(measured, deviation);
     seenAt_ = time;

@@ -66,7 +66,7 @@ class BallFilter {
     /// Standard deviation of a percept, m, ...
     double deviationNear = 0.02;
     /// ...plus this for each meter of distance.
-    double deviationPerMetre = 0.06;
+    double deviationPerMeter = 0.06;
     /// Percepts farther away than this many standard deviations are outliers.
     double gate = 4;
     /// After this many outliers that agree, the filter starts again there.

@@ -53,7 +53,7 @@ class BallModeler : public robotlink::Solution {
     if (debug_.on(kBallKey)) {
       auto drawing = debug_.robotDrawing(kBallKey);
       drawing.circle(ball.position, ballRadius_, robotlink::colors::kOrange, 2);
-      drawing.circle(ball.position, ballRadius_ + ball.deviation, robotlink::colors::kGrey);
+      drawing.circle(ball.position, ballRadius_ + ball.deviation, robotlink::colors::kGray);
       if (ball.velocity.norm() > 0.02)
         drawing.arrow(ball.position, ball.position + ball.velocity, robotlink::colors::kOrange);
     }
@@ -74,7 +74,7 @@ LastBall::Options optionsOf(const robotcontrol::LastPerceptBallParameters& p) {
 }
 
 BallFilter::Options optionsOf(const robotcontrol::FilteredBallParameters& p) {
-  return {p.memory(), p.friction(),           p.acceleration(), p.deviation_near(), p.deviation_per_metre(),
+  return {p.memory(), p.friction(),           p.acceleration(), p.deviation_near(), p.deviation_per_meter(),
           p.gate(),   p.outliers_to_restart()};
 }
 

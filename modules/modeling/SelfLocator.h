@@ -42,7 +42,7 @@ class SelfLocator : public robotlink::Solution {
       auto drawing = debug_.fieldDrawing(kLocatorPoseKey);
       drawing.pose(estimate.robotInField, robotlink::colors::kBlack);
       drawing.circle(estimate.robotInField.translation(), 2 * estimate.positionDeviation,
-                     robotlink::colors::kGrey);
+                     robotlink::colors::kGray);
     }
     if (debug_.on(kLocatorPlotKey)) {
       debug_.plot(kLocatorPlotKey, "x", estimate.robotInField.x, "m");

@@ -171,7 +171,7 @@ const robotlink::SolutionRegistration kLookAround =
     headSolution<LookAround>("look-around",
                              "Sweeps from side to side at the height of beacons and goals whatever is asked "
                              "for, except for given angles: for tests "
-                             "of localisation.");
+                             "of localization.");
 
 }  // namespace
 }  // namespace modules

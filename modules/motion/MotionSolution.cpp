@@ -31,7 +31,7 @@ const robotlink::DebugKey kOdometryKey{"motion/odometry",
                                        "Dead reckoning since the program started (plots x, y, heading)"};
 
 constexpr robotlink::Duration kFrame = std::chrono::milliseconds(8);
-constexpr int kMostFrames = 5;
+constexpr int kMaxFrames = 5;
 constexpr std::array<const char*, 4> kLegLabels{"front-left", "front-right", "hind-left", "hind-right"};
 
 class RectangleMotion final : public MotionSolution {
@@ -173,8 +173,8 @@ void MotionSolution::execute() {
 robotlink::Duration MotionSolution::frameTime() {
   const robotlink::Instant now = context_.clock().now();
   const auto frames = std::max<robotlink::Duration::rep>((now - last_) / kFrame, 0);
-  last_ = frames > kMostFrames ? now : last_ + frames * kFrame;
-  return std::min<robotlink::Duration::rep>(frames, kMostFrames) * kFrame;
+  last_ = frames > kMaxFrames ? now : last_ + frames * kFrame;
+  return std::min<robotlink::Duration::rep>(frames, kMaxFrames) * kFrame;
 }
 
 MotionEngine::Frame MotionSolution::frame(robotlink::Duration time) {
@@ -274,7 +274,7 @@ void MotionSolution::draw() {
     const robotlink::Vector3 step = gait.stepVector(leg) / 2;
     const robotlink::Vector2 half(step.x(), step.y());
     if (half.norm() > 1e-4) drawing.arrow(at - half, at + half, color, 1);
-    drawing.text(at, kLegLabels[index(leg)], robotlink::colors::kGrey, 9);
+    drawing.text(at, kLegLabels[index(leg)], robotlink::colors::kGray, 9);
   }
 }
 

@@ -14,10 +14,10 @@ namespace {
 
 constexpr Duration kMemory = std::chrono::seconds(3);
 constexpr Duration kBeyond = std::chrono::seconds(1);
-constexpr std::size_t kMost = 1000;
+constexpr std::size_t kMax = 1000;
 // No robot of this program is faster; the constant part is for late timestamps.
-constexpr double kMostSpeed = 3;
-constexpr double kMostStep = 0.5;
+constexpr double kMaxSpeed = 3;
+constexpr double kMaxStep = 0.5;
 
 }  // namespace
 
@@ -26,11 +26,11 @@ bool OdometryHistory::add(Instant time, const Pose2& robotInOdometry) {
   if (!entries_.empty()) {
     const Entry& last = entries_.back();
     const double way = (robotInOdometry.translation() - last.pose.translation()).norm();
-    continued = time >= last.time && way <= kMostStep + kMostSpeed * robotlink::seconds(time - last.time);
+    continued = time >= last.time && way <= kMaxStep + kMaxSpeed * robotlink::seconds(time - last.time);
     if (!continued) entries_.clear();
   }
   entries_.push_back({time, robotInOdometry});
-  while (entries_.size() > kMost || entries_.front().time + kMemory < time) entries_.pop_front();
+  while (entries_.size() > kMax || entries_.front().time + kMemory < time) entries_.pop_front();
   return continued;
 }
 

@@ -15,7 +15,7 @@ namespace {
 // it must not hit one, and how far the range of a cone may differ from the map.
 constexpr double kNearWall = 0.15, kThroughWall = 0.3, kExplained = 0.25;
 // Cones are slow to evaluate, and a message seldom contains more of them.
-constexpr std::size_t kMostCones = 16;
+constexpr std::size_t kMaxCones = 16;
 // An oblique wall may reflect the echo away, so a missing echo says little.
 constexpr double kSwallowed = 0.3;
 
@@ -30,7 +30,7 @@ void RangeModel::choose(std::span<const RangeBeam> beams) {
   cones_.clear();
   std::vector<const RangeBeam*> rays;
   for (const RangeBeam& beam : beams) {
-    if (beam.openingAngle > 0 && cones_.size() < kMostCones) cones_.push_back(beam);
+    if (beam.openingAngle > 0 && cones_.size() < kMaxCones) cones_.push_back(beam);
     if (beam.openingAngle <= 0 && beam.hit()) rays.push_back(&beam);
   }
   const std::size_t count = std::min(rays.size(), static_cast<std::size_t>(std::max(1, options_.rays)));

@@ -14,7 +14,7 @@ using robotlink::Pose2;
 
 namespace {
 
-constexpr int kMostReadings = 256, kMostRays = 4096;
+constexpr int kMaxReadings = 256, kMaxRays = 4096;
 // The range of a Pioneer's sonars, used if a message does not contain it.
 constexpr double kSonarMaximum = 5;
 
@@ -28,7 +28,7 @@ std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar) {
   std::vector<RangeBeam> result;
   const double maximum = sonar.maximum() > 0 ? sonar.maximum() : kSonarMaximum;
   const double opening = std::clamp(sonar.opening_angle(), robotlink::radians(1), robotlink::kPi);
-  const int count = std::min(kMostReadings, sonar.readings_size());
+  const int count = std::min(kMaxReadings, sonar.readings_size());
   for (int i = 0; i < count; ++i) {
     const robotcontrol::SonarReadings::Reading& reading = sonar.readings(i);
     const Pose2 sensor = robotlink::pose2(reading.sensor_in_robot());
@@ -42,7 +42,7 @@ std::vector<RangeBeam> beams(const robotcontrol::SonarReadings& sonar) {
 
 std::vector<RangeBeam> beams(const foxglove::LaserScan& laser, double maximum) {
   std::vector<RangeBeam> result;
-  const int count = std::min(kMostRays, laser.ranges_size());
+  const int count = std::min(kMaxRays, laser.ranges_size());
   const Pose2 sensor = robotlink::groundPose(robotlink::pose3(laser.pose()));
   const double step = count > 1 ? (laser.end_angle() - laser.start_angle()) / (laser.ranges_size() - 1) : 0;
   if (!finite(sensor) || !std::isfinite(laser.start_angle()) || !std::isfinite(step)) return result;

@@ -114,7 +114,7 @@ class ColorBandsLandmarkPerceptor final : public LandmarkPerceptor {
 const robotlink::SolutionRegistration kColorBands =
     robotlink::SolutionBuilder<ColorBandsLandmarkPerceptor>(
         "landmark-percepts", "color-bands",
-        "Takes two regions upon each other for a beacon, and the largest other region in a goal's colour for "
+        "Takes two regions upon each other for a beacon, and the largest other region in a goal's color for "
         "the goal.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
@@ -159,7 +159,7 @@ class HorizonScanLandmarkPerceptor final : public LandmarkPerceptor {
 const robotlink::SolutionRegistration kHorizonScan =
     robotlink::SolutionBuilder<HorizonScanLandmarkPerceptor>(
         "landmark-percepts", "horizon-scan",
-        "Reads scan lines across the horizon as sequences of colours and gathers those that beacons and "
+        "Reads scan lines across the horizon as sequences of colors and gathers those that beacons and "
         "goals have.")
         .needs(robotlink::kCameraImage)
         .needs(robotlink::kCameraPose)

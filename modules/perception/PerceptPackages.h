@@ -5,8 +5,8 @@
 #include <vector>
 
 #include "colortool/image/ColorCorrection.h"
-#include "colortool/table/PaletteTable.h"
 #include "colortool/image/Regions.h"
+#include "colortool/table/PaletteTable.h"
 #include "modules/perception/BallGeometry.h"
 #include "modules/perception/LandmarkGeometry.h"
 

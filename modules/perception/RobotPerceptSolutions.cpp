@@ -85,7 +85,7 @@ class PatchRobotPerceptor final : public RobotPerceptor {
 
 const robotlink::SolutionRegistration kPatches =
     robotlink::SolutionBuilder<PatchRobotPerceptor>("robot-percepts", "patches",
-                                                    "Takes every patch of a team's colour for a robot.")
+                                                    "Takes every patch of a team's color for a robot.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)
@@ -106,7 +106,7 @@ class ClusterRobotPerceptor final : public RobotPerceptor {
 const robotlink::SolutionRegistration kClusters =
     robotlink::SolutionBuilder<ClusterRobotPerceptor>(
         "robot-percepts", "patch-clusters",
-        "Takes patches of a team's colour that are less than a robot's length apart for one robot.")
+        "Takes patches of a team's color that are less than a robot's length apart for one robot.")
         .needs(robotlink::kColorRegions)
         .needs(robotlink::kCameraPose)
         .yields(robotlink::kRobotPercepts)

@@ -18,9 +18,9 @@ using colortool::RegionFinder;
 using robotlink::DebugKey;
 
 const DebugKey kClassesKey{"segmentation/classes",
-                           "The image in the colours of the classes its pixels were sorted into"};
+                           "The image in the colors of the classes its pixels were sorted into"};
 const DebugKey kRegionsKey{"segmentation/regions",
-                           "The boxes of all regions, in the colours of their classes (drawn in the image)"};
+                           "The boxes of all regions, in the colors of their classes (drawn in the image)"};
 const DebugKey kCountKey{"segmentation/count", "How many regions were found"};
 
 /// The common part of both solutions: the color table and the outputs. The table is the one that was sent to
@@ -129,7 +129,7 @@ class WholeImageSegmentation final : public Segmentation {
 const robotlink::SolutionRegistration kWholeImage =
     robotlink::SolutionBuilder<WholeImageSegmentation>(
         "segmentation", "whole-image",
-        "Sorts every pixel into a colour class by the colour table and joins touching runs of equal class to "
+        "Sorts every pixel into a color class by the color table and joins touching runs of equal class to "
         "regions.")
         .needs(robotlink::kCameraImage)
         .uses(robotlink::kColorTable)
@@ -157,7 +157,7 @@ class ScanLineSegmentation final : public Segmentation {
 const robotlink::SolutionRegistration kScanLines =
     robotlink::SolutionBuilder<ScanLineSegmentation>(
         "segmentation", "scan-lines",
-        "Reads vertical scan lines by the colour table and groups runs of equal class on neighbouring lines "
+        "Reads vertical scan lines by the color table and groups runs of equal class on neighboring lines "
         "to regions.")
         .needs(robotlink::kCameraImage)
         .uses(robotlink::kColorTable)

@@ -115,7 +115,7 @@ endfunction()
 
 # robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
 # One GoogleTest program of a folder; QT makes it a QtTest program that runs offscreen.
-# What a test labelled slow does is bounded by the test itself: by simulated time, inputs or bytes. On a machine that does other
+# What a test labeled slow does is bounded by the test itself: by simulated time, inputs or bytes. On a machine that does other
 # things, too, it may take as long as it takes; this limit, in seconds, ends what hangs.
 set(ROBOTCONTROL_SLOW_TIMEOUT 3600)
 

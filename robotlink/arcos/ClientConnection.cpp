@@ -10,7 +10,7 @@ namespace {
 using State = ClientSession::State;
 
 constexpr Duration kGapWindow = std::chrono::seconds(5);
-constexpr std::size_t kMaximumGaps = 256;
+constexpr std::size_t kMaxGaps = 256;
 
 bool isInformation(std::uint8_t id) {
   return id == StandardInformation::kStandingId || id == StandardInformation::kMovingId;
@@ -36,7 +36,7 @@ void ClientSession::takeInformation(const Packet& packet, Instant now) {
   }
   if (informed_) {
     gaps_.push_back({now, now - informationAt_});
-    if (gaps_.size() > kMaximumGaps) gaps_.pop_front();
+    if (gaps_.size() > kMaxGaps) gaps_.pop_front();
   }
   information_ = std::move(*information);
   informationAt_ = now;

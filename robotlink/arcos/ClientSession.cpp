@@ -11,7 +11,7 @@ namespace {
 using State = ClientSession::State;
 
 /// The limit of unwritten bytes; beyond it commands are refused.
-constexpr std::size_t kMaximumOutgoing = 64U << 10U;
+constexpr std::size_t kMaxOutgoing = 64U << 10U;
 /// A robot that answers some SYNCs but never completes the handshake is given up after this many times the
 /// number of tries.
 constexpr int kRounds = 4;
@@ -27,7 +27,7 @@ void ClientSession::enter(State state, Instant now) {
 }
 
 void ClientSession::post(const Packet& packet, Instant now) {
-  if (outgoing_.size() > kMaximumOutgoing) return;
+  if (outgoing_.size() > kMaxOutgoing) return;
   append(packet, outgoing_);
   sentAt_ = now;
 }
@@ -232,12 +232,12 @@ Result<void> ClientSession::send(const Packet& packet, Instant now) {
         "arcos.not-connected",
         nameOf(packet.id) + " cannot be sent: there is no connection to the robot (" + describe() + ")");
   }
-  if (packet.count() > kMaximumSentCount) {
+  if (packet.count() > kMaxSentCount) {
     return failure("arcos.long-command", nameOf(packet.id) + " has " + std::to_string(packet.data.size()) +
                                              " bytes of data; robots take at most " +
-                                             std::to_string(kMaximumSentData));
+                                             std::to_string(kMaxSentData));
   }
-  if (outgoing_.size() > kMaximumOutgoing) {
+  if (outgoing_.size() > kMaxOutgoing) {
     return failure("arcos.line-full", nameOf(packet.id) + " cannot be sent: the line takes no more bytes");
   }
   post(packet, now);

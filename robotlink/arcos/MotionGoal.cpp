@@ -31,14 +31,14 @@ MotionGoal MotionGoal::turn(const RobotState& state, Instant now, double heading
 }
 
 bool MotionGoal::isReached(const RobotState& state) const {
-  if (distance_ && std::abs(travelled_ - *distance_) > kTolerance) return false;
+  if (distance_ && std::abs(traveled_ - *distance_) > kTolerance) return false;
   return !heading_ || std::abs(normalizedAngle(state.pose.heading - *heading_)) <= kTurnTolerance;
 }
 
 std::optional<MotionEnd> MotionGoal::take(const RobotState& state) {
   const Pose2 step = last_.inverse() * state.pose;
   last_ = state.pose;
-  if (step.translation().norm() <= kLongestStep) travelled_ += step.x;
+  if (step.translation().norm() <= kLongestStep) traveled_ += step.x;
   // A state from before the command does not show its effect.
   if (state.time < commanded_) return std::nullopt;
   if (state.stalled()) return MotionEnd::kStalled;

@@ -43,10 +43,10 @@ class MotionGoal {
   bool isReached(const RobotState& state) const;
 
   Instant commanded_;
-  /// The last pose, for measuring travelled_.
+  /// The last pose, for measuring traveled_.
   Pose2 last_;
   /// Distance traveled since the command, forwards minus backwards, m.
-  double travelled_ = 0;
+  double traveled_ = 0;
   /// One of the two is set.
   std::optional<double> distance_, heading_;
 };

@@ -16,7 +16,7 @@ constexpr Duration kPartialTime = 100ms;
 // The number of bytes read at once, and the number of such reads before read() returns, so that a line that
 // floods cannot block it.
 constexpr std::size_t kPiece = 4096;
-constexpr int kMostPieces = 64;
+constexpr int kMaxPieces = 64;
 
 // No automatic reconnection: the program may not expect the robot to stand elsewhere with its motors off. It
 // calls begin() when it is ready.
@@ -172,7 +172,7 @@ Result<MotionEnd> PioneerConnection::waitForMotion(Duration timeLimit) {
 
 /// Processes everything that has already arrived.
 Result<void> PioneerConnection::drain() {
-  for (int piece = 0; piece < kMostPieces; ++piece) {
+  for (int piece = 0; piece < kMaxPieces; ++piece) {
     const auto pumped = pump(Duration::zero());
     if (!pumped) return tl::unexpected(pumped.error());
     if (*pumped == Line::kSilent) break;

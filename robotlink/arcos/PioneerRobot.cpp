@@ -12,8 +12,8 @@
 namespace robotlink::arcos {
 namespace {
 
-int inMillimetres(double metres) {
-  return static_cast<int>(std::lround(metres * 1000));
+int inMillimeters(double meters) {
+  return static_cast<int>(std::lround(meters * 1000));
 }
 int inDegrees(double angle) {
   return static_cast<int>(std::lround(degrees(angle)));
@@ -167,7 +167,7 @@ Result<void> PioneerRobot::setLaser(bool on) {
 }
 
 Result<void> PioneerRobot::setSpeed(double speed) {
-  return write(command(CommandId::kVel, inMillimetres(speed)));
+  return write(command(CommandId::kVel, inMillimeters(speed)));
 }
 Result<void> PioneerRobot::setRotation(double rotation) {
   return write(command(CommandId::kRvel, inDegrees(rotation)));
@@ -186,7 +186,7 @@ Result<void> PioneerRobot::setWheels(double left, double right) {
 
 Result<void> PioneerRobot::move(double distance) {
   return connection_->beginMotion(
-      command(CommandId::kMove, inMillimetres(distance)),
+      command(CommandId::kMove, inMillimeters(distance)),
       [distance](const RobotState& state, Instant now) { return MotionGoal::move(state, now, distance); });
 }
 Result<void> PioneerRobot::turn(double angle) {
@@ -205,7 +205,7 @@ Result<MotionEnd> PioneerRobot::waitForMotion(Duration timeLimit) {
 }
 
 Result<void> PioneerRobot::setLimits(double speed, double rotation) {
-  return both(write(command(CommandId::kSetV, inMillimetres(speed))),
+  return both(write(command(CommandId::kSetV, inMillimeters(speed))),
               write(command(CommandId::kSetRv, inDegrees(rotation))));
 }
 
@@ -242,7 +242,7 @@ Result<void> PioneerRobot::selectAnalogInput(int number) {
 
 Result<void> PioneerRobot::putAt(const Pose2& pose) {
   if (const auto simulated = requireSimulator("carry it to its place"); !simulated) return simulated;
-  return write(arcos::setTruePose({inMillimetres(pose.x), inMillimetres(pose.y), inDegrees(pose.heading)}));
+  return write(arcos::setTruePose({inMillimeters(pose.x), inMillimeters(pose.y), inDegrees(pose.heading)}));
 }
 
 Result<void> PioneerRobot::setTruePose(bool on) {

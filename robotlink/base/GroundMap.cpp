@@ -187,7 +187,7 @@ class Parser {
       const int column = column_ + static_cast<int>(from - line.data());
       if (!value || read == count) break;
       if (!(std::abs(*value) <= kFarthestMm))
-        return fail(column, "map.far", "a coordinate must be a number of millimetres and at most 10 km"),
+        return fail(column, "map.far", "a coordinate must be a number of millimeters and at most 10 km"),
                false;
       numbers[read++] = *value;
       while (at != end && isSpace(*at)) ++at;
@@ -317,7 +317,7 @@ class Parser {
       if (!value || !(std::abs(*value) <= kFarthestMm)) {
         return fail(
             token.column, "map.cairn",
-            "a Cairn's pose and corners must be numbers of millimetres and degrees, and at most 10 km");
+            "a Cairn's pose and corners must be numbers of millimeters and degrees, and at most 10 km");
       }
       numbers[i] = *value;
     }

@@ -21,7 +21,7 @@ void readPalette(const YamlNode& node, FieldDescription& field) {
     const bool valid =
         channels.size() == 3 && std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; });
     if (!valid) {
-      value.fail("field.color", "a colour is three whole numbers from 0 to 255: [red, green, blue]", {name});
+      value.fail("field.color", "a color is three whole numbers from 0 to 255: [red, green, blue]", {name});
       continue;
     }
     const auto channel = [&](std::size_t i) { return static_cast<std::uint8_t>(channels[i]); };
@@ -34,7 +34,7 @@ std::string colorOf(const YamlNode& node, std::string_view key, const FieldDescr
   const YamlNode child = node.child(key);
   auto name = child.as<std::string>();
   if (!child.empty() && field.color(name) == nullptr) {
-    child.fail("field.unknown-color", "the palette has no colour '" + name + "'", {name});
+    child.fail("field.unknown-color", "the palette has no color '" + name + "'", {name});
   }
   return name;
 }

@@ -270,7 +270,7 @@ std::string DebugProcess::Implementation::refusal(const Request& request) const 
     case Request::kMotion:
       return remoteMotion.connected() ? "" : "no task of this layout obeys remote motions";
     case Request::kSetColorTable:
-      return colorTable.connected() ? "" : "no task of this layout uses a colour table";
+      return colorTable.connected() ? "" : "no task of this layout uses a color table";
     case Request::kSetGoal:
       return driveGoal.connected() ? "" : "no task of this layout drives to goals";
     default:

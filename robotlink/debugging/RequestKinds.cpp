@@ -140,12 +140,12 @@ std::string wrongWith(const robotcontrol::ColorTable& table) {
   constexpr std::size_t kCells = std::size_t{64} * 64 * 64;
   if (table.cells().empty()) return "";
   if (table.cells().size() != kCells)
-    return "a colour table has " + std::to_string(kCells) + " cells, this one has " +
+    return "a color table has " + std::to_string(kCells) + " cells, this one has " +
            std::to_string(table.cells().size());
   const auto known = [&](char cell) { return static_cast<unsigned char>(cell) <= table.class_names_size(); };
   if (!std::ranges::all_of(table.cells(), known))
-    return "cells of the colour table have classes without a name";
-  return isFinite(table.correction()) ? "" : "the colour table's correction has values that are no numbers";
+    return "cells of the color table have classes without a name";
+  return isFinite(table.correction()) ? "" : "the color table's correction has values that are no numbers";
 }
 
 bool setTheSame(const Request& a, const Request& b) {

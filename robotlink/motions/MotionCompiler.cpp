@@ -35,9 +35,9 @@ class Compiler {
 
   void collect() {
     int node = 0, lines = 0;
-    if (files_.size() > kMaximumMotionFiles) {
+    if (files_.size() > kMaxMotionFiles) {
       fail(files_.front(), 0, "motion.too-many-files",
-           "a robot has at most " + std::to_string(kMaximumMotionFiles) + " motions");
+           "a robot has at most " + std::to_string(kMaxMotionFiles) + " motions");
     }
     for (const MotionFile& file : files_) {
       if (net_->find(file.name) >= 0) {
@@ -47,13 +47,13 @@ class Compiler {
       lines += static_cast<int>(file.lines.size());
       collectLabels(file, node);
     }
-    if (lines > kMaximumMotionLines) {
+    if (lines > kMaxMotionLines) {
       fail(files_.back(), 0, "motion.too-many-lines",
-           "all motions together have at most " + std::to_string(kMaximumMotionLines) + " lines");
+           "all motions together have at most " + std::to_string(kMaxMotionLines) + " lines");
     }
-    if (labels_.size() > kMaximumMotionLabels) {
+    if (labels_.size() > kMaxMotionLabels) {
       fail(files_.back(), 0, "motion.too-many-labels",
-           "all motions together have at most " + std::to_string(kMaximumMotionLabels) + " labels");
+           "all motions together have at most " + std::to_string(kMaxMotionLabels) + " labels");
     }
   }
 

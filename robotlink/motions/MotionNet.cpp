@@ -36,9 +36,9 @@ tl::expected<std::shared_ptr<const MotionNet>, Errors> loadMotions(const std::fi
         {"motion.unreadable", "the folder cannot be read: " + error.message(), {}, {folder.string(), 0, 0}}});
   }
   std::sort(paths.begin(), paths.end());
-  if (paths.size() > kMaximumMotionFiles) {
+  if (paths.size() > kMaxMotionFiles) {
     return tl::unexpected(Errors{{"motion.too-many-files",
-                                  "a robot has at most " + std::to_string(kMaximumMotionFiles) + " motions",
+                                  "a robot has at most " + std::to_string(kMaxMotionFiles) + " motions",
                                   {},
                                   {folder.string(), 0, 0}}});
   }

@@ -67,17 +67,17 @@ class Reader {
     int labels = 0;
     while (!text.empty()) {
       const std::size_t end = std::min(text.find('\n'), text.size());
-      if (++line_ > kMaximumMotionLines) {
+      if (++line_ > kMaxMotionLines) {
         fail(1, "motion.too-many-lines",
-             "a motion has at most " + std::to_string(kMaximumMotionLines) + " lines");
+             "a motion has at most " + std::to_string(kMaxMotionLines) + " lines");
         break;
       }
       readLine(text.substr(0, end));
       text.remove_prefix(std::min(end + 1, text.size()));
       if (!motion_.lines.empty() && std::holds_alternative<MotionLabel>(motion_.lines.back().statement) &&
-          motion_.lines.back().number == line_ && ++labels > kMaximumMotionLabels) {
+          motion_.lines.back().number == line_ && ++labels > kMaxMotionLabels) {
         fail(1, "motion.too-many-labels",
-             "a motion has at most " + std::to_string(kMaximumMotionLabels) + " labels");
+             "a motion has at most " + std::to_string(kMaxMotionLabels) + " labels");
         break;
       }
     }
@@ -252,7 +252,7 @@ class Reader {
     }
     const bool inDegrees = motion_.angleUnit == MotionFile::AngleUnit::kDegrees;
     const double angle = inDegrees ? radians(*value) : *value / 1000;
-    if (std::abs(angle) > radians(kMaximumMotionDegrees) + 1e-9) {
+    if (std::abs(angle) > radians(kMaxMotionDegrees) + 1e-9) {
       fail(word.column, "motion.angle-out-of-range",
            "the angle " + std::string(word.text) + " is beyond -210 to 210 degrees");
       return std::nullopt;

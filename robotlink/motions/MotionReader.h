@@ -10,11 +10,11 @@
 namespace robotlink {
 
 /// Limits of the robots' original motion compilers.
-inline constexpr int kMaximumMotionFiles = 500;
-inline constexpr int kMaximumMotionLines = 32000;
-inline constexpr int kMaximumMotionLabels = 5000;
+inline constexpr int kMaxMotionFiles = 500;
+inline constexpr int kMaxMotionLines = 32000;
+inline constexpr int kMaxMotionLabels = 5000;
 /// The largest angle of a data line in either direction.
-inline constexpr double kMaximumMotionDegrees = 210;
+inline constexpr double kMaxMotionDegrees = 210;
 
 /// Reads the text of a motion (`.mof`): `motion_id = NAME`, `label`, `transition`, `hardness` and data lines;
 /// comments extend from `"` or `//` to the end of the line.

@@ -11,7 +11,7 @@
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RequestKinds.h"
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 #include "robotlink/session/QueueMessages.h"
 
 namespace robotlink {
@@ -78,7 +78,7 @@ struct Session::Inbox {
   // Protects everything below.
   mutable std::mutex mutex;
   std::deque<Batch> batches;
-  HeldMessages latched;  // of dropped batches
+  LatchedMessages latched;  // of dropped batches
   std::size_t messageCount = 0;
   std::size_t bytes = 0;
   std::uint64_t dropped = 0;
@@ -160,7 +160,7 @@ void Session::pushResult(const RequestResult& result) {
 
 void Session::tick() {
   std::deque<Batch> batches;
-  HeldMessages latched;
+  LatchedMessages latched;
   std::vector<ResultPtr> results;
   bool restarted = false;
   {

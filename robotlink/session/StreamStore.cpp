@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 namespace robotlink {
 namespace {
@@ -101,7 +101,7 @@ void StreamStore::forgetAfter(Instant time) {
     while (!messages.empty() && messages.back().time > time) {
       bytes_ -= messages.back().bytes;
       stream.bytes -= messages.back().bytes;
-      if (!kept.value && holdsUntilToldAnew(path, stream.type)) kept = std::move(messages.back());
+      if (!kept.value && isLatched(path, stream.type)) kept = std::move(messages.back());
       messages.pop_back();
     }
     stream.since = std::min(stream.since, time);

@@ -17,8 +17,8 @@ namespace robotlink {
 /// Used by one thread, the GUI's; producers push to Session. The messages of one process in one stream arrive
 /// in order of time (several processes may write to one stream, such as the log; their messages are merged by
 /// time here). A message that is older than its predecessor means that the simulation was reset: all later
-/// messages of all streams are dropped. Only latched messages (tables, the scene; see HeldMessages.h) stay,
-/// with that time.
+/// messages of all streams are dropped. Only latched messages (tables, the scene; see LatchedMessages.h)
+/// stay, with that time.
 ///
 /// The number of streams is limited, in case a robot makes up paths; messages of further streams are refused
 /// and counted. Pointers to messages and streams are valid until the next add() or clear().

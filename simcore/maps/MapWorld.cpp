@@ -20,8 +20,8 @@ constexpr double kFloorMargin = 1;
 constexpr double kWallFriction = 0.4;
 /// The drawn walls are split into tiles of this size, so that cameras skip those out of view.
 constexpr double kTileSize = 8;
-constexpr std::size_t kMostPieces = 100'000;
-constexpr std::size_t kMostPoints = 2'000'000;
+constexpr std::size_t kMaxPieces = 100'000;
+constexpr std::size_t kMaxPoints = 2'000'000;
 
 constexpr Rgb kWallColor{176, 180, 188}, kFloorColor{226, 222, 212}, kSkyColor{200, 216, 232};
 
@@ -123,9 +123,9 @@ robotlink::Result<WorldDescription> mapWorld(const GroundMap& map, const std::st
                               "the map has too many " + what + " to be simulated: leave out some of it",
                               {file, 0, 0}, {what});
   };
-  if (map.points.size() > kMostPoints) return tooLarge("points");
+  if (map.points.size() > kMaxPoints) return tooLarge("points");
   const std::vector<WallBox> boxes = wallBoxes(map);
-  if (boxes.size() > kMostPieces) return tooLarge("walls");
+  if (boxes.size() > kMaxPieces) return tooLarge("walls");
   const GroundMap::Bounds bounds = map.bounds();
   WorldDescription world;
   world.name = map.name;

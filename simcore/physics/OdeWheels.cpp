@@ -10,8 +10,8 @@ namespace simcore {
 namespace {
 
 // A tire with about 40 kN/m that hardly oscillates. Because it is soft, four wheels share the load evenly.
-constexpr double kTyreErrorReduction = 0.25;
-constexpr double kTyreSoftness = 1.5e-3;
+constexpr double kTireErrorReduction = 0.25;
+constexpr double kTireSoftness = 1.5e-3;
 // Slip slower than this, in m/s, is grip without sliding: a robot creeps down a slope more slowly than that.
 constexpr double kCreep = 0.0005;
 constexpr double kLoadSmoothing = 0.5;
@@ -109,8 +109,8 @@ void addWheelContact(OdeWorld& ode, const OdeGeom& wheelGeom, const OdeGeom& oth
   surface.motion1 = side.on ? side.target : 0;
   surface.slip1 = touch.slipPerForce;
   surface.slip2 = slipPerForce;
-  surface.soft_erp = kTyreErrorReduction;
-  surface.soft_cfm = kTyreSoftness;
+  surface.soft_erp = kTireErrorReduction;
+  surface.soft_cfm = kTireSoftness;
   const dJointID joint = dJointCreateContact(ode.world, ode.contacts, &contact);
   dJointAttach(joint, body, touch.other);
   dJointSetFeedback(joint, &touch.feedback);

@@ -9,7 +9,7 @@ namespace simcore {
 namespace {
 
 constexpr double kCell = 0.5;  // m
-constexpr double kMostGridCells = 1 << 20;
+constexpr double kMaxGridCells = 1 << 20;
 constexpr double kRounding = 1e-6;  // of a cell's size
 
 struct Span {
@@ -63,8 +63,8 @@ void StaticGrid::build() {
   bottom_ = all[2];
   const double width = all[1] - all[0], height = all[3] - all[2];
   double cell = kCell;
-  while ((width / cell + 1) * (height / cell + 1) > kMostGridCells) cell *= 2;
-  const std::size_t most = std::max(kMaximumEntries, geoms_.size());
+  while ((width / cell + 1) * (height / cell + 1) > kMaxGridCells) cell *= 2;
+  const std::size_t most = std::max(kMaxEntries, geoms_.size());
   // Two passes: the first counts the entries of each cell, the second stores them.
   for (;; cell *= 2) {
     setCellSize(cell, width, height);

@@ -20,7 +20,7 @@ namespace simcore {
 class StaticGrid {
  public:
   /// The limit of geoms in all cells together, unless there are more geoms than that.
-  static constexpr std::size_t kMaximumEntries = std::size_t{1} << 23U;
+  static constexpr std::size_t kMaxEntries = std::size_t{1} << 23U;
 
   /// Minimum and maximum of x, y, z in turn, as in ODE.
   using Bounds = std::array<dReal, 6>;

@@ -9,7 +9,7 @@ namespace {
 
 using robotlink::Vector2;
 
-constexpr double kMostCells = 4e6;
+constexpr double kMaxCells = 4e6;
 /// A squared distance in cells; finite, so that differences are numbers.
 constexpr float kFar = 1e12F;
 
@@ -63,9 +63,9 @@ class DistanceTransform {
 
 ClearanceGrid::ClearanceGrid(const Vector2& low, const Vector2& high, double cellSize) : low_(low) {
   const Vector2 size = (high - low).cwiseMax(Vector2(cellSize, cellSize));
-  cellSize_ = std::max(cellSize, std::sqrt(size.x() * size.y() / kMostCells));
+  cellSize_ = std::max(cellSize, std::sqrt(size.x() * size.y() / kMaxCells));
   // For a long and narrow floor.
-  cellSize_ = std::max(cellSize_, size.maxCoeff() / kMostCells);
+  cellSize_ = std::max(cellSize_, size.maxCoeff() / kMaxCells);
   width_ = static_cast<int>(std::ceil(size.x() / cellSize_));
   height_ = static_cast<int>(std::ceil(size.y() / cellSize_));
   marks_.resize(static_cast<std::size_t>(width_) * static_cast<std::size_t>(height_));

@@ -12,7 +12,7 @@ namespace {
 // The rays of a sonar's cone of 30 degrees are 1.5 degrees apart, so that the leg of a table is not missed at
 // a distance at which a robot avoids it.
 constexpr double kEchoRaysApart = robotlink::radians(1.5);
-constexpr int kFewestEchoRays = 3, kMostEchoRays = 121;
+constexpr int kFewestEchoRays = 3, kMaxEchoRays = 121;
 
 /// Separates these random numbers from those of other sensors.
 constexpr std::uint64_t kRangeStream = 0x72616E6765;
@@ -22,7 +22,7 @@ RayFan fanOf(const RangeSensor& sensor) {
   const double half = sensor.openingAngle / 2;
   const int wanted = static_cast<int>(std::lround(sensor.openingAngle / kEchoRaysApart)) + 1;
   // An odd number, so that one ray is the axis.
-  return {-half, half, std::clamp(wanted, kFewestEchoRays, kMostEchoRays) | 1};
+  return {-half, half, std::clamp(wanted, kFewestEchoRays, kMaxEchoRays) | 1};
 }
 
 bool isSame(const RayFan& a, const RayFan& b) {

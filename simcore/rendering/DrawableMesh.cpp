@@ -105,9 +105,9 @@ void DrawableMesh::findBounds(const Mesh& mesh) {
 }
 
 void DrawableMesh::findConvexity(const Mesh& mesh) {
-  constexpr double kMostWork = 1e7;
+  constexpr double kMaxWork = 1e7;
   const double tolerance = 1e-5 * bound_.radius;
-  if (static_cast<double>(mesh.triangles.size()) * static_cast<double>(mesh.vertices.size()) > kMostWork)
+  if (static_cast<double>(mesh.triangles.size()) * static_cast<double>(mesh.vertices.size()) > kMaxWork)
     return;
   convex_ =
       std::all_of(mesh.triangles.begin(), mesh.triangles.end(), [&](const std::array<std::uint32_t, 3>& t) {

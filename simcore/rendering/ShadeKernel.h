@@ -185,7 +185,7 @@ void shade(const Strip& strip, const VisibilityBuffer& buffer) {
 
 /// The common result of the traced neighbors of eight pixels, 0 if they disagree. Traced first are the pixels
 /// with even coordinates.
-SIMCORE_INLINE Int8 neighboursSay(const std::int32_t* seen, int stride, bool oddRow) {
+SIMCORE_INLINE Int8 neighborsSay(const std::int32_t* seen, int stride, bool oddRow) {
   const Int8 zero = splatInt(0);
   if (!oddRow) {
     // Even rows: the pixels to the left and right were traced.
@@ -212,7 +212,7 @@ void settle(UnsurePixels& pixels, int stride, float* light) {
     // Pixels with even coordinates were traced before.
     group.lanes &= oddRow ? 0xFFU : 0xAAU;
     if (group.lanes == 0) continue;
-    const Int8 says = neighboursSay(pixels.seen + group.pixel, stride, oddRow);
+    const Int8 says = neighborsSay(pixels.seen + group.pixel, stride, oddRow);
     const Int8 settled = says != splatInt(0);
     const unsigned lanes = bits(settled) & group.lanes;
     if (lanes == 0) continue;

@@ -77,7 +77,7 @@ void readPalette(const XMLElement& parent, const fs::path& file, Palette& palett
     stream >> channels[0] >> channels[1] >> channels[2];
     if (name == nullptr || !std::ranges::all_of(channels, [](int c) { return c >= 0 && c <= 255; })) {
       fail(errors, file, color->GetLineNum(), "scene.palette",
-           "a colour needs a name and three numbers from 0 to 255");
+           "a color needs a name and three numbers from 0 to 255");
       continue;
     }
     const auto byte = [&](int i) { return static_cast<std::uint8_t>(channels[i]); };

@@ -10,7 +10,7 @@ namespace simcore {
 namespace {
 
 // How unequal the grip of tires along and across may be.
-constexpr double kMostSlipRatio = 5;
+constexpr double kMaxSlipRatio = 5;
 
 /// Reads <robotcontrol:drive> of one model.
 class DriveReader {
@@ -38,7 +38,7 @@ class DriveReader {
     drive_.idleForce = idleTorque / drive_.wheelRadius;
     model_.drive = drive_;
     const double ratio = driveGeometry(model_).slipRatio;
-    if (ratio > 1 / kMostSlipRatio && ratio < kMostSlipRatio) return;
+    if (ratio > 1 / kMaxSlipRatio && ratio < kMaxSlipRatio) return;
     fail("scene.drive", "wheels that stand there cannot turn the model about that track");
     model_.drive.reset();
   }

@@ -8,7 +8,7 @@
 namespace simcore {
 namespace {
 
-constexpr double kSmallest = 1e-5, kLargest = 1000;  // metres
+constexpr double kSmallest = 1e-5, kLargest = 1000;  // meters
 constexpr double kFarAway = 10'000;
 
 Vector3 checkedSize(const ignition::math::Vector3d& size, const sdf::ElementPtr& element,
@@ -74,7 +74,7 @@ void readColor(const sdf::Visual& visual, VisualDescription& result, const SdfCo
   }
   if (!result.teamColor && found == context.palette.end()) {
     context.fail(element->GetElement("robotcontrol:color"), "scene.color",
-                 "no palette has the colour '" + name + "'");
+                 "no palette has the color '" + name + "'");
   }
 }
 

@@ -8,7 +8,7 @@ namespace simcore {
 namespace {
 
 constexpr double kFarthest = 1000;  ///< m
-constexpr int kMostReadings = 10'000;
+constexpr int kMaxReadings = 10'000;
 
 // With this limit a right-angled corner always gives an echo: a ray meets one of its faces at a smaller
 // angle.
@@ -45,7 +45,7 @@ void readLidar(const sdf::Sensor& sensor, SensorDescription& result, const SdfCo
   result.kind = SensorDescription::Kind::kLaser;
   result.rate = rateOf(sensor, context);
   result.range.readings =
-      static_cast<int>(context.within(samples, 2, kMostReadings, "a lidar's samples", element));
+      static_cast<int>(context.within(samples, 2, kMaxReadings, "a lidar's samples", element));
   const double start = lidar.HorizontalScanMinAngle().Radian();
   result.range.startAngle =
       context.within(start, -2 * robotlink::kPi, 2 * robotlink::kPi, "min_angle", element);

@@ -371,7 +371,7 @@ TEST(ArcosAcceptance, c18NothingForbiddenOrTooLongGoesOut) {
   EXPECT_GT(client.received.size(), 100U);
   for (const Packet& packet : client.received) {
     EXPECT_LT(packet.id, 0xFE);
-    EXPECT_LE(packet.count(), kMaximumSentCount);
+    EXPECT_LE(packet.count(), kMaxSentCount);
   }
 }
 

@@ -1,6 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 // The checks of ArcosAcceptanceTest that are about driving and sensing: C9 to C13. Clients are those of the
-// recordings, in their behaviour.
+// recordings, in their behavior.
 #include <gmock/gmock.h>
 #include <gtest/gtest.h>
 
@@ -229,13 +229,13 @@ TEST(ArcosDriving, c12WanderingDoesNotEndInALoopOfStalls) {
     }
   }
   EXPECT_LE(stalls, 3);
-  double travelled = 0;
+  double traveled = 0;
   const auto information = client.information();
   for (std::size_t i = 1; i < information.size(); ++i) {
-    travelled +=
+    traveled +=
         std::hypot(information[i].xMm - information[i - 1].xMm, information[i].yMm - information[i - 1].yMm);
   }
-  EXPECT_GT(travelled, 5000);
+  EXPECT_GT(traveled, 5000);
 }
 
 TEST(ArcosDriving, c13SilenceStopsAndTheNextPacketResumes) {
@@ -296,7 +296,7 @@ TEST(ArcosDriving, theWorldsResetKeepsTheClientConnected) {
   EXPECT_GT(client.latest().xMm, 150);
 }
 
-TEST(ArcosDriving, tyresThatAreNotRoundMakeTheOdometryErrTheSameWayForASeed) {
+TEST(ArcosDriving, tiresThatAreNotRoundMakeTheOdometryErrTheSameWayForASeed) {
   const auto drive = [](std::uint64_t seed) {
     SimulatedWorld::Options world;
     world.seed = seed;

@@ -3,8 +3,8 @@
 
 #include <gmock/gmock.h>
 
-#include "app/core/simulated/BallTrials.h"
 #include "app/core/Workbench.h"
+#include "app/core/simulated/BallTrials.h"
 
 using namespace app;
 using robotlink::Pose2;

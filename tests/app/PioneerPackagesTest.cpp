@@ -66,7 +66,7 @@ TEST_F(PioneerPackagesTest, aLeapIsNoWayThatItWent) {
   EXPECT_NEAR(state(at(5200, 0, 0)).odometry().x(), 0.1, 1e-9);
 }
 
-TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetresAndRadians) {
+TEST_F(PioneerPackagesTest, theStateOfTheBaseIsInMetersAndRadians) {
   StandardInformation information = at(0, 0, 0);
   information.leftSpeedMmS = 206;
   information.rightSpeedMmS = 794;

@@ -6,9 +6,9 @@
 #include <fstream>
 #include <set>
 
+#include "app/core/Workbench.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/Workbench.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
@@ -251,7 +251,7 @@ TEST_F(RecordingTest, parametersThatAreSetAreInTheSetUp) {
   EXPECT_EQ(parsed<ProgramSetup>(setups[1]).parameters(0).value().data(), "");
 }
 
-TEST_F(RecordingTest, theColourTableInForceIsPartOfALogThatBeginsLater) {
+TEST_F(RecordingTest, theColorTableInForceIsPartOfALogThatBeginsLater) {
   make(false);
   Request request;
   request.set_robot("red1");

@@ -10,11 +10,11 @@
 #include <string>
 #include <vector>
 
+#include "app/core/Workbench.h"
 #include "app/core/replay/ReplayRun.h"
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/core/Workbench.h"
-#include "logplayer/record/Recorder.h"
 #include "logplayer/base/TemporaryFolder.h"
+#include "logplayer/record/Recorder.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/session/QueueMessages.h"

@@ -99,7 +99,7 @@ TEST_P(RecomputedLayout, aRecordingOfTheSimulatedRobotGivesTheRecordedBytes) {
   }
 }
 
-/// It localises itself in the map, which the log holds.
+/// It localizes itself in the map, which the log holds.
 TEST(ReplayRun, aRecordingOfAPioneerGivesTheRecordedBytes) {
   const auto folder = logplayer::TemporaryFolder::make();
   const auto map = folder->path() / "room.map";

@@ -1,15 +1,15 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colour tables scored exactly: the simulation tells the class of every pixel.
+// Color tables scored exactly: the simulation tells the class of every pixel.
 #include <fmt/format.h>
 #include <gtest/gtest.h>
 
 #include <fstream>
 
-#include "app/core/simulated/SimulatedWorld.h"
 #include "app/core/Workbench.h"
+#include "app/core/simulated/SimulatedWorld.h"
+#include "colortool/correction/CorrectionEstimate.h"
 #include "colortool/image/ClassPresets.h"
 #include "colortool/image/ColorImage.h"
-#include "colortool/correction/CorrectionEstimate.h"
 #include "colortool/scoring/Evaluation.h"
 #include "colortool/table/PaletteTable.h"
 #include "colortool/training/TableTrainer.h"
@@ -26,7 +26,7 @@ using robotlink::Pose2;
 
 namespace {
 
-struct LabelledImage {
+struct LabeledImage {
   colortool::ColorImage image;
   robotlink::Image labels;
 };
@@ -76,14 +76,14 @@ class SimulatedCalibration : public testing::Test {
   static void TearDownTestSuite() { scene_.reset(); }
 
   /// What the first robot's camera sees from some places, and what that truly is.
-  static std::vector<LabelledImage> see(const Light& light, std::span<const Pose2> views) {
+  static std::vector<LabeledImage> see(const Light& light, std::span<const Pose2> views) {
     SimulatedWorld::Options options;
     options.lighting = light.lighting;
     options.vignetting = light.vignetting;
     options.imageNoise = light.noise;
     auto world = SimulatedWorld::create(scene_, options);
     EXPECT_TRUE(world) << (world ? "" : world.error().describe());
-    std::vector<LabelledImage> images;
+    std::vector<LabeledImage> images;
     for (const Pose2& view : views) {
       const auto placed = (*world)->simulation().placeModel("red1", view);
       EXPECT_TRUE(placed) << (placed ? "" : placed.error().describe());
@@ -103,15 +103,15 @@ std::shared_ptr<const simcore::Scene> SimulatedCalibration::scene_;
 
 /// Where a stroke, a disc of radius 3, lies in an area of one class.
 struct Place {
-  const LabelledImage* image;
+  const LabeledImage* image;
   int x, y;
 };
 constexpr int kRadius = 3;
 
 /// By class.
-std::vector<std::vector<Place>> placesIn(const std::vector<LabelledImage>& images, int classes) {
+std::vector<std::vector<Place>> placesIn(const std::vector<LabeledImage>& images, int classes) {
   std::vector<std::vector<Place>> places(static_cast<std::size_t>(classes));
-  for (const LabelledImage& one : images) {
+  for (const LabeledImage& one : images) {
     const auto& [image, labels] = one;
     for (int y = kRadius; y < image.height - kRadius; ++y) {
       const std::uint8_t* const row = labels.row(y);
@@ -128,7 +128,7 @@ std::vector<std::vector<Place>> placesIn(const std::vector<LabelledImage>& image
   return places;
 }
 
-void addStrokeAt(const Place& at, std::uint8_t colorClass, const std::vector<LabelledImage>& images,
+void addStrokeAt(const Place& at, std::uint8_t colorClass, const std::vector<LabeledImage>& images,
                  colortool::Samples& samples) {
   const colortool::ColorImage& image = at.image->image;
   colortool::SampleImage where;
@@ -142,7 +142,7 @@ void addStrokeAt(const Place& at, std::uint8_t colorClass, const std::vector<Lab
 }
 
 /// Ten strokes for each class and the background, at places that each of five seeds chooses.
-std::vector<colortool::Samples> strokesIn(const std::vector<LabelledImage>& images,
+std::vector<colortool::Samples> strokesIn(const std::vector<LabeledImage>& images,
                                           const colortool::ColorClasses& classes) {
   const auto places = placesIn(images, classes.size());
   std::vector<colortool::Samples> all;
@@ -164,14 +164,14 @@ std::vector<colortool::Samples> strokesIn(const std::vector<LabelledImage>& imag
 /// Of several seeds of strokes.
 struct Scores {
   double mean = 0, worst = 1;  ///< mean recall of the classes
-  double mostFalse = 0;        ///< share of the background that was taken for a colour
+  double mostFalse = 0;        ///< share of the background that was taken for a color
 
   void add(const ColorTable& table, const colortool::ColorCorrection& correction,
-           const std::vector<LabelledImage>& images, int classes, double share) {
+           const std::vector<LabeledImage>& images, int classes, double share) {
     // All but green, white and black, which carpet, walls and the robots' bodies may well be taken for.
     constexpr std::uint8_t kColors[] = {1, 2, 3, 4, 7, 8};
     colortool::Evaluation evaluation(classes);
-    for (const LabelledImage& one : images) {
+    for (const LabeledImage& one : images) {
       colortool::ColorImage image = one.image;
       for (int i = 0; i < image.width * image.height; ++i) {
         auto& pixel = image.pixels[static_cast<std::size_t>(i)];
@@ -185,7 +185,7 @@ struct Scores {
   }
 };
 
-Scores scoresOf(const std::vector<colortool::Samples>& all, const std::vector<LabelledImage>& images) {
+Scores scoresOf(const std::vector<colortool::Samples>& all, const std::vector<LabeledImage>& images) {
   Scores scores;
   for (const colortool::Samples& samples : all) {
     colortool::TableTrainer trainer;
@@ -195,7 +195,7 @@ Scores scoresOf(const std::vector<colortool::Samples>& all, const std::vector<La
   return scores;
 }
 
-/// The table that can be made of the field's colours alone, without an image.
+/// The table that can be made of the field's colors alone, without an image.
 ColorTable paletteTable(const colortool::ColorClasses& classes) {
   std::vector<colortool::NamedColor> palette;
   for (int i = 1; i < classes.size(); ++i) palette.push_back({classes.name(i), classes.shownColor(i)});
@@ -206,25 +206,25 @@ ColorTable paletteTable(const colortool::ColorClasses& classes) {
 }
 
 std::string described(const Light& light, const Scores& scores) {
-  return fmt::format("{}: mean recall {:.4f}, worst {:.4f}, false colour {:.5f}", light.name, scores.mean,
+  return fmt::format("{}: mean recall {:.4f}, worst {:.4f}, false color {:.5f}", light.name, scores.mean,
                      scores.worst, scores.mostFalse);
 }
 
 }  // namespace
 
-TEST_F(SimulatedCalibration, aTableLearntInOneLightingIsScoredInThree) {
+TEST_F(SimulatedCalibration, aTableLearnedInOneLightingIsScoredInThree) {
   const colortool::ColorClasses all = classes();
-  const std::vector<LabelledImage> learnt = see(kUsual, kLearnedViews);
-  const std::vector<colortool::Samples> samples = strokesIn(learnt, all);
+  const std::vector<LabeledImage> learned = see(kUsual, kLearnedViews);
+  const std::vector<colortool::Samples> samples = strokesIn(learned, all);
   const ColorTable palette = paletteTable(all);
   // Measured with five seeds: mean recall 0.996, 0.906 and 0.979, the worst 0.992, 0.886 and 0.976; false
-  // colour at most 0, 0 and 0.079 (the grey hall, which is bluish then). The palette's table has a mean
-  // recall of 0.973, 0.931 and 0.871, and false colour 0, 0 and 0.122.
+  // color at most 0, 0 and 0.079 (the gray hall, which is bluish then). The palette's table has a mean
+  // recall of 0.973, 0.931 and 0.871, and false color 0, 0 and 0.122.
   const std::tuple<Light, double, double, double> expected[] = {
       {kUsual, 0.985, 0.97, 0.001}, {kDimAndWarm, 0.84, 0.80, 0.001}, {kBrightAndCool, 0.96, 0.94, 0.11}};
   std::vector<Scores> ours, ofPalette;
   for (const auto& [light, mean, worst, mostFalse] : expected) {
-    const std::vector<LabelledImage> images = see(light, kOtherViews);
+    const std::vector<LabeledImage> images = see(light, kOtherViews);
     ours.push_back(scoresOf(samples, images));
     ofPalette.emplace_back().add(palette, {}, images, all.size(), 1);
     SCOPED_TRACE(described(light, ours.back()) + "\nthe palette's table " +
@@ -235,21 +235,21 @@ TEST_F(SimulatedCalibration, aTableLearntInOneLightingIsScoredInThree) {
   }
   EXPECT_GT(ours[0].mean, ours[1].mean) << "it knows its own lighting best";
   EXPECT_GT(ours[0].mean, ours[2].mean);
-  EXPECT_GT(ours[0].mean, ofPalette[0].mean) << "and is better than one that knows but the colours";
+  EXPECT_GT(ours[0].mean, ofPalette[0].mean) << "and is better than one that knows but the colors";
   EXPECT_GT(ours[2].mean, ofPalette[2].mean);
   EXPECT_LT(ours[2].mostFalse, ofPalette[2].mostFalse);
 }
 
-TEST_F(SimulatedCalibration, aTableLearntInThreeLightingsStandsAllOfThem) {
-  std::vector<LabelledImage> images;
+TEST_F(SimulatedCalibration, aTableLearnedInThreeLightingsStandsAllOfThem) {
+  std::vector<LabeledImage> images;
   for (const Light& light : {kUsual, kDimAndWarm, kBrightAndCool}) {
-    for (LabelledImage& image : see(light, kLearnedViews)) images.push_back(std::move(image));
+    for (LabeledImage& image : see(light, kLearnedViews)) images.push_back(std::move(image));
   }
   const std::vector<colortool::Samples> samples = strokesIn(images, classes());
   for (const Light& light : {kUsual, kDimAndWarm, kBrightAndCool}) {
     const Scores scores = scoresOf(samples, see(light, kOtherViews));
     SCOPED_TRACE(described(light, scores));
-    // Measured: mean recall 0.992, 0.975 and 0.985; false colour at most 0, 0 and 0.059.
+    // Measured: mean recall 0.992, 0.975 and 0.985; false color at most 0, 0 and 0.059.
     EXPECT_GT(scores.mean, 0.95);
     EXPECT_LT(scores.mostFalse, 0.09);
   }
@@ -257,8 +257,8 @@ TEST_F(SimulatedCalibration, aTableLearntInThreeLightingsStandsAllOfThem) {
 
 TEST_F(SimulatedCalibration, vignettingIsFoundInTheStrokesAndTakenOut) {
   constexpr Light kLens{"vignetting", {1, 0}, {0.6, 0.3}};
-  const std::vector<LabelledImage> learnt = see(kLens, kLearnedViews), others = see(kLens, kOtherViews);
-  std::vector<colortool::Samples> samples = strokesIn(learnt, classes());
+  const std::vector<LabeledImage> learned = see(kLens, kLearnedViews), others = see(kLens, kOtherViews);
+  std::vector<colortool::Samples> samples = strokesIn(learned, classes());
   const Scores before = scoresOf(samples, others);
   double corner = 0;
   for (colortool::Samples& one : samples) {
@@ -270,7 +270,7 @@ TEST_F(SimulatedCalibration, vignettingIsFoundInTheStrokesAndTakenOut) {
   const Scores after = scoresOf(samples, others);
   SCOPED_TRACE(described(kLens, before) + "\ncorrected " + described(kLens, after));
   // In the corners, white has (1 - 0.6) (1 - 0.89 * 0.3) = 0.29 of its brightness.
-  // Measured: 0.32; mean recall 0.990 after 0.986, false colour at most 0.00001 after 0.0015.
+  // Measured: 0.32; mean recall 0.990 after 0.986, false color at most 0.00001 after 0.0015.
   EXPECT_NEAR(corner, 0.29, 0.15);
   EXPECT_GT(after.mean, before.mean);
   EXPECT_LT(after.mostFalse, before.mostFalse);

@@ -8,8 +8,8 @@
 #include <fstream>
 #include <set>
 
-#include "app/core/simulated/BallTrials.h"
 #include "app/core/Workbench.h"
+#include "app/core/simulated/BallTrials.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/base/Resources.h"
 #include "robotlink/config/RobotDescription.h"

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "app/core/simulated/SimulatedRun.h"
 #include "app/core/Workbench.h"
+#include "app/core/simulated/SimulatedRun.h"
 #include "colortool/image/ClassPresets.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/packages/Conversions.h"
@@ -122,7 +122,7 @@ TEST(TrueClasses, changeNothingInTheWorld) {
 }
 
 TEST(TrueClasses, areAllTheSameInAnotherLight) {
-  // Colours are not what the program sees: without it the robot would go elsewhere.
+  // Colors are not what the program sees: without it the robot would go elsewhere.
   RunOptions options = Workbench::defaultOptions();
   options.world.blackout = true;
   Watched usual(options);

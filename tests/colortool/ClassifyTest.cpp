@@ -14,7 +14,7 @@ using robotlink::ImageView;
 using robotlink::PixelFormat;
 using Instructions = ColorTable::Instructions;
 
-/// Neighbouring cells are of different classes, so that a wrong index shows.
+/// Neighboring cells are of different classes, so that a wrong index shows.
 ColorTable colorful() {
   ColorTable table;
   std::mt19937 random(1);
@@ -39,7 +39,7 @@ class ClassifyTest : public testing::TestWithParam<PixelFormat> {
   const ColorTable table_ = colorful();
 };
 
-TEST_P(ClassifyTest, eachPixelIsOfTheClassOfItsColour) {
+TEST_P(ClassifyTest, eachPixelIsOfTheClassOfItsColor) {
   for (const int width : {2, 30, 32, 34, 36, 66, 98, 320}) {
     const Image image = noise(width, 4, GetParam());
     for (const auto instructions : {Instructions::kPlain, Instructions::kFastest}) {

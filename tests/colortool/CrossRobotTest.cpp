@@ -26,7 +26,7 @@ std::map<std::string, Session> sessions(const std::vector<AiboPixel>& pixels) {
   return result;
 }
 
-/// Learns from as many pixels of each colour as a stroke has, chosen at random.
+/// Learns from as many pixels of each color as a stroke has, chosen at random.
 ColorTable learned(const Session& session, unsigned seed) {
   ColorVotes votes(static_cast<int>(session.size()) + 1);
   std::mt19937 random(seed);
@@ -54,10 +54,10 @@ void addScore(Score& score, const ColorTable& table, const Session& session) {
   }
 }
 
-TEST(CrossRobot, aTableOfOneAiboSortsTheColoursOfTheOthers) {
+TEST(CrossRobot, aTableOfOneAiboSortsTheColorsOfTheOthers) {
   const auto robots = sessions(readAiboPatches());
   if (robots.empty())
-    GTEST_SKIP() << "the labelled pixels are not in ../shared/data/colour/ers7, or xz is missing";
+    GTEST_SKIP() << "the labeled pixels are not in ../shared/data/colour/ers7, or xz is missing";
   ASSERT_GE(robots.size(), 2U);
   Score total;
   for (const auto& [teacher, session] : robots) {

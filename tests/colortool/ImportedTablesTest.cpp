@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The real tables of other teams: what they make of colours that real robots saw, and that people named.
+// The real tables of other teams: what they make of colors that real robots saw, and that people named.
 #include <gtest/gtest.h>
 
 #include "colortool/image/ColorImage.h"
@@ -31,7 +31,7 @@ class ImportedTables : public testing::Test {
   static std::string classOf(const ImportedTable& imported, robotlink::YCbCr color) {
     return imported.table.classes.name(imported.table.file.cells[ColorTable::cellOf(color)]);
   }
-  /// The share of labelled pixels of an Aibo's colour that a table calls `name`.
+  /// The share of labeled pixels of an Aibo's color that a table calls `name`.
   static double share(const ImportedTable& imported, const std::vector<AiboPixel>& pixels,
                       const std::string& label, const std::string& name) {
     double all = 0, found = 0;
@@ -64,9 +64,9 @@ TEST_F(ImportedTables, ofTheUPennalizersKnowsItsCarpetAndItsLines) {
   EXPECT_EQ(classOf(imported, {20, 128, 128}), "none");
 }
 
-TEST_F(ImportedTables, ofRunswiftNamesTheColoursThatItsRobotsSaw) {
+TEST_F(ImportedTables, ofRunswiftNamesTheColorsThatItsRobotsSaw) {
   const auto pixels = readAiboPatches();
-  if (pixels.empty()) GTEST_SKIP() << "the labelled pixels are not here, or xz is not";
+  if (pixels.empty()) GTEST_SKIP() << "the labeled pixels are not here, or xz is not";
   const ImportedTable imported = read("runswift2005_tightnnmc_128.cal.bz2");
   EXPECT_EQ(imported.format, TableFormat::kRunswift);
   EXPECT_GT(share(imported, pixels, "yellow", "beaconYellow"), 0.99);
@@ -77,9 +77,9 @@ TEST_F(ImportedTables, ofRunswiftNamesTheColoursThatItsRobotsSaw) {
   EXPECT_GT(share(imported, pixels, "blue", "none"), 0.9) << "a tight table";
 }
 
-TEST_F(ImportedTables, ofTekkotsuNamesTheColoursThatOtherAibosSaw) {
+TEST_F(ImportedTables, ofTekkotsuNamesTheColorsThatOtherAibosSaw) {
   const auto pixels = readAiboPatches();
-  if (pixels.empty()) GTEST_SKIP() << "the labelled pixels are not here, or xz is not";
+  if (pixels.empty()) GTEST_SKIP() << "the labeled pixels are not here, or xz is not";
   const ImportedTable imported = read("ers7/tekkotsu_7general.tm");
   EXPECT_EQ(imported.format, TableFormat::kTekkotsu);
   EXPECT_GT(share(imported, pixels, "yellow", "yellow"), 0.99);

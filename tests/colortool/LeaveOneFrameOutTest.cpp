@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How good tables of few strokes are in an image that none of the strokes is from: each labelled image of the
+// How good tables of few strokes are in an image that none of the strokes is from: each labeled image of the
 // real robot is left out in turn.
 #include <gtest/gtest.h>
 
@@ -96,9 +96,9 @@ Score score(const std::vector<Frame>& frames, int perClass) {
             std::ranges::any_of(samples.strokes, [&](const StrokePtr& s) { return s->colorClass == label; });
         // Images of different sizes of a thing count the same.
         for (int found = 0; found < 9 && learned; ++found) {
-          if (one.labelled(label) != 0)
+          if (one.labeled(label) != 0)
             all.add(static_cast<std::uint8_t>(label), static_cast<std::uint8_t>(found),
-                    1'000'000 * one.count(label, found) / one.labelled(label));
+                    1'000'000 * one.count(label, found) / one.labeled(label));
         }
       }
     }

@@ -43,7 +43,7 @@ robotlink::Image labelsOf(const std::string& stem) {
   return logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).value();
 }
 
-const char* const kLabelled[] = {"000", "032", "066"};
+const char* const kLabeled[] = {"000", "032", "066"};
 constexpr std::uint8_t kAnyone = 255;  // a label
 
 /// Whether all of a stroke of radius 3 is of one label.
@@ -53,12 +53,12 @@ bool isInside(const robotlink::Image& labels, int x, int y) {
          labels.row(y)[x + 3] == label;
 }
 
-/// A number of strokes a class in each labelled image at random places inside of the labels.
+/// A number of strokes a class in each labeled image at random places inside of the labels.
 Samples strokes(int perClass, const std::vector<std::uint8_t>& ofClasses, unsigned seed) {
   Samples samples;
   samples.classes = findClassPreset("bhuman2009")->classes();
   std::mt19937 random(seed);
-  for (const std::string stem : kLabelled) {
+  for (const std::string stem : kLabeled) {
     const robotlink::Image labels = labelsOf(stem), image = imageOf(stem);
     const ColorImage colors = ColorImage::of(image.view());
     for (const std::uint8_t colorClass : ofClasses) {
@@ -82,7 +82,7 @@ const std::vector<std::uint8_t> kEverything = {0, 1, 3, 4, 5, 7};
 SuspicionMeter meterOf(const Samples& samples) {
   TableTrainer trainer;
   const ColorTable& table = trainer.train(samples);
-  return {table, trainer.margins(), thingClasses(samples.classes)};
+  return {table, trainer.margins(), objectClasses(samples.classes)};
 }
 
 SuspicionMeter meterOfTheTeam() {
@@ -90,7 +90,7 @@ SuspicionMeter meterOfTheTeam() {
   const ColorClasses classes = findClassPreset("bhuman2009")->classes();
   return {ColorTable::translated(file.singleClasses(), classNumbers(classes, classes)),
           {},
-          thingClasses(classes)};
+          objectClasses(classes)};
 }
 
 double scoreOfAll(SuspicionMeter meter) {
@@ -99,10 +99,10 @@ double scoreOfAll(SuspicionMeter meter) {
   return sum;
 }
 
-/// Pixels of the image that was measured last that are of a thing's colour, and labelled otherwise.
+/// Pixels of the image that was measured last that are of a thing's color, and labeled otherwise.
 int falseColors(const SuspicionMeter& meter, const std::string& stem) {
   const robotlink::Image labels = labelsOf(stem);
-  const std::vector<bool> things = thingClasses(findClassPreset("bhuman2009")->classes());
+  const std::vector<bool> things = objectClasses(findClassPreset("bhuman2009")->classes());
   int count = 0;
   for (int y = 0; y < kSuspectHeight; ++y) {
     for (int x = 0; x < kSuspectWidth; ++x) {
@@ -131,7 +131,7 @@ TEST_F(RealSuspicion, aStrokeWithALargeRadiusMakesAWorseTableThanMany) {
   }
 }
 
-TEST_F(RealSuspicion, imagesWithFalseColoursComeFirst) {
+TEST_F(RealSuspicion, imagesWithFalseColorsComeFirst) {
   std::vector<SuspicionMeter> meters{meterOfTheTeam()};
   for (const unsigned seed : {1U, 2U}) {
     for (const int perClass : {1, 3, 10}) meters.push_back(meterOf(strokes(perClass, kEverything, seed)));
@@ -140,7 +140,7 @@ TEST_F(RealSuspicion, imagesWithFalseColoursComeFirst) {
   for (SuspicionMeter& meter : meters) {
     std::map<double, std::string> byScore;
     std::map<int, std::string> byFalseColors;
-    for (const std::string stem : kLabelled) {
+    for (const std::string stem : kLabeled) {
       byScore[meter.measure(imageOf(stem).view()).score] = stem;
       byFalseColors[falseColors(meter, stem)] = stem;
     }

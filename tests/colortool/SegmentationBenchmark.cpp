@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// How long an image takes through a colour table, and to its regions; beside a copy of the image's bytes, and
+// How long an image takes through a color table, and to its regions; beside a copy of the image's bytes, and
 // OpenCV's ways to the same (SegmentationReferences.cpp), in the same run.
 #include <cstring>
 

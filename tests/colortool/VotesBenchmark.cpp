@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <random>
 
-#include "colortool/votes/ColorVotes.h"
-#include "colortool/scoring/CrossValidation.h"
 #include "colortool/correction/ImageCorrector.h"
+#include "colortool/scoring/CrossValidation.h"
+#include "colortool/votes/ColorVotes.h"
 #include "colortool/votes/TableCleanUp.h"
 
 namespace {
@@ -20,7 +20,7 @@ using robotlink::YCbCr;
 
 constexpr int kClasses = 6, kStrokes = 10, kPixels = 29;
 
-/// The pixels of a stroke: one colour of the class, with what light and noise make of it.
+/// The pixels of a stroke: one color of the class, with what light and noise make of it.
 std::vector<YCbCr> strokeColors(int colorClass, std::mt19937& random) {
   std::normal_distribution<double> brightness(0, 12), chroma(0, 3);
   const double y = 70 + 30 * colorClass + brightness(random);

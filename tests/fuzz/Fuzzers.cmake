@@ -2,7 +2,7 @@
 # Fuzzing of what reads files of others. To add a target: write a source like logplayer/fuzz/McapReaderFuzz.cpp (see
 # FuzzTarget.h), and a line in its folder's CMakeLists.txt.
 #
-# In every build a driver runs it over mutated seeds: for a moment with the other tests, for a minute labelled slow.
+# In every build a driver runs it over mutated seeds: for a moment with the other tests, for a minute labeled slow.
 # ./test --fuzz SECONDS runs all of them with libFuzzer, each for so long. One alone:
 #   cmake --preset fuzz && ninja -C build/fuzz mcap_reader_libfuzzer mcap_reader_fuzz
 #   build/fuzz/bin/mcap_reader_fuzz --write-seeds corpus

@@ -7,8 +7,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
-#include "logplayer/export/LogExport.h"
 #include "logplayer/LogInfo.h"
+#include "logplayer/export/LogExport.h"
 #include "robotlink/session/Numbers.h"
 #include "tests/TestFolder.h"
 #include "tests/logplayer/SampleLog.h"

@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/record/RecordedFrame.h"
 #include "logplayer/mcap/read/Reader.h"
+#include "logplayer/record/RecordedFrame.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotlink/session/StreamMessage.h"
 #include "tests/TestFolder.h"

@@ -12,7 +12,7 @@ using Eigen::Vector3f;
 using robotlink::kPi;
 
 constexpr Rgb kWhite{235, 235, 235}, kGreen{30, 130, 50}, kYellow{230, 210, 30}, kSkyblue{60, 150, 230},
-    kPink{235, 90, 160}, kOrange{240, 110, 20}, kGrey{120, 120, 125}, kRed{200, 30, 30}, kBlue{30, 40, 170};
+    kPink{235, 90, 160}, kOrange{240, 110, 20}, kGray{120, 120, 125}, kRed{200, 30, 30}, kBlue{30, 40, 170};
 
 Pose3 at(double x, double y, double z) {
   Pose3 pose = Pose3::Identity();
@@ -119,16 +119,16 @@ void addLeg(SceneBuilder& builder, const RobotMeshes& meshes, const std::string&
             const Vector3d& hip, double swing) {
   const Pose3 hipPose = robot * at(hip.x(), hip.y(), hip.z());
   builder.addBody(name + "/shoulder", hipPose);
-  builder.add(meshes.shoulder, at(0, 0, 0), kGrey);
+  builder.add(meshes.shoulder, at(0, 0, 0), kGray);
   const Pose3 upper = turned(hipPose, swing, Vector3d::UnitY());
   builder.addBody(name + "/upper", upper);
-  builder.add(meshes.upperLeg, at(0, 0, -0.035), kGrey);
-  builder.add(meshes.joint, at(0, 0, -0.065), kGrey);
+  builder.add(meshes.upperLeg, at(0, 0, -0.035), kGray);
+  builder.add(meshes.joint, at(0, 0, -0.065), kGray);
   const Pose3 lower = turned(upper * at(0, 0, -0.065), 0.6 - 2 * swing, Vector3d::UnitY());
   builder.addBody(name + "/lower", lower);
-  builder.add(meshes.lowerLeg, at(0, 0, -0.025), kGrey);
+  builder.add(meshes.lowerLeg, at(0, 0, -0.025), kGray);
   builder.add(meshes.paw, at(0, 0, -0.055), kWhite);
-  builder.add(meshes.joint, at(0, 0, -0.01), kGrey);
+  builder.add(meshes.joint, at(0, 0, -0.01), kGray);
 }
 
 /// Returns the camera's pose.
@@ -136,13 +136,13 @@ Pose3 addHead(SceneBuilder& builder, const RobotMeshes& meshes, const std::strin
               double pan, double tilt) {
   Pose3 neck = turned(robot * at(0.075, 0, 0.05), tilt, Vector3d::UnitY());
   builder.addBody(name + "/neck", neck);
-  builder.add(meshes.neck, at(0, 0, 0.02), kGrey);
+  builder.add(meshes.neck, at(0, 0, 0.02), kGray);
   neck = turned(neck * at(0, 0, 0.048), pan, Vector3d::UnitZ());
   builder.addBody(name + "/head", neck);
-  builder.add(meshes.head, at(0.01, 0, 0), kGrey);
-  builder.add(meshes.snout, turned(at(0.04, 0, 0), kPi / 2, Vector3d::UnitY()), kGrey);
+  builder.add(meshes.head, at(0.01, 0, 0), kGray);
+  builder.add(meshes.snout, turned(at(0.04, 0, 0), kPi / 2, Vector3d::UnitY()), kGray);
   for (const double side : {-1.0, 1.0}) {
-    builder.add(meshes.ear, at(-0.01, side * 0.045, 0.02), kGrey);
+    builder.add(meshes.ear, at(-0.01, side * 0.045, 0.02), kGray);
     builder.add(meshes.eye, at(0.048, side * 0.02, 0.022), kRed);
   }
   return neck * at(0.1, 0, 0);
@@ -164,7 +164,7 @@ Pose3 addRobot(SceneBuilder& builder, const RobotMeshes& meshes, int index) {
       turned(turned(at(place[0], place[1], 0.13), place[2], Vector3d::UnitZ()), 0.08, Vector3d::UnitY());
   builder.addBody(name, robot);
   for (const double y : {-0.03, 0.0, 0.03}) {
-    builder.add(meshes.trunk, turned(at(0, y, y == 0 ? 0.02 : 0), kPi / 2, Vector3d::UnitY()), kGrey);
+    builder.add(meshes.trunk, turned(at(0, y, y == 0 ? 0.02 : 0), kPi / 2, Vector3d::UnitY()), kGray);
   }
   for (const double side : {-1.0, 1.0}) builder.add(meshes.patch, at(0, side * 0.067, 0.01), patch);
   for (const double front : {-1.0, 1.0}) {
@@ -174,7 +174,7 @@ Pose3 addRobot(SceneBuilder& builder, const RobotMeshes& meshes, int index) {
     }
   }
   builder.addBody(name + "/tail", turned(robot * at(-0.11, 0, 0.04), -0.5, Vector3d::UnitY()));
-  builder.add(meshes.tail, at(0, 0, 0.04), kGrey);
+  builder.add(meshes.tail, at(0, 0, 0.04), kGray);
   return addHead(builder, meshes, name, robot, 0.12 * (index - 4), 0.1 + 0.02 * index);
 }
 

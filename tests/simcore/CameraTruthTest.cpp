@@ -26,7 +26,7 @@ std::vector<std::uint8_t> numbersOf(const RenderScene& scene) {
   return numbers;
 }
 
-/// The same bodies, each in a colour of its own that no light changes.
+/// The same bodies, each in a color of its own that no light changes.
 CameraScene glowing(const CameraScene& from) {
   auto scene = std::make_shared<RenderScene>(*from.scene);
   for (std::size_t i = 0; i < scene->instances.size(); ++i) {

@@ -169,7 +169,7 @@ TEST(Drive, aRobotWithoutPowerCanBePushedByAnother) {
 }
 
 TEST(Drive, itDrivesUpARampAndStandsOnIt) {
-  // 30 %: the tyres hold, and so do the motors.
+  // 30 %: the tires hold, and so do the motors.
   const double slope = std::atan(0.3);
   const robotlink::Vector3 middle(3.5 - 0.05 * std::sin(slope), 0, 0.6 - 0.05 * std::cos(slope));
   DrivenWorld world(pioneerAt(kRobot, 0, 0) + boxAt("ramp", middle, {4.3, 3, 0.1}, -slope));

@@ -11,10 +11,10 @@ using robotlink::PixelFormat;
 
 namespace {
 
-/// Images of nothing but a grey background.
-class GreyCamera {
+/// Images of nothing but a gray background.
+class GrayCamera {
  public:
-  explicit GreyCamera(CameraRenderer::Arithmetic arithmetic = CameraRenderer::Arithmetic::kFastest)
+  explicit GrayCamera(CameraRenderer::Arithmetic arithmetic = CameraRenderer::Arithmetic::kFastest)
       : renderer_(scene(), {false, arithmetic}) {}
 
   Image image(const ImageNoise& noise, PixelFormat format = PixelFormat::kYuyv) {
@@ -32,7 +32,7 @@ class GreyCamera {
   CameraRenderer renderer_;
 };
 
-/// The deviations of every `stride`-th byte from grey.
+/// The deviations of every `stride`-th byte from gray.
 std::vector<double> deviations(const Image& image, std::size_t first = 0, std::size_t stride = 1) {
   std::vector<double> result;
   for (std::size_t i = first; i < image.data.size(); i += stride) result.push_back(image.data[i] - 128.0);
@@ -59,7 +59,7 @@ double correlation(const std::vector<double>& a, const std::vector<double>& b) {
 }  // namespace
 
 TEST(ImageNoise, hasNoMeanAndTheSigmaAskedFor) {
-  GreyCamera camera;
+  GrayCamera camera;
   for (const double sigma : {1.0, 2.0, 5.0, 20.0}) {
     for (const PixelFormat format : {PixelFormat::kYuyv, PixelFormat::kRgb8}) {
       const std::vector<double> noise = deviations(camera.image({sigma, 1, 2, 3}, format));
@@ -70,7 +70,7 @@ TEST(ImageNoise, hasNoMeanAndTheSigmaAskedFor) {
 }
 
 TEST(ImageNoise, isAlikeInAllChannels) {
-  const Image image = GreyCamera().image({4.0, 7, 7, 7});
+  const Image image = GrayCamera().image({4.0, 7, 7, 7});
   for (std::size_t channel = 0; channel < 4; ++channel) {
     const std::vector<double> noise = deviations(image, channel, 4);
     EXPECT_NEAR(mean(noise), 0, 4 * 4.0 / std::sqrt(static_cast<double>(noise.size())));
@@ -79,7 +79,7 @@ TEST(ImageNoise, isAlikeInAllChannels) {
 }
 
 TEST(ImageNoise, isNearlyGaussian) {
-  const std::vector<double> noise = deviations(GreyCamera().image({10.0, 3, 1, 1}, PixelFormat::kRgb8));
+  const std::vector<double> noise = deviations(GrayCamera().image({10.0, 3, 1, 1}, PixelFormat::kRgb8));
   double fourth = 0, within = 0;
   for (const double value : noise) {
     fourth += std::pow(value / 10.0, 4);
@@ -91,7 +91,7 @@ TEST(ImageNoise, isNearlyGaussian) {
 }
 
 TEST(ImageNoise, isIndependentBetweenFramesStreamsAndSeeds) {
-  GreyCamera camera;
+  GrayCamera camera;
   const std::vector<double> first = deviations(camera.image({5.0, 1, 1, 1}));
   for (const ImageNoise& other :
        {ImageNoise{5.0, 1, 1, 2}, {5.0, 1, 2, 1}, {5.0, 2, 1, 1}, {5.0, 1, 1, 1000001}}) {
@@ -99,8 +99,8 @@ TEST(ImageNoise, isIndependentBetweenFramesStreamsAndSeeds) {
   }
 }
 
-TEST(ImageNoise, isIndependentBetweenNeighbours) {
-  GreyCamera camera;
+TEST(ImageNoise, isIndependentBetweenNeighbors) {
+  GrayCamera camera;
   const std::vector<double> noise = deviations(camera.image({5.0, 1, 1, 1}));
   for (const std::ptrdiff_t distance : {1, 2, 4, 8, 176 * 2}) {
     const std::vector<double> a(noise.begin(), noise.end() - distance),
@@ -110,7 +110,7 @@ TEST(ImageNoise, isIndependentBetweenNeighbours) {
 }
 
 TEST(ImageNoise, isTheSameForTheSameNumbers) {
-  GreyCamera one, portable(CameraRenderer::Arithmetic::kPortable);
+  GrayCamera one, portable(CameraRenderer::Arithmetic::kPortable);
   const Image image = one.image({5.0, 1, 2, 3});
   EXPECT_EQ(image, one.image({5.0, 1, 2, 3}));
   EXPECT_EQ(image, portable.image({5.0, 1, 2, 3}));
@@ -118,11 +118,11 @@ TEST(ImageNoise, isTheSameForTheSameNumbers) {
 }
 
 TEST(ImageNoise, noneIsAddedWhenSigmaIsZero) {
-  for (const double deviation : deviations(GreyCamera().image({0.0, 1, 2, 3}))) ASSERT_EQ(deviation, 0);
+  for (const double deviation : deviations(GrayCamera().image({0.0, 1, 2, 3}))) ASSERT_EQ(deviation, 0);
 }
 
 TEST(ImageNoise, staysWithinTheBytes) {
-  const Image image = GreyCamera().image({200.0, 1, 2, 3});
+  const Image image = GrayCamera().image({200.0, 1, 2, 3});
   std::size_t low = 0, high = 0;
   for (const std::uint8_t byte : image.data) {
     low += byte == 0 ? 1 : 0;

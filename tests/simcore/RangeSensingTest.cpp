@@ -15,7 +15,7 @@ namespace {
 
 constexpr double kQuarter = robotlink::kPi / 2;
 
-/// A cart of two bodies with a sonar and a laser of 19 readings, 0.2 m before its centre and 0.3 m high;
+/// A cart of two bodies with a sonar and a laser of 19 readings, 0.2 m before its center and 0.3 m high;
 /// another body, a box; and what is built of walls.
 class Ranging {
  public:

@@ -134,7 +134,7 @@ TEST_F(SceneTest, brokenIncludesHaveTheirLine) {
   EXPECT_EQ(folder_.errorsOf(worldAround(include("<pose>1e9 0 0 0 0 0</pose>"))),
             "world.sdf:3: a pose must be finite and at most 10 km away");
   EXPECT_EQ(folder_.errorsOf(worldAround(include("<robotcontrol:team>mauve</robotcontrol:team>"))),
-            "world.sdf:3: no palette has the colour 'mauve'");
+            "world.sdf:3: no palette has the color 'mauve'");
 }
 
 TEST_F(SceneTest, anIncludedFileWithoutAModelIsRefused) {
@@ -150,7 +150,7 @@ TEST_F(SceneTest, whatOnlyResolvingFindsHasItsLineToo) {
   const std::string file = "models/small/model.sdf:";
   EXPECT_THAT(errorsWithModel("relative_to=\"foot\"", "relative_to=\"toe\""), StartsWith(file + "13: "));
   EXPECT_EQ(errorsWithModel("<robotcontrol:color>red", "<robotcontrol:color>gold"),
-            file + "11: no palette has the colour 'gold'");
+            file + "11: no palette has the color 'gold'");
   EXPECT_EQ(errorsWithModel("<collision>hand", "<collision>fist"),
             file + "17: the link 'arm' has no collision 'fist'");
   EXPECT_EQ(errorsWithModel("_position>0.5<", "_position>2<"),

@@ -110,7 +110,7 @@ TEST_F(StaticGridTest, manyLongWallsTakeBoundedMemoryAndAreStillFound) {
     middles.push_back({x, y, turn});
   }
   grid_.build();
-  EXPECT_LE(grid_.entries(), StaticGrid::kMaximumEntries);
+  EXPECT_LE(grid_.entries(), StaticGrid::kMaxEntries);
   for (std::size_t i = 0; i < 100; ++i) {
     const double x = middles[i][0] + 3000 * std::cos(middles[i][2]),
                  y = middles[i][1] + 3000 * std::sin(middles[i][2]);

@@ -96,7 +96,7 @@ TEST(WallBoxes, pointsOnALineAreOnlyTheLine) {
   EXPECT_EQ(wallBoxes(map).size(), 1U);
 }
 
-TEST(WallBoxes, nothingIsLostOrThickenedByMoreThanTwoCentimetres) {
+TEST(WallBoxes, nothingIsLostOrThickenedByMoreThanTwoCentimeters) {
   robotlink::Random random(3);
   for (int round = 0; round < 20; ++round) {
     GroundMap map;

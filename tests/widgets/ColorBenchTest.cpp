@@ -6,7 +6,7 @@
 
 namespace widgets::test {
 
-/// The table that all colour views share: strokes become a table and a segmented image, and back.
+/// The table that all color views share: strokes become a table and a segmented image, and back.
 class ColorBenchTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
@@ -58,15 +58,15 @@ class ColorBenchTest : public QObject {
   }
 
   void marginsAndScoresFollow() {
-    LabelledFrame labelled{world_->frame(), std::vector<std::uint8_t>(40 * 30, 0), {"none", "orange"}};
-    for (int y = 0; y < 15; ++y) std::fill_n(labelled.labels.begin() + y * 40, 20, std::uint8_t{1});
-    bench_->setLabelled({labelled});
+    LabeledFrame labeled{world_->frame(), std::vector<std::uint8_t>(40 * 30, 0), {"none", "orange"}};
+    for (int y = 0; y < 15; ++y) std::fill_n(labeled.labels.begin() + y * 40, 20, std::uint8_t{1});
+    bench_->setLabeled({labeled});
     stroke("orange", 8, 7);
     waitForColors();
     QTRY_VERIFY(bench_->quality() != nullptr && bench_->quality()->task == bench_->colors()->task);
     QVERIFY(bench_->colors()->margins != nullptr);
-    QVERIFY(bench_->quality()->labelled);
-    QCOMPARE(bench_->quality()->labelled->recall(bench_->samples().classes.index("orange")), 1.0);
+    QVERIFY(bench_->quality()->labeled);
+    QCOMPARE(bench_->quality()->labeled->recall(bench_->samples().classes.index("orange")), 1.0);
   }
 
   void correctionsChangeWhatTheTableSees() {

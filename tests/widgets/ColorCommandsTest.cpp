@@ -13,7 +13,7 @@
 
 namespace widgets::test {
 
-/// The colour table as a script makes it.
+/// The color table as a script makes it.
 class ColorCommandsTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:

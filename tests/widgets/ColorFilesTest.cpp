@@ -12,19 +12,19 @@
 #include <QTest>
 #include <fstream>
 
-#include "colortool/table/NamedColorTable.h"
 #include "colortool/samples/SampleFile.h"
+#include "colortool/table/NamedColorTable.h"
 #include "colortool/training/TableTrainer.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/samples/ColorClassesView.h"
 #include "widgets/color/ColorFileActions.h"
+#include "widgets/color/samples/ColorClassesView.h"
 
 namespace widgets::test {
 
 constexpr int kTicksUntilKept = 61;
 
-/// A workbench's colour view, and what it would say.
+/// A workbench's color view, and what it would say.
 struct Sitting {
   Sitting() : bench(colorBench(world.context)), files(colorFiles(world.context)) {
     bench.setFrame(world.frame());
@@ -59,14 +59,14 @@ class ColorFilesTest : public QObject {
     QSignalSpy titles(&view, &View::titleChanged);
     first.bench.setDocument(colortool::quarterSamples());
     first.stroke(1, 10, 8);
-    QCOMPARE(titles.last()[0].toString(), QStringLiteral("Colour classes: unnamed*"));
+    QCOMPARE(titles.last()[0].toString(), QStringLiteral("Color classes: unnamed*"));
     const auto file = path("game.samples");
     {
       const auto name = DialogAnswer::file(text(file));
       click(view, "colorSave");
       QVERIFY(name.asked());
     }
-    QCOMPARE(titles.last()[0].toString(), QStringLiteral("Colour classes: game.samples"));
+    QCOMPARE(titles.last()[0].toString(), QStringLiteral("Color classes: game.samples"));
     QVERIFY(!first.files.changed());
     first.stroke(1, 12, 8);
     click(view, "colorSave");  // asks nothing any more

@@ -11,8 +11,8 @@
 #include <QTest>
 #include <QToolButton>
 
-#include "logplayer/file/LogFile.h"
 #include "logplayer/base/LogWriter.h"
+#include "logplayer/file/LogFile.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "tests/TestFolder.h"
 #include "tests/widgets/ColorWorld.h"
@@ -187,7 +187,7 @@ class ColorFramesViewTest : public QObject {
     QVERIFY(!s.part<QToolButton>("colorFramesLive")->isVisible());
   }
 
-  void aSearchIsCancelled() {
+  void aSearchIsCanceled() {
     Shown s;
     const auto image = imageWithSpecks(100);
     for (int i = 0; i < 2500; ++i) s.session.push({kStream, at(1 + 0.01 * i), image});
@@ -198,9 +198,9 @@ class ColorFramesViewTest : public QObject {
     s.press("colorFramesCancel");
     s.waitForTheEnd();
     const auto& progress = s.finder().progress();
-    QVERIFY(progress.cancelled);
+    QVERIFY(progress.canceled);
     QVERIFY2(progress.seen < progress.total, qPrintable(QString::number(progress.seen)));
-    QVERIFY(s.part<QLabel>("colorFramesState")->text().endsWith(QStringLiteral("cancelled")));
+    QVERIFY(s.part<QLabel>("colorFramesState")->text().endsWith(QStringLiteral("canceled")));
     QVERIFY(!s.part<QToolButton>("colorFramesCancel")->isEnabled());
     // A search may go on when its window closes.
     s.press("colorFramesSearch");

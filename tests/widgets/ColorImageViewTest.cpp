@@ -18,8 +18,8 @@
 #include "colortool/table/ColorTable.h"
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/image/ColorCanvas.h"
 #include "widgets/color/ColorFiles.h"
+#include "widgets/color/image/ColorCanvas.h"
 
 namespace widgets::test {
 namespace {
@@ -269,7 +269,7 @@ class ColorImageViewTest : public QObject {
     QVERIFY(sent->text().contains(QStringLiteral("Sending")));
     s.world.advance();
     QVERIFY2(sent->text().startsWith(QStringLiteral("✓ red1 uses it")), qPrintable(sent->text()));
-    s.world.refusal = "no task uses a colour table";
+    s.world.refusal = "no task uses a color table";
     QTest::keyClick(s.left, Qt::Key_Return, Qt::ControlModifier);
     s.world.advance();
     QVERIFY2(sent->text().contains(QStringLiteral("refuses it: no task")), qPrintable(sent->text()));
@@ -285,7 +285,7 @@ class ColorImageViewTest : public QObject {
     s.choose("orange");
     s.click(8, 7);
     auto* sent = child<QLabel>(s.view, "colorSent");
-    s.world.refusal = "no task uses a colour table";
+    s.world.refusal = "no task uses a color table";
     QTest::mouseClick(child<QToolButton>(s.view, "colorSend"), Qt::LeftButton);
     s.world.advance();
     s.view.tick();

@@ -12,7 +12,7 @@
 
 #include "tests/widgets/ColorWorld.h"
 #include "tests/widgets/DialogAnswer.h"
-#include "widgets/color/LabelledFolder.h"
+#include "widgets/color/LabeledFolder.h"
 #include "widgets/color/quality/ConfusionModel.h"
 
 namespace widgets::test {
@@ -21,7 +21,7 @@ namespace widgets::test {
 class ColorQualityViewTest : public QObject {
   Q_OBJECT
  private Q_SLOTS:
-  void falseColoursAreThoseThatThingsHave() {
+  void falseColorsAreThoseThatThingsHave() {
     ConfusionModel model;
     colortool::Evaluation evaluation(4);  // none, orange, green, white
     evaluation.add(0, 3, 60);
@@ -43,7 +43,7 @@ class ColorQualityViewTest : public QObject {
     view_->show();
     QVERIFY(QTest::qWaitForWindowActive(view_.get()));
     testers_.clear();
-    for (const char* name : {"strokesMatrix", "labelledMatrix"}) {
+    for (const char* name : {"strokesMatrix", "labeledMatrix"}) {
       testers_.push_back(std::make_unique<QAbstractItemModelTester>(
           child<QTableView>(*view_, name)->model(), QAbstractItemModelTester::FailureReportingMode::Fatal));
     }
@@ -56,7 +56,7 @@ class ColorQualityViewTest : public QObject {
 
   void tooLittleToJudgeByIsSaid() {
     QVERIFY(hint("strokesMatrix").contains(QStringLiteral("at least two of each class")));
-    QVERIFY(hint("labelledMatrix").contains(QStringLiteral("No labelled images")));
+    QVERIFY(hint("labeledMatrix").contains(QStringLiteral("No labeled images")));
     stroke(1, 8, 7);
     stroke(1, 10, 7);
     stroke(2, 30, 7);
@@ -66,13 +66,13 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(note.contains(QStringLiteral("green")) && !note.contains(QStringLiteral("orange")));
     QVERIFY(note.contains(QStringLiteral("background")));
     QVERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
-    QVERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
+    QVERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
   }
 
   void figuresFollowStrokesAndUndo() {
     goodStrokes();
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
-    QVERIFY(summary("strokes").contains(QStringLiteral("False colours 0.00 %")));
+    QVERIFY(summary("strokes").contains(QStringLiteral("False colors 0.00 %")));
     stroke(2, 8, 9);  // green, it says, on orange
     stroke(2, 12, 9);
     QTRY_VERIFY(cell("strokesMatrix", "green", "orange").toDouble() > 0 ||
@@ -83,43 +83,43 @@ class ColorQualityViewTest : public QObject {
     QTRY_VERIFY(summary("strokes").contains(QStringLiteral("Mean recall 100.00 %")));
   }
 
-  void labelledImagesAreScoredByTheNamesOfTheirClasses() {
+  void labeledImagesAreScoredByTheNamesOfTheirClasses() {
     goodStrokes();
-    LabelledFrame labelled{world_->frame(),
-                           std::vector<std::uint8_t>(40 * 30, colortool::Evaluation::kIgnored),
-                           {"none", "white", "orange"}};
-    for (int y = 0; y < 15; ++y) std::fill_n(labelled.labels.begin() + y * 40, 20, std::uint8_t{2});
-    for (int y = 15; y < 30; ++y) std::fill_n(labelled.labels.begin() + y * 40 + 20, 20, std::uint8_t{0});
-    bench_->setLabelled({labelled});
-    QTRY_COMPARE(cell("labelledMatrix", "orange", "Recall"), QStringLiteral("100.0 %"));
-    QCOMPARE(cell("labelledMatrix", "background", "none"), QStringLiteral("100.0"));
-    QVERIFY(summary("labelled").contains(QStringLiteral("False colours 0.00 %")));
+    LabeledFrame labeled{world_->frame(),
+                         std::vector<std::uint8_t>(40 * 30, colortool::Evaluation::kIgnored),
+                         {"none", "white", "orange"}};
+    for (int y = 0; y < 15; ++y) std::fill_n(labeled.labels.begin() + y * 40, 20, std::uint8_t{2});
+    for (int y = 15; y < 30; ++y) std::fill_n(labeled.labels.begin() + y * 40 + 20, 20, std::uint8_t{0});
+    bench_->setLabeled({labeled});
+    QTRY_COMPARE(cell("labeledMatrix", "orange", "Recall"), QStringLiteral("100.0 %"));
+    QCOMPARE(cell("labeledMatrix", "background", "none"), QStringLiteral("100.0"));
+    QVERIFY(summary("labeled").contains(QStringLiteral("False colors 0.00 %")));
     // What the table takes for right is shaded, and still reads.
-    auto* table = child<QTableView>(*view_, "labelledMatrix");
+    auto* table = child<QTableView>(*view_, "labeledMatrix");
     const QImage picture = table->viewport()->grab().toImage();
     const QRect right = table->visualRect(index(*table, "orange", "orange"));
     QVERIFY(picture.pixelColor(right.topLeft() + QPoint(3, 3)) != table->palette().color(QPalette::Base));
     keepPicture(*view_, "color-quality");
   }
 
-  void aFolderOfLabelledImagesIsRead() {
+  void aFolderOfLabeledImagesIsRead() {
     const std::string folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009";
     if (!std::filesystem::exists(folder))
-      QSKIP("the labelled images of the real log are not here (../shared/data/colour)");
+      QSKIP("the labeled images of the real log are not here (../shared/data/colour)");
     const auto name = DialogAnswer::file(QString::fromStdString(folder));
     click(*view_, "qualityOpen");
-    QTRY_VERIFY((view_->tick(), bench_->labelled().size() == 3));
+    QTRY_VERIFY((view_->tick(), bench_->labeled().size() == 3));
     QVERIFY(state().contains(QStringLiteral("images: 3")));
-    const LabelledFrame& first = bench_->labelled()[0];
+    const LabeledFrame& first = bench_->labeled()[0];
     QCOMPARE(first.frame->width(), 640);
     QCOMPARE(first.classNames[3], std::string("blue"));
     QVERIFY(std::ranges::count(first.labels, 5) > 1000);  // the field
     goodStrokes();
-    QTRY_VERIFY(!cell("labelledMatrix", "green", "Recall").isEmpty());
+    QTRY_VERIFY(!cell("labeledMatrix", "green", "Recall").isEmpty());
     view_->tick();
     click(*view_, "qualityClose");
-    QVERIFY(bench_->labelled().empty());
-    QVERIFY(hint("labelledMatrix").contains(QStringLiteral("No labelled images")));
+    QVERIFY(bench_->labeled().empty());
+    QVERIFY(hint("labeledMatrix").contains(QStringLiteral("No labeled images")));
   }
 
   void aFolderWithoutLabelsIsToldAndChangesNothing() {
@@ -127,10 +127,10 @@ class ColorQualityViewTest : public QObject {
     std::ofstream(folder.filePath(QStringLiteral("a.png")).toStdString()) << "no picture";
     const auto name = DialogAnswer::file(folder.path());
     click(*view_, "qualityOpen");
-    QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("No labelled images"))));
-    QVERIFY2(hint("labelledMatrix").contains(QStringLiteral("the only image here has no labels")),
+    QTRY_VERIFY((view_->tick(), state().contains(QStringLiteral("No labeled images"))));
+    QVERIFY2(hint("labeledMatrix").contains(QStringLiteral("the only image here has no labels")),
              "the whole reason, where there is room for it");
-    QVERIFY(bench_->labelled().empty());
+    QVERIFY(bench_->labeled().empty());
   }
 
   void theFolderOfTheLabelsDoesAsWell() {
@@ -142,8 +142,8 @@ class ColorQualityViewTest : public QObject {
     QVERIFY(image.save(folder.filePath(QStringLiteral("images/a.png"))));
     QVERIFY(labels.save(folder.filePath(QStringLiteral("labels/a.png"))));
     for (const char* name : {"", "images", "labels"}) {
-      LabelledFolder reading(folder.filePath(QLatin1String(name)).toStdString(), "nao");
-      std::optional<robotlink::Result<LabelledFolder::Read>> read;
+      LabeledFolder reading(folder.filePath(QLatin1String(name)).toStdString(), "nao");
+      std::optional<robotlink::Result<LabeledFolder::Read>> read;
       QTRY_VERIFY((read = read ? std::move(read) : reading.take()).has_value());
       QVERIFY2(read->has_value(), name);
       QCOMPARE((*read)->frames.size(), std::size_t{1});
@@ -156,7 +156,7 @@ class ColorQualityViewTest : public QObject {
         QStringLiteral("Stands on 8 strokes, at least 2 of a class and 2 of the background")));
     QVERIFY(note().contains(QStringLiteral("take the figures as a hint")));
     bench_->undoStack().undo();  // the second stroke of the background
-    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colours –")));
+    QTRY_VERIFY(summary("strokes").contains(QStringLiteral("False colors –")));
     QVERIFY(note().contains(QStringLiteral("A single stroke of the background")));
   }
 
@@ -189,8 +189,8 @@ class ColorQualityViewTest : public QObject {
     std::ofstream(folder.filePath(QStringLiteral("broken.yuyv")).toStdString()) << "short";
     put("labels/broken.png", {8, 6}, QImage::Format_Grayscale8);
     put("alone.png", {8, 6}, QImage::Format_RGB888);
-    LabelledFolder reading(folder.path().toStdString(), "nao");
-    std::optional<robotlink::Result<LabelledFolder::Read>> read;
+    LabeledFolder reading(folder.path().toStdString(), "nao");
+    std::optional<robotlink::Result<LabeledFolder::Read>> read;
     QTRY_VERIFY((read = read ? std::move(read) : reading.take()).has_value());
     QVERIFY(read->has_value());
     QCOMPARE((*read)->frames.size(), std::size_t{1});

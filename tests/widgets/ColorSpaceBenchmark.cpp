@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What a picture of the colour space costs, 600 x 500 pixels: a noisy image of more colours than a real one
+// What a picture of the color space costs, 600 x 500 pixels: a noisy image of more colors than a real one
 // has, a table of five classes, and samples.
 #include <benchmark/benchmark.h>
 

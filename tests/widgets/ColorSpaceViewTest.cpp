@@ -61,7 +61,7 @@ struct Shown {
     const auto rgb = bench.samples().classes.shownColor(bench.samples().classes.index(name));
     return {rgb.r, rgb.g, rgb.b};
   }
-  /// Whether a pixel has the hue of a class, and colour enough to have one.
+  /// Whether a pixel has the hue of a class, and color enough to have one.
   bool looksLike(const QColor& color, const char* className) const {
     const int apart = std::abs(color.hue() - classColor(className).hue());
     return color.alpha() > 60 && color.saturation() > 100 && std::min(apart, 360 - apart) < 12;

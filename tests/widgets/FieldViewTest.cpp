@@ -100,7 +100,7 @@ class FieldViewTest : public QObject {
     QVERIFY(s.picture().copy(around) != without.copy(around));
   }
 
-  void theFieldHasItsColours() {
+  void theFieldHasItsColors() {
     Shown s;
     QVERIFY(isNear(s.colorAt(1.2, 0.9), s.named("green"), 2));
     QVERIFY(isNear(s.colorAt(0, 0.8), s.named("white"), 40));
@@ -133,7 +133,7 @@ class FieldViewTest : public QObject {
     s.world.pushEstimates({-0.5, -0.5, 0}, {0.8, 0.6});
     s.step();
     // An estimate is an outline on a tinted area, not filled: neither the robot's nor the bare field's
-    // colour.
+    // color.
     const QColor inside = s.colorAt(-0.55, -0.53);
     QVERIFY(!isNear(inside, s.named("red"), 30) && !isNear(inside, s.named("green"), 10));
     QVERIFY(!isNear(s.colorAt(0.3 + 0.06, 0.1), s.named("green"), 10));

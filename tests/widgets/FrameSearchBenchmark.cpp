@@ -37,7 +37,7 @@ void searchTheLog(benchmark::State& state) {
     widgets::FrameQuery query{widgets::LoggedImages{kData / "logs/bhuman2009.log", "nao/camera/image"},
                               table,
                               {},
-                              thingClasses(named->classes)};
+                              objectClasses(named->classes)};
     widgets::FrameSearch search(std::move(query), [&] {
       const std::lock_guard lock(mutex);
       told = true;

@@ -77,7 +77,7 @@ class IconTest : public QObject {
     }
   }
 
-  void anIconTakesThePalettesTextColourWheneverItIsPainted() {
+  void anIconTakesThePalettesTextColorWheneverItIsPainted() {
     const QIcon play = widgets::icon("play");
     useText(Qt::black);
     QVERIFY(lightness(play) < 0.1);
@@ -85,7 +85,7 @@ class IconTest : public QObject {
     QVERIFY(lightness(play) > 0.9);
   }
 
-  void fixedColoursStay() {
+  void fixedColorsStay() {
     useText(Qt::black);
     const double before = lightness(widgets::icon("warning"));
     useText(Qt::white);

@@ -97,7 +97,7 @@ class ImageViewTest : public QObject {
     QCOMPARE(s.text("imageTime"), QStringLiteral("1.000 s"));
   }
 
-  void showsTheImageInItsColours() {
+  void showsTheImageInItsColors() {
     Shown s;
     s.world.pushImage("red1/camera/image", kImage, kGrass, {100, 50}, kOrange);
     s.step();
@@ -142,7 +142,7 @@ class ImageViewTest : public QObject {
     QVERIFY(s.text("imageState").contains(QStringLiteral("faded")));
   }
 
-  void tellsTheColourClassOfASegmentedPixel() {
+  void tellsTheColorClassOfASegmentedPixel() {
     Shown s;
     robotlink::Image segmented(4, 4, robotlink::PixelFormat::kRgb8);
     const Rgb orange = *s.world.context.field->color("orange");
@@ -159,7 +159,7 @@ class ImageViewTest : public QObject {
     QVERIFY2(s.text("imagePixel").endsWith(QStringLiteral("orange")), qPrintable(s.text("imagePixel")));
   }
 
-  void showsTrueClassesInTheirColoursByName() {
+  void showsTrueClassesInTheirColorsByName() {
     Shown s;
     robotlink::Image classes(4, 1, robotlink::PixelFormat::kMono8);
     classes.data = {0, 1, 9, 255};

@@ -12,8 +12,8 @@
 #include <fstream>
 
 #include "foxglove/Robot.pb.h"
-#include "logplayer/file/LogFile.h"
 #include "logplayer/base/LogWriter.h"
+#include "logplayer/file/LogFile.h"
 #include "tests/app/ShortLog.h"
 #include "tests/widgets/LogBench.h"
 #include "widgets/log/LogBars.h"
@@ -230,7 +230,7 @@ class LogReaderTest : public QObject {
              QStringLiteral("an older log"));
   }
 
-  void aJobIsCancelled() {
+  void aJobIsCanceled() {
     widgets::LogJobBar bar;
     bar.show();
     bar.start(QStringLiteral("Long work"), [](const widgets::LogJob::Progress& progress) {
@@ -241,7 +241,7 @@ class LogReaderTest : public QObject {
     QVERIFY(child<QProgressBar>(bar, "logJobProgress").isVisible());
     click(child<QToolButton>(bar, "logJobCancel"));
     QTRY_VERIFY_WITH_TIMEOUT((bar.tick(), !bar.busy()), kWaitMs);
-    QVERIFY(child<QLabel>(bar, "logJobText").text().contains(QStringLiteral("cancelled")));
+    QVERIFY(child<QLabel>(bar, "logJobText").text().contains(QStringLiteral("canceled")));
     click(child<QToolButton>(bar, "logJobDismiss"));
     QVERIFY(!bar.isVisible());
   }

@@ -14,8 +14,8 @@
 #include "widgets/motion/MotionView.h"
 #include "widgets/plots/PlotsView.h"
 #include "widgets/processes/ProcessesView.h"
-#include "widgets/solutions/SolutionsView.h"
 #include "widgets/processes/TimingView.h"
+#include "widgets/solutions/SolutionsView.h"
 
 using robotcontrol::KeyMode;
 
@@ -225,7 +225,7 @@ void compareLooks(const char* name, QSize size, const std::function<void(V&)>& a
     QVERIFY(day.save(QString::fromLocal8Bit(folder + '/' + name + "-light.png")));
     QVERIFY(night.save(QString::fromLocal8Bit(folder + '/' + name + "-dark.png")));
   }
-  // Paper is bright by day and dark by night: whoever paints a fixed colour behind his texts fails.
+  // Paper is bright by day and dark by night: whoever paints a fixed color behind his texts fails.
   const auto brightness = [](const QImage& image) {
     const QImage one = image.scaled(1, 1, Qt::IgnoreAspectRatio, Qt::SmoothTransformation);
     return one.pixelColor(0, 0).lightnessF();

@@ -204,7 +204,7 @@ class SceneCameraTest : public QObject {
   void draggingTheBallPlacesIt() {
     ShownScene s;
     QVERIFY(s.placeThings());
-    s.click("sceneZoomIn");  // a pixel is less than a centimetre now
+    s.click("sceneZoomIn");  // a pixel is less than a centimeter now
     const Vector3 wanted(0.9, 0.2, kBall.z());
     const SceneCamera camera = s.canvas->camera();
     drag(*s.canvas, Qt::LeftButton, s.at(kBall), s.at(wanted), [&] { s.view.tick(); });
@@ -221,7 +221,7 @@ class SceneCameraTest : public QObject {
   void aGhostShowsWhereTheRobotIsWantedAndTheWheelTurnsIt() {
     ShownScene s;
     QVERIFY(s.placeThings());
-    s.click("sceneZoomIn");  // a pixel is less than a centimetre now
+    s.click("sceneZoomIn");  // a pixel is less than a centimeter now
     const Vector3 top(-1, 0.5, 0.17), wanted(-0.3, 0.2, 0.17);
     moveMouse(*s.canvas, s.at(top));
     QTest::mousePress(s.canvas, Qt::LeftButton, {}, s.at(top));

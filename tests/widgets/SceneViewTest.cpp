@@ -68,7 +68,7 @@ class SceneViewTest : public QObject {
     const QColor ball = s.colorAt(kBall);
     QVERIFY2(std::abs(ball.hue() - s.named("orange").hue()) < 6 && ball.saturation() > 180,
              qPrintable(ball.name()));
-    // What lies flat has its own colour.
+    // What lies flat has its own color.
     QVERIFY(isNear(s.colorAt({1.2, 0.8, 0}), s.named("green"), 8));
     QVERIFY(isNear(s.colorAt({-1, 0.5, 0.17}), s.named("red"), 60));
   }
@@ -136,9 +136,9 @@ class SceneViewTest : public QObject {
     int mixed = 0;
     for (int x = 12; x < 48; ++x) {
       for (int y = 0; y < 40; ++y) {
-        const int grey = smooth.pixelColor(x, y).red();
-        mixed += grey > 10 && grey < 245 ? 1 : 0;
-        if (std::abs(y - (10 + x / 6)) > 2) QCOMPARE(grey, picture.pixelColor(x, y).red());
+        const int gray = smooth.pixelColor(x, y).red();
+        mixed += gray > 10 && gray < 245 ? 1 : 0;
+        if (std::abs(y - (10 + x / 6)) > 2) QCOMPARE(gray, picture.pixelColor(x, y).red());
       }
     }
     QVERIFY2(mixed > 18, qPrintable(QString::number(mixed)));

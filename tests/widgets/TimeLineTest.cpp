@@ -13,10 +13,10 @@
 
 #include "tests/widgets/LogBench.h"
 #include "tests/widgets/SyntheticWorld.h"
+#include "widgets/Theme.h"
 #include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/timeline/TimeLinePaint.h"
 #include "widgets/timeline/TimeLineView.h"
-#include "widgets/Theme.h"
 
 using robotcontrol::ControlReplay;
 using widgets::TimeLineCanvas;

@@ -28,27 +28,27 @@ class TrueClassFramesTest : public QObject {
     QCOMPARE(world_->requests.size(), std::size_t{1});
     QCOMPARE(world_->requests[0].set_key().name(), std::string("package/oracle/classes"));
     tell();
-    QCOMPARE(bench_->labelled().size(), std::size_t{1});
+    QCOMPARE(bench_->labeled().size(), std::size_t{1});
     bench_->setFrame(world_->frame());
     bench_->setCurrentClass(1);
     const colortool::ImagePoint at[] = {{8, 7}};
     bench_->addStroke(colortool::brushArea(40, 30, at, 3), "brush");
     QTRY_VERIFY(bench_->upToDate() && bench_->quality() != nullptr &&
                 bench_->quality()->task == bench_->colors()->task);
-    QVERIFY(bench_->quality()->labelled);
-    QCOMPARE(bench_->quality()->labelled->recall(1), 1.0);
-    QCOMPARE(bench_->quality()->labelled->recall(bench_->samples().classes.index("green")), 0.0);
+    QVERIFY(bench_->quality()->labeled);
+    QCOMPARE(bench_->quality()->labeled->recall(1), 1.0);
+    QCOMPARE(bench_->quality()->labeled->recall(bench_->samples().classes.index("green")), 0.0);
     frames_->setOn(false);
     QCOMPARE(world_->requests.back().set_key().mode().kind(), robotcontrol::KeyMode::OFF);
-    QVERIFY(bench_->labelled().empty());
+    QVERIFY(bench_->labeled().empty());
   }
 
   void oneImageASecondIsTakenAndTheLastOnesStay() {
     frames_->setOn(true);
     for (int i = 0; i < 5; ++i) tell(300);
-    QCOMPARE(bench_->labelled().size(), std::size_t{2});
-    for (std::size_t i = 0; i < TrueClassFrames::kMost + 5; ++i) tell(1000);
-    QCOMPARE(bench_->labelled().size(), TrueClassFrames::kMost);
+    QCOMPARE(bench_->labeled().size(), std::size_t{2});
+    for (std::size_t i = 0; i < TrueClassFrames::kMax + 5; ++i) tell(1000);
+    QCOMPARE(bench_->labeled().size(), TrueClassFrames::kMax);
   }
 
   void aRefusalIsTold() {

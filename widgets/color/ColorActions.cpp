@@ -6,8 +6,8 @@
 #include <QShortcut>
 
 #include "widgets/Controls.h"
-#include "widgets/color/ColorBench.h"
 #include "widgets/Counted.h"
+#include "widgets/color/ColorBench.h"
 
 namespace widgets {
 namespace {

@@ -42,7 +42,7 @@ class DocumentStep final : public QUndoCommand {
 }  // namespace
 
 ColorBench::ColorBench(const ViewContext& context, QObject* parent)
-    : QObject(parent), session_(context.session), labelled_(std::make_shared<std::vector<LabelledFrame>>()) {
+    : QObject(parent), session_(context.session), labeled_(std::make_shared<std::vector<LabeledFrame>>()) {
   colortool::Samples samples;
   samples.classes = colortool::classPresets().front().classes();
   document_ = colortool::SampleDocument(std::move(samples));
@@ -210,8 +210,8 @@ void ColorBench::numberReference() {
   Q_EMIT referenceChanged();
 }
 
-void ColorBench::setLabelled(std::vector<LabelledFrame> labelled) {
-  labelled_ = std::make_shared<const std::vector<LabelledFrame>>(std::move(labelled));
+void ColorBench::setLabeled(std::vector<LabeledFrame> labeled) {
+  labeled_ = std::make_shared<const std::vector<LabeledFrame>>(std::move(labeled));
   ask();
 }
 
@@ -235,7 +235,7 @@ void ColorBench::setPointed(const std::optional<robotlink::YCbCr>& color) {
 }
 
 void ColorBench::ask() {
-  learner_->ask({++asked_, document_.samples(), frame_, labelled_, reference_, others_});
+  learner_->ask({++asked_, document_.samples(), frame_, labeled_, reference_, others_});
 }
 
 void ColorBench::takeNews() {

@@ -9,8 +9,8 @@
 #include <string>
 #include <vector>
 
-#include "colortool/table/CellSet.h"
 #include "colortool/samples/SampleDocument.h"
+#include "colortool/table/CellSet.h"
 #include "widgets/View.h"
 #include "widgets/color/ColorLearner.h"
 
@@ -114,8 +114,8 @@ class ColorBench final : public QObject {
   const ReferenceTable& givenReference() const { return givenReference_; }
   const QString& referenceName() const { return givenReference_.name; }
   /// Images whose true classes are known; tables are scored with them.
-  const std::vector<LabelledFrame>& labelled() const { return *labelled_; }
-  void setLabelled(std::vector<LabelledFrame> labelled);
+  const std::vector<LabeledFrame>& labeled() const { return *labeled_; }
+  void setLabeled(std::vector<LabeledFrame> labeled);
 
   /// The selection: cells of the table. Image views highlight pixels of these colors, the color space view
   /// the cells.
@@ -184,7 +184,7 @@ class ColorBench final : public QObject {
   std::shared_ptr<const colortool::ColorTable> reference_;
   /// The classes by which reference_ is numbered.
   colortool::ColorClasses referenceClasses_;
-  std::shared_ptr<const std::vector<LabelledFrame>> labelled_;
+  std::shared_ptr<const std::vector<LabeledFrame>> labeled_;
   std::optional<LearnedColors> colors_;
   std::optional<ColorQuality> quality_;
   /// Number of the newest task.

@@ -102,7 +102,7 @@ QVariant ColorClassModel::toolTip(const QModelIndex& index) const {
     case kName:
       return index.row() == 0
                  ? tr("Pixels of no class. Strokes of the background keep classes apart from it.")
-                 : tr("Click on the colour to change it; F2 or a double click edits the name");
+                 : tr("Click on the color to change it; F2 or a double click edits the name");
     case kRecall:
       return at.recall ? tr("Share of its strokes' pixels that the other strokes find")
                        : tr("Not known: a class needs two strokes, so that one can be tried with the other");

@@ -6,9 +6,9 @@
 #include <memory>
 #include <utility>
 
-#include "colortool/samples/ClassEdits.h"
 #include "colortool/image/ClassPresets.h"
 #include "colortool/image/PixelArea.h"
+#include "colortool/samples/ClassEdits.h"
 #include "colortool/training/TrainingOptions.h"
 #include "robotlink/session/CommandTable.h"
 #include "robotlink/session/Session.h"
@@ -74,7 +74,7 @@ Result<void> setWeight(ColorBench& bench, double weight) {
 
 Result<void> addStroke(ColorBench& bench, const Values& values) {
   if (!bench.frame())
-    return failure("color.no-image", "no image is shown; open the view Colour image, and a stream of images");
+    return failure("color.no-image", "no image is shown; open the view Color image, and a stream of images");
   const double radius = number(values, 2);
   if (!(radius >= 0 && radius <= 1000))
     return failure("color.radius", "a radius is between 0 and 1000 pixels");
@@ -140,7 +140,7 @@ class Commands {
            const Run& run) {
     const auto act = [run, files = files_, shared = bench_](const Values& values) -> Result<void> {
       const auto bench = shared.lock();
-      if (bench == nullptr) return failure("color.closed", "the window of this colour table is closed");
+      if (bench == nullptr) return failure("color.closed", "the window of this color table is closed");
       return run(*bench, *files, values);
     };
     table_.add({name, help, std::move(arguments), act});
@@ -154,17 +154,17 @@ class Commands {
 
 void addFileCommands(Commands& commands) {
   const CommandTable::Argument file{"file", Type::kText, "a .samples file"};
-  commands.add("color.new", "Begins the samples of a colour table anew", {},
+  commands.add("color.new", "Begins the samples of a color table anew", {},
                [](auto&, ColorFiles& files, auto&) {
                  return nothingUnsaved(files).map([&files] { files.startAnew(); });
                });
-  commands.add("color.open", "Opens the samples of a colour table", {file},
+  commands.add("color.open", "Opens the samples of a color table", {file},
                [](auto&, ColorFiles& files, const Values& values) {
                  return nothingUnsaved(files).and_then([&] { return files.open(text(values, 0)); });
                });
-  commands.add("color.save", "Saves the samples of the colour table to the file they are from", {},
+  commands.add("color.save", "Saves the samples of the color table to the file they are from", {},
                [](auto&, ColorFiles& files, auto&) { return files.save(); });
-  commands.add("color.save-as", "Saves the samples of the colour table", {file},
+  commands.add("color.save-as", "Saves the samples of the color table", {file},
                [](auto&, ColorFiles& files, const Values& values) { return files.saveAs(text(values, 0)); });
   commands.add("color.discard", "Gives up what was not saved of the samples", {},
                [](auto&, ColorFiles& files, auto&) { return discard(files); });
@@ -176,7 +176,7 @@ void addFileCommands(Commands& commands) {
                  files.openPictures({text(values, 0)});
                  return {};
                });
-  commands.add("color.export", "Writes the colour table to a file", {{"file", Type::kText, "a .c64 file"}},
+  commands.add("color.export", "Writes the color table to a file", {{"file", Type::kText, "a .c64 file"}},
                [](auto&, ColorFiles& files, const Values& values) {
                  return files.exportTable(text(values, 0), false);
                });
@@ -201,7 +201,7 @@ void addStrokeCommands(Commands& commands) {
       "color.weight", "Sets how much the next strokes count", {{"weight", Type::kNumber, "0.1 to 10"}},
       [](ColorBench& bench, auto&, const Values& values) { return setWeight(bench, number(values, 0)); });
   commands.add(
-      "color.stroke", "Adds a disc of the colour view's image to the samples",
+      "color.stroke", "Adds a disc of the color view's image to the samples",
       {{"x", Type::kNumber, "pixels"}, {"y", Type::kNumber, "pixels"}, {"radius", Type::kNumber, "pixels"}},
       [](ColorBench& bench, auto&, const Values& values) { return addStroke(bench, values); });
   commands.add("color.undo", "Takes the last change of the samples back", {},

@@ -21,13 +21,13 @@ QString fileText(const char* text) {
   return QCoreApplication::translate("widgets::ColorFileActions", text);
 }
 QString sampleFiles() {
-  return fileText("Samples of colours (*.samples);;All files (*)");
+  return fileText("Samples of colors (*.samples);;All files (*)");
 }
 QString tableFiles() {
-  return fileText("Colour tables (*.c64)");
+  return fileText("Color tables (*.c64)");
 }
 QString anyTables() {
-  return fileText("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
+  return fileText("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)");
 }
 
 /// Asks for a file to write, in the last folder; empty: canceled.
@@ -66,7 +66,7 @@ bool saveSamples(ColorFiles& files, QWidget* parent) {
 bool mayLoseSamples(ColorFiles& files, QWidget* parent) {
   if (!files.changed()) return true;
   QMessageBox box(
-      QMessageBox::Warning, fileText("Colour samples"),
+      QMessageBox::Warning, fileText("Color samples"),
       files.file().empty()
           ? fileText("The samples of the new color table were not saved yet.")
           : fileText("The samples in %1 were changed and not saved.").arg(files.title().chopped(1)),
@@ -168,8 +168,7 @@ void ColorFileActions::merge() {
 }
 
 void ColorFileActions::exportTable() {
-  const auto file =
-      fileToWrite(files_, view_, tr("Export colour table"), tableFiles(), QStringLiteral("c64"));
+  const auto file = fileToWrite(files_, view_, tr("Export color table"), tableFiles(), QStringLiteral("c64"));
   if (!file.empty()) tell(files_, files_.exportTable(file, several_->isChecked()));
 }
 

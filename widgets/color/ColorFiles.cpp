@@ -5,9 +5,9 @@
 #include <algorithm>
 #include <utility>
 
+#include "colortool/samples/SampleFile.h"
 #include "colortool/table/ColorTableFile.h"
 #include "colortool/table/NamedColorTable.h"
-#include "colortool/samples/SampleFile.h"
 #include "colortool/training/TableTrainer.h"
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"

@@ -6,8 +6,8 @@
 
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
-#include "widgets/log/OpenLogs.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/log/OpenLogs.h"
 
 namespace widgets {
 namespace {
@@ -59,7 +59,7 @@ robotlink::Result<ColorFrameFinder::Place> ColorFrameFinder::findPlace() const {
     return robotlink::failure(
         "color.no-images",
         tr("There are no images to search: open a log, or show images of a robot in the view "
-           "Colour image")
+           "Color image")
             .toStdString());
   }
   if (auto place = placeInLogs(stream)) return *std::move(place);
@@ -119,7 +119,7 @@ void ColorFrameFinder::takeNews() {
 }
 
 void ColorFrameFinder::cancel() {
-  if (wanted_) progress_.ended = progress_.cancelled = true;
+  if (wanted_) progress_.ended = progress_.canceled = true;
   wanted_ = false;
   if (search_) search_->cancel();
   Q_EMIT changed();

@@ -22,7 +22,7 @@ struct ColorLearner::Work {
   std::shared_ptr<const ColorTable> table;
   std::shared_ptr<const std::vector<std::uint8_t>> margins;  ///< null: not computed yet
   std::shared_ptr<const ColorTable> scoredTable;             ///< what the scorer was given last
-  std::shared_ptr<const std::vector<LabelledFrame>> scoredImages;
+  std::shared_ptr<const std::vector<LabeledFrame>> scoredImages;
   std::shared_ptr<const ColorTable> scoredReference;
   std::vector<ColorFramePtr> scoredOthers;
 
@@ -114,13 +114,13 @@ void ColorLearner::run() {
     }
     LearnedColors colors = work.learn(task);
     publish(colors);
-    if (work.scoredTable != work.table || work.scoredImages != task.labelled ||
+    if (work.scoredTable != work.table || work.scoredImages != task.labeled ||
         work.scoredReference != task.reference || work.scoredOthers != task.others) {
       work.scoredTable = work.table;
-      work.scoredImages = task.labelled;
+      work.scoredImages = task.labeled;
       work.scoredReference = task.reference;
       work.scoredOthers = task.others;
-      scorer_.ask({task.number, task.samples, work.table, task.labelled, task.reference, task.others});
+      scorer_.ask({task.number, task.samples, work.table, task.labeled, task.reference, task.others});
     }
     if (work.margins || newTask()) continue;
     work.margins = std::make_shared<std::vector<std::uint8_t>>(work.trainer.margins());

@@ -26,7 +26,7 @@ struct ColorTask {
   /// The image to segment; null: none.
   ColorFramePtr frame;
   /// What the table is scored with, see ColorScorer::Task.
-  std::shared_ptr<const std::vector<LabelledFrame>> labelled = {};
+  std::shared_ptr<const std::vector<LabeledFrame>> labeled = {};
   std::shared_ptr<const colortool::ColorTable> reference = {};
   std::vector<ColorFramePtr> others = {};
 };

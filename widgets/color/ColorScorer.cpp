@@ -32,16 +32,16 @@ colortool::ColorImage seen(const ColorFrame& frame, const colortool::Samples& sa
 
 /// Adds an image to an evaluation. Classes are matched by their names; classes that the table does not have
 /// count as background.
-void add(Evaluation& evaluation, const LabelledFrame& labelled, const ColorScorer::Task& task,
+void add(Evaluation& evaluation, const LabeledFrame& labeled, const ColorScorer::Task& task,
          const colortool::ColorTable& table) {
   std::array<std::uint8_t, 256> numbers;
   numbers.fill(Evaluation::kIgnored);
   numbers[0] = colortool::ColorClasses::kNone;
-  const auto names = std::min<std::size_t>(labelled.classNames.size(), Evaluation::kIgnored);
-  for (std::size_t i = 1; i < names; ++i) numbers[i] = task.samples.classes.index(labelled.classNames[i]);
-  std::vector<std::uint8_t> labels(labelled.labels.size());
-  std::ranges::transform(labelled.labels, labels.begin(), [&](std::uint8_t label) { return numbers[label]; });
-  evaluation.add(table, seen(*labelled.frame, task.samples), labels);
+  const auto names = std::min<std::size_t>(labeled.classNames.size(), Evaluation::kIgnored);
+  for (std::size_t i = 1; i < names; ++i) numbers[i] = task.samples.classes.index(labeled.classNames[i]);
+  std::vector<std::uint8_t> labels(labeled.labels.size());
+  std::ranges::transform(labeled.labels, labels.begin(), [&](std::uint8_t label) { return numbers[label]; });
+  evaluation.add(table, seen(*labeled.frame, task.samples), labels);
 }
 
 /// Adds the pixels of an image that are suspicious.
@@ -92,17 +92,17 @@ bool ColorScorer::goOn() const {
 }
 
 bool ColorScorer::scoreImages(const Task& task, ColorQuality& quality) const {
-  if (task.labelled && !task.labelled->empty()) {
+  if (task.labeled && !task.labeled->empty()) {
     Evaluation evaluation(task.samples.classes.size()), reference = evaluation;
-    for (const LabelledFrame& labelled : *task.labelled) {
+    for (const LabeledFrame& labeled : *task.labeled) {
       if (!goOn()) return false;
-      add(evaluation, labelled, task, *task.table);
-      if (task.reference) add(reference, labelled, task, *task.reference);
+      add(evaluation, labeled, task, *task.table);
+      if (task.reference) add(reference, labeled, task, *task.reference);
     }
-    quality.labelled = std::move(evaluation);
-    if (task.reference) quality.referenceLabelled = std::move(reference);
+    quality.labeled = std::move(evaluation);
+    if (task.reference) quality.referenceLabeled = std::move(reference);
   }
-  colortool::SuspicionMeter meter(*task.table, {}, colortool::thingClasses(task.samples.classes));
+  colortool::SuspicionMeter meter(*task.table, {}, colortool::objectClasses(task.samples.classes));
   for (const ColorFramePtr& frame : task.others) {
     if (!goOn()) return false;
     add(quality.others, meter, *frame);

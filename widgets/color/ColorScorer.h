@@ -11,14 +11,14 @@
 #include <thread>
 #include <vector>
 
-#include "colortool/table/ColorTable.h"
 #include "colortool/scoring/CrossValidation.h"
+#include "colortool/table/ColorTable.h"
 #include "widgets/color/ColorFrame.h"
 
 namespace widgets {
 
 /// An image whose pixels' true classes are known.
-struct LabelledFrame {
+struct LabeledFrame {
   ColorFramePtr frame;
   /// One per pixel: an index into `classNames`, or Evaluation::kIgnored.
   std::vector<std::uint8_t> labels;
@@ -35,10 +35,10 @@ struct ColorQuality {
   /// Cross-validation: how well the strokes predict each other; unset without strokes.
   std::optional<colortool::StrokeQuality> strokes;
   /// Over the labeled images; unset without such images.
-  std::optional<colortool::Evaluation> labelled;
+  std::optional<colortool::Evaluation> labeled;
   /// The same for the reference table: over all strokes, and over the labeled images; unset without a
   /// reference.
-  std::optional<colortool::Evaluation> referenceStrokes, referenceLabelled;
+  std::optional<colortool::Evaluation> referenceStrokes, referenceLabeled;
   /// Score over unlabeled images: numbers of pixels that are suspicious (colortool::SuspicionMeter, without
   /// those that are merely ambiguous), since a label is not needed to see that a color of a thing is wrong
   /// there.
@@ -63,7 +63,7 @@ class ColorScorer {
     colortool::Samples samples;
     /// Trained from `samples`.
     std::shared_ptr<const colortool::ColorTable> table;
-    std::shared_ptr<const std::vector<LabelledFrame>> labelled;
+    std::shared_ptr<const std::vector<LabeledFrame>> labeled;
     /// Numbered by the samples' classes; null: none.
     std::shared_ptr<const colortool::ColorTable> reference;
     /// Unlabeled images in which suspicious pixels are counted.

@@ -8,8 +8,8 @@
 #include <memory>
 #include <string>
 
-#include "colortool/table/ColorTable.h"
 #include "colortool/samples/Samples.h"
+#include "colortool/table/ColorTable.h"
 
 namespace robotcontrol {
 class ColorTable;

@@ -6,8 +6,8 @@
 
 #include "colortool/correction/ImageCorrector.h"
 #include "foxglove/Image.pb.h"
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/file/LogFile.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/image/ImagePixels.h"
 
@@ -81,7 +81,7 @@ void FrameSearch::end(std::string failure) {
   {
     const std::lock_guard lock(mutex_);
     progress_.ended = true;
-    progress_.cancelled = cancelled_;
+    progress_.canceled = canceled_;
     progress_.failure = std::move(failure);
   }
   news_();
@@ -96,10 +96,10 @@ void FrameSearch::searchLog(const LoggedImages& images) {
       progress_.opening = share;
     }
     news_();
-    return !cancelled_;
+    return !canceled_;
   };
   const auto log = logplayer::LogFile::open(images.log, options);
-  if (cancelled_) return end();
+  if (canceled_) return end();
   if (!log) return end(log.error().describe());
   const auto stream = std::ranges::find((*log)->streams(), images.stream, &logplayer::LogFile::Stream::path);
   if (stream == (*log)->streams().end())
@@ -135,7 +135,7 @@ bool FrameSearch::isKept(double score) {
 }
 
 bool FrameSearch::look(const robotlink::StreamMessage& message, robotlink::Duration offset) {
-  if (cancelled_) return false;
+  if (canceled_) return false;
   const auto image = rawImageIn(message);
   const robotlink::ImageView view = image ? robotlink::imageView(*image) : robotlink::ImageView();
   const colortool::Suspicion found = view.empty() ? colortool::Suspicion() : eye_->measure(view);

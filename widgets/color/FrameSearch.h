@@ -68,7 +68,7 @@ class FrameSearch {
   FrameSearch& operator=(const FrameSearch&) = delete;
 
   /// Ends the search; what was found can still be taken.
-  void cancel() { cancelled_ = true; }
+  void cancel() { canceled_ = true; }
   /// The frames found since the last call, in the order of the stream.
   std::vector<SuspiciousFrame> take();
 
@@ -86,7 +86,7 @@ class FrameSearch {
     double opening = 0;
     /// The search has ended, for whatever reason.
     bool ended = false;
-    bool cancelled = false;
+    bool canceled = false;
     /// Why the log could not be read; empty: it could.
     std::string failure = {};
   };
@@ -107,7 +107,7 @@ class FrameSearch {
   const FrameQuery query_;
   const std::function<void()> news_;
   /// Set by cancel(), read by the thread.
-  std::atomic<bool> cancelled_{false};
+  std::atomic<bool> canceled_{false};
   /// Meter and buffers; used by the thread only.
   struct Eye;
   std::unique_ptr<Eye> eye_;

@@ -9,7 +9,7 @@
 
 namespace widgets {
 
-/// Frames in which a colour table does something suspicious, in the order in which they were found. Keeps the
+/// Frames in which a color table does something suspicious, in the order in which they were found. Keeps the
 /// worst FrameSearch::kMaxKept. GUI thread.
 class SuspiciousFrameModel final : public QAbstractTableModel {
   Q_OBJECT

@@ -36,7 +36,7 @@ void TrueClassFrames::setOn(bool on) {
     if (!asked_.empty()) ask(asked_, false);
     asked_.clear();
     frames_.clear();
-    bench_.setLabelled({});
+    bench_.setLabeled({});
   }
   tick();
 }
@@ -69,14 +69,14 @@ void TrueClassFrames::tick() {
   if (view.empty() || view.width != static_cast<int>(image->width()) ||
       view.height != static_cast<int>(image->height()))
     return;
-  LabelledFrame frame{std::make_shared<ColorFrame>(image, camera->path, "", camera->time), {}, {}};
+  LabeledFrame frame{std::make_shared<ColorFrame>(image, camera->path, "", camera->time), {}, {}};
   for (int y = 0; y < view.height; ++y)
     frame.labels.insert(frame.labels.end(), view.row(y), view.row(y) + view.width);
   frame.classNames = classNames(store, path, *labels, classes->time);
   last_ = classes->time;
   frames_.push_back(std::move(frame));
   if (frames_.size() > kMax) frames_.pop_front();
-  bench_.setLabelled({frames_.begin(), frames_.end()});
+  bench_.setLabeled({frames_.begin(), frames_.end()});
 }
 
 }  // namespace widgets

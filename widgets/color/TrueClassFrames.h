@@ -38,7 +38,7 @@ class TrueClassFrames final : public QObject {
   bool on_ = false;
   /// The robot whose key was requested; empty: none.
   std::string asked_;
-  std::deque<LabelledFrame> frames_;
+  std::deque<LabeledFrame> frames_;
   /// Time of the newest image.
   robotlink::Instant last_;
 };

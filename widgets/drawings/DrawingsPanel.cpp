@@ -30,7 +30,7 @@ void DrawingsPanel::createViews() {
 
   list_ = new QListView(this);
   describe(*list_, {"drawingsList", tr("Drawings"),
-                    tr("Checked drawings are shown; what is lower in the list lies on top. Grey ones are off "
+                    tr("Checked drawings are shown; what is lower in the list lies on top. Gray ones are off "
                        "at the robot: "
                        "check one to switch it on")});
   list_->setModel(filtered_);
@@ -92,10 +92,10 @@ QWidget* DrawingsPanel::createButtons() {
 
 void DrawingsPanel::moveCurrent(int by) {
   const QModelIndex current = list_->currentIndex();
-  const QModelIndex neighbour = filtered_->index(current.row() + by, 0);
-  if (!current.isValid() || !neighbour.isValid()) return;
+  const QModelIndex neighbor = filtered_->index(current.row() + by, 0);
+  if (!current.isValid() || !neighbor.isValid()) return;
   const int from = filtered_->mapToSource(current).row();
-  model_.move(from, filtered_->mapToSource(neighbour).row() - from);
+  model_.move(from, filtered_->mapToSource(neighbor).row() - from);
 }
 
 }  // namespace widgets

@@ -14,15 +14,15 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/CommandTable.h"
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Icon.h"
 #include "widgets/Requests.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/Silence.h"
 #include "widgets/drive/BatteryGauge.h"
 #include "widgets/drive/LinkWords.h"
 #include "widgets/drive/StateRows.h"
-#include "widgets/Counted.h"
-#include "widgets/Silence.h"
 
 namespace widgets {
 namespace {

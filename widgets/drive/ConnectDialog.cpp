@@ -22,8 +22,8 @@
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
 #include "widgets/Icon.h"
-#include "widgets/drive/LinkWords.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/drive/LinkWords.h"
 
 namespace widgets {
 namespace {
@@ -306,7 +306,7 @@ void ConnectDialog::connectRobot() {
   wanted_ = QString::fromStdString(address);
   recent_.removeAll(wanted_);
   recent_.prepend(wanted_);
-  while (recent_.size() > kMostRecent) recent_.removeLast();
+  while (recent_.size() > kMaxRecent) recent_.removeLast();
   listRecent();
   Q_EMIT recentChanged();
   const auto done = commands_.run(

@@ -8,7 +8,7 @@
 #include <vector>
 
 #include "robotlink/arcos/stream/SerialPorts.h"
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 
 class QComboBox;
 class QLabel;
@@ -45,7 +45,7 @@ class ConnectDialog final : public QDialog {
     QString map;
   };
   /// Number of recent addresses that are kept.
-  static constexpr int kMostRecent = 10;
+  static constexpr int kMaxRecent = 10;
 
   ConnectDialog(robotlink::Session& session, robotlink::CommandTable& commands, Choices choices,
                 QWidget* parent = nullptr);
@@ -101,7 +101,7 @@ class ConnectDialog final : public QDialog {
   /// See recent().
   QStringList recent_;
   /// Requests that the robots' LinkStatus is published.
-  PackageWish wish_;
+  PackageSubscription wish_;
   /// The address that is being connected to; empty: none.
   QString wanted_;
   QComboBox *address_ = nullptr, *port_ = nullptr, *baud_ = nullptr, *layout_ = nullptr;

@@ -38,8 +38,8 @@ RadarLook RadarCanvas::look() const {
   return look;
 }
 
-void RadarCanvas::setRange(double metres) {
-  const double range = std::clamp(metres, RadarLook::kLeastRange, RadarLook::kGreatestRange);
+void RadarCanvas::setRange(double meters) {
+  const double range = std::clamp(meters, RadarLook::kLeastRange, RadarLook::kGreatestRange);
   if (range == look_.range) return;
   look_.range = range;
   update();

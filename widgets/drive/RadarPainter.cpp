@@ -8,8 +8,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/drive/RadarReadings.h"
 #include "widgets/Theme.h"
+#include "widgets/drive/RadarReadings.h"
 
 namespace widgets {
 namespace {

@@ -24,7 +24,7 @@ using robotlink::Vector2;
 
 constexpr double kLaserMaximum = 32;  // m, if there is no description
 constexpr robotlink::Duration kLaserMemory = std::chrono::seconds(2);
-constexpr int kMostReadings = 20'000;  // of one message: what is beyond is no laser's
+constexpr int kMaxReadings = 20'000;  // of one message: what is beyond is no laser's
 
 std::string pathOf(const std::string& robot, const char* package) {
   return robot + '/' + package;
@@ -93,7 +93,7 @@ void addLaser(RadarReadings& readings, const foxglove::LaserScan& scan, double m
   const Pose2 laser = robotlink::groundPose(robotlink::pose3(scan.pose()));
   readings.laserInRobot = laser.translation();
   readings.hasLaser = true;
-  const int count = std::min(scan.ranges_size(), kMostReadings);
+  const int count = std::min(scan.ranges_size(), kMaxReadings);
   const double step = count > 1 ? (scan.end_angle() - scan.start_angle()) / (count - 1) : 0;
   readings.laserFree.push_back(laser.translation());
   for (int i = 0; i < count; ++i) {

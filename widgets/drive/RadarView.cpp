@@ -14,13 +14,13 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/drive/RadarCanvas.h"
+#include "widgets/Silence.h"
 #include "widgets/drawings/CurrentDrawings.h"
 #include "widgets/drawings/DrawingsModel.h"
-#include "widgets/Silence.h"
+#include "widgets/drawings/DrawingsPanel.h"
+#include "widgets/drive/RadarCanvas.h"
 
 namespace widgets {
 namespace {

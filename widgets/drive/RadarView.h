@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
 
 class QAction;
@@ -47,7 +47,7 @@ class RadarView final : public View {
   void updateStatus();
 
   /// Requests that the packages shown here are published.
-  PackageWish wish_;
+  PackageSubscription wish_;
   DrawingsModel* drawings_ = nullptr;
   RadarCanvas* canvas_ = nullptr;
   RobotChoice* robots_ = nullptr;

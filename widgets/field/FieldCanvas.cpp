@@ -11,10 +11,10 @@
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/config/FieldDescription.h"
 #include "widgets/Sentence.h"
+#include "widgets/Theme.h"
 #include "widgets/field/FieldPainter.h"
 #include "widgets/field/GroundDrawing.h"
 #include "widgets/field/MapPainter.h"
-#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {

@@ -7,8 +7,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "widgets/field/FieldViewport.h"
 #include "widgets/Theme.h"
+#include "widgets/field/FieldViewport.h"
 
 namespace widgets {
 namespace {

@@ -17,16 +17,16 @@
 #include "robotlink/packages/Packages.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
+#include "widgets/Silence.h"
+#include "widgets/drawings/DrawingsModel.h"
+#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/field/FieldCanvas.h"
 #include "widgets/field/GoalTool.h"
 #include "widgets/field/PlaceNotice.h"
-#include "widgets/drawings/DrawingsModel.h"
 #include "widgets/world/DriveAims.h"
 #include "widgets/world/ShownMap.h"
-#include "widgets/Silence.h"
 #include "widgets/world/WorldDrawings.h"
 
 namespace widgets {
@@ -351,7 +351,7 @@ void FieldView::restoreState(const QJsonObject& state) {
   FieldViewport viewport;
   viewport.fit = state[QStringLiteral("fit")].toBool(true);
   viewport.scale = std::clamp(state[QStringLiteral("scale")].toDouble(100), FieldViewport::kMinimumScale,
-                              FieldViewport::kMaximumScale);
+                              FieldViewport::kMaxScale);
   viewport.center = {center.at(0).toDouble(), center.at(1).toDouble()};
   viewport.quarterTurns = std::clamp(state[QStringLiteral("quarterTurns")].toInt(), 0, 3);
   canvas_->setViewport(viewport);

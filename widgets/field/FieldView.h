@@ -1,7 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
 #include "widgets/world/ModelDrag.h"
 #include "widgets/world/RobotBeliefs.h"
@@ -85,7 +85,7 @@ class FieldView final : public View {
   /// What noticeOf() returned last.
   QString placeNotice_;
   /// Requests that the packages shown here are published.
-  PackageWish wish_;
+  PackageSubscription wish_;
   RobotChoice* robots_ = nullptr;
   QSplitter* splitter_ = nullptr;
   QLabel *time_ = nullptr, *state_ = nullptr, *cursor_ = nullptr, *zoom_ = nullptr;

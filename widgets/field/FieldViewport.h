@@ -17,7 +17,7 @@ namespace widgets {
 /// coordinates are Qt's logical pixels, y down.
 struct FieldViewport {
   /// Limits of the scale, pixels per meter.
-  static constexpr double kMinimumScale = 1, kMaximumScale = 5000;
+  static constexpr double kMinimumScale = 1, kMaxScale = 5000;
 
   /// Whether the whole ground is shown as large as possible; scale and center are not used then.
   bool fit = true;
@@ -36,7 +36,7 @@ struct FieldViewport {
 QTransform fieldToWidget(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
 /// The scale in use: the viewport's, or that which fits.
 double shownScale(const FieldViewport& viewport, const QRectF& extent, const QSizeF& widget);
-/// Pixels for a metre.
+/// Pixels for a meter.
 double scaleOf(const QTransform& fieldToPixels);
 robotlink::Vector2 groundAt(const QTransform& fieldToWidget, const QPointF& at);
 /// Scaled by `factor`, within the limits; the ground at `at` (widget) stays there.

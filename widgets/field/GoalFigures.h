@@ -5,8 +5,8 @@
 #include <optional>
 #include <vector>
 
-#include "widgets/world/DriveAims.h"
 #include "widgets/field/GoalSender.h"
+#include "widgets/world/DriveAims.h"
 
 class QPainter;
 class QPalette;

@@ -46,13 +46,13 @@ void GoalSender::cancelGoal(robotlink::Session& session, const std::string& robo
   send(session, robot, {}, true);
 }
 
-void GoalSender::send(robotlink::Session& session, const std::string& robot, const Aim& aim, bool cancelled) {
+void GoalSender::send(robotlink::Session& session, const std::string& robot, const Aim& aim, bool canceled) {
   robotcontrol::Request request;
   request.set_robot(robot);
   auto& goal = *request.mutable_set_goal();
   robotlink::assign(*goal.mutable_timestamp(), session.timeline().newest());
-  goal.set_cancelled(cancelled);
-  if (!cancelled) {
+  goal.set_canceled(canceled);
+  if (!canceled) {
     robotlink::assign(*goal.mutable_pose_in_field(), aim.pose);
     goal.set_any_heading(aim.anyHeading);
     goal.set_name(aim.name);

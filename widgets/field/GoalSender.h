@@ -61,7 +61,7 @@ class GoalSender {
     /// Ticks since the reply arrived.
     int ticks = 0;
   };
-  void send(robotlink::Session& session, const std::string& robot, const Aim& aim, bool cancelled);
+  void send(robotlink::Session& session, const std::string& robot, const Aim& aim, bool canceled);
 
   /// The aim at the time of the press.
   std::optional<Aim> start_;

@@ -8,8 +8,8 @@
 #include <cmath>
 
 #include "robotcontrol/Driving.pb.h"
-#include "widgets/field/FieldViewport.h"
 #include "widgets/Theme.h"
+#include "widgets/field/FieldViewport.h"
 
 namespace widgets {
 namespace {
@@ -19,8 +19,8 @@ using Place = GroundMap::Place;
 
 constexpr double kMapMargin = 0.5;     // m around everything
 constexpr double kPointsApart = 0.02;  // m between the points of a wall
-constexpr double kNamesFrom = 4;       // pixels for a metre: below that names would only cover each other
-constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls grey
+constexpr double kNamesFrom = 4;       // pixels for a meter: below that names would only cover each other
+constexpr int kSmallestPoint = 2;      // pixels: fewer would make walls gray
 
 /// NaN and endless numbers come from files of others.
 bool isFinite(double x, double y) {

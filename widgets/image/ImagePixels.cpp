@@ -63,8 +63,8 @@ void convertRgb(const std::uint8_t* from, QRgb* to, int width) {
 std::array<QRgb, 256> monoPalette(std::span<const Rgb> classColors) {
   std::array<QRgb, 256> palette{};
   for (std::size_t i = 0; i < palette.size(); ++i) {
-    const int grey = static_cast<int>(i);
-    palette[i] = classColors.empty() ? qRgb(grey, grey, grey) : qRgb(0, 0, 0);
+    const int gray = static_cast<int>(i);
+    palette[i] = classColors.empty() ? qRgb(gray, gray, gray) : qRgb(0, 0, 0);
     if (i < classColors.size()) palette[i] = qRgb(classColors[i].r, classColors[i].g, classColors[i].b);
   }
   return palette;

@@ -15,13 +15,13 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
+#include "widgets/drawings/DrawingsModel.h"
+#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/image/ImageCanvas.h"
 #include "widgets/image/ImageClasses.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamChoice.h"
-#include "widgets/drawings/DrawingsModel.h"
 
 namespace widgets {
 namespace {
@@ -244,7 +244,7 @@ void ImageView::restoreState(const QJsonObject& state) {
   const QJsonArray center = state[QStringLiteral("center")].toArray();
   canvas_->setViewport({state[QStringLiteral("fit")].toBool(true),
                         std::clamp(state[QStringLiteral("zoom")].toDouble(1), ImageViewport::kMinimumZoom,
-                                   ImageViewport::kMaximumZoom),
+                                   ImageViewport::kMaxZoom),
                         {center.at(0).toDouble(), center.at(1).toDouble()}});
   streams_->setChoice(state[QStringLiteral("stream")].toString(QLatin1String(kDefaultChoice)));
 }

@@ -16,10 +16,10 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/keys/KeyDelegate.h"
 #include "widgets/Requests.h"
-#include "widgets/keys/KeyFilter.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/keys/KeyDelegate.h"
+#include "widgets/keys/KeyFilter.h"
 
 namespace widgets {
 namespace {

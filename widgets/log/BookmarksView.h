@@ -2,8 +2,8 @@
 #pragma once
 
 #include "widgets/View.h"
-#include "widgets/log/OpenLogs.h"
 #include "widgets/log/BookmarkModel.h"
+#include "widgets/log/OpenLogs.h"
 
 class QAction;
 class QSortFilterProxyModel;

@@ -92,9 +92,9 @@ void LogJobBar::tick() {
 
 void LogJobBar::showOutcome(const LogJob::Outcome& outcome) {
   for (QWidget* widget : std::initializer_list<QWidget*>{progress_, cancel_}) widget->hide();
-  text_->setText(outcome.cancelled ? tr("%1: cancelled").arg(text_->text())
-                 : outcome.done    ? outcome.text
-                                   : tr("%1: failed. %2").arg(text_->text(), outcome.text));
+  text_->setText(outcome.canceled ? tr("%1: canceled").arg(text_->text())
+                 : outcome.done   ? outcome.text
+                                  : tr("%1: failed. %2").arg(text_->text(), outcome.text));
   made_ = outcome.log;
   open_->setVisible(outcome.done && !made_.empty());
   dismiss_->show();

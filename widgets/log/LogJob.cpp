@@ -7,9 +7,9 @@ LogJob::LogJob(QString title, Work work) : title_(std::move(title)) {
   thread_ = std::thread([this, work = std::move(work)] {
     Outcome outcome = work([this](double share) {
       share_ = share;
-      return !cancelled_;
+      return !canceled_;
     });
-    outcome.cancelled = cancelled_ && !outcome.done;
+    outcome.canceled = canceled_ && !outcome.done;
     const std::lock_guard lock(mutex_);
     outcome_ = std::move(outcome);
   });

@@ -20,7 +20,7 @@ class LogJob {
     /// Whether it succeeded.
     bool done = false;
     /// Whether it failed because it was canceled.
-    bool cancelled = false;
+    bool canceled = false;
     /// What was done, or why it failed; for the user.
     QString text;
     /// A new log that can be opened; empty: none.
@@ -41,7 +41,7 @@ class LogJob {
   /// Progress, 0 to 1.
   double share() const { return share_; }
   /// Asks the operation to end; it does at its next report of progress.
-  void cancel() { cancelled_ = true; }
+  void cancel() { canceled_ = true; }
   /// Unset until the operation has ended.
   std::optional<Outcome> outcome();
 
@@ -50,7 +50,7 @@ class LogJob {
   /// Written by the thread.
   std::atomic<double> share_{0};
   /// Set by cancel(), read by the thread.
-  std::atomic<bool> cancelled_{false};
+  std::atomic<bool> canceled_{false};
   /// Protects outcome_.
   std::mutex mutex_;
   std::optional<Outcome> outcome_;

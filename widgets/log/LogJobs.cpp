@@ -4,10 +4,10 @@
 #include <QCoreApplication>
 #include <QStringList>
 
+#include "logplayer/base/OutputFile.h"
 #include "logplayer/edit/LogCut.h"
 #include "logplayer/export/LogExport.h"
 #include "logplayer/file/LogFile.h"
-#include "logplayer/base/OutputFile.h"
 #include "logplayer/mcap/read/Reader.h"
 #include "widgets/Counted.h"
 #include "widgets/log/StreamListModel.h"

@@ -5,9 +5,9 @@
 
 #include "foxglove/Image.pb.h"
 #include "foxglove/Robot.pb.h"
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/file/LogFile.h"
 #include "logplayer/file/LogImport.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/packages/Conversions.h"
 #include "widgets/image/ImagePixels.h"
 
@@ -18,7 +18,7 @@ using Stage = LogOverview::Stage;
 
 namespace {
 
-constexpr std::size_t kMostSaid = 5000, kMaxTexts = 50'000;
+constexpr std::size_t kMaxSaid = 5000, kMaxTexts = 50'000;
 /// What is read here is read once, but for thumbnails, which jump about.
 constexpr std::size_t kLogCacheBytes = 16U << 20U;
 
@@ -164,7 +164,7 @@ void LogReader::readTexts(LogOverview& overview) {
       if (log == nullptr) continue;
       if (texts->size() < kMaxTexts) texts->push_back(loggedEntry(*message, *log));
       if (log->level() < foxglove::Log::WARNING) continue;
-      if (overview.said.size() < kMostSaid) {
+      if (overview.said.size() < kMaxSaid) {
         overview.said.push_back(loggedEntry(*message, *log));
       } else {
         ++overview.saidLeftOut;

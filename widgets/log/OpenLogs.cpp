@@ -14,7 +14,7 @@ using robotlink::Instant;
 namespace {
 
 constexpr int kSaveAfterTicks = 60;
-constexpr std::size_t kMostThumbnails = 600;  // about 25 kB each
+constexpr std::size_t kMaxThumbnails = 600;  // about 25 kB each
 
 /// A change of a log's bookmarks. The bookmarks keep their own history; this is the change's place among
 /// those of other logs on the undo stack.
@@ -235,7 +235,7 @@ void OpenLogs::setImageStream(Log& log, const std::string& stream) {
 }
 
 void OpenLogs::wantThumbnails(Log& log, std::vector<Instant> times, int height) {
-  if (log.thumbnails.size() > kMostThumbnails) log.thumbnails.clear();
+  if (log.thumbnails.size() > kMaxThumbnails) log.thumbnails.clear();
   log.reading->wantThumbnails(log.imageStream, std::move(times), height);
 }
 

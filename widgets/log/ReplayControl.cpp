@@ -17,7 +17,7 @@ using robotlink::Instant;
 namespace {
 
 constexpr char kStream[] = "replay";
-constexpr int kMostTicksToWait = 90;  // three seconds; then the reply counts as lost
+constexpr int kMaxTicksToWait = 90;  // three seconds; then the reply counts as lost
 
 ControlReplay action(ControlReplay::Action what) {
   ControlReplay control;
@@ -50,7 +50,7 @@ void ReplayControl::refresh() {
     jumping_ = false;
     return;
   }
-  if (jumping_ && ++ticksWaited_ > kMostTicksToWait) jumping_ = false;
+  if (jumping_ && ++ticksWaited_ > kMaxTicksToWait) jumping_ = false;
   if (!jumping_ && newerAim_) sendJump();
   if (!jumping_ && aim_) aim_.reset();
 }

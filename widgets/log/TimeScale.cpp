@@ -14,10 +14,10 @@ namespace {
 
 constexpr double kSecond = 1e9;
 /// ns; sums of larger instants would overflow.
-constexpr double kMost = 4e18;
+constexpr double kMax = 4e18;
 
 Duration duration(double ns) {
-  return Duration(static_cast<Duration::rep>(std::clamp(ns, -kMost, kMost)));
+  return Duration(static_cast<Duration::rep>(std::clamp(ns, -kMax, kMax)));
 }
 
 }  // namespace
@@ -74,7 +74,7 @@ std::optional<Duration> timeFromText(const QString& text, Duration now) {
     if (!ok || !std::isfinite(number) || number < 0) return std::nullopt;
     value = value * 60 + number;
   }
-  if (value > kMost / kSecond) return std::nullopt;
+  if (value > kMax / kSecond) return std::nullopt;
   return relative ? now + duration(sign * value * kSecond) : duration(value * kSecond);
 }
 

@@ -18,13 +18,13 @@
 #include "robotlink/session/Session.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
-#include "widgets/messages/LevelDelegate.h"
-#include "widgets/log/OpenLogs.h"
-#include "widgets/Counted.h"
-#include "widgets/messages/LogFilter.h"
 #include "widgets/Theme.h"
+#include "widgets/log/OpenLogs.h"
+#include "widgets/messages/LevelDelegate.h"
+#include "widgets/messages/LogFilter.h"
 
 namespace widgets {
 

@@ -7,9 +7,9 @@
 #include <utility>
 #include <vector>
 
+#include "widgets/TypedStreams.h"
 #include "widgets/View.h"
 #include "widgets/log/LogModel.h"
-#include "widgets/TypedStreams.h"
 
 class QAction;
 class QComboBox;

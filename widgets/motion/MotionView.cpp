@@ -15,14 +15,14 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
 #include "widgets/Controls.h"
-#include "widgets/motion/HeadPanel.h"
 #include "widgets/Icon.h"
-#include "widgets/motion/MotionButtons.h"
 #include "widgets/Requests.h"
-#include "widgets/motion/SpeedPanel.h"
 #include "widgets/StopStyle.h"
-#include "widgets/motion/WalkPad.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/motion/HeadPanel.h"
+#include "widgets/motion/MotionButtons.h"
+#include "widgets/motion/SpeedPanel.h"
+#include "widgets/motion/WalkPad.h"
 
 namespace widgets {
 namespace {

@@ -2,9 +2,9 @@
 #pragma once
 
 #include "robotlink/config/RobotDescription.h"
-#include "widgets/motion/Gamepad.h"
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 #include "widgets/View.h"
+#include "widgets/motion/Gamepad.h"
 #include "widgets/motion/MotionCommander.h"
 #include "widgets/motion/TakeOver.h"
 
@@ -123,7 +123,7 @@ class MotionView final : public View {
   /// The limits that the user set for robots on wheels; unset: half of the drive's maximum.
   std::optional<MotionCommander::Limits> driveLimits_;
   /// Requests that DriveState is published.
-  PackageWish wish_;
+  PackageSubscription wish_;
   /// Addresses of the solution tables that takeOver_ has seen.
   std::vector<const void*> tables_;
   /// Whether the debug key of MotionStatus was requested for this robot.

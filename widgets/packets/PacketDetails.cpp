@@ -6,14 +6,14 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/Counted.h"
-#include "widgets/packets/PacketEntry.h"
 #include "widgets/Theme.h"
+#include "widgets/packets/PacketEntry.h"
 
 namespace widgets {
 namespace {
 
 constexpr std::size_t kBytesInLine = 8;
-constexpr std::size_t kMostBytes = 1024;  // damaged bytes may be longer than any packet
+constexpr std::size_t kMaxBytes = 1024;  // damaged bytes may be longer than any packet
 
 }  // namespace
 
@@ -64,7 +64,7 @@ void PacketDetails::addBytes(const std::string& bytes) {
   auto* title = new QTreeWidgetItem(this, {counted(bytes.size(), tr("1 byte"), tr("%1 bytes"))});
   title->setFirstColumnSpanned(true);
   const QFont fixed = QFontDatabase::systemFont(QFontDatabase::FixedFont);
-  for (std::size_t at = 0; at < std::min(bytes.size(), kMostBytes); at += kBytesInLine) {
+  for (std::size_t at = 0; at < std::min(bytes.size(), kMaxBytes); at += kBytesInLine) {
     const std::string part = bytes.substr(at, kBytesInLine);
     QString characters;
     for (const char c : part) characters += c >= 32 && c < 127 ? QLatin1Char(c) : QLatin1Char('.');

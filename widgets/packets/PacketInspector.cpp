@@ -25,11 +25,11 @@
 #include "robotlink/packages/Packages.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/Requests.h"
 #include "widgets/packets/PacketDetails.h"
 #include "widgets/packets/PacketReplayBar.h"
-#include "widgets/Counted.h"
 
 namespace widgets {
 namespace {

@@ -1,11 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
+#include "widgets/TypedStreams.h"
 #include "widgets/View.h"
 #include "widgets/packets/PacketFilter.h"
 #include "widgets/packets/PacketModel.h"
-#include "widgets/TypedStreams.h"
 
 class QAction;
 class QComboBox;
@@ -83,7 +83,7 @@ class PacketInspector final : public View {
   PacketModel live_, recorded_;
   PacketFilter* filter_;
   /// Requests that packets are published.
-  PackageWish wish_;
+  PackageSubscription wish_;
   StreamCursor cursor_;
   std::string robot_;
   /// Generation of the store when it was last read.

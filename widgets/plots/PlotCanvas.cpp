@@ -7,9 +7,9 @@
 #include <QDragEnterEvent>
 #include <QMimeData>
 
+#include "widgets/Theme.h"
 #include "widgets/plots/CurveModel.h"
 #include "widgets/plots/PlotTreeModel.h"
-#include "widgets/Theme.h"
 
 namespace widgets {
 

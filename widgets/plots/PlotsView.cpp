@@ -19,9 +19,9 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/plots/PlotCanvas.h"
 #include "widgets/Requests.h"
 #include "widgets/log/OpenLogs.h"
+#include "widgets/plots/PlotCanvas.h"
 
 namespace widgets {
 namespace {

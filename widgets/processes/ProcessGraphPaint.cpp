@@ -3,9 +3,9 @@
 #include <QPainter>
 #include <QPainterPath>
 
-#include "widgets/processes/ProcessGraphWidget.h"
-#include "widgets/processes/GraphLayout.h"
 #include "widgets/Theme.h"
+#include "widgets/processes/GraphLayout.h"
+#include "widgets/processes/ProcessGraphWidget.h"
 
 namespace widgets {
 namespace {

@@ -12,8 +12,8 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/processes/ProcessGraphWidget.h"
 #include "widgets/Requests.h"
+#include "widgets/processes/ProcessGraphWidget.h"
 
 namespace widgets {
 namespace {

@@ -112,7 +112,7 @@ double TimingModel::number(const Row& row, int column) const {
       return mean * 1000;
     case kMinimum:
       return row.minimum * 1000;
-    case kMaximum:
+    case kMax:
       return row.maximum * 1000;
     case kRate:
       return rateOf(row);

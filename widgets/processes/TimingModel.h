@@ -25,7 +25,7 @@ class TimingModel final : public QAbstractTableModel {
   Q_OBJECT
  public:
   /// Times in ms, kRate in Hz, kShare as a share of 1.
-  enum Column { kProcess, kTask, kSolution, kLast, kMean, kMinimum, kMaximum, kRate, kShare, kColumns };
+  enum Column { kProcess, kTask, kSolution, kLast, kMean, kMinimum, kMax, kRate, kShare, kColumns };
   /// The number of a cell, for sorting; the text in columns of texts.
   static constexpr int kNumberRole = Qt::UserRole + 1;
 

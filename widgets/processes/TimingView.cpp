@@ -12,12 +12,12 @@
 #include <QToolButton>
 
 #include "robotlink/debugging/Streams.h"
-#include "widgets/processes/BarDelegate.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
 #include "widgets/Requests.h"
+#include "widgets/processes/BarDelegate.h"
 
 namespace widgets {
 namespace {

@@ -3,9 +3,9 @@
 
 #include <map>
 
+#include "widgets/TypedStreams.h"
 #include "widgets/View.h"
 #include "widgets/processes/TimingModel.h"
-#include "widgets/TypedStreams.h"
 
 class QAction;
 class QLabel;

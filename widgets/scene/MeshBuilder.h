@@ -13,7 +13,7 @@ inline std::array<float, 3> packed(const robotlink::Vector3& v) {
   return {static_cast<float>(v.x()), static_cast<float>(v.y()), static_cast<float>(v.z())};
 }
 
-/// Adds primitive shapes to a mesh, each at a pose in the mesh's frame. Metres.
+/// Adds primitive shapes to a mesh, each at a pose in the mesh's frame. Meters.
 class MeshBuilder {
  public:
   using Color = std::array<std::uint8_t, 4>;

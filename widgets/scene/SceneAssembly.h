@@ -8,9 +8,9 @@
 #include <vector>
 
 #include "robotlink/process/Link.h"
+#include "widgets/scene/SceneFrame.h"
 #include "widgets/world/SceneState.h"
 #include "widgets/world/WorldDrawings.h"
-#include "widgets/scene/SceneFrame.h"
 
 namespace widgets {
 

@@ -20,14 +20,14 @@
 #include "robotlink/packages/MapConversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
-#include "widgets/drawings/DrawingsPanel.h"
 #include "widgets/PictureFile.h"
 #include "widgets/RobotChoice.h"
-#include "widgets/field/FieldPainter.h"
 #include "widgets/drawings/DrawingsModel.h"
+#include "widgets/drawings/DrawingsPanel.h"
+#include "widgets/field/FieldPainter.h"
+#include "widgets/scene/SceneCanvas.h"
 #include "widgets/world/ShownMap.h"
 #include "widgets/world/WorldDrawings.h"
-#include "widgets/scene/SceneCanvas.h"
 
 namespace widgets {
 namespace {
@@ -62,7 +62,7 @@ void SceneView::createActions() {
       makeAction(this, "wireframe",
                  {"sceneWireFrame", tr("Wire frame"), tr("Shows the edges of all triangles"), Qt::Key_W});
   grid_ = makeAction(
-      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines each half metre beside the field"), Qt::Key_G});
+      this, "grid", {"sceneGrid", tr("Grid"), tr("Shows lines each half meter beside the field"), Qt::Key_G});
   labels_ = makeAction(
       this, "labels",
       {"sceneLabels", tr("Names"), tr("Shows the names of robots and the texts of drawings"), Qt::Key_L});

@@ -5,12 +5,12 @@
 #include <optional>
 
 #include "widgets/View.h"
-#include "widgets/world/ModelDrag.h"
-#include "widgets/world/RobotBeliefs.h"
-#include "widgets/world/SceneState.h"
 #include "widgets/scene/CameraRide.h"
 #include "widgets/scene/SceneAssembly.h"
 #include "widgets/scene/SceneCamera.h"
+#include "widgets/world/ModelDrag.h"
+#include "widgets/world/RobotBeliefs.h"
+#include "widgets/world/SceneState.h"
 
 class QAction;
 class QLabel;

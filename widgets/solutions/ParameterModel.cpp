@@ -10,8 +10,8 @@
 #include <functional>
 
 #include "robotcontrol/Debugging.pb.h"
-#include "widgets/solutions/MessageFields.h"
 #include "widgets/Theme.h"
+#include "widgets/solutions/MessageFields.h"
 
 namespace widgets {
 

@@ -12,10 +12,10 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/solutions/ParameterDelegate.h"
 #include "widgets/Requests.h"
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/solutions/ParameterDelegate.h"
 
 namespace widgets {
 namespace {

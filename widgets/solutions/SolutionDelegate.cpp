@@ -4,8 +4,8 @@
 #include <QPainter>
 #include <QTreeView>
 
-#include "widgets/solutions/SolutionModel.h"
 #include "widgets/Theme.h"
+#include "widgets/solutions/SolutionModel.h"
 
 namespace widgets {
 namespace {

@@ -13,11 +13,11 @@
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
-#include "widgets/solutions/ParameterPanel.h"
 #include "widgets/Requests.h"
-#include "widgets/solutions/SolutionDelegate.h"
 #include "widgets/Theme.h"
 #include "widgets/TypedStreams.h"
+#include "widgets/solutions/ParameterPanel.h"
+#include "widgets/solutions/SolutionDelegate.h"
 
 namespace widgets {
 namespace {

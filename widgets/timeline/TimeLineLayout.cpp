@@ -71,10 +71,10 @@ std::vector<ThumbnailSlot> thumbnailSlots(const TimeLineBand& band, const TimeLi
 
 QRectF bookmarkRect(const TimeLineBand& band, const logplayer::Bookmark& bookmark, const TimeLineLook& look,
                     const QRectF& lane, const QFontMetricsF& metrics) {
-  constexpr double kMostText = 180, kPole = 6;
+  constexpr double kMaxText = 180, kPole = 6;
   const double from = look.scale.x(bookmark.from + band.offset), to = look.scale.x(bookmark.to + band.offset);
   const double text =
-      std::min(kMostText, metrics.horizontalAdvance(QString::fromStdString(bookmark.text)) + 2 * kPole);
+      std::min(kMaxText, metrics.horizontalAdvance(QString::fromStdString(bookmark.text)) + 2 * kPole);
   return {from, lane.top() + 2, std::max({to - from, text, 12.0}), lane.height() - 4};
 }
 

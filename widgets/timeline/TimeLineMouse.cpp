@@ -357,12 +357,12 @@ QString TimeLineCanvas::toolTipAt(const QPointF& point) const {
 }
 
 QString TimeLineCanvas::saidNear(const TimeLineBand& of, Instant time) const {
-  constexpr int kMost = 8;
+  constexpr int kMax = 8;
   const auto reach = Duration(std::llround(kGrip * look_.scale.nsPerPixel));
   QStringList lines;
   for (const LogEntry& entry : of.log->said) {
     if (entry.time < time - reach || entry.time > time + reach) continue;
-    if (lines.size() == kMost) {
+    if (lines.size() == kMax) {
       lines << tr("…");
       break;
     }

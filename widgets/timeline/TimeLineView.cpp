@@ -17,8 +17,8 @@
 #include "widgets/Controls.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/log/LogBars.h"
-#include "widgets/timeline/TimeLineCanvas.h"
 #include "widgets/log/ReplayKeys.h"
+#include "widgets/timeline/TimeLineCanvas.h"
 
 namespace widgets {
 

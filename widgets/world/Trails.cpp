@@ -16,10 +16,10 @@ using robotlink::Duration;
 using robotlink::Instant;
 
 constexpr Duration kShortest = std::chrono::milliseconds(100);  // between two places
-constexpr int kMostPlaces = 300;
+constexpr int kMaxPlaces = 300;
 
 Duration stepFor(Duration reach) {
-  return std::max(kShortest, Duration(reach / kMostPlaces));
+  return std::max(kShortest, Duration(reach / kMaxPlaces));
 }
 
 }  // namespace

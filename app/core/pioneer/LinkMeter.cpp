@@ -8,8 +8,8 @@
 namespace app {
 namespace {
 
-constexpr int kMostKept = 2000;  // packets between two calls of takePackets()
-constexpr std::size_t kMostSamples = 20000;
+constexpr int kMaxKept = 2000;  // packets between two calls of takePackets()
+constexpr std::size_t kMaxSamples = 20000;
 
 }  // namespace
 
@@ -20,7 +20,7 @@ void LinkMeter::setKeeping(bool keeping) {
 
 void LinkMeter::packet(bool fromRobot, std::span<const std::uint8_t> bytes, robotlink::Instant now) {
   if (fromRobot) ++packets_;
-  if (samples_.size() >= kMostSamples) samples_.pop_front();
+  if (samples_.size() >= kMaxSamples) samples_.pop_front();
   samples_.push_back({now, bytes.size(), fromRobot});
   keep(fromRobot, false, bytes, now);
 }
@@ -32,7 +32,7 @@ void LinkMeter::damage(std::span<const std::uint8_t> bytes, robotlink::Instant n
 void LinkMeter::keep(bool fromRobot, bool damaged, std::span<const std::uint8_t> bytes,
                      robotlink::Instant now) {
   if (!keeping_) return;
-  if (kept_.packets_size() >= kMostKept) {
+  if (kept_.packets_size() >= kMaxKept) {
     ++dropped_;
     return;
   }

@@ -5,9 +5,9 @@
 #include <memory>
 #include <string>
 
-#include "app/core/program/Outlet.h"
 #include "app/core/pioneer/PioneerRun.h"
 #include "app/core/program/PlatformFeed.h"
+#include "app/core/program/PublishGate.h"
 
 namespace app {
 
@@ -45,7 +45,7 @@ class PioneerFeed final : public PlatformFeed {
       : outlet_(session), recorder_(recorder) {}
   PioneerRun::Listeners listeners();
 
-  Outlet outlet_;
+  PublishGate outlet_;
   logplayer::Recorder& recorder_;
   std::unique_ptr<PioneerRun> run_;
   Clock::time_point due_, lastStatus_;

@@ -12,10 +12,10 @@ using robotlink::arcos::LaserPacket;
 using robotlink::arcos::RobotState;
 using robotlink::arcos::StandardInformation;
 
-constexpr double kMetre = 1000;  // mm
+constexpr double kMeter = 1000;  // mm
 // More between two packets is no way that it has gone: its client has set the robot's odometry.
-constexpr double kMostStep = 1.0;  // m
-constexpr double kMostTurn = robotlink::radians(90.0);
+constexpr double kMaxStep = 1.0;  // m
+constexpr double kMaxTurn = robotlink::radians(90.0);
 
 robotcontrol::DriveState::Charging chargingOf(const RobotState& state) {
   using robotcontrol::DriveState;
@@ -52,7 +52,7 @@ void PioneerPackages::followOdometry() {
   const robotlink::Pose2 now = decoder_.state().pose;
   if (last_) {
     const robotlink::Pose2 step = last_->inverse() * now;
-    if (step.translation().norm() <= kMostStep && std::abs(step.heading) <= kMostTurn)
+    if (step.translation().norm() <= kMaxStep && std::abs(step.heading) <= kMaxTurn)
       odometry_ = odometry_ * step;
   }
   last_ = now;
@@ -122,7 +122,7 @@ std::shared_ptr<const foxglove::LaserScan> PioneerPackages::laser(const LaserPac
   robotlink::assign(*scan->mutable_pose(), pose);
   scan->set_start_angle(laser.startAngle);
   scan->set_end_angle(laser.endAngle);
-  for (const std::uint16_t rangeMm : whole->rangesMm) scan->add_ranges(rangeMm / kMetre);
+  for (const std::uint16_t rangeMm : whole->rangesMm) scan->add_ranges(rangeMm / kMeter);
   return scan;
 }
 

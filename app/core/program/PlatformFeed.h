@@ -81,7 +81,7 @@ class PlatformFeed {
   /// It goes on after makeWay(), as the other one cannot be run.
   virtual robotlink::Errors goOn() { return {}; }
   virtual Going going() const { return {}; }
-  virtual void goOnLike(const Going&) {}
+  virtual void inheritPlayback(const Going&) {}
   /// What a person chose for the robots' programs, by the robots' names.
   virtual std::map<std::string, ProgramWishes> wishes() const { return {}; }
 

@@ -10,7 +10,7 @@
 #include "robotlink/debugging/RobotProgram.h"
 #include "robotlink/debugging/Streams.h"
 #include "robotlink/packages/Conversions.h"
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 #include "robotlink/session/QueueMessages.h"
 
 namespace app {
@@ -40,8 +40,7 @@ void tapSenders(const robotlink::Process& process, const std::shared_ptr<TappedF
     frame->paths.insert(path);
     sender->addTap([&recorder, frame, path, from = &process](const robotlink::PackagePtr& package) {
       StreamMessage message{path, from->clock().now(), package, frame->process, from->frames() + 1};
-      if (recorder.active() || robotlink::holdsUntilToldAnew(message))
-        frame->messages.push_back(std::move(message));
+      if (recorder.active() || robotlink::isLatched(message)) frame->messages.push_back(std::move(message));
     });
   }
 }
@@ -158,7 +157,7 @@ void RecordingTap::handedIn(const robotcontrol::Request& request) {
 }
 
 void RecordingTap::world(StreamMessage message) {
-  if (recorder_.active() || robotlink::holdsUntilToldAnew(message)) recorder_.add({std::move(message)});
+  if (recorder_.active() || robotlink::isLatched(message)) recorder_.add({std::move(message)});
 }
 
 void RecordingTap::add(const std::string& name, const std::shared_ptr<const DebugQueue>& queue) {

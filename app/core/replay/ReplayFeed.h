@@ -7,8 +7,8 @@
 #include <optional>
 #include <string>
 
-#include "app/core/program/Outlet.h"
 #include "app/core/program/PlatformFeed.h"
+#include "app/core/program/PublishGate.h"
 #include "app/core/replay/Playback.h"
 #include "app/core/replay/ReplayRun.h"
 #include "robotcontrol/Requests.pb.h"
@@ -81,7 +81,7 @@ class ReplayFeed final : public PlatformFeed {
 
   robotlink::Session& session_;
   logplayer::Recorder& recorder_;
-  Outlet outlet_;
+  PublishGate outlet_;
   std::unique_ptr<ReplayRun> run_;
   Playback playback_;
   bool stale_ =

@@ -2,8 +2,8 @@
 // Where things are in the logs of a replay, and what is told of it.
 #include <algorithm>
 
-#include "app/core/replay/ReplayRunParts.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/replay/ReplayRunParts.h"
 #include "robotlink/debugging/RegisteredTasks.h"
 #include "robotlink/debugging/Streams.h"
 

@@ -46,9 +46,9 @@ bool joinMoves(ControlReplay& first, const ControlReplay& second) {
   }
   // At the ends of the log a step there and one back do not lead to where one was.
   if ((first.count() < 0) != (second.count() < 0)) return false;
-  constexpr std::int64_t kMost = std::numeric_limits<std::int32_t>::max();
+  constexpr std::int64_t kMax = std::numeric_limits<std::int32_t>::max();
   const std::int64_t sum = std::int64_t{first.count()} + second.count();
-  first.set_count(static_cast<std::int32_t>(std::clamp(sum, -kMost, kMost)));
+  first.set_count(static_cast<std::int32_t>(std::clamp(sum, -kMax, kMax)));
   return true;
 }
 

@@ -225,10 +225,10 @@ std::string Planner::makeAvailable(Layout::Task& task) {
     return reason.starts_with(kPrefix) ? reason.substr(kPrefix.size()) : reason;
   };
   const TaskCatalog::Task* known = catalog_.find(task.task);
-  const bool misspelt = catalog_.find(task.task, task.solution) == nullptr;
-  if (misspelt && !wishes_.fromLog) return {};  // for the check of the layout to say
+  const bool misspelled = catalog_.find(task.task, task.solution) == nullptr;
+  if (misspelled && !wishes_.fromLog) return {};  // for the check of the layout to say
   if (known == nullptr) return "this program has no such task";
-  const std::string reason = misspelt ? "this program has no such solution" : reasonOf(task.solution);
+  const std::string reason = misspelled ? "this program has no such solution" : reasonOf(task.solution);
   if (reason.empty()) return {};
   for (const auto& other : known->solutions) {
     if (!reasonOf(other.name).empty()) continue;

@@ -10,13 +10,13 @@
 #include <utility>
 #include <vector>
 
+#include "app/core/program/ProgramWishes.h"
 #include "app/core/replay/LoggedPaths.h"
 #include "app/core/replay/PackageDifferences.h"
-#include "app/core/program/ProgramWishes.h"
 #include "app/core/replay/ReplayPlan.h"
 #include "app/core/replay/ReplaySetup.h"
-#include "logplayer/file/LogFile.h"
 #include "logplayer/LogPlatform.h"
+#include "logplayer/file/LogFile.h"
 #include "robotcontrol/Perception.pb.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/debugging/RobotProgram.h"

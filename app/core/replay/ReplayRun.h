@@ -109,7 +109,7 @@ class ReplayRun {
       const std::map<std::string, robotcontrol::ControlReplay::PackageSource>& packages);
   robotlink::Errors setLayout(const std::filesystem::path& file);
   void setOffset(const std::filesystem::path& log, robotlink::Duration offset);
-  /// To a robot's program. A solution that is chosen stays so over jumps; keys do, too, and a colour table.
+  /// To a robot's program. A solution that is chosen stays so over jumps; keys do, too, and a color table.
   /// What it changed is seen at once after jump(now()).
   robotlink::Result<void> request(const robotcontrol::Request& request);
 

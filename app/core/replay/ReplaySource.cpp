@@ -7,7 +7,7 @@
 
 #include "foxglove/Image.pb.h"
 #include "logplayer/images/ImageCoding.h"
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 namespace app {
 
@@ -24,7 +24,7 @@ bool hasHistory(const std::string& path, const std::string& type) {
   constexpr std::array<std::string_view, 4> kPictures{"foxglove.RawImage", "foxglove.CompressedImage",
                                                       "foxglove.ImageAnnotations", "foxglove.SceneUpdate"};
   return std::find(kPictures.begin(), kPictures.end(), type) == kPictures.end() &&
-         !robotlink::holdsUntilToldAnew(path, type);
+         !robotlink::isLatched(path, type);
 }
 
 ReplaySource::ReplaySource(std::shared_ptr<logplayer::LogFile> file)

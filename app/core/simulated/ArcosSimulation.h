@@ -5,8 +5,8 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/simulated/ArcosPorts.h"
 #include "app/core/program/Pace.h"
+#include "app/core/simulated/ArcosPorts.h"
 #include "app/core/simulated/SimulatedWorld.h"
 #include "simcore/Scene.h"
 

@@ -12,7 +12,7 @@ namespace {
 using robotlink::Pose2;
 using robotlink::Vector2;
 
-constexpr double kClearOfRobot = 0.3;  // m, from the robot's centre
+constexpr double kClearOfRobot = 0.3;  // m, from the robot's center
 
 Pose2 poseOf(const SimulatedRun& run, const std::string& model) {
   const auto pose = run.world().simulation().modelPose(model);

@@ -150,9 +150,9 @@ void SimulatedJointPlatform::sendImages() {
   }
 }
 
-void SimulatedJointPlatform::alwaysSendClasses(LabelledListener listener) {
+void SimulatedJointPlatform::alwaysSendClasses(LabeledListener listener) {
   classesAlways_ = true;
-  labelledListener_ = std::move(listener);
+  labeledListener_ = std::move(listener);
 }
 
 /// Those of the image that was rendered last.
@@ -160,7 +160,7 @@ void SimulatedJointPlatform::sendClasses(const foxglove::RawImage& image) {
   auto classes = std::make_shared<foxglove::RawImage>();
   robotlink::assign(*classes, world().trueClasses().view(), clock().now(), image.frame_id());
   classes_.send(classes);
-  if (labelledListener_) labelledListener_(image, *classes);
+  if (labeledListener_) labeledListener_(image, *classes);
 }
 
 }  // namespace app

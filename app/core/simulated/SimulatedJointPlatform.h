@@ -24,7 +24,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
-  void alwaysSendClasses(LabelledListener listener) override;
+  void alwaysSendClasses(LabeledListener listener) override;
 
   void actuate() override;
   std::vector<robotlink::AnySender*> onRequest() override { return {&classes_}; }
@@ -55,7 +55,7 @@ class SimulatedJointPlatform final : public SimulatedPlatform {
   int distance_ = -1;
   bool holding_ = false;
   bool classesAlways_ = false;
-  LabelledListener labelledListener_;
+  LabeledListener labeledListener_;
 
   robotlink::Sender<foxglove::RawImage> image_;
   robotlink::Sender<foxglove::RawImage> classes_;

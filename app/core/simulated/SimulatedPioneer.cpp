@@ -18,10 +18,10 @@ using robotlink::arcos::WheelCommand;
 
 namespace {
 
-constexpr std::size_t kMostRequests = 64;
-constexpr std::size_t kMostBumpers = 5;
+constexpr std::size_t kMaxRequests = 64;
+constexpr std::size_t kMaxBumpers = 5;
 /// Beyond this nothing of what the encoders could miscount is plausible.
-constexpr double kMostTyreError = 0.02;
+constexpr double kMaxTyreError = 0.02;
 
 /// The same on every machine.
 std::uint64_t streamOf(const std::string& name) {
@@ -58,7 +58,7 @@ robotlink::Result<std::unique_ptr<SimulatedPioneer>> SimulatedPioneer::create(si
     return sensor.info.robot == robot && sensor.info.type == "angular_velocity";
   });
   if (gyroscope != sensors.end()) ports.gyroscope = static_cast<std::size_t>(gyroscope - sensors.begin());
-  for (std::size_t i = 1; i <= kMostBumpers; ++i) {
+  for (std::size_t i = 1; i <= kMaxBumpers; ++i) {
     const std::string number = std::to_string(i);
     if (const auto found = find(sensors, robot + "/frontBumper" + number))
       ports.frontBumpers.push_back(*found);
@@ -98,16 +98,16 @@ SimulatedPioneer::SimulatedPioneer(simcore::Simulation& simulation, std::string 
     scan_.resize(static_cast<std::size_t>(simulation_.rangeSensors()[*ports_.laser].readings));
   }
   start_ = truePose();
-  drawTyres();
+  drawTires();
 }
 
-void SimulatedPioneer::drawTyres() {
+void SimulatedPioneer::drawTires() {
   robotlink::Random random(options_.seed, streamOf(robot_));
   const auto draw = [&] {
-    return 1 + std::clamp(options_.tyreError * random.normal(), -kMostTyreError, kMostTyreError);
+    return 1 + std::clamp(options_.tireError * random.normal(), -kMaxTyreError, kMaxTyreError);
   };
-  leftTyre_ = draw();
-  rightTyre_ = draw();
+  leftTire_ = draw();
+  rightTire_ = draw();
 }
 
 robotlink::Pose2 SimulatedPioneer::truePose() const {
@@ -119,7 +119,7 @@ void SimulatedPioneer::reset(std::uint64_t seed) {
   timeBefore_ += now_.time_since_epoch();
   now_ = {};
   options_.seed = seed;
-  drawTyres();
+  drawTires();
   battery_ = {};
   session_.robotReset();
   start_ = truePose();
@@ -140,10 +140,10 @@ void SimulatedPioneer::step(Instant now) {
 RobotSensing SimulatedPioneer::sense() {
   const simcore::WheelState& wheels = simulation_.wheelState(ports_.drive);
   RobotSensing sensing;
-  sensing.leftTravel = wheels.leftTravel * leftTyre_;
-  sensing.rightTravel = wheels.rightTravel * rightTyre_;
-  sensing.leftSpeed = wheels.leftSpeed * leftTyre_;
-  sensing.rightSpeed = wheels.rightSpeed * rightTyre_;
+  sensing.leftTravel = wheels.leftTravel * leftTire_;
+  sensing.rightTravel = wheels.rightTravel * rightTire_;
+  sensing.leftSpeed = wheels.leftSpeed * leftTire_;
+  sensing.rightSpeed = wheels.rightSpeed * rightTire_;
   sensing.leftBlocked = wheels.leftBlocked;
   sensing.rightBlocked = wheels.rightBlocked;
   readBumpers(sensing);
@@ -157,7 +157,7 @@ RobotSensing SimulatedPioneer::sense() {
 
 void SimulatedPioneer::senseTruth(RobotSensing& sensing) const {
   sensing.truePose = truePose();
-  sensing.odometryError = (leftTyre_ + rightTyre_) / 2 - 1;
+  sensing.odometryError = (leftTire_ + rightTire_) / 2 - 1;
   const auto map = simulation_.scene().groundMap();
   if (!map || !map->origin) return;
   sensing.globalPosition =
@@ -196,7 +196,7 @@ void SimulatedPioneer::fulfilRequests() {
       target = pose->pose;
     } else if (std::holds_alternative<request::Reset>(wish)) {
       target = start_;
-    } else if (requests_.size() < kMostRequests) {
+    } else if (requests_.size() < kMaxRequests) {
       requests_.push_back(std::move(wish));
     }
   }
@@ -205,7 +205,7 @@ void SimulatedPioneer::fulfilRequests() {
 
 void SimulatedPioneer::place(const robotlink::Pose2& pose) {
   const auto placed = simulation_.placeModel(robot_, pose);
-  if (!placed && requests_.size() < kMostRequests) {
+  if (!placed && requests_.size() < kMaxRequests) {
     requests_.emplace_back(robotlink::arcos::simulator_request::Message{placed.error().text});
   }
 }

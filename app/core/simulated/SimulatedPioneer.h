@@ -29,10 +29,10 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
 
   struct Options {
     robotlink::arcos::ServerSettings settings;
-    /// Standard deviation of the shares by which each side's tyres are larger or smaller than the encoders'
+    /// Standard deviation of the shares by which each side's tires are larger or smaller than the encoders'
     /// ticks suppose. They are drawn once, from the seed and the robot's name: the odometry errs as that of a
     /// real robot does.
-    double tyreError = 0.003;
+    double tireError = 0.003;
     std::uint64_t seed = 1;
   };
 
@@ -80,7 +80,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   robotlink::arcos::RobotSensing sense();
   void senseTruth(robotlink::arcos::RobotSensing& sensing) const;
   void readBumpers(robotlink::arcos::RobotSensing& sensing) const;
-  void drawTyres();
+  void drawTires();
   void fulfilRequests();
   void place(const robotlink::Pose2& pose);
   robotlink::Pose2 truePose() const;
@@ -101,7 +101,7 @@ class SimulatedPioneer final : private robotlink::arcos::RangeFinders {
   robotlink::arcos::ServerSession session_;
   PioneerBattery battery_;
   robotlink::Pose2 start_;
-  double leftTyre_ = 1, rightTyre_ = 1;  ///< what the encoders count for a metre
+  double leftTire_ = 1, rightTire_ = 1;  ///< what the encoders count for a meter
   bool driveOn_ = true;
   bool stopButton_ = false;
   std::string outsideClient_;

@@ -30,11 +30,11 @@ class SimulatedPlatform : public robotlink::Platform {
   static robotlink::Result<std::unique_ptr<SimulatedPlatform>> create(
       SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description);
 
-  using LabelledListener =
+  using LabeledListener =
       std::function<void(const foxglove::RawImage& image, const foxglove::RawImage& classes)>;
   /// Robots with a camera send the true classes with every image from now on, whether or not somebody
   /// receives them; the listener, which may be empty, is told of both.
-  virtual void alwaysSendClasses(LabelledListener listener) { (void)listener; }
+  virtual void alwaysSendClasses(LabeledListener listener) { (void)listener; }
   robotlink::Result<void> control(const robotcontrol::ControlDrive& wish) override;
 
   void engageStop(bool engaged) override { stopEngaged_.store(engaged); }

@@ -5,13 +5,13 @@
 #include <set>
 #include <utility>
 
-#include "app/core/program/Outlet.h"
 #include "app/core/program/ProgramSetups.h"
+#include "app/core/program/PublishGate.h"
 #include "app/core/program/RecordingTap.h"
 #include "app/core/program/RobotFiles.h"
 #include "app/core/program/SceneMessages.h"
-#include "app/core/simulated/SimulatedPlatform.h"
 #include "app/core/program/SolutionChoices.h"
+#include "app/core/simulated/SimulatedPlatform.h"
 #include "foxglove/Geometry.pb.h"
 #include "foxglove/Robot.pb.h"
 #include "foxglove/Scene.pb.h"
@@ -164,9 +164,9 @@ tl::expected<RobotHost::Candidate, Errors> SimulatedRun::makeProgram(RobotHost& 
   auto platform = SimulatedPlatform::create(*world_, robot.name(), robot.description());
   if (!platform) return tl::unexpected(Errors{platform.error()});
   if (robot.platform() != nullptr) (*platform)->engageStop(robot.platform()->stopEngaged());
-  if (listeners_.labelled) {
+  if (listeners_.labeled) {
     (*platform)->alwaysSendClasses([this, name = robot.name()](const auto& image, const auto& classes) {
-      listeners_.labelled(name, image, classes);
+      listeners_.labeled(name, image, classes);
     });
   } else if (options_.classImages) {
     (*platform)->alwaysSendClasses({});

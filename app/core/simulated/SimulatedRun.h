@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
+#include "app/core/program/RobotHost.h"
 #include "app/core/simulated/ArcosPorts.h"
 #include "app/core/simulated/KickOff.h"
-#include "app/core/program/RobotHost.h"
 #include "app/core/simulated/SimulatedWorld.h"
 #include "robotlink/config/RobotDescription.h"
 #include "simcore/Scene.h"
@@ -69,7 +69,7 @@ class SimulatedRun {
     /// An image with its true classes (oracle/classes); while it is set these are found for all images.
     std::function<void(const std::string& robot, const foxglove::RawImage& image,
                        const foxglove::RawImage& classes)>
-        labelled = {};
+        labeled = {};
     /// What programs outside did at the robots' ports, a line each.
     std::function<void(const std::string& text)> ports = {};
     /// A goal, a kick-off: a sentence each.

@@ -63,7 +63,7 @@ SimulatedWorld::SimulatedWorld(std::unique_ptr<simcore::Simulation> simulation, 
 robotlink::Result<void> SimulatedWorld::makePioneers() {
   SimulatedPioneer::Options options = options_.pioneers;
   options.seed = options_.seed;
-  if (!options_.noise) options.tyreError = 0;
+  if (!options_.noise) options.tireError = 0;
   for (const auto& drive : simulation_->drives()) {
     if (drive.controller != SimulatedPioneer::kController) continue;
     auto pioneer = SimulatedPioneer::create(*simulation_, drive.info.robot, options);
@@ -146,7 +146,7 @@ const robotlink::Image& SimulatedWorld::trueClasses() {
 
 robotlink::Result<void> SimulatedWorld::setLighting(const simcore::Lighting& lighting) {
   // Written so that a NaN is out of range, too.
-  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMostBrightness)) {
+  if (!(lighting.brightness >= 0 && lighting.brightness <= simcore::Lighting::kMaxBrightness)) {
     return robotlink::failure("simulation.light",
                               "the brightness must be between 0 and 10 times that of the scene");
   }

@@ -34,7 +34,7 @@ class SimulatedWorld {
     simcore::Lighting lighting = {};
     std::optional<simcore::Vignetting> vignetting = {};  ///< of all cameras, instead of their own
     std::optional<double> imageNoise =
-        {};                  ///< standard deviation, grey values; likewise, unless `noise` is off
+        {};                  ///< standard deviation, gray values; likewise, unless `noise` is off
     bool kinematic = false;  ///< robots on wheels are moved by their odometry instead of by forces
     SimulatedPioneer::Options pioneers = {};  ///< of all of them; seed and odometry's errors are the world's
   };

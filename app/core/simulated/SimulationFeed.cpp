@@ -80,7 +80,7 @@ robotlink::Errors SimulationFeed::goOn() {
   return opened ? robotlink::Errors{} : robotlink::Errors{opened.error()};
 }
 
-void SimulationFeed::goOnLike(const Going& before) {
+void SimulationFeed::inheritPlayback(const Going& before) {
   running_ = before.running;
   pace_.setSpeed(before.speed);
 }

@@ -4,9 +4,9 @@
 #include <functional>
 #include <memory>
 
-#include "app/core/program/Outlet.h"
 #include "app/core/program/Pace.h"
 #include "app/core/program/PlatformFeed.h"
+#include "app/core/program/PublishGate.h"
 #include "app/core/simulated/SimulatedRun.h"
 
 namespace robotcontrol {
@@ -31,7 +31,7 @@ class SimulationFeed final : public PlatformFeed {
   bool makeWay() override;
   robotlink::Errors goOn() override;
   Going going() const override { return {running_, pace_.speed()}; }
-  void goOnLike(const Going& before) override;
+  void inheritPlayback(const Going& before) override;
 
   void begin() override;
   std::optional<PacedThread::Clock::time_point> due() override;
@@ -62,7 +62,7 @@ class SimulationFeed final : public PlatformFeed {
   void publishScene();
   void publishTransforms();
 
-  Outlet outlet_;
+  PublishGate outlet_;
   logplayer::Recorder& recorder_;
   Choices choices_;
   std::unique_ptr<SimulatedRun> run_;

@@ -14,14 +14,14 @@ struct RenderScene;
 
 namespace app {
 
-/// The true colour classes of a simulated scene, for images of classes (the package oracle/classes) that
-/// colour tables are scored against. Classes have the numbers of colortool's preset "2002". A pixel is of the
-/// class that its surface's colour has the name of in the scene's palette ("orange", however it looks there),
-/// or else of the one that is shown in that very colour, in light or shadow. On all other surfaces, and on
+/// The true color classes of a simulated scene, for images of classes (the package oracle/classes) that
+/// color tables are scored against. Classes have the numbers of colortool's preset "2002". A pixel is of the
+/// class that its surface's color has the name of in the scene's palette ("orange", however it looks there),
+/// or else of the one that is shown in that very color, in light or shadow. On all other surfaces, and on
 /// the background, it is kBackground.
 ///
-/// A camera's image is in YCbCr 4:2:2: two neighbours share their chroma. Where they are of different
-/// classes, their colour is of neither, and both are kIgnored. A plain value.
+/// A camera's image is in YCbCr 4:2:2: two neighbors share their chroma. Where they are of different
+/// classes, their color is of neither, and both are kIgnored. A plain value.
 class TrueClasses {
  public:
   static constexpr std::uint8_t kBackground = 0;

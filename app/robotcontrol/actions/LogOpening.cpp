@@ -15,7 +15,7 @@
 namespace app {
 namespace {
 
-constexpr int kMostRecent = 10;
+constexpr int kMaxRecent = 10;
 
 QStringList localFiles(const QMimeData& data) {
   QStringList files;
@@ -103,7 +103,7 @@ void LogOpening::drop(const QMimeData& data, bool add) {
 }
 
 void LogOpening::setRecent(const QStringList& files) {
-  recent_ = files.mid(0, kMostRecent);
+  recent_ = files.mid(0, kMaxRecent);
   fillRecentMenu();
 }
 

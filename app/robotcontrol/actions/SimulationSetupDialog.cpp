@@ -23,7 +23,7 @@
 namespace app {
 namespace {
 
-constexpr int kMostRobots = 100;
+constexpr int kMaxRobots = 100;
 
 /// The element of `last` at an index, if it has this type, otherwise the default.
 template <typename T>
@@ -101,7 +101,7 @@ void SimulationSetupDialog::createRobots() {
   kind_->setToolTip(tr("What kind of robots are put into the world, beside those that it has"));
   robots_ = new QSpinBox(group);
   robots_->setObjectName(QStringLiteral("setupRobots"));
-  robots_->setRange(0, kMostRobots);
+  robots_->setRange(0, kMaxRobots);
   robots_->setSpecialValueText(tr("none"));
   robots_->setToolTip(
       tr("At the home of a map or the places of the kick-off first, then where there is room"));
@@ -133,7 +133,7 @@ void SimulationSetupDialog::createPorts() {
          "instead of the one that runs here"));
   port_ = new QSpinBox(group);
   port_->setObjectName(QStringLiteral("setupPort"));
-  port_->setRange(1024, 65535 - kMostRobots);
+  port_->setRange(1024, 65535 - kMaxRobots);
   port_->setValue(8101);
   port_->setToolTip(tr("Of the first robot; the next one has the next port"));
   network_ = new QCheckBox(tr("From other computers, too"), group);

@@ -12,14 +12,14 @@
 namespace app {
 namespace {
 
-constexpr int kMostNamed = 3;
+constexpr int kMaxNamed = 3;
 
 /// The first paths, and the number of further ones.
 QString named(const QStringList& paths) {
-  if (paths.size() <= kMostNamed) return paths.join(QLatin1String(", "));
+  if (paths.size() <= kMaxNamed) return paths.join(QLatin1String(", "));
   return LogContentsBar::tr("%1 and %2 more")
-      .arg(paths.mid(0, kMostNamed).join(QLatin1String(", ")))
-      .arg(paths.size() - kMostNamed);
+      .arg(paths.mid(0, kMaxNamed).join(QLatin1String(", ")))
+      .arg(paths.size() - kMaxNamed);
 }
 
 }  // namespace

@@ -16,8 +16,8 @@
 #include "app/robotcontrol/actions/CommandActions.h"
 #include "app/robotcontrol/actions/StreamChooser.h"
 #include "logplayer/base/RecordedStreams.h"
-#include "widgets/Icon.h"
 #include "widgets/Counted.h"
+#include "widgets/Icon.h"
 
 namespace app {
 

@@ -8,8 +8,8 @@
 #include <set>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/bars/ColorTableButton.h"
 #include "app/robotcontrol/actions/CommandActions.h"
+#include "app/robotcontrol/bars/ColorTableButton.h"
 #include "robotcontrol/Requests.pb.h"
 #include "robotlink/config/RobotDescription.h"
 #include "widgets/Icon.h"
@@ -87,20 +87,20 @@ void SimulationToolBar::createBoxes() {
   layout_->setMinimumContentsLength(10);  // "of the log"
   addFiles(scene_, Workbench::scenes());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
-  const auto addLabelled = [this](const QString& text, QWidget* widget) {
+  const auto addLabeled = [this](const QString& text, QWidget* widget) {
     auto* label = new QLabel(text, this);
     label->setMargin(4);
     return QList<QAction*>{addWidget(label), addWidget(widget)};
   };
-  addLabelled(tr("Scene:"), scene_);
-  addLabelled(tr("Layout:"), layout_);
-  addLabelled(tr("Robot:"), robot_);
+  addLabeled(tr("Scene:"), scene_);
+  addLabeled(tr("Layout:"), layout_);
+  addLabeled(tr("Robot:"), robot_);
   colorTable_ = new ColorTableButton(this);
   ofColors_ = addWidget(colorTable_);
   ofColors_->setVisible(false);
   addSeparator();
   addActions(simulationActions_);
-  ofSimulation_ = simulationActions_ + addLabelled(tr("Speed:"), speed_);
+  ofSimulation_ = simulationActions_ + addLabeled(tr("Speed:"), speed_);
 }
 
 void SimulationToolBar::connectSignals() {

@@ -3,7 +3,7 @@
 
 #include <QObject>
 
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 
 class QLabel;
 class QStatusBar;
@@ -36,7 +36,7 @@ class StatusLine : public QObject {
 
   Workbench& workbench_;
   /// The subscription of the packages that robotState() needs.
-  widgets::PackageWish wish_;
+  widgets::PackageSubscription wish_;
   /// The labels, owned by the status bar, from left to right.
   QLabel* state_;
   QLabel* time_;

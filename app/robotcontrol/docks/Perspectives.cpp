@@ -78,7 +78,7 @@ void buildLog(ViewDocks& docks) {
   setSizes(timeLine, {560, 380});
 }
 
-void buildColour(ViewDocks& docks) {
+void buildColor(ViewDocks& docks) {
   ads::CDockWidget* image = docks.add(QStringLiteral("color-image"), Place::kLeft);
   ads::CDockWidget* classes = docks.add(QStringLiteral("color-classes"), Place::kRight);
   ads::CDockWidget* space = docks.add(QStringLiteral("color-space"), Place::kBottom, classes);
@@ -129,7 +129,7 @@ struct Shipped {
   void (*build)(ViewDocks&);
 };
 constexpr Shipped kShipped[] = {{"Play", buildPlay},           {"Log", buildLog},
-                                {"Colour", buildColour},       {"Motion", buildMotion},
+                                {"Colour", buildColor},        {"Motion", buildMotion},
                                 {"Processes", buildProcesses}, {"Drive", buildDrive}};
 
 const Shipped* shipped(const QString& name) {

@@ -2,8 +2,8 @@
 // `robotctl color`: the command itself, and what its subcommands share.
 #include <CLI/CLI.hpp>
 
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/color/ColorCommands.h"
 #include "colortool/image/ClassPresets.h"
 
 namespace app {
@@ -39,7 +39,7 @@ colortool::ColorTable singleTable(const colortool::ColorTableFile& file) {
 }
 
 void addColorCommand(CLI::App& app, int& status) {
-  CLI::App* color = app.add_subcommand("color", "Makes, scores, shows, compares and converts colour tables");
+  CLI::App* color = app.add_subcommand("color", "Makes, scores, shows, compares and converts color tables");
   color->require_subcommand(1);
   addColorTrainCommand(*color, status);
   addColorEvaluateCommand(*color, status);

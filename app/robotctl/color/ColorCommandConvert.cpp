@@ -6,8 +6,8 @@
 #include <iostream>
 #include <memory>
 
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/color/ColorCommands.h"
 #include "colortool/table/TableImport.h"
 
 namespace app {
@@ -67,12 +67,12 @@ int convert(const ConvertArguments& arguments) {
 void addColorConvertCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<ConvertArguments>();
   CLI::App* command = color.add_subcommand(
-      "convert", "Makes a .c64 colour table of another team's, with the names of its classes beside it");
+      "convert", "Makes a .c64 color table of another team's, with the names of its classes beside it");
   command->add_option("from", arguments->from, "The other team's table, also compressed (.bz2)")->required();
   command->add_option("to", arguments->to, "The new table (.c64)")->required();
   std::vector<std::string> names;
   for (const TableFormatName& format : colortool::tableFormats()) names.emplace_back(format.name);
-  command->add_option("--format", arguments->format, "Of what it is a table, if that is not recognised")
+  command->add_option("--format", arguments->format, "Of what it is a table, if that is not recognized")
       ->check(CLI::IsMember(names));
   command->add_option("--colors", arguments->colors,
                       "tekkotsu: its classes (.col), if not those of the same name or alone beside it");

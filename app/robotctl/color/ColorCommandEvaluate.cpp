@@ -7,9 +7,9 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/simulated/TrueClasses.h"
+#include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
-#include "app/robotctl/Commands.h"
 #include "colortool/scoring/Evaluation.h"
 #include "robotlink/base/AtomicFile.h"
 
@@ -40,7 +40,7 @@ void printFigures(const Evaluation& evaluation, const ColorClasses& classes) {
   nlohmann::ordered_json recall = nlohmann::ordered_json::object(),
                          confusion = nlohmann::ordered_json::object();
   for (int label = 0; label < evaluation.classes(); ++label) {
-    const std::uint64_t all = evaluation.labelled(label);
+    const std::uint64_t all = evaluation.labeled(label);
     if (all == 0) continue;
     const std::string name = label == 0 ? "background" : classes.name(label);
     if (label != 0) recall[name] = evaluation.recall(label);
@@ -59,7 +59,7 @@ void printFigures(const Evaluation& evaluation, const ColorClasses& classes) {
 
 void printFiguresAsText(const Evaluation& evaluation, const ColorClasses& classes) {
   for (int label = 0; label < evaluation.classes(); ++label) {
-    const std::uint64_t all = evaluation.labelled(label);
+    const std::uint64_t all = evaluation.labeled(label);
     if (all == 0) continue;
     std::printf("%-12s %10llu pixels", label == 0 ? "background" : classes.name(label).c_str(),
                 static_cast<unsigned long long>(all));
@@ -71,7 +71,7 @@ void printFiguresAsText(const Evaluation& evaluation, const ColorClasses& classe
     }
     std::printf("\n");
   }
-  std::printf("mean recall  %.2f %%\nfalse colour %.3f %%\n", 100 * evaluation.meanRecall(),
+  std::printf("mean recall  %.2f %%\nfalse color %.3f %%\n", 100 * evaluation.meanRecall(),
               100 * evaluation.falseColor(falseClasses(classes)));
 }
 
@@ -127,8 +127,8 @@ tl::expected<ColorClasses, robotlink::Errors> labelClasses(const EvaluateArgumen
 int evaluate(const EvaluateArguments& arguments) {
   const auto named = loadTable(arguments.table, arguments.classes);
   if (!named) return printErrors(named.error());
-  const auto labelled = labelClasses(arguments);
-  if (!labelled) return printErrors(labelled.error());
+  const auto labeled = labelClasses(arguments);
+  if (!labeled) return printErrors(labeled.error());
   const auto images = ColorImages::open(arguments.images);
   if (!images) return printErrors({images.error()});
   std::error_code different;
@@ -140,7 +140,7 @@ int evaluate(const EvaluateArguments& arguments) {
           {arguments.labels, 0, 0}}});
   }
   // Classes are matched by name, since labels and table may have different numbers.
-  const ColorClasses classes = unite(*labelled, named->classes);
+  const ColorClasses classes = unite(*labeled, named->classes);
   const auto table =
       colortool::ColorTable::translated(named->file.singleClasses(), classNumbers(named->classes, classes));
   Evaluation evaluation(classes.size());
@@ -169,13 +169,13 @@ int evaluate(const EvaluateArguments& arguments) {
 void addColorEvaluateCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<EvaluateArguments>();
   CLI::App* command =
-      color.add_subcommand("evaluate", "Compares what a colour table makes of images with their labels");
-  command->add_option("--table", arguments->table, "A colour table (.c64)")->required();
+      color.add_subcommand("evaluate", "Compares what a color table makes of images with their labels");
+  command->add_option("--table", arguments->table, "A color table (.c64)")->required();
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();
   command
       ->add_option("--labels", arguments->labels,
-                   "A folder of grey PNG files with the classes' numbers, named like the images; 0 is "
+                   "A folder of gray PNG files with the classes' numbers, named like the images; 0 is "
                    "background, 255 is passed over; or again the log file, with true classes")
       ->required();
   addClassesOption(*command, arguments->classes,

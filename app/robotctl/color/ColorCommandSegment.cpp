@@ -4,12 +4,12 @@
 #include <iostream>
 #include <memory>
 
+#include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
-#include "app/robotctl/Commands.h"
 #include "colortool/image/ClassPresets.h"
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/base/Plural.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 
 namespace app {
@@ -75,15 +75,15 @@ int segment(const SegmentArguments& arguments) {
 
 void addColorSegmentCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<SegmentArguments>();
-  CLI::App* command = color.add_subcommand("segment", "Writes what a colour table makes of images, as PNG");
-  command->add_option("--table", arguments->table, "A colour table (.c64)")->required();
+  CLI::App* command = color.add_subcommand("segment", "Writes what a color table makes of images, as PNG");
+  command->add_option("--table", arguments->table, "A color table (.c64)")->required();
   command->add_option("--images", arguments->images, "A folder of images (PNG, JPEG, .yuyv), or a log file")
       ->required();
   command->add_option("--out", arguments->out, "The folder for the pictures")->required();
   addClassesOption(*command, arguments->classes,
                    "Names of the classes, in the order of their numbers, if not those beside the table");
   command->add_flag("--numbers", arguments->numbers,
-                    "Grey pictures with the classes' numbers, as labels have them");
+                    "Gray pictures with the classes' numbers, as labels have them");
   command->callback([arguments, &status] { status = segment(*arguments); });
 }
 

@@ -6,8 +6,8 @@
 #include <memory>
 #include <nlohmann/json.hpp>
 
-#include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/color/ColorCommands.h"
 #include "colortool/table/TableDifference.h"
 
 namespace app {
@@ -119,11 +119,11 @@ void addColorTableCommands(CLI::App& color, int& status) {
     command->callback([arguments, &status, run] { status = run(*arguments); });
     return command;
   };
-  CLI::App* infos = add("info", "Says how many cells of a colour table are of which class", info);
-  infos->add_option("table", arguments->table, "A colour table (.c64)")->required();
+  CLI::App* infos = add("info", "Says how many cells of a color table are of which class", info);
+  infos->add_option("table", arguments->table, "A color table (.c64)")->required();
   infos->add_flag("--json", arguments->json, "Prints JSON");
-  CLI::App* differences = add("diff", "Says which cells of two colour tables differ", diff);
-  differences->add_option("before", arguments->table, "A colour table (.c64)")->required();
+  CLI::App* differences = add("diff", "Says which cells of two color tables differ", diff);
+  differences->add_option("before", arguments->table, "A color table (.c64)")->required();
   differences->add_option("after", arguments->other, "Another one")->required();
   differences->add_flag("--json", arguments->json, "Prints JSON");
 }

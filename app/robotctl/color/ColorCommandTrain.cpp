@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "app/robotctl/Commands.h"
 #include "app/robotctl/color/ColorCommands.h"
 #include "app/robotctl/color/ColorImages.h"
-#include "app/robotctl/Commands.h"
 #include "colortool/samples/SampleFile.h"
 #include "colortool/samples/StrokeList.h"
 #include "colortool/training/TableTrainer.h"
@@ -179,7 +179,7 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
          "What colors of things need more where they are nearly gray, in votes of a sample",
          CLI::NonNegativeNumber);
   number("--reject-distance", settings.gaussians.mostSquaredDistance,
-         "gauss: squared Mahalanobis distance from a class past which a colour is not of it",
+         "gauss: squared Mahalanobis distance from a class past which a color is not of it",
          CLI::PositiveNumber);
   number("--cost", settings.supportVectors.cost, "svm: what a sample on the wrong side costs",
          CLI::PositiveNumber);
@@ -197,7 +197,7 @@ void addSettings(CLI::App& command, colortool::TrainingSettings& settings) {
 void addColorTrainCommand(CLI::App& color, int& status) {
   auto arguments = std::make_shared<TrainArguments>();
   CLI::App* command =
-      color.add_subcommand("train", "Makes a colour table from strokes in images, or from samples");
+      color.add_subcommand("train", "Makes a color table from strokes in images, or from samples");
   CLI::Option* strokes = command->add_option(
       "--strokes", arguments->strokes,
       "CSV with the header image,class,x,y,radius; in pixels of the image at a width of 320; class "
@@ -208,7 +208,7 @@ void addColorTrainCommand(CLI::App& color, int& status) {
                                              "Samples that the workbench saved, instead of strokes");
   strokes->needs(images)->excludes(samples);
   images->needs(strokes);
-  command->add_option("--out", arguments->out, "The colour table (.c64)")->required();
+  command->add_option("--out", arguments->out, "The color table (.c64)")->required();
   command->add_option("--save-samples", arguments->samplesOut,
                       "Also writes what was learned from, for the workbench");
   addClassesOption(*command, arguments->classes,

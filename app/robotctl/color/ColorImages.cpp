@@ -7,8 +7,8 @@
 #include <span>
 
 #include "foxglove/Image.pb.h"
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/file/LogFile.h"
+#include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
@@ -177,7 +177,7 @@ Result<Image> ColorImages::loadLabels(const fs::path& file) {
   if (!bytes) return tl::unexpected(bytes.error());
   auto image = decoded(*bytes, file);
   if (image && image->format != robotlink::PixelFormat::kMono8) {
-    return failure("image.labels", "labels are a grey PNG with the classes' numbers; this one has colours",
+    return failure("image.labels", "labels are a gray PNG with the classes' numbers; this one has colors",
                    {file.string(), 0, 0});
   }
   return image;

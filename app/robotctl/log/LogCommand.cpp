@@ -9,8 +9,8 @@
 #include <iostream>
 
 #include "app/robotctl/log/LogCommands.h"
-#include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/base/LogDates.h"
+#include "logplayer/bookmarks/Bookmarks.h"
 
 namespace app {
 namespace {

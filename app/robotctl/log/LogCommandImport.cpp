@@ -7,12 +7,12 @@
 #include <nlohmann/json.hpp>
 
 #include "app/core/program/ColorTables.h"
+#include "app/robotctl/RobotName.h"
 #include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
-#include "app/robotctl/RobotName.h"
-#include "logplayer/file/LogImport.h"
 #include "logplayer/base/Losses.h"
 #include "logplayer/base/OutputFile.h"
+#include "logplayer/file/LogImport.h"
 #include "logplayer/mcap/read/Reader.h"
 
 namespace app {
@@ -127,7 +127,7 @@ void addLogImportCommands(CLI::App& log, int& status) {
       ->capture_default_str();
   command
       ->add_option("--color-table", arguments->colorTable,
-                   "A .c64 colour table that goes into the log as the one in force")
+                   "A .c64 color table that goes into the log as the one in force")
       ->check(CLI::ExistingFile);
   command->add_flag("--json", arguments->asJson, "Prints one JSON object");
   command->callback([arguments, &status] { status = withResources([&] { return import(*arguments); }); });

@@ -9,9 +9,9 @@
 
 #include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
+#include "logplayer/base/LogDates.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/edit/LogAttachments.h"
-#include "logplayer/base/LogDates.h"
 
 namespace app {
 namespace {

@@ -7,9 +7,9 @@
 
 #include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
-#include "logplayer/file/ContainerFile.h"
 #include "logplayer/LogInfo.h"
 #include "logplayer/base/Losses.h"
+#include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/Reader.h"
 
 namespace app {

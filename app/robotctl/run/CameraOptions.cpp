@@ -7,9 +7,9 @@ namespace app {
 
 void CameraOptions::addTo(CLI::App& command) {
   command.add_option("--light", lighting.brightness, "Brightness of all light, times that of the scene")
-      ->check(CLI::Range(0.0, simcore::Lighting::kMostBrightness))
+      ->check(CLI::Range(0.0, simcore::Lighting::kMaxBrightness))
       ->capture_default_str();
-  command.add_option("--warmth", lighting.warmth, "Colour of all light: above 0 reddish, below 0 bluish")
+  command.add_option("--warmth", lighting.warmth, "Color of all light: above 0 reddish, below 0 bluish")
       ->check(CLI::Range(-1.0, 1.0))
       ->capture_default_str();
   command
@@ -21,17 +21,16 @@ void CameraOptions::addTo(CLI::App& command) {
       ->check(CLI::Range(0.0, 1.0));
   command
       .add_option("--image-noise", imageNoise,
-                  "Standard deviation of the images' noise, grey values, instead of the cameras' own")
+                  "Standard deviation of the images' noise, gray values, instead of the cameras' own")
       ->check(CLI::Range(0.0, 100.0))
       ->excludes(command.get_option("--no-noise"));
   command.add_flag("--class-images", classImages,
                    "Sends the true classes of all images, as oracle/classes, for recordings");
   auto* folder =
-      command.add_option("--labelled-images", labelledFolder,
+      command.add_option("--labelled-images", labeledFolder,
                          "Writes images into DIR/images and their true classes into DIR/labels, for "
                          "robotctl color evaluate");
-  command
-      .add_option("--images-every", labelledEvery, "Of these at most one of each robot in so many seconds")
+  command.add_option("--images-every", labeledEvery, "Of these at most one of each robot in so many seconds")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str()
       ->needs(folder);
@@ -45,11 +44,11 @@ void CameraOptions::applyTo(RunOptions& run) const {
     run.world.vignetting = simcore::Vignetting{vignetting[0], vignetting.size() > 1 ? vignetting[1] : 0};
 }
 
-robotlink::Result<std::unique_ptr<LabelledImages>> CameraOptions::labelledImages() const {
-  if (labelledFolder.empty()) return nullptr;
-  auto made = LabelledImages::create(labelledFolder, robotlink::fromSeconds(labelledEvery));
+robotlink::Result<std::unique_ptr<LabeledImages>> CameraOptions::labeledImages() const {
+  if (labeledFolder.empty()) return nullptr;
+  auto made = LabeledImages::create(labeledFolder, robotlink::fromSeconds(labeledEvery));
   if (!made) return tl::unexpected(made.error());
-  return std::make_unique<LabelledImages>(std::move(*made));
+  return std::make_unique<LabeledImages>(std::move(*made));
 }
 
 }  // namespace app

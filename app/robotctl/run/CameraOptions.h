@@ -7,7 +7,7 @@
 #include <vector>
 
 #include "app/core/simulated/SimulatedRun.h"
-#include "app/robotctl/color/LabelledImages.h"
+#include "app/robotctl/color/LabeledImages.h"
 
 namespace CLI {
 class App;
@@ -26,16 +26,16 @@ struct CameraOptions {
   /// Whether the true classes are published as "oracle/classes".
   bool classImages = false;
   /// Folder for labeled images; empty: none are written.
-  std::string labelledFolder;
+  std::string labeledFolder;
   /// Minimum interval between labeled images of a robot, s.
-  double labelledEvery = 1;
+  double labeledEvery = 1;
 
   /// Adds the options to a command, which needs to have --no-noise; this object must outlive the command.
   void addTo(CLI::App& command);
   /// Sets the options of a run.
   void applyTo(RunOptions& run) const;
   /// The writer for labeled images; null if none are to be written.
-  robotlink::Result<std::unique_ptr<LabelledImages>> labelledImages() const;
+  robotlink::Result<std::unique_ptr<LabeledImages>> labeledImages() const;
 };
 
 }  // namespace app

@@ -10,12 +10,12 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
-#include "app/core/replay/ReplayRun.h"
 #include "app/core/Workbench.h"
+#include "app/core/replay/ReplayRun.h"
 #include "app/robotctl/Commands.h"
+#include "app/robotctl/RobotName.h"
 #include "app/robotctl/log/LogCommands.h"
 #include "app/robotctl/log/LogInput.h"
-#include "app/robotctl/RobotName.h"
 #include "app/robotctl/run/RunRobotCommand.h"
 #include "logplayer/base/LogWriter.h"
 #include "robotlink/base/UnfinishedFile.h"
@@ -367,7 +367,7 @@ void addRunCommand(CLI::App& app, int& status) {
       "PACKAGE=logged or PACKAGE=recomputed (percepts/ball=recomputed for all robots, "
       "red1/percepts/ball=recomputed for one, all=recomputed for whatever can be); else whatever is "
       "logged is as logged");
-  command->add_option("--color-table", arguments->colorTable, "A colour table (.c64) instead of the log's");
+  command->add_option("--color-table", arguments->colorTable, "A color table (.c64) instead of the log's");
   command->add_option(
       "--record", arguments->record,
       "A new log (MCAP) of what was logged and what was recomputed, or of what happened on the robot");

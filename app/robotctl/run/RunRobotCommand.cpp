@@ -6,8 +6,8 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
-#include "app/core/pioneer/PioneerRun.h"
 #include "app/core/Workbench.h"
+#include "app/core/pioneer/PioneerRun.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/run/TextMessages.h"

@@ -13,14 +13,14 @@
 #include <optional>
 #include <thread>
 
-#include "app/core/simulated/BallTrials.h"
-#include "app/core/program/Pace.h"
 #include "app/core/Workbench.h"
-#include "app/robotctl/run/ArcosOptions.h"
-#include "app/robotctl/run/CameraOptions.h"
+#include "app/core/program/Pace.h"
+#include "app/core/simulated/BallTrials.h"
 #include "app/robotctl/Commands.h"
 #include "app/robotctl/Interrupt.h"
 #include "app/robotctl/log/LogCommands.h"
+#include "app/robotctl/run/ArcosOptions.h"
+#include "app/robotctl/run/CameraOptions.h"
 #include "app/robotctl/run/RecordOptions.h"
 #include "app/robotctl/run/SimFigures.h"
 #include "app/robotctl/run/TextMessages.h"
@@ -73,7 +73,7 @@ std::filesystem::path layoutFile(const std::string& name) {
   return name;
 }
 
-SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImages* images) {
+SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabeledImages* images) {
   SimulatedRun::Listeners listeners;
   listeners.trouble = [](const std::string& robot, const robotlink::Process&, const std::string& text) {
     std::cerr << robot << ": " << text << "\n";
@@ -83,7 +83,7 @@ SimulatedRun::Listeners listenersFor(const SimArguments& arguments, LabelledImag
     listeners.game = [](robotlink::Instant time, const std::string& text) { printText(time, "game", text); };
   }
   if (images != nullptr) {
-    listeners.labelled = [images](const std::string& robot, const auto& image, const auto& classes) {
+    listeners.labeled = [images](const std::string& robot, const auto& image, const auto& classes) {
       images->add(robot, image, classes);
     };
   }
@@ -112,7 +112,7 @@ bool simulate(SimulatedRun& run, const SimArguments& arguments, logplayer::Recor
 }
 
 /// Reports the result of writing labeled images, if there are any.
-int finishImages(const LabelledImages* images, const std::string& folder) {
+int finishImages(const LabeledImages* images, const std::string& folder) {
   if (images == nullptr) return kDone;
   if (!images->outcome()) return printErrors({images->outcome().error()});
   std::cerr << folder << ": " << images->written() << " images with their true classes\n";
@@ -121,7 +121,7 @@ int finishImages(const LabelledImages* images, const std::string& folder) {
 
 int runOnce(const SimArguments& arguments) {
   const Interrupt interrupt;
-  const auto images = arguments.camera.labelledImages();
+  const auto images = arguments.camera.labeledImages();
   if (!images) return printErrors({images.error()});
   const auto recorder = arguments.record.start();
   if (!recorder) return printErrors({recorder.error()});
@@ -145,7 +145,7 @@ int runOnce(const SimArguments& arguments) {
   const bool played = simulate(**run, arguments, recorder->get());
   const double real = std::chrono::duration<double>(std::chrono::steady_clock::now() - start).count();
   int status = *recorder ? finishRecording(**recorder) : kDone;
-  if (const int written = finishImages(images->get(), arguments.camera.labelledFolder); written != kDone)
+  if (const int written = finishImages(images->get(), arguments.camera.labeledFolder); written != kDone)
     status = written;
   if (!played) status = kFailed;
   const json figures = figuresOf(**run, real);
@@ -222,7 +222,7 @@ int runSim(SimArguments& arguments, bool secondsGiven, bool speedGiven) {
     std::cerr << "robotctl sim: --record takes one game, not --trials\n";
     return kUsage;
   }
-  if (arguments.trials > 0 && !arguments.camera.labelledFolder.empty()) {
+  if (arguments.trials > 0 && !arguments.camera.labeledFolder.empty()) {
     std::cerr << "robotctl sim: --labelled-images takes one game, not --trials\n";
     return kUsage;
   }

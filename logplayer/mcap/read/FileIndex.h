@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "logplayer/mcap/read/Reader.h"
 #include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/Summary.h"
+#include "logplayer/mcap/read/Reader.h"
 
 namespace logplayer::mcap {
 

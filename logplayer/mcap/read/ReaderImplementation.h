@@ -1,8 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
-#include "logplayer/mcap/read/KnownIndexes.h"
 #include "logplayer/mcap/MessageRecords.h"
+#include "logplayer/mcap/read/KnownIndexes.h"
 #include "logplayer/mcap/read/SectionCache.h"
 #include "logplayer/mcap/read/Walk.h"
 

@@ -5,12 +5,12 @@
 
 #include <algorithm>
 
-#include "logplayer/mcap/write/ChunkBuilder.h"
 #include "logplayer/mcap/Compression.h"
 #include "logplayer/mcap/Crc.h"
-#include "logplayer/mcap/read/FileIndex.h"
-#include "logplayer/mcap/write/Sink.h"
 #include "logplayer/mcap/Summary.h"
+#include "logplayer/mcap/read/FileIndex.h"
+#include "logplayer/mcap/write/ChunkBuilder.h"
+#include "logplayer/mcap/write/Sink.h"
 
 namespace logplayer::mcap {
 

@@ -14,10 +14,10 @@ constexpr std::uint8_t kPositive = 0x3B;
 constexpr std::uint8_t kNegative = 0x1B;
 constexpr std::uint8_t kString = 0x2B;
 /// The longest string that fits into a frame with its type and length.
-constexpr std::size_t kMaximumString = kMaximumData - 2;
+constexpr std::size_t kMaxString = kMaxData - 2;
 
 void writeInteger(int value, Bytes& data) {
-  value = std::clamp(value, -kMaximumArgument, kMaximumArgument);
+  value = std::clamp(value, -kMaxArgument, kMaxArgument);
   const auto magnitude = static_cast<unsigned>(std::abs(value));
   data = {value < 0 ? kNegative : kPositive, static_cast<std::uint8_t>(magnitude & 0xFFU),
           static_cast<std::uint8_t>(magnitude >> 8U)};
@@ -25,10 +25,10 @@ void writeInteger(int value, Bytes& data) {
 
 /// Writes the length, the bytes, and a NUL that is not included in the length.
 void writeString(const std::string& text, std::size_t extra, Bytes& data) {
-  const std::size_t length = std::min(text.size(), kMaximumString);
+  const std::size_t length = std::min(text.size(), kMaxString);
   data = {kString, static_cast<std::uint8_t>(length)};
   data.insert(data.end(), text.begin(), text.begin() + static_cast<std::ptrdiff_t>(length));
-  if (data.size() + extra < kMaximumData) data.push_back(0);
+  if (data.size() + extra < kMaxData) data.push_back(0);
 }
 
 void readInteger(std::span<const std::uint8_t> data, Command& command) {
@@ -50,10 +50,10 @@ Result<void> readString(std::span<const std::uint8_t> data, Command& command) {
   } else {
     // Some clients send no length, only a final NUL.
     if (!text.empty() && text.back() == 0) text = text.first(text.size() - 1);
-    if (text.size() > kMaximumString) {
+    if (text.size() > kMaxString) {
       return failure("arcos.long-string",
                      nameOf(command.id) + " has a string of " + std::to_string(text.size()) +
-                         " bytes without its length; at most " + std::to_string(kMaximumString) + " can be");
+                         " bytes without its length; at most " + std::to_string(kMaxString) + " can be");
     }
   }
   command.argument = std::string(text.begin(), text.end());
@@ -87,20 +87,20 @@ BytePair split(int argument) {
 Result<void> check(const Command& command) {
   const std::string name = nameOf(command.id);
   if (const int* value = std::get_if<int>(&command.argument)) {
-    if (*value < -kMaximumArgument || *value > kMaximumArgument) {
+    if (*value < -kMaxArgument || *value > kMaxArgument) {
       return failure("arcos.bad-argument", "the argument of " + name + " is " + std::to_string(*value) +
                                                "; it must lie between -65535 and 65535");
     }
   }
   const auto* text = std::get_if<std::string>(&command.argument);
-  if (text && text->size() > kMaximumString) {
+  if (text && text->size() > kMaxString) {
     return failure("arcos.long-string", name + " has a string of " + std::to_string(text->size()) +
-                                            " bytes; send at most " + std::to_string(kMaximumSentString) +
+                                            " bytes; send at most " + std::to_string(kMaxSentString) +
                                             " at once");
   }
   const Packet packet = toPacket(command);
-  if (packet.count() > kMaximumSentCount || command.extra.size() > kMaximumSentData) {
-    return failure("arcos.long-command", name + " is longer than the " + std::to_string(kMaximumSentCount) +
+  if (packet.count() > kMaxSentCount || command.extra.size() > kMaxSentData) {
+    return failure("arcos.long-command", name + " is longer than the " + std::to_string(kMaxSentCount) +
                                              " bytes that robots take; send less at once");
   }
   return {};
@@ -108,10 +108,10 @@ Result<void> check(const Command& command) {
 
 Packet toPacket(const Command& command) {
   Packet packet{command.id, {}};
-  const std::size_t extra = std::min(command.extra.size(), kMaximumData);
+  const std::size_t extra = std::min(command.extra.size(), kMaxData);
   if (const int* value = std::get_if<int>(&command.argument)) writeInteger(*value, packet.data);
   if (const auto* text = std::get_if<std::string>(&command.argument)) writeString(*text, extra, packet.data);
-  const std::size_t fitting = std::min(extra, kMaximumData - packet.data.size());
+  const std::size_t fitting = std::min(extra, kMaxData - packet.data.size());
   packet.data.insert(packet.data.end(), command.extra.begin(),
                      command.extra.begin() + static_cast<std::ptrdiff_t>(fitting));
   return packet;

@@ -25,9 +25,9 @@ struct Command {
 };
 
 /// The largest magnitude of an integer argument.
-inline constexpr int kMaximumArgument = 0xFFFF;
+inline constexpr int kMaxArgument = 0xFFFF;
 /// The longest string that can be sent, without its type, length and final NUL.
-inline constexpr std::size_t kMaximumSentString = kMaximumSentData - 3;
+inline constexpr std::size_t kMaxSentString = kMaxSentData - 3;
 
 /// Builds a command without an argument, with an integer, or with a string.
 inline Command command(CommandId id) {
@@ -61,7 +61,7 @@ BytePair split(int argument);
 /// Checks that integer and string fit, so that the command can be sent unchanged. The error says what to do.
 Result<void> check(const Command& command);
 
-/// Encodes a command. An integer beyond kMaximumArgument is clamped, a string or extra data too long for a
+/// Encodes a command. An integer beyond kMaxArgument is clamped, a string or extra data too long for a
 /// frame are truncated; use check() to detect that.
 Packet toPacket(const Command& command);
 

@@ -20,7 +20,7 @@ constexpr std::string_view kClosed = "client closed";
 constexpr std::string_view kFromClient = "C>S";
 constexpr std::string_view kFromRobot = "S>C";
 /// Larger times are errors; smaller ones are exact in ns.
-constexpr double kMaximumMs = 1e12;
+constexpr double kMaxMs = 1e12;
 
 std::string_view trimmed(std::string_view text) {
   while (!text.empty() && (text.front() == ' ' || text.front() == '\t')) text.remove_prefix(1);
@@ -81,7 +81,7 @@ tl::expected<Event, std::string> readEvent(std::string_view line) {
   const std::string_view time = takeWord(line);
   double ms = 0;
   const auto [end, problem] = std::from_chars(time.data(), time.data() + time.size(), ms);
-  if (problem != std::errc() || end != time.data() + time.size() || !(std::abs(ms) <= kMaximumMs)) {
+  if (problem != std::errc() || end != time.data() + time.size() || !(std::abs(ms) <= kMaxMs)) {
     return tl::unexpected("expected '" + std::string(kNewConnection) + "' or a time in ms, not '" +
                           std::string(time.substr(0, 40)) + "'");
   }
@@ -125,7 +125,7 @@ Result<Conversation> readConversation(std::string_view text, const std::string& 
 }
 
 Result<Conversation> readConversationFile(const std::filesystem::path& file) {
-  const auto text = readFile(file, kMaximumConversationBytes);
+  const auto text = readFile(file, kMaxConversationBytes);
   if (!text) return tl::unexpected(text.error());
   return readConversation(*text, file.string());
 }

@@ -37,7 +37,7 @@ struct Conversation {
 };
 
 /// Files of this size or larger are refused without being read.
-inline constexpr std::size_t kMaximumConversationBytes = 256U << 20U;
+inline constexpr std::size_t kMaxConversationBytes = 256U << 20U;
 
 /// Parses a conversation. Empty lines and lines that begin with # are skipped. Fails at the first wrong line
 /// with file and line; the description of the bytes in a line must match them. Ids begin with "arcos.".

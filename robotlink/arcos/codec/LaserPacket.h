@@ -15,8 +15,8 @@ namespace robotlink::arcos {
 struct LaserPacket {
   static constexpr std::uint8_t kPlainId = 0x60;
   static constexpr std::uint8_t kExtendedId = 0x61;
-  /// The number of readings in a full packet, which is then shorter than kMaximumSentCount.
-  static constexpr std::size_t kMostReadings = 32;
+  /// The number of readings in a full packet, which is then shorter than kMaxSentCount.
+  static constexpr std::size_t kMaxReadings = 32;
 
   /// One beam.
   struct Reading {

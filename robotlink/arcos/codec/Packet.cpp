@@ -16,8 +16,8 @@ std::uint16_t checksum(std::span<const std::uint8_t> idAndData) {
 }
 
 void append(const Packet& packet, Bytes& bytes) {
-  assert(packet.data.size() <= kMaximumData);
-  if (packet.data.size() > kMaximumData) return;
+  assert(packet.data.size() <= kMaxData);
+  if (packet.data.size() > kMaxData) return;
   const std::size_t start = bytes.size();
   bytes.insert(bytes.end(), {kHeader1, kHeader2, static_cast<std::uint8_t>(packet.count()), packet.id});
   bytes.insert(bytes.end(), packet.data.begin(), packet.data.end());

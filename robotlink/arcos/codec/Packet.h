@@ -19,12 +19,12 @@ inline constexpr std::uint8_t kHeader2 = 0xFB;
 /// The COUNT of a packet without data.
 inline constexpr std::size_t kMinimumCount = 3;
 /// Larger counts are treated as damage, as real clients do.
-inline constexpr std::size_t kMaximumCount = 249;
+inline constexpr std::size_t kMaxCount = 249;
 /// Robots ignore packets with a COUNT above 204, some clients those above 200, so none should be sent.
-inline constexpr std::size_t kMaximumSentCount = 200;
+inline constexpr std::size_t kMaxSentCount = 200;
 /// The most data that can be received, and that should be sent.
-inline constexpr std::size_t kMaximumData = kMaximumCount - kMinimumCount;
-inline constexpr std::size_t kMaximumSentData = kMaximumSentCount - kMinimumCount;
+inline constexpr std::size_t kMaxData = kMaxCount - kMinimumCount;
+inline constexpr std::size_t kMaxSentData = kMaxSentCount - kMinimumCount;
 
 /// The sender of a packet, which determines the meaning of its id and data.
 enum class Direction { kFromClient, kFromRobot };
@@ -43,7 +43,7 @@ struct Packet {
 /// number of bytes is odd.
 std::uint16_t checksum(std::span<const std::uint8_t> idAndData);
 
-/// Puts a packet into its frame. Data longer than kMaximumData do not fit, which is a programming error; the
+/// Puts a packet into its frame. Data longer than kMaxData do not fit, which is a programming error; the
 /// result is then empty.
 Bytes encode(const Packet& packet);
 

@@ -6,7 +6,7 @@
 namespace robotlink::arcos {
 namespace {
 
-constexpr std::size_t kMaximumDamage = 256;
+constexpr std::size_t kMaxDamage = 256;
 
 }  // namespace
 
@@ -29,8 +29,8 @@ void PacketParser::push(std::span<const std::uint8_t> bytes) {
   giveUpBefore_ -= std::min(giveUpBefore_, begin_);
   begin_ = 0;
   buffer_.insert(buffer_.end(), bytes.begin(), bytes.end());
-  if (buffer_.size() > kMaximumBuffered) {
-    begin_ = buffer_.size() - kMaximumBuffered;
+  if (buffer_.size() > kMaxBuffered) {
+    begin_ = buffer_.size() - kMaxBuffered;
     counters_.skippedBytes += begin_;
   }
 }
@@ -50,7 +50,7 @@ std::size_t PacketParser::nextHeader(std::size_t from, std::size_t end) const {
 }
 
 Damage PacketParser::takeDamage(Damage::Kind kind, std::size_t end) {
-  end = std::min(end, begin_ + kMaximumDamage);
+  end = std::min(end, begin_ + kMaxDamage);
   Damage damage{kind, Bytes(buffer_.begin() + static_cast<std::ptrdiff_t>(begin_),
                             buffer_.begin() + static_cast<std::ptrdiff_t>(end))};
   counters_.skippedBytes += damage.bytes.size();
@@ -72,7 +72,7 @@ std::optional<PacketParser::Found> PacketParser::next() {
   const std::size_t available = buffer_.size() - begin_;
   if (available < 3) return needMore();
   const std::size_t count = buffer_[begin_ + 2];
-  if (count < kMinimumCount || count > kMaximumCount) {
+  if (count < kMinimumCount || count > kMaxCount) {
     return takeDamage(Damage::Kind::kCount, nextHeader(begin_ + 2, begin_ + 3));
   }
   if (available < count + 3) return needMore();

@@ -52,7 +52,7 @@ class PacketParser {
   };
 
   /// The limit of unread bytes. Beyond it, the oldest bytes are skipped and counted.
-  static constexpr std::size_t kMaximumBuffered = 64U << 10U;
+  static constexpr std::size_t kMaxBuffered = 64U << 10U;
 
   /// Appends received bytes.
   void push(std::span<const std::uint8_t> bytes);

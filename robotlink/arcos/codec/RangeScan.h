@@ -17,12 +17,12 @@ struct RangeScan {
   Pose2 robot;
   Pose2 laserInRobot;
   double startAngle = 0, angleStep = 0;
-  std::vector<double> ranges;  ///< m; kMaximum or more if there is nothing
+  std::vector<double> ranges;  ///< m; kMax or more if there is nothing
 
-  static constexpr double kMaximum = 32.0;
+  static constexpr double kMax = 32.0;
 
   /// Whether reading i hit something.
-  bool echo(std::size_t reading) const { return ranges[reading] > 0 && ranges[reading] < kMaximum; }
+  bool echo(std::size_t reading) const { return ranges[reading] > 0 && ranges[reading] < kMax; }
   double angle(std::size_t reading) const { return startAngle + angleStep * static_cast<double>(reading); }
   /// The hit point in the robot's frame at the time of the scan.
   Vector2 pointInRobot(std::size_t reading) const {

@@ -12,10 +12,10 @@ namespace {
 
 constexpr double kUsualIncrement = 1.0;                             // deg
 constexpr double kSmallestIncrement = 0.1, kLargestIncrement = 90;  // deg
-constexpr int kMostReadings = 1801;
+constexpr int kMaxReadings = 1801;
 constexpr std::uint8_t kMovedFlag = 1;
 /// Requests of packets: 0 none, 1 one, 2 all the time.
-constexpr int kMostOfRequest = 2;
+constexpr int kMaxOfRequest = 2;
 
 std::int16_t wrappedMm(double value) {
   return static_cast<std::int16_t>(static_cast<std::uint16_t>(std::llround(value) & 0xFFFF));
@@ -41,9 +41,9 @@ bool LaserService::obey(const Command& command) {
   const bool legacy = id >= CommandId::kLegacyLaserEnable && id <= CommandId::kLegacyLaserResolution;
   const bool endFollows = legacy && std::exchange(endFollows_, id == CommandId::kLegacyLaserStart);
   // The same ids also request gripper packets (0, 1, 2) and select an analog port.
-  if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMostOfRequest)
+  if (id == CommandId::kLegacyLaserEnd && !endFollows && argument >= 0 && argument <= kMaxOfRequest)
     return false;
-  if (id == CommandId::kLegacyLaserEnable && (argument < 0 || argument > kMostOfRequest)) return false;
+  if (id == CommandId::kLegacyLaserEnable && (argument < 0 || argument > kMaxOfRequest)) return false;
   switch (id) {
     case CommandId::kSimLaserEnable:
     case CommandId::kLegacyLaserEnable:
@@ -68,7 +68,7 @@ bool LaserService::obey(const Command& command) {
 
 int LaserService::readings() const {
   const double field = std::max(0.0, endDeg_ - startDeg_);
-  return std::min(kMostReadings, static_cast<int>(std::floor(field / incrementDeg_ + 1e-6)) + 1);
+  return std::min(kMaxReadings, static_cast<int>(std::floor(field / incrementDeg_ + 1e-6)) + 1);
 }
 
 int LaserService::rangeMm(std::span<const double> ranges, int reading) const {
@@ -92,8 +92,8 @@ std::vector<Packet> LaserService::packets(std::span<const double> ranges, const 
   part.yMm = wrappedMm(odometry.y * 1000);
   part.headingDeg = wrappedMm(degrees(odometry.heading));
   part.flags = moved ? kMovedFlag : 0;
-  for (int first = 0; first < total; first += static_cast<int>(LaserPacket::kMostReadings)) {
-    const int end = std::min(total, first + static_cast<int>(LaserPacket::kMostReadings));
+  for (int first = 0; first < total; first += static_cast<int>(LaserPacket::kMaxReadings)) {
+    const int end = std::min(total, first + static_cast<int>(LaserPacket::kMaxReadings));
     part.first = static_cast<std::uint16_t>(first);
     part.readings.clear();
     for (int i = first; i < end; ++i) {

@@ -98,7 +98,7 @@ void MotionController::move(double distance) {
   if (!motorsOn_) return;
   beginCommand();
   translation_.aim = Channel::Aim::kPosition;
-  translation_.target = travelled_ + finite(distance);
+  translation_.target = traveled_ + finite(distance);
   translation_.limit = parameters_.speed;
 }
 
@@ -158,7 +158,7 @@ void MotionController::enable(bool motors) {
 void MotionController::reset() {
   emergencyStop();
   odometry_ = {};
-  travelled_ = 0;
+  traveled_ = 0;
   last_.reset();
   stallLeft_ = {};
   leftStalled_ = rightStalled_ = false;
@@ -199,7 +199,7 @@ void MotionController::updateOdometry(const Wheels& wheels, Duration passed) {
   odometry_.x += forwards * std::cos(heading);
   odometry_.y += forwards * std::sin(heading);
   odometry_.heading = normalizedAngle(odometry_.heading + turned);
-  travelled_ += forwards;
+  traveled_ += forwards;
 }
 
 void MotionController::checkStall(const Wheels& wheels, Duration passed) {
@@ -214,7 +214,7 @@ void MotionController::checkStall(const Wheels& wheels, Duration passed) {
 double MotionController::translationWanted(double passed) {
   if (held_) return 0;
   if (translation_.aim == Channel::Aim::kSpeed) return translation_.target;
-  const double rest = translation_.target - travelled_;
+  const double rest = translation_.target - traveled_;
   if (std::abs(rest) > kDistanceReached) {
     return speedTowards(rest, translation_.limit, parameters_.deceleration, passed);
   }

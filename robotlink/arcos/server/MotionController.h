@@ -146,7 +146,7 @@ class MotionController {
   bool held_ = false;
   Pose2 odometry_;
   /// Distance traveled by the robot's center, forwards minus backwards, m.
-  double travelled_ = 0;
+  double traveled_ = 0;
   /// The encoders of the previous step; empty after a reset.
   std::optional<Wheels> last_;
   bool leftStalled_ = false, rightStalled_ = false;

@@ -20,7 +20,7 @@ using Clock = std::chrono::steady_clock;
 constexpr std::chrono::milliseconds kPartialFor{100};
 /// Limit of accepted connections per port and call of serve(), so that reconnecting in a loop costs no more
 /// than sending.
-constexpr int kMaximumAccepts = 4;
+constexpr int kMaxAccepts = 4;
 /// The system's buffer of sent and unread data: small, so that most waiting data can still be dropped.
 constexpr int kSystemBuffer = 16 << 10;
 
@@ -76,9 +76,9 @@ class Port {
 
   /// Prepares for a call of serve(): processes what was left over from the last one, and listens again.
   void beginStep() {
-    bytesLeft_ = RobotPorts::kMaximumBytes;
-    packetsLeft_ = RobotPorts::kMaximumPackets;
-    acceptsLeft_ = kMaximumAccepts;
+    bytesLeft_ = RobotPorts::kMaxBytes;
+    packetsLeft_ = RobotPorts::kMaxPackets;
+    acceptsLeft_ = kMaxAccepts;
     if (!awaitingClients_) awaitClients();
     if (!client_.is_open()) return;
     handOut();
@@ -164,7 +164,7 @@ class Port {
 
   void read() {
     if (!mayRead()) return;
-    std::array<std::uint8_t, RobotPorts::kMaximumBytes> bytes;
+    std::array<std::uint8_t, RobotPorts::kMaxBytes> bytes;
     boost::system::error_code error;
     const std::size_t count = client_.read_some(asio::buffer(bytes.data(), bytesLeft_), error);
     if (error == asio::error::would_block || error == asio::error::interrupted) return;
@@ -240,8 +240,8 @@ class Port {
   bool drained_ = true;
   // The client sends no more; its remaining packets are still executed.
   bool ended_ = false;
-  std::size_t bytesLeft_ = RobotPorts::kMaximumBytes, packetsLeft_ = RobotPorts::kMaximumPackets;
-  int acceptsLeft_ = kMaximumAccepts;
+  std::size_t bytesLeft_ = RobotPorts::kMaxBytes, packetsLeft_ = RobotPorts::kMaxPackets;
+  int acceptsLeft_ = kMaxAccepts;
   RobotPorts::Statistics statistics_;
 };
 

@@ -19,16 +19,16 @@ namespace robotlink::arcos {
 /// has crashed, it is replaced. Data that a client does not read wait in a SendQueue, which drops old
 /// packets, so that a slow reader gets recent ones.
 ///
-/// A client cannot slow down other robots: each call of serve() processes at most kMaximumBytes and
-/// kMaximumPackets of each port; the rest waits for the next call, first here, then in the client's system,
+/// A client cannot slow down other robots: each call of serve() processes at most kMaxBytes and
+/// kMaxPackets of each port; the rest waits for the next call, first here, then in the client's system,
 /// which then stops sending.
 ///
 /// It has no thread: bytes are moved in serve() and send(), which one thread calls.
 class RobotPorts {
  public:
   /// Limits of one port in one call of serve(). Real robots process about 300 packets a second.
-  static constexpr std::size_t kMaximumBytes = 16U << 10U;
-  static constexpr std::size_t kMaximumPackets = 64;
+  static constexpr std::size_t kMaxBytes = 16U << 10U;
+  static constexpr std::size_t kMaxPackets = 64;
   struct Options {
     /// The local address; anything but loopback makes the robots reachable from the network.
     std::string address = "127.0.0.1";

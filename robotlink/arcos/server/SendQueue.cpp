@@ -8,15 +8,14 @@ void SendQueue::push(const Packet& packet, Instant now) {
   append(packet, bytes_);
   packets_.push_back({bytes_.size() - before, now});
   std::size_t excess = 0, size = bytes_.size();
-  for (std::size_t i = firstWhole(); size > kMaximumBytes && i + 1 < packets_.size(); ++i, ++excess)
+  for (std::size_t i = firstWhole(); size > kMaxBytes && i + 1 < packets_.size(); ++i, ++excess)
     size -= packets_[i].size;
   drop(excess);
 }
 
 void SendQueue::dropOld(Instant now) {
   std::size_t old = 0;
-  for (std::size_t i = firstWhole(); i < packets_.size() && now - packets_[i].pushed > kMaximumAge; ++i)
-    ++old;
+  for (std::size_t i = firstWhole(); i < packets_.size() && now - packets_[i].pushed > kMaxAge; ++i) ++old;
   drop(old);
 }
 

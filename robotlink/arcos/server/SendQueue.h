@@ -11,14 +11,14 @@ namespace robotlink::arcos {
 
 /// The bytes of packets that wait for a client to read them, oldest first.
 ///
-/// A slow client gets recent data: packets older than kMaximumAge are dropped, and the oldest ones if more
-/// than kMaximumBytes wait. Only whole packets are dropped, never one that was written in part. What the
+/// A slow client gets recent data: packets older than kMaxAge are dropped, and the oldest ones if more
+/// than kMaxBytes wait. Only whole packets are dropped, never one that was written in part. What the
 /// operating systems of both ends have buffered cannot be dropped any more. Not thread-safe.
 class SendQueue {
  public:
   using Instant = std::chrono::steady_clock::time_point;
-  static constexpr std::chrono::seconds kMaximumAge{1};
-  static constexpr std::size_t kMaximumBytes = 64U << 10U;
+  static constexpr std::chrono::seconds kMaxAge{1};
+  static constexpr std::size_t kMaxBytes = 64U << 10U;
 
   /// Appends a packet; drops the oldest ones if there are too many bytes.
   void push(const Packet& packet, Instant now);

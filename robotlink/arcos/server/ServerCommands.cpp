@@ -17,7 +17,7 @@ constexpr double kWheelSpeedUnit = 0.020;  // m/s
 CommandId idOf(const Command& command) {
   return static_cast<CommandId>(command.id);
 }
-double metres(const Command& command) {
+double meters(const Command& command) {
   return integerArgument(command) / 1000.0;
 }
 double angle(const Command& command) {
@@ -86,10 +86,10 @@ bool ServerSession::obeyLaser(const Command& command) {
 bool ServerSession::obeyTranslation(const Command& command) {
   switch (idOf(command)) {
     case CommandId::kVel:
-      motion_.translate(metres(command));
+      motion_.translate(meters(command));
       return true;
     case CommandId::kMove:
-      motion_.move(metres(command));
+      motion_.move(meters(command));
       return true;
     case CommandId::kVel2: {
       const BytePair speeds = split(integerArgument(command));
@@ -138,13 +138,13 @@ bool ServerSession::obeyLimits(const Command& command) {
   const bool braking = integerArgument(command) < 0;
   switch (idOf(command)) {
     case CommandId::kSetV:
-      motion_.setSpeed(metres(command));
+      motion_.setSpeed(meters(command));
       return true;
     case CommandId::kSetRv:
       motion_.setRotation(angle(command));
       return true;
     case CommandId::kSetA:
-      braking ? motion_.setDeceleration(metres(command)) : motion_.setAcceleration(metres(command));
+      braking ? motion_.setDeceleration(meters(command)) : motion_.setAcceleration(meters(command));
       return true;
     case CommandId::kSetRa:
       braking ? motion_.setRotationDeceleration(angle(command))

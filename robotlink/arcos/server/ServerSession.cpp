@@ -14,9 +14,9 @@ namespace {
 constexpr std::uint8_t kSync0 = 0, kSync1 = 1, kSync2 = 2;
 /// Clients take packets with these ids for a restart of the controller, and disconnect.
 constexpr std::uint8_t kFirstReserved = 0xFE;
-constexpr std::size_t kMostRequests = 64;
+constexpr std::size_t kMaxRequests = 64;
 constexpr Duration kGyroPeriod = std::chrono::milliseconds(25);
-constexpr std::size_t kMostGyroReadings = 8;
+constexpr std::size_t kMaxGyroReadings = 8;
 /// Wheels slower than this count as standing; then the drift of a gyroscope must not change the heading.
 constexpr double kStandingSpeed = 0.002;  // m/s
 
@@ -112,8 +112,7 @@ bool ServerSession::tellsTruth() const {
 }
 
 void ServerSession::send(Packet packet) {
-  if (packet.id >= kFirstReserved || packet.count() > kMaximumSentCount ||
-      outgoing_.size() >= kMaximumOutgoing) {
+  if (packet.id >= kFirstReserved || packet.count() > kMaxSentCount || outgoing_.size() >= kMaxOutgoing) {
     ++dropped_;
     return;
   }
@@ -121,7 +120,7 @@ void ServerSession::send(Packet packet) {
 }
 
 void ServerSession::ask(SimulatorRequest request) {
-  if (requests_.size() < kMostRequests) requests_.push_back(std::move(request));
+  if (requests_.size() < kMaxRequests) requests_.push_back(std::move(request));
 }
 
 std::vector<Packet> ServerSession::takeOutgoing() {
@@ -135,7 +134,7 @@ std::vector<SimulatorRequest> ServerSession::takeRequests() {
 void ServerSession::mapLoaded(const std::string& file, bool loaded, bool byUser) {
   if (state_ != State::kOpen) return;
   // Of a path that is too long for a packet, the end is sent.
-  const std::size_t fitting = kMaximumSentData - 3;
+  const std::size_t fitting = kMaxSentData - 3;
   MapChanged changed;
   changed.byUser = byUser;
   changed.loaded = loaded;
@@ -194,7 +193,7 @@ void ServerSession::readGyroscope(const RobotSensing& sensing, Instant now) {
   if (now < client_.nextGyroReading || !subscription(kGyro).always) return;
   // Clients take each reading as the rate over one period, so on average there must be exactly one a period.
   client_.nextGyroReading = std::max(client_.nextGyroReading + kGyroPeriod, now);
-  if (client_.gyroReadings.size() < kMostGyroReadings) client_.gyroReadings.push_back(gyroReadingOf(sensing));
+  if (client_.gyroReadings.size() < kMaxGyroReadings) client_.gyroReadings.push_back(gyroReadingOf(sensing));
 }
 
 void ServerSession::sendCycle(const RobotSensing& sensing, RangeFinders& ranges) {

@@ -65,7 +65,7 @@ class ServerSession {
     kOpen,
   };
   /// When this many packets wait in takeOutgoing(), further ones are dropped.
-  static constexpr std::size_t kMaximumOutgoing = 1024;
+  static constexpr std::size_t kMaxOutgoing = 1024;
 
   explicit ServerSession(ServerSettings settings = {});
 

@@ -12,10 +12,10 @@ constexpr double kShutdownVoltage = 11.0, kLowVoltage = 11.5;
 /// The unit of angles on the wire: 1/4096 of a turn, in rad.
 constexpr double kAngleUnit = 2 * kPi / 4096;
 /// ARIA: rate (deg/s) = (512 - reading) * 5 V / 1023 * 300 deg/s / 2.5 V * 1.626, the factor of a p3at-sh.
-constexpr double kGyroCentre = 512, kGyroUnitDeg = 5.0 / 1023 * 300 / 2.5 * 1.626;
+constexpr double kGyroCenter = 512, kGyroUnitDeg = 5.0 / 1023 * 300 / 2.5 * 1.626;
 /// An inertial unit's range 3, for 300 deg/s.
 constexpr std::uint8_t kImuRange = 3;
-constexpr double kImuRateUnitDeg = 0.01832, kImuTemperatureUnit = 0.1453, kImuTemperatureCentre = 25;
+constexpr double kImuRateUnitDeg = 0.01832, kImuTemperatureUnit = 0.1453, kImuTemperatureCenter = 25;
 
 /// Clients use a hundredth of it as the dilution of precision; 0 means that the position is bad.
 constexpr std::int32_t kGoodPosition = 100;
@@ -37,8 +37,8 @@ T wrapped(double value) {
   return static_cast<T>(static_cast<std::int64_t>(std::fmod(std::round(value), span)));
 }
 
-std::uint16_t mm(double metres) {
-  return rounded<std::uint16_t>(metres * 1000);
+std::uint16_t mm(double meters) {
+  return rounded<std::uint16_t>(meters * 1000);
 }
 std::uint16_t deg(double angle) {
   return rounded<std::uint16_t>(degrees(angle));
@@ -64,7 +64,7 @@ std::uint16_t stallAndBumpers(const ServerSettings& settings, const RobotSensing
 std::uint16_t flagsOf(const RobotSensing& sensing, const MotionController& motion,
                       const SonarFiring& sonars) {
   unsigned flags = motion.motorsOn() ? StandardInformation::kMotorsOn : 0U;
-  for (int array = 0; array < SonarFiring::kMaximumArrays; ++array) {
+  for (int array = 0; array < SonarFiring::kMaxArrays; ++array) {
     if (sonars.isOn(array)) flags |= unsigned{StandardInformation::kSonarArray1On} << array;
   }
   if (sensing.stopButton) flags |= StandardInformation::kEmergencyStop;
@@ -181,7 +181,7 @@ IoPacket ioOf(const ServerSettings& settings, const RobotSensing& sensing, const
 }
 
 GyroPacket::Reading gyroReadingOf(const RobotSensing& sensing) {
-  const double reading = kGyroCentre - degrees(sensing.rotationRate) / kGyroUnitDeg;
+  const double reading = kGyroCenter - degrees(sensing.rotationRate) / kGyroUnitDeg;
   return {static_cast<std::uint16_t>(std::clamp<int>(rounded<std::int16_t>(reading), 0, 1023)),
           rounded<std::uint8_t>(sensing.temperature)};
 }
@@ -191,7 +191,7 @@ ImuPacket imuOf(const RobotSensing& sensing) {
   reading.gyroRange = kImuRange;
   reading.gyro = {rounded<std::int16_t>(degrees(sensing.rotationRate) / kImuRateUnitDeg)};
   reading.temperature = {
-      rounded<std::int16_t>((sensing.temperature - kImuTemperatureCentre) / kImuTemperatureUnit)};
+      rounded<std::int16_t>((sensing.temperature - kImuTemperatureCenter) / kImuTemperatureUnit)};
   ImuPacket imu;
   imu.readings = {reading};
   return imu;

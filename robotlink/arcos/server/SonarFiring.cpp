@@ -6,12 +6,12 @@
 namespace robotlink::arcos {
 namespace {
 
-constexpr std::size_t kMaximumSequence = 16;  // of one array
+constexpr std::size_t kMaxSequence = 16;  // of one array
 
 }  // namespace
 
 SonarFiring::SonarFiring(int sonars)
-    : sonars_(std::clamp(sonars, 0, kMaximumArrays * kDiscsOfArray)),
+    : sonars_(std::clamp(sonars, 0, kMaxArrays * kDiscsOfArray)),
       arrays_((sonars_ + kDiscsOfArray - 1) / kDiscsOfArray) {
   restore();
 }
@@ -27,7 +27,7 @@ void SonarFiring::restore() {
 void SonarFiring::enable(int argument) {
   const bool on = (argument & 1) != 0;
   const int array = argument >> 1;
-  for (int i = 0; i < kMaximumArrays; ++i) {
+  for (int i = 0; i < kMaxArrays; ++i) {
     if (array == 0 || array == i + 1) array_[static_cast<std::size_t>(i)].on = on;
   }
 }
@@ -41,7 +41,7 @@ void SonarFiring::setSequence(std::string_view discs) {
     const int disc = static_cast<unsigned char>(character) - 1;
     if (disc < 0 || disc >= sonars_) continue;
     auto& sequence = array_[static_cast<std::size_t>(disc / kDiscsOfArray)].sequence;
-    if (sequence.size() < kMaximumSequence) sequence.push_back(disc);
+    if (sequence.size() < kMaxSequence) sequence.push_back(disc);
   }
 }
 

@@ -15,7 +15,7 @@ namespace robotlink::arcos {
 class SonarFiring {
  public:
   static constexpr int kDiscsOfArray = 8;
-  static constexpr int kMaximumArrays = 4;
+  static constexpr int kMaxArrays = 4;
   /// Time between two discs of an array unless the client changes it.
   static constexpr Duration kPeriod = std::chrono::milliseconds(40);
 
@@ -56,7 +56,7 @@ class SonarFiring {
 
   const int sonars_;
   const int arrays_;
-  std::array<Array, kMaximumArrays> array_;
+  std::array<Array, kMaxArrays> array_;
   Duration period_ = kPeriod;
   /// The time of the next round.
   Instant next_;

@@ -26,7 +26,7 @@ struct Color {
 namespace colors {
 inline constexpr Color kRed{{220, 40, 40}}, kGreen{{40, 180, 60}}, kBlue{{40, 90, 230}},
     kYellow{{240, 210, 40}}, kOrange{{250, 130, 20}}, kPink{{250, 90, 170}}, kSkyBlue{{90, 200, 240}},
-    kWhite{{255, 255, 255}}, kBlack{{0, 0, 0}}, kGrey{{128, 128, 128}};
+    kWhite{{255, 255, 255}}, kBlack{{0, 0, 0}}, kGray{{128, 128, 128}};
 }  // namespace colors
 
 /// Draws in the plane of an image: pixels, (0, 0) is the upper left corner, y points down; line widths are in

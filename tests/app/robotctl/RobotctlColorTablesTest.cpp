@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// What colour tables' classes are called, and tables of others, by `robotctl color`.
+// What color tables' classes are called, and tables of others, by `robotctl color`.
 #include <gmock/gmock.h>
 
 #include <nlohmann/json.hpp>
@@ -55,7 +55,7 @@ TEST_F(RobotctlColorTables, picturesOfNumbersAreLabelsAgain) {
   const std::string png = textOf(folder_ / "shown/000.png");
   const auto shown = logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(png.data()), png.size()});
   ASSERT_TRUE(shown);
-  EXPECT_EQ(shown->row(120)[3 * 50], 255) << "orange in the colour of its class";
+  EXPECT_EQ(shown->row(120)[3 * 50], 255) << "orange in the color of its class";
   EXPECT_EQ(shown->row(120)[3 * 50 + 1], 105);
 }
 

@@ -39,12 +39,12 @@ TEST_F(RobotctlColor, allMethodsSortTheImage) {
     EXPECT_EQ(result.at("mean_recall"), 1.0) << method;
     EXPECT_EQ(result.at("false_color"), 0.0) << method;
     const json cells = json::parse(color("info --json " + table).out).at("cells");
-    EXPECT_GT(cells.at("none"), 200'000) << method << " does not take everything for a colour";
+    EXPECT_GT(cells.at("none"), 200'000) << method << " does not take everything for a color";
   }
   EXPECT_EQ(color("train --strokes strokes.csv --images images --out x.c64 --method magic").status, 2);
 }
 
-TEST_F(RobotctlColor, falseColourIsTheShareOfBackgroundThatIsTakenForAColour) {
+TEST_F(RobotctlColor, falseColorIsTheShareOfBackgroundThatIsTakenForAColor) {
   ASSERT_EQ(train().status, 0);
   auto table = colortool::ColorTableFile::load(folder_ / "t.c64").value();
   for (std::uint8_t& cell : table.cells) {
@@ -57,7 +57,7 @@ TEST_F(RobotctlColor, falseColourIsTheShareOfBackgroundThatIsTakenForAColour) {
   EXPECT_EQ(result.at("confusion").at("background"), (json{{"red", 1.0}}));
 }
 
-TEST_F(RobotctlColor, imagesAreShownInTheColoursOrNumbersOfTheirClasses) {
+TEST_F(RobotctlColor, imagesAreShownInTheColorsOrNumbersOfTheirClasses) {
   ASSERT_EQ(train().status, 0);
   ASSERT_EQ(color("segment --table t.c64 --images images --out shown").status, 0);
   ASSERT_EQ(color("segment --table t.c64 --images images --out numbers --numbers").status, 0);
@@ -103,7 +103,7 @@ TEST_F(RobotctlColor, whatIsWrongIsSaidWithItsPlace) {
   std::ofstream(folder_ / "bad.csv") << "image,class,x,y,radius\n001.yuyv,orange,50,1,3\n";
   fails("train --strokes bad.csv --images images --out x.c64", "there is no image 001.yuyv");
   fails("train --strokes strokes.csv --images labels/none --out x.c64", "labels/none");
-  fails("evaluate --table strokes.csv --images images --labels labels", "this is no .c64 colour table");
+  fails("evaluate --table strokes.csv --images images --labels labels", "this is no .c64 color table");
   EXPECT_FALSE(std::filesystem::exists(folder_ / "x.c64"));
   ASSERT_EQ(train().status, 0);
   fails("evaluate --table t.c64 --images images --labels images", "no image has labels here");

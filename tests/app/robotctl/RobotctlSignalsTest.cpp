@@ -10,8 +10,8 @@
 #include <vector>
 
 #include "logplayer/file/LogFile.h"
-#include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/app/StartedProgram.h"
+#include "tests/app/robotctl/RobotctlRun.h"
 #include "tests/logplayer/SampleLog.h"
 
 namespace {

@@ -130,7 +130,7 @@ TEST(Robotctl, aSceneThatIsNotThereAndABadLayoutFailWithTheirPlace) {
   EXPECT_EQ(scene.status, 1);
   EXPECT_NE(scene.text.find("/no/such.sdf"), std::string::npos);
   const auto file = std::filesystem::path(testing::TempDir()) / "bad.yaml";
-  std::ofstream(file) << "version: 1\nname: bad\nprocesses:\n  - name: a\n    colour: green\n";
+  std::ofstream(file) << "version: 1\nname: bad\nprocesses:\n  - name: a\n    color: green\n";
   const Outcome layout = robotctl("layout check " + file.string());
   EXPECT_EQ(layout.status, 1);
   EXPECT_NE(layout.text.find(file.string() + ":5:"), std::string::npos) << layout.text;

@@ -22,7 +22,7 @@ class RobotctlTruth : public testing::Test {
   RobotctlOutcome robotctl(const std::string& arguments) const {
     return runRobotctl(folder_.path(), arguments);
   }
-  /// A table of the field's colours as t.c64, with the names of its classes.
+  /// A table of the field's colors as t.c64, with the names of its classes.
   void writeTable() const {
     colortool::NamedColorTable table;
     table.classes = colortool::findClassPreset("2002")->classes();
@@ -43,9 +43,9 @@ class RobotctlTruth : public testing::Test {
 
 }  // namespace
 
-TEST_F(RobotctlTruth, labelledImagesAreFilesThatATableIsScoredAgainst) {
+TEST_F(RobotctlTruth, labeledImagesAreFilesThatATableIsScoredAgainst) {
   const RobotctlOutcome sim =
-      robotctl("sim " + kScene + " --seconds 1.1 --labelled-images labelled --images-every 0.5 --digest");
+      robotctl("sim " + kScene + " --seconds 1.1 --labelled-images labeled --images-every 0.5 --digest");
   ASSERT_EQ(sim.status, 0) << sim.errors;
   EXPECT_THAT(sim.errors, HasSubstr("3 images with their true classes"));
   EXPECT_EQ(sim.out, robotctl("sim " + kScene + " --seconds 1.1 --digest").out) << "nothing else is changed";
@@ -88,7 +88,7 @@ TEST_F(RobotctlTruth, whatCannotBeDoneIsSaid) {
   std::ofstream(folder_ / "file") << "x";
   const RobotctlOutcome sim = robotctl("sim " + kScene + " --seconds 0.1 --labelled-images file");
   EXPECT_EQ(sim.status, 1);
-  EXPECT_THAT(sim.errors, HasSubstr("file/images: cannot make this folder for labelled images"));
+  EXPECT_THAT(sim.errors, HasSubstr("file/images: cannot make this folder for labeled images"));
   for (const char* wrong : {"--light 11", "--light -1", "--warmth 2", "--vignetting 1.5", "--image-noise -1",
                             "--image-noise 3 --no-noise", "--vignetting 0.1 0.2 0.3", "--images-every 1",
                             "--trials 1 --labelled-images x"}) {

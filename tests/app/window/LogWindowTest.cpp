@@ -17,8 +17,8 @@
 #include <QtTest>
 
 #include "app/core/Workbench.h"
-#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/MainWindow.h"
+#include "app/robotcontrol/bars/LogToolBar.h"
 #include "app/robotcontrol/docks/ViewDocks.h"
 #include "colortool/table/ColorTableFile.h"
 #include "robotcontrol/Requests.pb.h"
@@ -306,7 +306,7 @@ class LogWindowTest : public WindowTest {
     QTRY_VERIFY(desk.find<QLabel>("errorText").text().contains(QStringLiteral("empty.mcap")));
   }
 
-  void aColourTableIsLoadedFromTheMenuOrDroppedAndTakenBack() {
+  void aColorTableIsLoadedFromTheMenuOrDroppedAndTakenBack() {
     Desk desk(home_ / "table");
     const QString file = QString::fromStdString((home_ / "table/some.c64").string());
     QVERIFY(colortool::ColorTableFile().save(file.toStdString()).has_value());

@@ -10,8 +10,8 @@
 
 #include "app/robotcontrol/actions/FileKind.h"
 #include "robotlink/session/Numbers.h"
-#include "tests/app/window/Desk.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/logplayer/ForeignLog.h"
 #include "widgets/log/OpenLogs.h"

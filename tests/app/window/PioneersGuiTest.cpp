@@ -12,8 +12,8 @@
 
 #include "robotcontrol/Driving.pb.h"
 #include "robotlink/arcos/PioneerRobot.h"
-#include "tests/app/window/Desk.h"
 #include "tests/app/ServedWorld.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 #include "tests/widgets/DialogAnswer.h"
 

@@ -16,8 +16,8 @@
 
 #include "app/core/Workbench.h"
 #include "app/robotcontrol/MainWindow.h"
-#include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "app/robotcontrol/actions/StreamChooser.h"
+#include "app/robotcontrol/bars/RecordingToolBar.h"
 #include "foxglove/Event.pb.h"
 #include "logplayer/base/RecordedStreams.h"
 #include "robotcontrol/Requests.pb.h"

@@ -6,13 +6,13 @@
 #include <fstream>
 
 #include "colortool/table/ColorTableFile.h"
-#include "tests/app/window/Desk.h"
 #include "tests/app/ShortLog.h"
+#include "tests/app/window/Desk.h"
 #include "tests/app/window/WindowTest.h"
 
 namespace {
 
-/// Pixels of the colour that the disc around the ball is drawn in; nothing at the start of a game looks like
+/// Pixels of the color that the disc around the ball is drawn in; nothing at the start of a game looks like
 /// that.
 int discPixels(QWidget& widget) {
   const QImage image = widget.grab().toImage();

@@ -19,7 +19,7 @@ constexpr int kWidth = 320, kHeight = 240;
 /// Of the classes from 1 on.
 constexpr std::array<YCbCr, 3> kColors = {{{140, 60, 200}, {90, 110, 90}, {200, 128, 128}}};
 
-/// A camera that is made like others by `correction`, and pictures of things of one colour taken with it.
+/// A camera that is made like others by `correction`, and pictures of things of one color taken with it.
 class SyntheticCamera {
  public:
   SyntheticCamera(std::string name, const ColorCorrection& correction, unsigned seed)
@@ -29,7 +29,7 @@ class SyntheticCamera {
   double shading = 4;  ///< of a stroke's Y
   std::string lighting;
 
-  /// What the camera makes of a colour, at a place.
+  /// What the camera makes of a color, at a place.
   YCbCr seen(YCbCr color, int x, int y) {
     const double r2 = squaredImageRadius(x, y, kWidth, kHeight);
     return {value(color.y, correction_.lumaAt(r2)), value(color.cb, correction_.blueAt(r2)),
@@ -155,7 +155,7 @@ TEST(CorrectionEstimate, lightingsAreNotMixed) {
   EXPECT_TRUE(estimateCorrections(samples).corrections.empty());
 }
 
-TEST(CorrectionEstimate, theColoursOfACameraBecomeThoseOfTheOneWithMostStrokes) {
+TEST(CorrectionEstimate, theColorsOfACameraBecomeThoseOfTheOneWithMostStrokes) {
   ColorCorrection other;
   other.channels = {{{1.25, -12}, {0.9, 8}, {1.1, -20}}};
   Samples samples = emptySamples();
@@ -214,7 +214,7 @@ TEST(CorrectionEstimate, backgroundSaysNothing) {
   EXPECT_EQ(estimate.notes.size(), 1U);
 }
 
-/// Grey of the wall in the middle is what white is in the corners, so that without a correction nobody can
+/// Gray of the wall in the middle is what white is in the corners, so that without a correction nobody can
 /// tell them apart.
 TEST(CorrectionEstimate, strokesPredictEachOtherBetterWithIt) {
   ColorCorrection other;

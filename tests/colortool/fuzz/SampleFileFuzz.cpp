@@ -3,9 +3,9 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "colortool/table/NamedColorTable.h"
 #include "colortool/samples/SampleFile.h"
 #include "colortool/samples/StrokeList.h"
+#include "colortool/table/NamedColorTable.h"
 #include "colortool/training/TableTrainer.h"
 #include "tests/colortool/SampleFixture.h"
 #include "tests/fuzz/FuzzTarget.h"
@@ -26,7 +26,7 @@ void checkSamples(const Samples& samples) {
     const SampleImage* image = samples.image(stroke->image);
     require(image != nullptr, "each stroke has its image");
     require(isValid(stroke->area, image->width, image->height), "each stroke is inside of it");
-    require(stroke->colors.size() == pixelCount(stroke->area), "each pixel has a colour");
+    require(stroke->colors.size() == pixelCount(stroke->area), "each pixel has a color");
     require(stroke->colorClass < samples.classes.size(), "each stroke has a class");
     require(stroke->id > last || last == 0, "strokes are sorted");
     last = stroke->id;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Colour tables of all formats, and the texts beside them.
+// Color tables of all formats, and the texts beside them.
 #include <bzlib.h>
 
 #include <cstdio>

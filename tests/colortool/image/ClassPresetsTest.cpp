@@ -26,7 +26,7 @@ TEST(ClassPresets, areFoundByTheirNames) {
   EXPECT_EQ(colortool::findClassPreset("2001"), nullptr);
 }
 
-TEST(ClassPresets, haveNoNameAndNoColourTwice) {
+TEST(ClassPresets, haveNoNameAndNoColorTwice) {
   std::set<std::string_view> presets;
   for (const ClassPreset& preset : colortool::classPresets()) {
     EXPECT_TRUE(presets.insert(preset.name).second) << preset.name;
@@ -40,7 +40,7 @@ TEST(ClassPresets, haveNoNameAndNoColourTwice) {
   }
 }
 
-TEST(ClassPresets, ofTheFieldHaveTheFieldsColours) {
+TEST(ClassPresets, ofTheFieldHaveTheFieldsColors) {
   const auto field = robotlink::FieldDescription::load(ROBOTCONTROL_SOURCE_DIR "/resources/fields/2002.yaml");
   ASSERT_TRUE(field);
   const ColorClasses classes = colortool::findClassPreset("2002")->classes();
@@ -81,7 +81,7 @@ TEST(ClassPresets, areChosenByTheirNamesOrTheirClasses) {
   }
 }
 
-TEST(ClassPresets, spareColoursCanBeToldApart) {
+TEST(ClassPresets, spareColorsCanBeToldApart) {
   for (int i = 1; i <= 12; ++i) {
     for (int j = 1; j < i; ++j) {
       const robotlink::Rgb a = colortool::spareColor(i), b = colortool::spareColor(j);

@@ -99,7 +99,7 @@ TEST(ColorSpacesTest, placesFollowTheChannels) {
   // Yellow: a sixth of a turn from x to y, on the surface.
   expectNear(placeIn(ColorSpace::kHsi, yCbCrOf(255, 255, 0)),
              {0.5F * std::cos(kTurn / 6), 0.5F * std::sin(kTurn / 6), 2.F / 3 - 0.5F}, 0.01F);
-  // Grey is on the axis.
+  // Gray is on the axis.
   for (const ColorSpace space : {ColorSpace::kHsi, ColorSpace::kTsl})
     expectNear(placeIn(space, {100, 128, 128}), {0, 0, 100.F / 255 - 0.5F});
 }

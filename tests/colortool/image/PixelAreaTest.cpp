@@ -88,12 +88,12 @@ TEST(PixelArea, whatLiesOutsideIsLeftOut) {
 
 TEST(PixelArea, aLassoTakesWhatIsInside) {
   const ImagePoint corners[] = {{0.5, 0.5}, {4.5, 0.5}, {4.5, 3.5}, {2.5, 1.5}, {0.5, 3.5}};
-  // A pixel whose centre lies on a side belongs to what is right of it.
+  // A pixel whose center lies on a side belongs to what is right of it.
   EXPECT_EQ(picture(polygonArea(6, 5, corners), 6, 5),
             (Rows{"......", ".####.", ".#.##.", "....#.", "......"}));
 }
 
-TEST(PixelArea, theWandStopsAtOtherColours) {
+TEST(PixelArea, theWandStopsAtOtherColors) {
   const ColorImage image = imageOf({"......", ".ooo..", ".oo.o.", "....oo"});
   EXPECT_EQ(picture(wandArea(image, 1, 1), 6, 4), (Rows{"......", ".###..", ".##...", "......"}));
   WandOptions few;

@@ -111,7 +111,7 @@ TEST(SampleFile, whatContradictsItselfIsSaid) {
   EXPECT_NE(problemWith("\"runs\":[", "\"runs\":[3,").find("three numbers"), std::string::npos);
   EXPECT_NE(problemWith("\"runs\":[4", "\"runs\":[400").find("not pixels"), std::string::npos);
   EXPECT_NE(problemWith("\"colors\":\"8c", "\"colors\":\"8x").find("digits"), std::string::npos);
-  EXPECT_NE(problemWith("\"colors\":\"8c3cc8", "\"colors\":\"").find("28 colours for 29 pixels"),
+  EXPECT_NE(problemWith("\"colors\":\"8c3cc8", "\"colors\":\"").find("28 colors for 29 pixels"),
             std::string::npos);
   EXPECT_NE(problemWith("\"width\":40", "\"width\":4000000").find("width"), std::string::npos);
   EXPECT_NE(problemWith("\"method\":\"votes\"", "\"method\":\"magic\"").find("magic"), std::string::npos);

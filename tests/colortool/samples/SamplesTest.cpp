@@ -8,7 +8,7 @@
 
 using namespace colortool;
 
-TEST(Samples, aStrokeHoldsTheColoursItTouched) {
+TEST(Samples, aStrokeHoldsTheColorsItTouched) {
   const Samples samples = quarterSamples();
   ASSERT_EQ(samples.strokes.size(), 4U);
   ASSERT_EQ(samples.images.size(), 1U);

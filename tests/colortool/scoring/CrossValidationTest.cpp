@@ -37,7 +37,7 @@ double rightOf(const StrokeQuality& quality, std::uint64_t stroke) {
 
 constexpr std::array<std::uint8_t, 3> kBrightnesses = {1, 2, 3};
 
-TEST(CrossValidation, strokesOfLikeColoursPredictEachOther) {
+TEST(CrossValidation, strokesOfLikeColorsPredictEachOther) {
   Samples samples = twiceQuarterSamples();
   for (const auto method :
        {TrainingMethod::kVotes, TrainingMethod::kGaussians, TrainingMethod::kSupportVectors}) {
@@ -46,7 +46,7 @@ TEST(CrossValidation, strokesOfLikeColoursPredictEachOther) {
     ASSERT_TRUE(quality.has_value());
     EXPECT_DOUBLE_EQ(quality->evaluation.meanRecall(), 1) << static_cast<int>(method);
     EXPECT_DOUBLE_EQ(quality->evaluation.falseColor(kBrightnesses), 0);
-    EXPECT_EQ(quality->evaluation.labelled(1), 2 * StrokeQuality::kStroke);
+    EXPECT_EQ(quality->evaluation.labeled(1), 2 * StrokeQuality::kStroke);
     EXPECT_EQ(quality->strokesOf, (std::vector<int>{2, 2, 2, 2}));
     EXPECT_EQ(quality->strokes.size(), 8U);
     EXPECT_TRUE(quality->alone.empty());
@@ -74,7 +74,7 @@ TEST(CrossValidation, theStrokeThatIsWrongStandsOut) {
   for (std::uint64_t id = 1; id < wrong; ++id) EXPECT_DOUBLE_EQ(rightOf(*quality, id), 1) << id;
 }
 
-TEST(CrossValidation, whatMustNotBeIsFalseColourIfItIsFoundAllTheSame) {
+TEST(CrossValidation, whatMustNotBeIsFalseColorIfItIsFoundAllTheSame) {
   Samples samples = twiceQuarterSamples();
   const ColorImage image = quarters();
   const std::uint64_t orange = addStroke(samples, placeOf("a"), image, disc(image, 12, 7), {1, true, 0.2}),
@@ -84,7 +84,7 @@ TEST(CrossValidation, whatMustNotBeIsFalseColourIfItIsFoundAllTheSame) {
   EXPECT_DOUBLE_EQ(rightOf(*quality, notGreen), 1) << "it is white";
   EXPECT_EQ(quality->evaluation.count(0, 1), StrokeQuality::kStroke);
   EXPECT_EQ(quality->evaluation.count(0, 3), 0U);
-  EXPECT_EQ(quality->evaluation.labelled(0), 4 * StrokeQuality::kStroke)
+  EXPECT_EQ(quality->evaluation.labeled(0), 4 * StrokeQuality::kStroke)
       << "two strokes of background, and two must-not-be";
 }
 
@@ -144,7 +144,7 @@ TEST(CrossValidation, methodsThatLearnFromScratchDoSoFiveTimes) {
   const auto quality = crossValidate(samples, [&] { return ++asked > 0; });
   EXPECT_EQ(asked, 5);
   std::uint64_t scored = 0;
-  for (int label = 0; label < 4; ++label) scored += quality->evaluation.labelled(label);
+  for (int label = 0; label < 4; ++label) scored += quality->evaluation.labeled(label);
   std::uint64_t strokes = 0;
   for (const StrokePtr& stroke : samples.strokes)
     strokes += stroke->mustNotBe && stroke->colorClass == 0 ? 0 : 1;

@@ -27,7 +27,7 @@ TEST(Evaluation, countsWhatIsFoundOfWhatIsThere) {
   EXPECT_DOUBLE_EQ(evaluation.falseColor(both), 0.03);
 }
 
-TEST(Evaluation, passesOverWhatIsNotLabelled) {
+TEST(Evaluation, passesOverWhatIsNotLabeled) {
   ColorTable table;
   table.setCell(10, 20, 30, 1);
   ColorImage image(4, 1);
@@ -35,9 +35,9 @@ TEST(Evaluation, passesOverWhatIsNotLabelled) {
   const std::array<std::uint8_t, 4> labels = {1, Evaluation::kIgnored, 1, 200};
   Evaluation evaluation(2);
   evaluation.add(table, image, labels);
-  EXPECT_EQ(evaluation.labelled(1), 2U);
+  EXPECT_EQ(evaluation.labeled(1), 2U);
   EXPECT_DOUBLE_EQ(evaluation.recall(1), 0.5);
-  EXPECT_EQ(evaluation.labelled(0), 0U);
+  EXPECT_EQ(evaluation.labeled(0), 0U);
   EXPECT_EQ(evaluation.recall(0), 0);
 }
 

@@ -27,7 +27,7 @@ TEST(CellSet, aCellIsInItAfterItWasSet) {
   EXPECT_EQ(cells.size(), 2U);
 }
 
-TEST(CellSet, neighboursDoNotReachAroundTheCube) {
+TEST(CellSet, neighborsDoNotReachAroundTheCube) {
   CellSet seed, within;
   seed.set(cellAt(5, 7, 63));
   for (const std::size_t cell : {cellAt(5, 7, 63), cellAt(5, 8, 0), cellAt(4, 63, 63), cellAt(5, 7, 0)})
@@ -36,7 +36,7 @@ TEST(CellSet, neighboursDoNotReachAroundTheCube) {
   EXPECT_EQ(facesOf(seed).size(), 5U);
 }
 
-TEST(CellSet, cornersConnectAmongTwentySixNeighboursOnly) {
+TEST(CellSet, cornersConnectAmongTwentySixNeighborsOnly) {
   CellSet seed, within;
   seed.set(cellAt(5, 7, 9));
   within.set(cellAt(5, 7, 9));

@@ -38,7 +38,7 @@ class NamedColorTableTest : public testing::Test {
   std::filesystem::path file_ = folder_ / "t.c64", beside_ = folder_ / "t.c64.classes";
 };
 
-TEST_F(NamedColorTableTest, keepsItsNamesAndColoursBesideTheTable) {
+TEST_F(NamedColorTableTest, keepsItsNamesAndColorsBesideTheTable) {
   const NamedColorTable table = saved(preset("2002"), 9);
   const auto again = NamedColorTable::load(file_);
   ASSERT_TRUE(again);
@@ -80,10 +80,10 @@ TEST_F(NamedColorTableTest, brokenNamesAreToldWithTheirLines) {
   name("");
   EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: the file is empty"));
   name("orange #ff0000\n");
-  EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: this is no file of colour classes"));
+  EXPECT_THAT(refusal(), HasSubstr("t.c64.classes:1: this is no file of color classes"));
   name(std::string(kFirstLine) + "orange\ngreen #00ff00\nred #12345\ngreen #000000\nnone #000000\n#ff0000\n");
   const std::string all = refusal();
-  EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is wanted here: its name and its colour"));
+  EXPECT_THAT(all, HasSubstr("t.c64.classes:2: a class is wanted here: its name and its color"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:4: a class is wanted here"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:5: the class 'green' stands here a second time"));
   EXPECT_THAT(all, HasSubstr("t.c64.classes:6: 'none' stands for pixels of no class"));

@@ -53,7 +53,7 @@ TEST_F(PaletteTable, knowsEveryColorInShadowAndInFullLightDespiteNoise) {
   }
 }
 
-TEST_F(PaletteTable, tellsWhiteFromDarkGreysWhereTheLightIsUsual) {
+TEST_F(PaletteTable, tellsWhiteFromDarkGraysWhereTheLightIsUsual) {
   EXPECT_EQ(table_.classOf(robotlink::toYCbCr(lit({235, 235, 235}, 0.8))), classes_.index("white"));
   EXPECT_EQ(table_.classOf(robotlink::toYCbCr(lit({95, 88, 84}, 0.8))), ColorClasses::kNone);
   EXPECT_EQ(table_.classOf(robotlink::toYCbCr({45, 45, 50})), ColorClasses::kNone);

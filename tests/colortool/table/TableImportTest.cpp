@@ -7,8 +7,8 @@
 
 #include <fstream>
 
-#include "colortool/table/Bzip2.h"
 #include "colortool/image/ClassPresets.h"
+#include "colortool/table/Bzip2.h"
 #include "colortool/table/ColorTable.h"
 #include "colortool/table/TekkotsuTable.h"
 #include "tests/TestFolder.h"
@@ -135,7 +135,7 @@ TEST(TableImport, colorsAreFoundBesideTheirMap) {
   std::ofstream(folder / "map.col") << "1 (0 0 0) \"of the same name\"\n";
   EXPECT_EQ(firstName(), "of the same name");
   std::ofstream(folder / "map.col") << "1 (0 0 0)\n";
-  EXPECT_THAT(firstName(), HasSubstr("map.col:1: the class's name is wanted after its colour"));
+  EXPECT_THAT(firstName(), HasSubstr("map.col:1: the class's name is wanted after its color"));
   EXPECT_THAT(firstName({{}, folder / "no.col"}), HasSubstr("no.col"));
 }
 
@@ -183,7 +183,7 @@ TEST(TableImport, tablesThatLieAreRefusedWithTheirPlace) {
   EXPECT_THAT(importRefusal("", TableFormat::kUPenn), HasSubstr("UPennalizers has 262144 bytes, this has 0"));
   EXPECT_THAT(importRefusal("", TableFormat::kNUbots), HasSubstr("NUbots has 2097152 bytes, this has 0"));
   EXPECT_THAT(importRefusal("", TableFormat::kTekkotsu), HasSubstr("at byte 0 the line TMAP is wanted"));
-  EXPECT_THAT(importRefusal("", TableFormat::kC64), HasSubstr("this is no .c64 colour table"));
+  EXPECT_THAT(importRefusal("", TableFormat::kC64), HasSubstr("this is no .c64 color table"));
   std::string bytes = bytes128(0);
   bytes[77777] = 11;
   EXPECT_THAT(importRefusal(bytes),
@@ -215,9 +215,9 @@ TEST(TableImport, brokenColorsAreToldWithTheirLines) {
   ASSERT_FALSE(colors);
   EXPECT_EQ(robotlink::describe(colors.error()),
             "c:1: a line begins with the number of its class, 0 to 255\n"
-            "c:2: the class's colour is wanted after its number, as in (255 128 0)\n"
-            "c:3: the class's colour is wanted after its number, as in (255 128 0)\n"
-            "c:4: the class's name is wanted after its colour, in quotes\n"
+            "c:2: the class's color is wanted after its number, as in (255 128 0)\n"
+            "c:3: the class's color is wanted after its number, as in (255 128 0)\n"
+            "c:4: the class's name is wanted after its color, in quotes\n"
             "c:5: a line begins with the number of its class, 0 to 255\n"
             "c:7: 'a' stands here a second time\n"
             "c:8: class 1 stands here a second time\n"

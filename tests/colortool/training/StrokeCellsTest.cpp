@@ -19,8 +19,8 @@ std::map<std::size_t, int> countedCells(const Stroke& stroke) {
   return counts;
 }
 
-/// An image in which no two neighbours are of the same cell.
-ColorImage colourful(int width, int height) {
+/// An image in which no two neighbors are of the same cell.
+ColorImage colorful(int width, int height) {
   ColorImage image(width, height);
   for (int y = 0; y < height; ++y) {
     for (int x = 0; x < width; ++x) {
@@ -53,7 +53,7 @@ void expectEachCellOnce(const std::vector<StrokeCell>& cells, const Stroke& stro
 
 TEST(StrokeCells, smallAndLargeStrokesAreCountedAlike) {
   for (const int side : {6, 30, 100}) {
-    const Stroke stroke = rectangleStroke(colourful(side, side), {1, false, 1, "rectangle"});
+    const Stroke stroke = rectangleStroke(colorful(side, side), {1, false, 1, "rectangle"});
     expectEachCellOnce(strokeCells(emptySamples(), stroke), stroke);
   }
 }

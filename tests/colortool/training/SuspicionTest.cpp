@@ -15,7 +15,7 @@ const ColorClasses kSuspectClasses({{"orange", {255, 128, 0}},
                                     {"blue", {0, 80, 255}},
                                     {"green", {0, 160, 40}}});
 
-/// A colour that a table below has for each class; none is black.
+/// A color that a table below has for each class; none is black.
 YCbCr colorOf(std::uint8_t colorClass) {
   return {static_cast<std::uint8_t>(40 * colorClass), 128, 128};
 }
@@ -47,11 +47,11 @@ struct Picture {
 };
 
 SuspiciousPixels found(const Picture& picture, std::span<const std::uint8_t> margins = {}) {
-  SuspicionMeter meter(table(), margins, thingClasses(kSuspectClasses));
+  SuspicionMeter meter(table(), margins, objectClasses(kSuspectClasses));
   return meter.measure(picture.image.view()).pixels;
 }
 
-TEST(Suspicion, specksOfColouredClassesAreSuspicious) {
+TEST(Suspicion, specksOfColoredClassesAreSuspicious) {
   Picture picture;
   picture.fill(40, 40, 30, 30, kOrangeClass);
   EXPECT_EQ(found(picture), SuspiciousPixels{}) << "a ball";
@@ -67,7 +67,7 @@ TEST(Suspicion, isTheSameInImagesOfAnySize) {
   robotlink::Image small(32, 24, robotlink::PixelFormat::kYuyv);
   for (std::size_t i = 0; i < small.data.size(); ++i) small.data[i] = i % 2 == 0 ? 0 : 128;
   small.row(5)[2 * 7] = colorOf(kOrangeClass).y;
-  SuspicionMeter meter(table(), {}, thingClasses(kSuspectClasses));
+  SuspicionMeter meter(table(), {}, objectClasses(kSuspectClasses));
   EXPECT_EQ(meter.measure(small.view()).pixels.specks, 0U) << "a pixel of 768 is more than 1/6400";
   EXPECT_EQ(meter.classes().row(5)[7], kOrangeClass);
 }
@@ -117,7 +117,7 @@ TEST(Suspicion, isCountedByClassAndWeighed) {
   Picture picture;
   picture.fill(40, 40, 30, 30, kOrangeClass);
   picture.fill(200, 50, 3, 3, kBlueClass);
-  SuspicionMeter meter(table(), margins(20), thingClasses(kSuspectClasses),
+  SuspicionMeter meter(table(), margins(20), objectClasses(kSuspectClasses),
                        {.speckWeight = 2, .ambiguousWeight = 0.5});
   const Suspicion found = meter.measure(picture.image.view());
   ASSERT_EQ(found.byClass.size(), 4U);
@@ -130,10 +130,10 @@ TEST(Suspicion, isCountedByClassAndWeighed) {
   EXPECT_EQ(meter.measure(empty.image.view()).score, 0);
 }
 
-TEST(Suspicion, looksAtWhatThingsHaveByTheirColour) {
+TEST(Suspicion, looksAtWhatThingsHaveByTheirColor) {
   for (const ClassPreset& preset : classPresets()) {
     const ColorClasses classes = preset.classes();
-    const std::vector<bool> things = thingClasses(classes);
+    const std::vector<bool> things = objectClasses(classes);
     ASSERT_EQ(things.size(), static_cast<std::size_t>(classes.size()));
     EXPECT_FALSE(things[0]);
     for (int i = 1; i < classes.size(); ++i) {

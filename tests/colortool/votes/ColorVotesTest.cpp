@@ -22,7 +22,7 @@ TEST(ColorVotes, withoutSamplesNothingIsOfAClass) {
   EXPECT_EQ(votes.update(), ColorTable());
 }
 
-TEST(ColorVotes, samplesReachTheirNeighboursFartherInBrightness) {
+TEST(ColorVotes, samplesReachTheirNeighborsFartherInBrightness) {
   ColorVotes votes(3);
   add(votes, kOrange, 1);
   add(votes, kGreen, 2);
@@ -44,7 +44,7 @@ TEST(ColorVotes, backgroundTakesWhatIsNearerToIt) {
   EXPECT_EQ(votes.update().classOf({150, 112, 148}), 1);
 }
 
-TEST(ColorVotes, aColourThatMustNotBeOfAClassIsNot) {
+TEST(ColorVotes, aColorThatMustNotBeOfAClassIsNot) {
   ColorVotes votes(2);
   add(votes, {150, 120, 140}, 1);
   const YCbCr near{150, 132, 140};

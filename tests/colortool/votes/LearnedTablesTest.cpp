@@ -23,7 +23,7 @@ class LearnedTablesTest : public testing::TestWithParam<Method> {
   static constexpr YCbCr kOrange{150, 90, 190}, kGreen{90, 110, 100}, kWall{180, 128, 130};
 };
 
-TEST_P(LearnedTablesTest, likeColoursAreOfAClassAndFarOnesOfNone) {
+TEST_P(LearnedTablesTest, likeColorsAreOfAClassAndFarOnesOfNone) {
   std::vector<CellSamples> samples;
   add(samples, kOrange, 1);
   add(samples, kGreen, 2);

@@ -37,12 +37,12 @@ TEST(StreamChoice, anythingIsTakenUnlessSomethingIsNamed) {
 }
 
 TEST(StreamChoice, tablesSceneAndSetUpsHoldUntilTheyAreToldAnew) {
-  EXPECT_TRUE(holdsUntilToldAnew("scene", "foxglove.SceneUpdate"));
-  EXPECT_TRUE(holdsUntilToldAnew("red1/program", robotcontrol::ProgramSetup::descriptor()->full_name()));
-  EXPECT_TRUE(holdsUntilToldAnew("red1/colors/table", robotcontrol::ColorTable::descriptor()->full_name()));
-  EXPECT_TRUE(holdsUntilToldAnew("red1/tables/keys", robotcontrol::KeyTable::descriptor()->full_name()));
-  EXPECT_FALSE(holdsUntilToldAnew("red1/drawings/field/ball", "foxglove.SceneUpdate"));
-  EXPECT_FALSE(holdsUntilToldAnew("red1/camera/image", "foxglove.RawImage"));
+  EXPECT_TRUE(isLatched("scene", "foxglove.SceneUpdate"));
+  EXPECT_TRUE(isLatched("red1/program", robotcontrol::ProgramSetup::descriptor()->full_name()));
+  EXPECT_TRUE(isLatched("red1/colors/table", robotcontrol::ColorTable::descriptor()->full_name()));
+  EXPECT_TRUE(isLatched("red1/tables/keys", robotcontrol::KeyTable::descriptor()->full_name()));
+  EXPECT_FALSE(isLatched("red1/drawings/field/ball", "foxglove.SceneUpdate"));
+  EXPECT_FALSE(isLatched("red1/camera/image", "foxglove.RawImage"));
 }
 
 }  // namespace

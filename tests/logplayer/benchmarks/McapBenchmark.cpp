@@ -13,9 +13,9 @@
 
 #include "logplayer/mcap/ByteStream.h"
 #include "logplayer/mcap/Compression.h"
+#include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/read/MessageCursor.h"
 #include "logplayer/mcap/read/Reader.h"
-#include "logplayer/mcap/Source.h"
 #include "logplayer/mcap/write/Writer.h"
 
 // Writes and reads 400 MB of messages on 20 channels in memory, for three sizes of messages, three ways to

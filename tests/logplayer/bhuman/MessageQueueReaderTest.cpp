@@ -24,8 +24,8 @@ Read readAll(const std::vector<std::uint8_t>& file) {
   return result;
 }
 
-bool recognised(const std::vector<std::uint8_t>& file) {
-  return MessageQueueReader::recognises(*bytesInMemory(file));
+bool recognized(const std::vector<std::uint8_t>& file) {
+  return MessageQueueReader::recognizes(*bytesInMemory(file));
 }
 
 QueueBuilder twoFrames() {
@@ -117,22 +117,22 @@ TEST(MessageQueueReader, anyFlippedByteCostsFewMessages) {
   }
 }
 
-TEST(MessageQueueReader, recognisesItsFilesOnly) {
-  EXPECT_TRUE(recognised(twoFrames().file()));
-  EXPECT_TRUE(recognised(twoFrames().appendableFile()));
+TEST(MessageQueueReader, recognizesItsFilesOnly) {
+  EXPECT_TRUE(recognized(twoFrames().file()));
+  EXPECT_TRUE(recognized(twoFrames().appendableFile()));
   auto damaged = twoFrames().file();
   damaged[8] = 0xEE;
-  EXPECT_TRUE(recognised(damaged)) << "a first message that is damaged";
+  EXPECT_TRUE(recognized(damaged)) << "a first message that is damaged";
   damaged = twoFrames().file();
   damaged[0] ^= 0x10;
-  EXPECT_TRUE(recognised(damaged)) << "a header that is damaged";
+  EXPECT_TRUE(recognized(damaged)) << "a header that is damaged";
 
   const std::string mcap =
       "\x89MCAP0\r\n this is another file, of some length, of which the first bytes say so";
-  EXPECT_FALSE(recognised({mcap.begin(), mcap.end()}));
-  EXPECT_FALSE(recognised({}));
-  EXPECT_FALSE(recognised(std::vector<std::uint8_t>(1000, 0)));
-  EXPECT_FALSE(recognised(std::vector<std::uint8_t>(1000, 0xFF)));
+  EXPECT_FALSE(recognized({mcap.begin(), mcap.end()}));
+  EXPECT_FALSE(recognized({}));
+  EXPECT_FALSE(recognized(std::vector<std::uint8_t>(1000, 0)));
+  EXPECT_FALSE(recognized(std::vector<std::uint8_t>(1000, 0xFF)));
 }
 
 TEST(MessageQueueReader, filesOfOtherYearsKeepTheirMessages) {

@@ -19,7 +19,7 @@ using namespace logplayer::bhuman;
 
 namespace {
 
-constexpr char kColourData[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/";
+constexpr char kColorData[] = ROBOTCONTROL_SOURCE_DIR "/../shared/data/colour/bhuman2009/";
 
 /// The log's messages by their streams, read once for all tests.
 class RealLog : public testing::Test {
@@ -89,7 +89,7 @@ TEST_F(RealLog, imagesHaveTheTimesThatTheirFileStates) {
   const auto& images = streams_["nao/camera/image"];
   ASSERT_EQ(images.size(), 160U);
   EXPECT_EQ(millisecondsOf(images.front().time), 486749);
-  const auto text = robotlink::readFile(std::string(kColourData) + "timestamps_ms.txt");
+  const auto text = robotlink::readFile(std::string(kColorData) + "timestamps_ms.txt");
   if (!text) GTEST_SKIP() << "the list of time stamps is missing";
   std::istringstream stated(*text);
   std::size_t i = 0;
@@ -108,7 +108,7 @@ TEST_F(RealLog, imagesShowWhatWasDecodedElsewhere) {
   for (const int number : {0, 10, 26, 32, 50, 54, 66, 96, 112, 118, 126, 138}) {
     char name[16];
     std::snprintf(name, sizeof name, "yuyv/%03d.yuyv", number);
-    const auto quads = robotlink::readFile(std::string(kColourData) + name);
+    const auto quads = robotlink::readFile(std::string(kColorData) + name);
     if (!quads) continue;
     ++compared;
     ASSERT_EQ(quads->size(), 320U * 240 * 4);

@@ -4,10 +4,10 @@
 #include <gmock/gmock.h>
 
 #include "foxglove/Image.pb.h"
+#include "logplayer/base/LogWriter.h"
 #include "logplayer/bookmarks/BookmarkStorage.h"
 #include "logplayer/bookmarks/Bookmarks.h"
 #include "logplayer/file/LogFile.h"
-#include "logplayer/base/LogWriter.h"
 #include "robotcontrol/Debugging.pb.h"
 #include "robotcontrol/Logging.pb.h"
 #include "robotcontrol/Modeling.pb.h"

@@ -103,10 +103,10 @@ TEST_F(LogExportTest, filesAreWrittenWholeOrNotAtAll) {
   EXPECT_EQ(robotlink::readFile(folder_ / "ball.csv"), csv(log(), "red1/models/ball"));
   ASSERT_TRUE(exportTexts(log(), {}, folder_ / "texts.txt", {}));
   EXPECT_FALSE(exportCsv(log(), "red1/models/ball", folder_ / "ball.csv", {}));
-  const ExportOptions cancelled{.overwrite = true, .progress = [](double) { return false; }};
+  const ExportOptions canceled{.overwrite = true, .progress = [](double) { return false; }};
   std::filesystem::remove(folder_ / "a.mcap");
   SampleLog{.frames = 200}.write(folder_ / "a.mcap");
-  const auto report = exportCsv(log(), "red1/models/ball", folder_ / "other.csv", cancelled);
+  const auto report = exportCsv(log(), "red1/models/ball", folder_ / "other.csv", canceled);
   ASSERT_FALSE(report);
   EXPECT_EQ(report.error().id, "log.given-up");
   EXPECT_EQ(folder_.contents(), "a.mcap ball.csv texts.txt");

@@ -79,7 +79,7 @@ TEST(LogFile, tellsWhatItHolds) {
   EXPECT_TRUE(log->countBytes([](double) { return false; }).size() == 5U) << "too few messages to be asked";
 }
 
-TEST(LogFile, findsTheNewestMessageAndItsNeighbours) {
+TEST(LogFile, findsTheNewestMessageAndItsNeighbors) {
   const LogFixture fixture;
   writeFrames(*fixture.write());
   const auto log = opened(fixture.path());

@@ -7,7 +7,6 @@
 #include <cstdlib>
 #include <fstream>
 
-#include "tests/logplayer/bhuman/QueueBuilder.h"
 #include "foxglove/Image.pb.h"
 #include "logplayer/file/ContainerFile.h"
 #include "logplayer/mcap/read/Reader.h"
@@ -16,6 +15,7 @@
 #include "robotlink/config/FieldDescription.h"
 #include "robotlink/config/RobotDescription.h"
 #include "robotlink/process/Layout.h"
+#include "tests/logplayer/bhuman/QueueBuilder.h"
 
 using namespace logplayer;
 using bhuman::QueueBuilder;
@@ -76,7 +76,7 @@ std::string topicsOf(const std::vector<LoggedMessage>& messages) {
 
 }  // namespace
 
-TEST_F(LogImport, recognisesOldLogsByTheirContents) {
+TEST_F(LogImport, recognizesOldLogsByTheirContents) {
   EXPECT_TRUE(canImport(written(someLog().file())));
   EXPECT_TRUE(canImport(written(someLog().appendableFile())));
   EXPECT_FALSE(canImport(written({1, 2, 3})));
@@ -106,7 +106,7 @@ TEST_F(LogImport, aLogBeginsWithTheSetUpOfAProgramThatSuitsIt) {
   EXPECT_FALSE(setup.description().text().empty());
 }
 
-TEST_F(LogImport, aColourTableGoesIntoTheLog) {
+TEST_F(LogImport, aColorTableGoesIntoTheLog) {
   auto table = std::make_shared<robotcontrol::ColorTable>();
   table->add_class_names("orange");
   table->set_cells(std::string(64 * 64 * 64, '\1'));

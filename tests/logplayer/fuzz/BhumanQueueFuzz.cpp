@@ -40,7 +40,7 @@ std::string beginningOfRealLog() {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   const auto source = bytesInMemory({data, size});
-  static_cast<void>(MessageQueueReader::recognises(*source));
+  static_cast<void>(MessageQueueReader::recognizes(*source));
   std::size_t bytes = 0;
   const auto report =
       importQueue(*source, "nao",

@@ -4,8 +4,8 @@
 #include <cstdio>
 #include <cstdlib>
 
-#include "logplayer/json/JsonType.h"
 #include "logplayer/export/MessageTable.h"
+#include "logplayer/json/JsonType.h"
 #include "tests/fuzz/FuzzTarget.h"
 
 // The input is a schema's name, a JSON schema and messages, a line each. What is read must survive Protobuf's

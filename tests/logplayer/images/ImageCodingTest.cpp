@@ -61,9 +61,9 @@ TEST(ImageCoding, jpegOfUsualQualityIsSmallAndClose) {
   EXPECT_LE(largestDifference(image, *decodeJpeg(data)), 25);
 }
 
-TEST(ImageCoding, greyAndRgbGoThroughJpeg) {
-  const Image grey = testImage(33, 21, PixelFormat::kMono8);
-  EXPECT_LE(largestDifference(grey, *decodeJpeg(jpegOf(grey, 100))), 3);
+TEST(ImageCoding, grayAndRgbGoThroughJpeg) {
+  const Image gray = testImage(33, 21, PixelFormat::kMono8);
+  EXPECT_LE(largestDifference(gray, *decodeJpeg(jpegOf(gray, 100))), 3);
 
   const Image rgb = testImage(64, 48, PixelFormat::kRgb8);
   const auto back = decodeJpeg(jpegOf(rgb, 100));

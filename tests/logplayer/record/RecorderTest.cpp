@@ -10,8 +10,8 @@
 #include <mutex>
 #include <thread>
 
-#include "logplayer/images/ImageCoding.h"
 #include "logplayer/base/RecordedStreams.h"
+#include "logplayer/images/ImageCoding.h"
 #include "tests/logplayer/RecordedMessages.h"
 
 using namespace logplayer;

@@ -105,7 +105,7 @@ TEST_P(AvoidanceTest, aTurnThatHasNoRoomIsMadeWhereThereIsRoom) {
   EXPECT_GT(ride.robot().nearest(), 0.02);
 }
 
-TEST_P(AvoidanceTest, aDoorOfNinetyCentimetresIsWideEnough) {
+TEST_P(AvoidanceTest, aDoorOfNinetyCentimetersIsWideEnough) {
   GroundMap map = roomMap(10, 5);
   addWall(map, 5, 0, 5, 2.05);
   addWall(map, 5, 2.95, 5, 5);

@@ -98,11 +98,11 @@ class FollowPathTest : public testing::Test {
         robot_(world_, {.start = {2, 3, 0}, .skid = 0}),
         follow_("driving", "follow-path") {}
 
-  void setPath(bool blocked = false, bool cancelled = false) {
+  void setPath(bool blocked = false, bool canceled = false) {
     robotcontrol::DrivePath path;
     robotlink::assign(*path.mutable_goal()->mutable_pose_in_field(), Pose2{5, 3, 1.5});
     path.mutable_goal()->set_name("Desk");
-    path.mutable_goal()->set_cancelled(cancelled);
+    path.mutable_goal()->set_canceled(canceled);
     path.set_blocked(blocked);
     if (blocked) path.set_reason("there is a wall");
     for (const Vector2& point : {Vector2(2, 3), Vector2(5, 3)})

@@ -45,7 +45,7 @@ class Accuracy : public testing::Test {
 
 class CameraPoseAccuracy : public Accuracy, public testing::WithParamInterface<const char*> {};
 
-TEST_P(CameraPoseAccuracy, isACentimetreAndADegreeWhileStanding) {
+TEST_P(CameraPoseAccuracy, isACentimeterAndADegreeWhileStanding) {
   PlayedGame game(PlayedGame::Solutions{{"camera-pose", GetParam()}, {"behavior", "stand"}});
   Errors place, direction;
   game.run(1);  // to come to a stand
@@ -100,9 +100,9 @@ INSTANTIATE_TEST_SUITE_P(, BallAccuracy, testing::Values("region", "circle-fit")
   return std::string(test.param) == "region" ? "region" : "circleFit";
 });
 
-using Localisation = Accuracy;
+using Localization = Accuracy;
 
-TEST_F(Localisation, findsItselfByLandmarksAndKnowsHowSureItIs) {
+TEST_F(Localization, findsItselfByLandmarksAndKnowsHowSureItIs) {
   PlayedGame game;
   game.placeBall({0.2, 0.9});
   game.run(3);
@@ -120,7 +120,7 @@ TEST_F(Localisation, findsItselfByLandmarksAndKnowsHowSureItIs) {
   EXPECT_LT(place.mean(), 4 * believed.mean());
 }
 
-TEST_F(Localisation, ofTheOracleIsExact) {
+TEST_F(Localization, ofTheOracleIsExact) {
   PlayedGame game(PlayedGame::Solutions{{"self-localisation", "oracle"}, {"ball-model", "oracle"}});
   Errors place, ball;
   game.watch<robotcontrol::RobotPose>(robotlink::kRobotPose.name, [&](const auto& pose, const auto& truth) {

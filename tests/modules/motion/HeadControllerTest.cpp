@@ -19,9 +19,9 @@ HeadWish wish(HeadWish::Kind kind) {
 std::pair<Vector3, Vector3> gaze(const HeadAngles& angles, const HeadParameters& parameters) {
   const RobotDimensions d;
   const auto tilt = Eigen::AngleAxisd(-angles.tilt, Vector3::UnitY());
-  const Vector3 panCentre =
+  const Vector3 panCenter =
       Vector3(d.neckX, 0, d.neckZ + parameters.bodyHeight) + tilt * Vector3(0, 0, d.neckLength);
-  return {panCentre, tilt * (Eigen::AngleAxisd(angles.pan, Vector3::UnitZ()) * Vector3::UnitX())};
+  return {panCenter, tilt * (Eigen::AngleAxisd(angles.pan, Vector3::UnitZ()) * Vector3::UnitX())};
 }
 
 TEST(HeadControllerTest, theCamerasAxisGoesThroughThePoint) {

@@ -100,7 +100,7 @@ struct KickCase {
 
 class KickTest : public testing::TestWithParam<KickCase> {};
 
-TEST_P(KickTest, theBallRollsHalfAMetreAndTheRobotStandsAgain) {
+TEST_P(KickTest, theBallRollsHalfAMeterAndTheRobotStandsAgain) {
   WalkingRobot robot(options());
   robot.run({}, 1);
   robot.placeBall(GetParam().ball);

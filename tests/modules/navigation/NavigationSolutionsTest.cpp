@@ -196,11 +196,11 @@ TEST(GridPathPlanning, saysOnceWhyThereIsNoWay) {
   EXPECT_EQ(1, planner.texts().begin()->second);
 }
 
-TEST(GridPathPlanning, aCancelledGoalIsNone) {
+TEST(GridPathPlanning, aCanceledGoalIsNone) {
   OneSolution planner("path-planning", "grid", crookedRoom());
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3));
   robotcontrol::DriveGoal goal = goalAt(3, 3.3);
-  goal.set_cancelled(true);
+  goal.set_canceled(true);
   planner.set(robotlink::kDriveGoal, goal);
   planner.execute();
   EXPECT_FALSE(planner.sent(robotlink::kDrivePath)->has_goal());

@@ -19,7 +19,7 @@ class BallFinder : public testing::TestWithParam<bool> {
     const auto orange = world_.regions("orange");
     return GetParam() ? circle_.find(image_->view(), orange, view) : region_.find(orange, view);
   }
-  /// A ball at `ball`, seen from the field's centre with heading 0.
+  /// A ball at `ball`, seen from the field's center with heading 0.
   BallObservation see(const Vector2& ball, const NeckAngles& neck) {
     world_.putBall(ball);
     const CameraView view = FieldCamera::view(neck);

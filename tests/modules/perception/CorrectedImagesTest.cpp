@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Images with dark corners, in which the same colour is another one there: a table segments them right if a
+// Images with dark corners, in which the same color is another one there: a table segments them right if a
 // correction comes with it.
 #include <gtest/gtest.h>
 
@@ -110,7 +110,7 @@ TEST_P(CorrectedImages, camerasAreMadeLikeOthers) {
 TEST_P(CorrectedImages, aCorrectionWithoutNumbersIsRefused) {
   robotcontrol::ColorTable table = correctedTable();
   table.mutable_correction()->set_luma_r4(std::numeric_limits<double>::infinity());
-  EXPECT_EQ(robot_.setColorTable(table), "the colour table's correction has values that are no numbers");
+  EXPECT_EQ(robot_.setColorTable(table), "the color table's correction has values that are no numbers");
 }
 
 INSTANTIATE_TEST_SUITE_P(All, CorrectedImages, testing::Values("whole-image", "scan-lines"));

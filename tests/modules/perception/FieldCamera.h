@@ -4,8 +4,8 @@
 #include <memory>
 #include <vector>
 
-#include "colortool/table/ColorTable.h"
 #include "colortool/image/Regions.h"
+#include "colortool/table/ColorTable.h"
 #include "modules/perception/BodyPosture.h"
 #include "modules/perception/CameraView.h"
 #include "modules/perception/FieldLandmarks.h"

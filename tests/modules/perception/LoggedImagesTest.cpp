@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// The robot program's perception on the images of a real robot, with the colour table that its team made and
+// The robot program's perception on the images of a real robot, with the color table that its team made and
 // the pose of the camera that it logged.
 #include <gtest/gtest.h>
 
@@ -19,7 +19,7 @@ const std::string kData = ROBOTCONTROL_SOURCE_DIR "/../shared/data/";
 /// In the pictures of labels.
 constexpr std::uint8_t kOrange = 1;
 
-struct LabelledBall {
+struct LabeledBall {
   robotlink::Vector2 center;
   double radius = 0;
 };
@@ -31,7 +31,7 @@ std::string labelFile(int image) {
 }
 
 /// The ball as somebody drew it; nothing if the image shows none.
-std::optional<LabelledBall> labelledBall(int image) {
+std::optional<LabeledBall> labeledBall(int image) {
   const std::string bytes = robotlink::readFile(labelFile(image)).value();
   const auto labels =
       logplayer::decodePng({reinterpret_cast<const std::uint8_t*>(bytes.data()), bytes.size()}).value();
@@ -44,7 +44,7 @@ std::optional<LabelledBall> labelledBall(int image) {
         ++count;
       }
   if (count == 0) return std::nullopt;
-  return LabelledBall{sum / count, std::sqrt(count / robotlink::kPi)};
+  return LabeledBall{sum / count, std::sqrt(count / robotlink::kPi)};
 }
 
 robotcontrol::ColorTable realTable() {
@@ -74,17 +74,17 @@ class LoggedImages : public testing::Test {
   static inline std::vector<LoggedView> views_;
 };
 
-class LabelledImages : public LoggedImages, public testing::WithParamInterface<Solutions> {};
+class LabeledImages : public LoggedImages, public testing::WithParamInterface<Solutions> {};
 
 }  // namespace
 
-TEST_P(LabelledImages, theBallIsFoundWhereSomebodyDrewIt) {
+TEST_P(LabeledImages, theBallIsFoundWhereSomebodyDrewIt) {
   LoggedRobot robot(GetParam().segmentation, GetParam().ballPercept);
   ASSERT_EQ(robot.setColorTable(realTable()), "");
   int shown = 0;
   for (const int image : {0, 32, 66}) {
     const auto percept = robot.look(views_[static_cast<std::size_t>(image)]);
-    const auto ball = labelledBall(image);
+    const auto ball = labeledBall(image);
     ASSERT_EQ(percept.seen(), ball.has_value()) << "image " << image;
     if (!ball) continue;
     ++shown;
@@ -165,13 +165,13 @@ TEST_F(LoggedImages, tablesThatCannotBeUsedAreRefused) {
   robotcontrol::ColorTable table;
   table.add_class_names("orange");
   table.set_cells("short");
-  EXPECT_EQ(robot.setColorTable(table), "a colour table has 262144 cells, this one has 5");
+  EXPECT_EQ(robot.setColorTable(table), "a color table has 262144 cells, this one has 5");
   table.set_cells(std::string(64 * 64 * 64, '\2'));
-  EXPECT_EQ(robot.setColorTable(table), "cells of the colour table have classes without a name");
+  EXPECT_EQ(robot.setColorTable(table), "cells of the color table have classes without a name");
 }
 
 INSTANTIATE_TEST_SUITE_P(
-    All, LabelledImages,
+    All, LabeledImages,
     testing::Values(Solutions{"whole-image", "region"}, Solutions{"whole-image", "circle-fit"},
                     Solutions{"scan-lines", "region"}, Solutions{"scan-lines", "circle-fit"}),
     [](const auto& solutions) {

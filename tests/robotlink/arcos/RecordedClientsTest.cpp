@@ -23,7 +23,7 @@ class RecordedClientsTest : public testing::Test {
 
   void TearDown() override {
     for (const Packet& packet : robot.received) {
-      EXPECT_LE(packet.count(), kMaximumSentCount);
+      EXPECT_LE(packet.count(), kMaxSentCount);
       EXPECT_LT(packet.id, 0xFE);
     }
     EXPECT_EQ(robot.session.droppedPackets(), 0U);

@@ -29,7 +29,7 @@ std::string withCairn(const std::string& cairn) {
 
 }  // namespace
 
-TEST(GroundMap, linesPointsAndPlacesAreReadInMetresAndRadians) {
+TEST(GroundMap, linesPointsAndPlacesAreReadInMetersAndRadians) {
   const GroundMap map = parsed(
       "2D-Map\nMinPos: 0 0\nMaxPos: 1 1\nNumPoints: 2\nResolution: 50\nPointsAreSorted: true\n"
       "Cairn: GoalWithHeading -1860 -22440 -48.5 \"\" ICON \"Lobby door\"\n"

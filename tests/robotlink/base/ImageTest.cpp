@@ -7,7 +7,7 @@
 
 using namespace robotlink;
 
-TEST(Image, coloursSurviveTheWayToYCbCrAndBack) {
+TEST(Image, colorsSurviveTheWayToYCbCrAndBack) {
   for (int r = 0; r < 256; r += 15) {
     for (int g = 0; g < 256; g += 15) {
       for (int b = 0; b < 256; b += 15) {

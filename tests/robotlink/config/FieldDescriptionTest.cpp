@@ -82,7 +82,7 @@ TEST(FieldDescription, aFieldNeedsNoWallsAndNoBeaconsButMayHaveLinesAroundIt) {
 
 TEST(FieldDescription, aColorThatThePaletteLacksIsRefusedWithItsPlace) {
   EXPECT_THAT(fieldErrors(withReplaced("mass: 0.026, color: orange", "mass: 0.026, color: mauve")),
-              AllOf(testing::StartsWith("field.yaml:"), HasSubstr(": the palette has no colour 'mauve'")));
+              AllOf(testing::StartsWith("field.yaml:"), HasSubstr(": the palette has no color 'mauve'")));
 }
 
 TEST(FieldDescription, wrongValuesAreRefused) {

@@ -130,12 +130,12 @@ TEST_F(DebugContextTest, aFrameIsHandedOverWholeAndEndsWithItsNumber) {
 
 TEST_F(DebugContextTest, eachKindGoesToItsStream) {
   debug_.setRobot("red1");
-  const Image grey(4, 2, PixelFormat::kMono8);
+  const Image gray(4, 2, PixelFormat::kMono8);
   frame([&] {
     debug_.imageDrawing(kShapeKey).line({0, 0}, {1, 1}, colors::kRed);
     debug_.fieldDrawing(kShapeKey).dot({1, 0}, colors::kRed);
     debug_.robotDrawing(kShapeKey).dot({1, 0}, colors::kRed);
-    debug_.image(kShapeKey, grey.view());
+    debug_.image(kShapeKey, gray.view());
     debug_.plot(kShapeKey, 4.5, "m");
     debug_.plot(kShapeKey, "x", 2);
     debug_.package("models/ball", mode(KeyMode::EVERY_N, 9));

@@ -42,18 +42,18 @@ processes:
   EXPECT_EQ("no task of this layout obeys remote motions", robot.ask(walk(1)).reason());
 }
 
-TEST(DebugProcessTest, aColourTableThatNobodyUsesOrThatIsNoneIsRefused) {
+TEST(DebugProcessTest, aColorTableThatNobodyUsesOrThatIsNoneIsRefused) {
   ToyRobot robot;
   Request request;
   auto& table = *request.mutable_set_color_table()->mutable_table();
-  EXPECT_EQ("no task of this layout uses a colour table", robot.ask(request).reason());
+  EXPECT_EQ("no task of this layout uses a color table", robot.ask(request).reason());
   table.set_cells("ten cells.");
-  EXPECT_EQ("a colour table has 262144 cells, this one has 10", robot.ask(request).reason());
+  EXPECT_EQ("a color table has 262144 cells, this one has 10", robot.ask(request).reason());
   table.set_cells(std::string(262144, '\1'));
-  EXPECT_EQ("cells of the colour table have classes without a name", robot.ask(request).reason());
+  EXPECT_EQ("cells of the color table have classes without a name", robot.ask(request).reason());
   table.add_class_names("orange");
   table.mutable_correction()->mutable_cb()->set_gain(std::nan(""));
-  EXPECT_EQ("the colour table's correction has values that are no numbers", robot.ask(request).reason());
+  EXPECT_EQ("the color table's correction has values that are no numbers", robot.ask(request).reason());
 }
 
 TEST(DebugProcessTest, eachRequestIsAnsweredExactlyOnceHoweverManyThereAre) {

@@ -73,7 +73,7 @@ TEST(RequestKinds, whatIsWrongWithARequestItselfIsSaid) {
   table.mutable_set_color_table();
   EXPECT_EQ(wrongWith(table), "") << "without cells it takes back the one before";
   table.mutable_set_color_table()->mutable_table()->set_cells("abc");
-  EXPECT_EQ(wrongWith(table), "a colour table has 262144 cells, this one has 3");
+  EXPECT_EQ(wrongWith(table), "a color table has 262144 cells, this one has 3");
 }
 
 TEST(RequestKinds, whatAPersonChoseIsKeptForLaterProgramsAndCanBeNamed) {

@@ -111,7 +111,7 @@ TEST(TaskProcessTest, anUnavailableOrUnknownSolutionIsRefusedWithTheReason) {
 
 TEST(TaskProcessTest, aSolutionThatCannotBeMadeIsRefusedAndTheOldOneGoesOn) {
   ToyRobot robot;
-  EXPECT_EQ("solution broken of task ball-percept could not be made: no colour table for red1",
+  EXPECT_EQ("solution broken of task ball-percept could not be made: no color table for red1",
             robot.select("ball-percept", "broken").reason());
   EXPECT_THAT(
       robot.select("ball-percept", "untidy").reason(),
@@ -128,7 +128,7 @@ TEST(TaskProcessTest, aDefaultSolutionThatCannotBeMadeRefusesTheLayout) {
   ToyRobot robot;
   const Errors errors = robot.load(layout);
   ASSERT_EQ(1U, errors.size());
-  EXPECT_EQ("toy.yaml:7:9: solution broken of task ball-percept could not be made: no colour table for red1",
+  EXPECT_EQ("toy.yaml:7:9: solution broken of task ball-percept could not be made: no color table for red1",
             errors[0].describe());
 }
 
@@ -207,7 +207,7 @@ TEST(TaskProcessTest, stopwatchesTellEachTaskAndTheWholeFrame) {
 
 TEST(TaskProcessTest, parametersComeFromTheirFileAndCanBeSet) {
   ParameterFolder folder("set");
-  folder.write("ball-percept.region.textproto", "# metres\nx: 1000\n");
+  folder.write("ball-percept.region.textproto", "# meters\nx: 1000\n");
   ToyRobot robot(kToyLayout, folder.path());
   robot.setKey("package/percepts/ball", KeyMode::ALWAYS);
   robot.run(20);
@@ -257,7 +257,7 @@ TEST(TaskProcessTest, wrongParametersAreRefusedAndChangeNothing) {
 
 TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
   ParameterFolder folder("wrong");
-  folder.write("ball-percept.region.textproto", "x: 1\ny: fast\ncolour: 3\n");
+  folder.write("ball-percept.region.textproto", "x: 1\ny: fast\ncolor: 3\n");
   ToyRobot robot;
   robot.parameterFolder = folder.path();
   const Errors errors = robot.load(kToyLayout);
@@ -268,7 +268,7 @@ TEST(TaskProcessTest, aWrongParameterFileRefusesTheLayoutWithItsPlace) {
 }
 
 TEST(TaskProcessTest, aParameterFileOfNoSolutionIsRefusedWithTheNearestName) {
-  ParameterFolder folder("misspelt");
+  ParameterFolder folder("misspelled");
   folder.write("ball-percept.regoin.textproto", "x: 1");
   folder.write("cooking.soup.textproto", "of a task that is not here");
   ToyRobot robot;

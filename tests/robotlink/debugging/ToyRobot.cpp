@@ -96,7 +96,7 @@ class RegionBall final : public Solution, Counted {
 class BrokenBall final : public Solution {
  public:
   explicit BrokenBall(SolutionContext& context) {
-    throw std::runtime_error("no colour table for " + context.robot().name);
+    throw std::runtime_error("no color table for " + context.robot().name);
   }
   void execute() override {}
 };

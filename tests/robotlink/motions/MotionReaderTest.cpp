@@ -104,10 +104,10 @@ TEST(MotionReaderTest, allFaultsOfAFileAreReportedTogether) {
 
 TEST(MotionReaderTest, tooLongAFileIsRefused) {
   std::string text = "motion_id = x\n";
-  for (int i = 0; i < kMaximumMotionLines; ++i) text += "\n";
+  for (int i = 0; i < kMaxMotionLines; ++i) text += "\n";
   EXPECT_EQ(errorOf(text), "motion.too-many-lines 32001:1");
   text = "motion_id = x\n";
-  for (int i = 0; i <= kMaximumMotionLabels; ++i) text += "label l" + std::to_string(i) + "\n";
+  for (int i = 0; i <= kMaxMotionLabels; ++i) text += "label l" + std::to_string(i) + "\n";
   EXPECT_EQ(errorOf(text), "motion.too-many-labels 5002:1");
 }
 

@@ -284,7 +284,7 @@ TEST(Session, messagesThatMakeNoSenseAreDroppedAndCounted) {
   EXPECT_EQ(session.store().streams().size(), 1U);
 }
 
-TEST(Session, timesThatCannotBeAreReplacedByThoseOfTheNeighbours) {
+TEST(Session, timesThatCannotBeAreReplacedByThoseOfTheNeighbors) {
   Session session;
   session.push(plot("red1/clock", 3));
   const auto queue = queueOf("cognition");

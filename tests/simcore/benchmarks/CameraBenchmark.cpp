@@ -151,11 +151,11 @@ void label(benchmark::State& state) {
   CameraRenderer renderer(scene.scene, {});
   renderer.setPoses(scene.poses);
   const std::vector<std::uint8_t> labels(scene.scene->instances.size(), 1);
-  Image image, labelled;
+  Image image, labeled;
   renderer.render(scene.cameras.front(), {}, PixelFormat::kYuyv, {}, image);
   for ([[maybe_unused]] const auto _ : state) {
-    renderer.label(labels, 0, labelled);
-    benchmark::DoNotOptimize(labelled.data.data());
+    renderer.label(labels, 0, labeled);
+    benchmark::DoNotOptimize(labeled.data.data());
   }
 }
 BENCHMARK(label)->Unit(benchmark::kMicrosecond);

@@ -176,7 +176,7 @@ TEST(CameraRenderer, leftIsLeftAndUpIsUp) {
   poses[1].translation() = Eigen::Vector3d(2, 0.6, 0);
   poses[2].translation() = Eigen::Vector3d(2, 0, 0.6);
   const Image image = drawn({scene, poses, {}}, {}, Pose3::Identity());
-  // A point at (2, 0.6, 0) is 0.6 / 2 of a focal length left of the centre.
+  // A point at (2, 0.6, 0) is 0.6 / 2 of a focal length left of the center.
   EXPECT_EQ(pixel(image, 88 - 48, 72), (Rgb{255, 0, 0}));
   EXPECT_EQ(pixel(image, 88, 72 - 49), (Rgb{0, 0, 255}));
   EXPECT_EQ(pixel(image, 88, 72), (Rgb{0, 0, 0}));
@@ -264,7 +264,7 @@ TEST(CameraRenderer, trianglesThatPassTheCameraLeaveNoHoles) {
   }
 }
 
-TEST(CameraRenderer, aLineOneMillimetreAboveTheCarpetNeverFlickers) {
+TEST(CameraRenderer, aLineOneMillimeterAboveTheCarpetNeverFlickers) {
   auto scene = std::make_shared<RenderScene>();
   scene->bodies = {"world"};
   scene->ambient = 1;
@@ -293,7 +293,7 @@ TEST(CameraRenderer, aBodyCastsItsShadowUnlessToldNotTo) {
     ball.translation() = Eigen::Vector3d(0.5, 0, 1);
     scene->instances = {{0, 0, floor, {200, 200, 200}, "floor", true},
                         {1, 1, Pose3::Identity(), {200, 0, 0}, "ball", casts}};
-    // The shadow's centre is at (1, 0, 0): twice as far from the lamp as the ball.
+    // The shadow's center is at (1, 0, 0): twice as far from the lamp as the ball.
     const Image image = drawn({scene, {Pose3::Identity(), ball}, {}}, {}, lookAt({1, -1, 0.5}, {1, 0, 0}));
     const double lit = 100 + 100 * 2 / std::sqrt(5.0);
     EXPECT_NEAR(pixel(image, 88, 72).r, casts ? 100 : lit, 2);

@@ -15,7 +15,7 @@ namespace {
 using robotlink::radians;
 using testing::HasSubstr;
 
-/// A cart with a sonar and a laser of 19 readings at 0.3 m height, 0.2 m before its centre.
+/// A cart with a sonar and a laser of 19 readings at 0.3 m height, 0.2 m before its center.
 const char* const kCart = R"(<?xml version="1.0"?>
 <sdf version="1.9" xmlns:robotcontrol="urn:robotcontrol:sdf">
   <model name="cart">

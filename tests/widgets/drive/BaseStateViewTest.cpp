@@ -8,8 +8,8 @@
 
 #include "tests/widgets/SyntheticWorld.h"
 #include "tests/widgets/drive/DriveWorld.h"
-#include "widgets/drive/BatteryGauge.h"
 #include "widgets/Theme.h"
+#include "widgets/drive/BatteryGauge.h"
 
 using widgets::BatteryLevel;
 
@@ -133,7 +133,7 @@ class BaseStateViewTest : public QObject {
     QCOMPARE(text(*view, "linkState"), QStringLiteral("lost; nothing new since 7 s"));
   }
 
-  void whatTheBaseSaidTooLongAgoIsGreyWithItsAge() {
+  void whatTheBaseSaidTooLongAgoIsGrayWithItsAge() {
     DriveWorld world;
     auto state = DriveWorld::state();
     state.set_left_stalled(true);

@@ -148,7 +148,7 @@ class MapTest : public QObject {
     QCOMPARE(s.requests.back().robot(), std::string("p3at1"));
     QVERIFY(std::abs(s.goal().pose_in_field().x() - 2) < 0.02 &&
             std::abs(s.goal().pose_in_field().y() - 3) < 0.02);
-    QVERIFY(s.goal().any_heading() && !s.goal().cancelled());
+    QVERIFY(s.goal().any_heading() && !s.goal().canceled());
   }
 
   void draggingSaysWhereToLookThen() {
@@ -188,7 +188,7 @@ class MapTest : public QObject {
     s.tick(*s.view);
     QVERIFY(cancel.isEnabled());
     QTest::keyClick(s.canvas, Qt::Key_Escape);
-    QVERIFY(s.goal().cancelled());
+    QVERIFY(s.goal().canceled());
     path.clear_goal();
     s.push("p3at1/models/path", path, 2);
     s.tick(*s.view);
@@ -226,7 +226,7 @@ class MapTest : public QObject {
     QVERIFY(!s.isGround(3, 3.5 + 12.0 / s.canvas->transform().m11()));  // the flag
   }
 
-  void robotsOnWheelsHaveTheirSizeAndAColourEach() {
+  void robotsOnWheelsHaveTheirSizeAndAColorEach() {
     ShownMapView s;
     s.pushTruth({{"p3at1", {2, 3, 0}}, {"p3at2", {6, 3, 0}}}, 1);
     s.pushEstimate("p3at1", {2.1, 3.3, 0.2}, 1);

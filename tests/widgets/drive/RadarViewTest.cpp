@@ -24,7 +24,7 @@ QPalette whitePalette() {
   return palette;
 }
 
-/// 200 by 200 pixels, 25 for a metre, the robot in the middle.
+/// 200 by 200 pixels, 25 for a meter, the robot in the middle.
 struct Painted {
   Painted(const RadarReadings& readings, bool northUp = false) : heading(readings.heading) {
     look.size = {200, 200};

@@ -43,7 +43,7 @@ class DebugKeysViewTest : public QObject {
   void initTestCase() { Bench::prepare(ROBOTCONTROL_SOURCE_DIR); }
   void cleanupTestCase() { Bench::tidyUp(); }
 
-  void keysStandInATreeByTheirNamesAndInactiveOnesAreGreyedButSettable() {
+  void keysStandInATreeByTheirNamesAndInactiveOnesAreGrayedButSettable() {
     Bench bench;
     auto view = bench.open<widgets::DebugKeysView>();
     auto& tree = child<QTreeView>(*view, "keysTree");

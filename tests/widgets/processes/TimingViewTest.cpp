@@ -66,7 +66,7 @@ class TimingViewTest : public QObject {
     QCOMPARE(cell(table, ball, Model::kLast), QStringLiteral("3.000"));
     QCOMPARE(cell(table, ball, Model::kMean), QStringLiteral("2.000"));
     QCOMPARE(cell(table, ball, Model::kMinimum), QStringLiteral("1.000"));
-    QCOMPARE(cell(table, ball, Model::kMaximum), QStringLiteral("3.000"));
+    QCOMPARE(cell(table, ball, Model::kMax), QStringLiteral("3.000"));
     QCOMPARE(cell(table, ball, Model::kRate), QStringLiteral("25.0"));
     QCOMPARE(cell(table, ball, Model::kShare), QStringLiteral("5.00 %"));
     QCOMPARE(cell(table, QStringLiteral("frame"), Model::kMean), QStringLiteral("6.000"));
@@ -150,7 +150,7 @@ class TimingViewTest : public QObject {
     bench.push("red1/stopwatches/cognition", times(0.001, 0.003), 1.04);
     bench.tick(*view);
     auto& table = child<QTableView>(*view, "timingTable");
-    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMaximum), QStringLiteral("3.000"));
+    QCOMPARE(cell(table, QStringLiteral("pose"), widgets::TimingModel::kMax), QStringLiteral("3.000"));
     click(child<QToolButton>(*view, "timingCopy"));
     QVERIFY(
         QApplication::clipboard()->text().contains(QStringLiteral("cognition,pose,particles,3,3,3,3,0,0")));

@@ -6,8 +6,8 @@
 #include <QPainter>
 #include <cmath>
 
-#include "widgets/image/ImagePainter.h"
 #include "widgets/Theme.h"
+#include "widgets/image/ImagePainter.h"
 
 namespace widgets {
 namespace {

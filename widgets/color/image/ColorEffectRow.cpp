@@ -8,10 +8,10 @@
 #include <algorithm>
 
 #include "widgets/Controls.h"
-#include "widgets/color/ColorBench.h"
-#include "widgets/color/image/ColorToolRow.h"
 #include "widgets/Counted.h"
 #include "widgets/Theme.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/image/ColorToolRow.h"
 
 namespace widgets {
 namespace {

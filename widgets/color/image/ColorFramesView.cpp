@@ -15,12 +15,12 @@
 #include "robotlink/session/Session.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
-#include "widgets/color/ColorActions.h"
-#include "widgets/Counted.h"
 #include "widgets/Theme.h"
+#include "widgets/color/ColorActions.h"
 
 namespace widgets {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 const ViewRegistration kColorFramesViewRegistration{
     {"color-frames", QT_TRANSLATE_NOOP("widgets::ColorFramesView", "Find frames"),
      QT_TRANSLATE_NOOP("widgets::ColorFramesView",
-                       "Finds the images of a log in which the colour table does most that is suspicious"),
+                       "Finds the images of a log in which the color table does most that is suspicious"),
      "color-frames", false, create<ColorFramesView>}};
 
 constexpr QSize kThumbnail(72, 54);
@@ -198,7 +198,7 @@ QString ColorFramesView::stateText() const {
   if (progress.suspicious > FrameSearch::kMaxKept)
     text += tr(" (the %1 worst are listed)").arg(FrameSearch::kMaxKept);
   if (progress.damaged > 0) text += tr(", unreadable: %1").arg(progress.damaged);
-  if (progress.cancelled) text += tr(", cancelled");
+  if (progress.canceled) text += tr(", canceled");
   return text;
 }
 
@@ -224,8 +224,8 @@ void ColorFramesView::showState() {
                  : busy                         ? tr("Searching…")
                  : finder_.searched()           ? tr("Nothing suspicious was found.")
                                       : tr("Search shows the images first in which the table sorts most "
-                                           "pixels that look wrong:\nspecks, ambiguous colours, and what "
-                                           "another colour encloses."));
+                                           "pixels that look wrong:\nspecks, ambiguous colors, and what "
+                                           "another color encloses."));
 }
 
 void ColorFramesView::tick() {

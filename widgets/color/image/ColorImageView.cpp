@@ -15,24 +15,24 @@
 #include "foxglove/Image.pb.h"
 #include "robotlink/session/Session.h"
 #include "widgets/Controls.h"
+#include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
-#include "widgets/color/image/ColorEffectRow.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/ColorSender.h"
+#include "widgets/color/image/ColorEffectRow.h"
 #include "widgets/color/image/ColorStrip.h"
 #include "widgets/color/image/ColorToolRow.h"
 #include "widgets/image/ImagePixels.h"
 #include "widgets/image/StreamChoice.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {
 
 const ViewRegistration kColorImageViewRegistration{
-    {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Colour image"),
+    {"color-image", QT_TRANSLATE_NOOP("widgets::ColorImageView", "Color image"),
      QT_TRANSLATE_NOOP("widgets::ColorImageView",
-                       "Draw strokes in images and see what the colour table makes of them"),
+                       "Draw strokes in images and see what the color table makes of them"),
      "brush", false, create<ColorImageView>}};
 
 constexpr char kDefaultColorChoice[] = "*/camera/image";
@@ -173,7 +173,7 @@ QWidget* ColorImageView::createFooter() {
   time_ = addLabel(footer, "colorTime", tr("Time of the image"));
   state_ = addLabel(footer, "colorState", tr("Whether the image is live, frozen or from the strip"));
   pixel_ = addLabel(footer, "colorPixel",
-                    tr("Pixel under the cursor: position, colour, class, how sure it is, cell"));
+                    tr("Pixel under the cursor: position, color, class, how sure it is, cell"));
   zoom_ = addLabel(footer, "colorZoom", tr("Zoom"));
   footer->setStretchFactor(pixel_, 1);
   pixel_->setFont(QFontDatabase::systemFont(QFontDatabase::FixedFont));
@@ -256,7 +256,7 @@ void ColorImageView::connectCanvas(ColorCanvas* canvas, ColorCanvas* other) {
 
 void ColorImageView::tick() {
   if (streams_->refresh(session()))
-    Q_EMIT titleChanged(tr("Colour image: %1").arg(QString::fromStdString(streams_->path(session()))));
+    Q_EMIT titleChanged(tr("Color image: %1").arg(QString::fromStdString(streams_->path(session()))));
   if (!gesture_) bench_.setFrame(shownFrame());
   bench_.sender().tick();
   left_->setHint(tr("No image yet from %1").arg(QString::fromStdString(streams_->path(session()))));

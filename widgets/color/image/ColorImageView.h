@@ -6,8 +6,8 @@
 #include <vector>
 
 #include "widgets/View.h"
-#include "widgets/color/image/ColorCanvas.h"
 #include "widgets/color/ColorFrame.h"
+#include "widgets/color/image/ColorCanvas.h"
 
 class QAction;
 class QComboBox;

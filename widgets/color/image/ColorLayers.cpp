@@ -64,8 +64,8 @@ QImage differenceImage(const QImage& image, const robotlink::Image& now, const r
     const std::uint8_t *after = now.row(y), *first = before.row(y);
     for (int x = 0; x < now.width; ++x) {
       if (after[x] == first[x]) {
-        const int grey = qGray(below[x]) / (after[x] == 0 ? 5 : 3);
-        to[x] = qRgb(grey, grey, grey);
+        const int gray = qGray(below[x]) / (after[x] == 0 ? 5 : 3);
+        to[x] = qRgb(gray, gray, gray);
       } else {
         const robotlink::Rgb color =
             after[x] < classColors.size() ? classColors[after[x]] : robotlink::Rgb{255, 0, 255};

@@ -9,8 +9,8 @@
 #include <span>
 #include <vector>
 
-#include "colortool/table/CellSet.h"
 #include "colortool/samples/Samples.h"
+#include "colortool/table/CellSet.h"
 #include "widgets/color/ColorFrame.h"
 
 // What is painted over and beside an image of the color tool. Pure functions; any thread.

@@ -40,14 +40,14 @@ constexpr ToolText kTools[] = {
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "What a line goes around is of the class"), Qt::Key_L},
     {ColorTool::kWand, "wand", "colorToolWand", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Magic wand"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
-                       "All that is of like colour around the click, up to an edge, is of the class"),
+                       "All that is of like color around the click, up to an edge, is of the class"),
      Qt::Key_W},
     {ColorTool::kEraser, "eraser", "colorToolEraser", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Eraser"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Takes strokes of this image away"), Qt::Key_E},
     {ColorTool::kSelect, "select-area", "colorToolSelect",
-     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Select colours"),
+     QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Select colors"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow",
-                       "Selects the colours of what a line goes around, here and in the colour space"),
+                       "Selects the colors of what a line goes around, here and in the color space"),
      Qt::Key_S},
     {ColorTool::kMove, "grab", "colorToolMove", QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Move"),
      QT_TRANSLATE_NOOP("widgets::ColorToolRow", "Moves the image (also the middle button with any tool)"),
@@ -120,7 +120,7 @@ void ColorToolRow::createControls() {
   radius_->setSuffix(tr(" px"));
   tolerance_ = new QSpinBox(this);
   describe(*tolerance_, {"colorTolerance", tr("Tolerance"),
-                         tr("How far colours may differ for the magic wand to take them")});
+                         tr("How far colors may differ for the magic wand to take them")});
   tolerance_->setRange(2, 100);
   tolerance_->setValue(static_cast<int>(colortool::WandOptions{}.tolerance));
   tolerance_->setPrefix(QStringLiteral("± "));

@@ -14,13 +14,13 @@
 #include "colortool/table/ColorTable.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
 #include "widgets/Icon.h"
+#include "widgets/Theme.h"
 #include "widgets/color/ColorActions.h"
 #include "widgets/color/ColorReferences.h"
-#include "widgets/Counted.h"
-#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {
@@ -28,7 +28,7 @@ namespace {
 const ViewRegistration kColorCompareViewRegistration{
     {"color-compare", QT_TRANSLATE_NOOP("widgets::ColorCompareView", "Compare tables"),
      QT_TRANSLATE_NOOP("widgets::ColorCompareView",
-                       "Shows what a colour table has other than another one, or than itself some steps ago"),
+                       "Shows what a color table has other than another one, or than itself some steps ago"),
      "color-compare", false, create<ColorCompareView>}};
 
 constexpr std::size_t kStepsListed = 30;
@@ -152,8 +152,8 @@ void ColorCompareView::tell(const QString& problem) {
 // The reference.
 
 void ColorCompareView::askForFile() {
-  auto* dialog = new QFileDialog(this, tr("Compare with a colour table"), files_.folder(),
-                                 tr("Colour tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
+  auto* dialog = new QFileDialog(this, tr("Compare with a color table"), files_.folder(),
+                                 tr("Color tables (*.c64 *.tm *.raw *.cal *.lut *.bz2);;All files (*)"));
   dialog->setObjectName(QStringLiteral("colorCompareDialog"));
   dialog->setAttribute(Qt::WA_DeleteOnClose);
   dialog->setFileMode(QFileDialog::ExistingFile);

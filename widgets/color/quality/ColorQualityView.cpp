@@ -11,21 +11,21 @@
 #include <set>
 
 #include "widgets/Controls.h"
-#include "widgets/color/ColorBench.h"
-#include "widgets/color/quality/ConfusionPanel.h"
-#include "widgets/color/LabelledFolder.h"
-#include "widgets/color/quality/ConfusionModel.h"
 #include "widgets/Theme.h"
+#include "widgets/color/ColorBench.h"
+#include "widgets/color/LabeledFolder.h"
+#include "widgets/color/quality/ConfusionModel.h"
+#include "widgets/color/quality/ConfusionPanel.h"
 
 namespace widgets {
 namespace {
 
 const ViewRegistration kColorQualityViewRegistration{
     {"color-quality", QT_TRANSLATE_NOOP("View", "Quality"),
-     QT_TRANSLATE_NOOP("View", "Shows how good the colour table is: recall, confusion and false colours."),
+     QT_TRANSLATE_NOOP("View", "Shows how good the color table is: recall, confusion and false colors."),
      "quality", false, create<ColorQualityView>}};
 
-/// The width of the place for labelled images while there are none, in pixels.
+/// The width of the place for labeled images while there are none, in pixels.
 constexpr int kEmptyWidth = 200;
 /// With fewer strokes of a class its figures mean little.
 constexpr int kFewStrokes = 5;
@@ -55,15 +55,15 @@ ColorQualityView::~ColorQualityView() = default;
 
 void ColorQualityView::createActions() {
   open_ = makeAction(this, "open",
-                     {"qualityOpen", tr("Labelled images…"),
-                      tr("Scores the table over a folder of images with labels: grey PNGs of the same name "
+                     {"qualityOpen", tr("Labeled images…"),
+                      tr("Scores the table over a folder of images with labels: gray PNGs of the same name "
                          "with the numbers of the classes")});
   simulated_ = makeAction(this, "simulation",
                           {"qualitySimulated", tr("Simulator's classes"),
                            tr("Scores the table over what the simulated camera truly sees")});
   simulated_->setCheckable(true);
   close_ =
-      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Forgets the labelled images")});
+      makeAction(this, "close", {"qualityClose", tr("Without images"), tr("Forgets the labeled images")});
 }
 
 void ColorQualityView::createViews() {
@@ -77,15 +77,15 @@ void ColorQualityView::createViews() {
   }
   addButtons(row, {close_});
   state_ = new QLabel(row->parentWidget());
-  describe(*state_, {"qualityState", tr("State of the labelled images"), {}});
+  describe(*state_, {"qualityState", tr("State of the labeled images"), {}});
   row->addSpacing(8);
   row->addWidget(state_, 1);
   strokes_ = new ConfusionPanel("strokes", tr("Your strokes"), this);
-  labelled_ = new ConfusionPanel("labelled", tr("Labelled images"), this);
+  labeled_ = new ConfusionPanel("labeled", tr("Labeled images"), this);
   splitter_ = new QSplitter(Qt::Horizontal, this);
   splitter_->setObjectName(QStringLiteral("qualitySplitter"));
   splitter_->addWidget(strokes_);
-  splitter_->addWidget(labelled_);
+  splitter_->addWidget(labeled_);
   auto* layout = new QVBoxLayout(this);
   layout->setContentsMargins(4, 2, 4, 4);
   layout->setSpacing(3);
@@ -99,7 +99,7 @@ void ColorQualityView::connectSignals() {
   connect(simulated_, &QAction::toggled, this, [this](bool on) {
     reading_.reset();
     if (!on) return closeImages();
-    bench_.setLabelled({});
+    bench_.setLabeled({});
     trueClasses_.setOn(true);
     showQuality();
   });
@@ -114,7 +114,7 @@ void ColorQualityView::openFolder() {
   simulated_->setChecked(false);
   folder_ = folder;
   problem_.clear();
-  reading_ = std::make_unique<LabelledFolder>(folder.toStdString(), onlyCamera(bench_.samples()));
+  reading_ = std::make_unique<LabeledFolder>(folder.toStdString(), onlyCamera(bench_.samples()));
 }
 
 void ColorQualityView::closeImages() {
@@ -122,7 +122,7 @@ void ColorQualityView::closeImages() {
   reading_.reset();
   trueClasses_.setOn(false);
   if (simulated_->isChecked()) return simulated_->setChecked(false);
-  bench_.setLabelled({});
+  bench_.setLabeled({});
   say({});
   showQuality();
 }
@@ -134,13 +134,13 @@ void ColorQualityView::takeRead() {
   reading_.reset();
   if (!*read) {
     problem_ = QString::fromStdString(read->error().describe());
-    say(tr("No labelled images: the reason stands below"), true);
+    say(tr("No labeled images: the reason stands below"), true);
     return showQuality();
   }
   const auto count = static_cast<int>((*read)->frames.size());
   const auto problems = static_cast<int>((*read)->problems.size());
-  bench_.setLabelled(std::move((*read)->frames));
-  QString text = tr("Labelled images: %1").arg(count);
+  bench_.setLabeled(std::move((*read)->frames));
+  QString text = tr("Labeled images: %1").arg(count);
   if (problems > 0) text += tr("; %1 could not be read").arg(problems);
   say(text, problems > 0);
   if (problems > 0) state_->setToolTip(QString::fromStdString(robotlink::describe((*read)->problems)));
@@ -151,12 +151,12 @@ void ColorQualityView::tick() {
   trueClasses_.tick();
   if (reading_) takeRead();
   if (simulated_->isChecked()) say(tr("Images of the simulation: %1").arg(trueClasses_.count()));
-  close_->setEnabled(!bench_.labelled().empty() || reading_ != nullptr);
+  close_->setEnabled(!bench_.labeled().empty() || reading_ != nullptr);
 }
 
 void ColorQualityView::showQuality() {
   showStrokes();
-  showLabelled();
+  showLabeled();
 }
 
 QString ColorQualityView::countNote() const {
@@ -222,7 +222,7 @@ QString ColorQualityView::othersNote() const {
 QString ColorQualityView::strokesNote() const {
   const ColorQuality& quality = *bench_.quality();
   QStringList notes, alone;
-  if (quality.labelled) notes << tr("The labelled images beside this are the better judge.");
+  if (quality.labeled) notes << tr("The labeled images beside this are the better judge.");
   notes << countNote();
   for (const std::uint8_t colorClass : quality.strokes->alone) {
     if (colorClass != 0) alone << QString::fromStdString(quality.classes.name(colorClass));
@@ -230,8 +230,8 @@ QString ColorQualityView::strokesNote() const {
   if (!alone.isEmpty())
     notes << tr("Too little to judge %1 by: draw a second stroke, so that one can be tried with the other.")
                  .arg(alone.join(QStringLiteral(", ")));
-  if (quality.strokes->evaluation.labelled(0) == 0)
-    notes << tr("No stroke of the background: false colours are not known.");
+  if (quality.strokes->evaluation.labeled(0) == 0)
+    notes << tr("No stroke of the background: false colors are not known.");
   else if (std::ranges::find(quality.strokes->alone, 0) != quality.strokes->alone.end())
     notes << tr("A single stroke of the background: false colors are not known; draw a second one.");
   const QString reference =
@@ -251,23 +251,23 @@ void ColorQualityView::showStrokes() {
   strokes_->show(quality->classes, quality->strokes->evaluation, quality->strokes->alone, strokesNote());
 }
 
-void ColorQualityView::showLabelled() {
-  const bool some = !bench_.labelled().empty();
+void ColorQualityView::showLabeled() {
+  const bool some = !bench_.labeled().empty();
   // Without images the panel of the strokes gets the room; with the first ones both get the same.
-  const bool narrow = labelled_->maximumWidth() == kEmptyWidth;
-  labelled_->setMaximumWidth(some ? QWIDGETSIZE_MAX : kEmptyWidth);
+  const bool narrow = labeled_->maximumWidth() == kEmptyWidth;
+  labeled_->setMaximumWidth(some ? QWIDGETSIZE_MAX : kEmptyWidth);
   if (some && narrow) splitter_->setSizes({width() / 2, width() / 2});
   if (!some) {
-    return labelled_->showNothing(
+    return labeled_->showNothing(
         !problem_.isEmpty() ? problem_
         : simulated_->isChecked()
             ? tr("Waiting for the simulated camera. Only a simulated robot, or its log, knows true classes.")
-            : tr("No labelled images. Open a folder of them, or take those of the simulator."));
+            : tr("No labeled images. Open a folder of them, or take those of the simulator."));
   }
   const ColorQuality* quality = bench_.quality();
-  if (quality == nullptr || !quality->labelled) return labelled_->showNothing(tr("Finding out…"));
-  labelled_->show(quality->classes, *quality->labelled, {},
-                  referenceNote(*quality->labelled, quality->referenceLabelled, {}));
+  if (quality == nullptr || !quality->labeled) return labeled_->showNothing(tr("Finding out…"));
+  labeled_->show(quality->classes, *quality->labeled, {},
+                 referenceNote(*quality->labeled, quality->referenceLabeled, {}));
 }
 
 void ColorQualityView::say(const QString& text, bool bad) {

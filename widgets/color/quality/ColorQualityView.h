@@ -19,7 +19,7 @@ namespace widgets {
 
 class ColorBench;
 class ConfusionPanel;
-class LabelledFolder;
+class LabeledFolder;
 
 /// How good the table is, always up to date: on the left by cross-validation over the user's strokes, on the
 /// right over images whose classes are known, from a folder or from the simulator.
@@ -51,7 +51,7 @@ class ColorQualityView final : public View {
   /// The matrix of the strokes.
   void showStrokes();
   /// The matrix of the labeled images.
-  void showLabelled();
+  void showLabeled();
   /// What the figures of the strokes are based on, and what is missing.
   QString strokesNote() const;
   /// Number of labeled images and where they are from.
@@ -68,7 +68,7 @@ class ColorQualityView final : public View {
   ColorActions history_;
   TrueClassFrames trueClasses_;
   /// Null: no folder is being read.
-  std::unique_ptr<LabelledFolder> reading_;
+  std::unique_ptr<LabeledFolder> reading_;
   /// Where labeled images were opened last.
   QString folder_;
   QAction* open_ = nullptr;
@@ -77,7 +77,7 @@ class ColorQualityView final : public View {
   QAction* close_ = nullptr;
   QSplitter* splitter_ = nullptr;
   ConfusionPanel* strokes_ = nullptr;
-  ConfusionPanel* labelled_ = nullptr;
+  ConfusionPanel* labeled_ = nullptr;
   QLabel* state_ = nullptr;
   /// Why there are no labeled images.
   QString problem_;

@@ -6,8 +6,8 @@
 #include <algorithm>
 
 #include "colortool/training/Suspicion.h"
-#include "widgets/color/ColorClassModel.h"
 #include "widgets/Counted.h"
+#include "widgets/color/ColorClassModel.h"
 
 namespace widgets {
 namespace {
@@ -32,8 +32,8 @@ void ConfusionModel::setEvaluation(const colortool::ColorClasses& classes,
   for (int i = 0; evaluation_ && i < std::min(classes_.size(), evaluation_->classes()); ++i) {
     std::uint64_t found = 0;
     for (int label = 0; label < evaluation_->classes(); ++label) found += evaluation_->count(label, i);
-    if (evaluation_->labelled(i) > 0) rows_.push_back(i);
-    if (evaluation_->labelled(i) > 0 || found > 0) columns_.push_back(i);
+    if (evaluation_->labeled(i) > 0) rows_.push_back(i);
+    if (evaluation_->labeled(i) > 0 || found > 0) columns_.push_back(i);
   }
   endResetModel();
 }
@@ -54,8 +54,8 @@ std::optional<double> ConfusionModel::meanRecall() const {
 }
 
 std::optional<double> ConfusionModel::falseColors() const {
-  if (!evaluation_ || evaluation_->labelled(0) == 0 || isAlone(0)) return std::nullopt;
-  const std::vector<bool> things = colortool::thingClasses(classes_);
+  if (!evaluation_ || evaluation_->labeled(0) == 0 || isAlone(0)) return std::nullopt;
+  const std::vector<bool> things = colortool::objectClasses(classes_);
   std::vector<std::uint8_t> numbers;
   for (std::size_t i = 1; i < things.size(); ++i) {
     if (things[i]) numbers.push_back(static_cast<std::uint8_t>(i));
@@ -73,7 +73,7 @@ int ConfusionModel::columnCount(const QModelIndex& parent) const {
 
 double ConfusionModel::share(int label, int found) const {
   return static_cast<double>(evaluation_->count(label, found)) /
-         static_cast<double>(evaluation_->labelled(label));
+         static_cast<double>(evaluation_->labeled(label));
 }
 
 QString ConfusionModel::nameOf(int colorClass) const {
@@ -84,7 +84,7 @@ QVariant ConfusionModel::toolTip(int label, int found) const {
   const QLocale locale;
   return tr("%1 of %2 of %3: found to be %4")
       .arg(locale.toString(static_cast<qulonglong>(evaluation_->count(label, found))),
-           counted(evaluation_->labelled(label), tr("1 pixel"), tr("%1 pixels")), nameOf(label),
+           counted(evaluation_->labeled(label), tr("1 pixel"), tr("%1 pixels")), nameOf(label),
            found == 0 ? tr("of no class") : nameOf(found));
 }
 

@@ -27,7 +27,7 @@ class ConfusionModel final : public QAbstractTableModel {
                      std::vector<std::uint8_t> alone = {});
   /// Mean recall of all classes but the background and those that are alone; unset if none is left.
   std::optional<double> meanRecall() const;
-  /// Share of the background's pixels that were classified as a class of things (colortool::thingClasses()):
+  /// Share of the background's pixels that were classified as a class of things (colortool::objectClasses()):
   /// neither green nor white, gray or black. Unset without background pixels.
   std::optional<double> falseColors() const;
 

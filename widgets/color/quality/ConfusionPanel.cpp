@@ -97,11 +97,11 @@ void ConfusionPanel::show(const colortool::ColorClasses& classes, const colortoo
   const auto figure = [](std::optional<double> share) {
     return share ? QStringLiteral("%1 %").arg(100 * *share, 0, 'f', 2) : QStringLiteral("–");
   };
-  summary_->setText(tr("Mean recall %1    False colours %2")
-                        .arg(figure(model_.meanRecall()), figure(model_.falseColors())));
-  summary_->setToolTip(tr(
-      "Mean recall: over the classes, what share of their pixels is found. False colours: the share of the "
-      "background that is found to be of a colour that things have, such as orange or blue."));
+  summary_->setText(
+      tr("Mean recall %1    False colors %2").arg(figure(model_.meanRecall()), figure(model_.falseColors())));
+  summary_->setToolTip(
+      tr("Mean recall: over the classes, what share of their pixels is found. False colors: the share of the "
+         "background that is found to be of a color that things have, such as orange or blue."));
   setNote(note);
   hint_->setHint({});
 }

@@ -141,7 +141,7 @@ QVariant TableDifferenceModel::headerData(int section, Qt::Orientation orientati
   const QString titles[] = {tr("Class"), tr("Gained"), tr("from"), tr("Lost"),
                             tr("to"),    tr("Before"), tr("Now")};
   const QString tips[] = {
-      tr("Class of colours"),        tr("Cells that are of it now and were not"),
+      tr("Class of colors"),         tr("Cells that are of it now and were not"),
       tr("What they were"),          tr("Cells that were of it and are not now"),
       tr("What they are"),           tr("Cells that are of it in the table that is compared with"),
       tr("Cells that are of it now")};

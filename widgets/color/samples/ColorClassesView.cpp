@@ -11,24 +11,24 @@
 #include <QToolButton>
 #include <QTreeView>
 
-#include "colortool/samples/ClassEdits.h"
 #include "colortool/image/ClassPresets.h"
-#include "widgets/processes/BarDelegate.h"
+#include "colortool/samples/ClassEdits.h"
 #include "widgets/ColumnFit.h"
 #include "widgets/Controls.h"
+#include "widgets/Theme.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/ColorFileActions.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/samples/TrainingPanel.h"
-#include "widgets/Theme.h"
+#include "widgets/processes/BarDelegate.h"
 
 namespace widgets {
 namespace {
 
 const ViewRegistration kColorClassesViewRegistration{
-    {"color-classes", QT_TRANSLATE_NOOP("View", "Colour classes"),
+    {"color-classes", QT_TRANSLATE_NOOP("View", "Color classes"),
      QT_TRANSLATE_NOOP("View",
-                       "Chooses the class of strokes, keeps samples in files, and says how the colour "
+                       "Chooses the class of strokes, keeps samples in files, and says how the color "
                        "table is made of them."),
      "color-classes", false, create<ColorClassesView>}};
 
@@ -113,7 +113,7 @@ void ColorClassesView::createViews() {
 void ColorClassesView::createTree() {
   tree_ = new QTreeView(this);
   styleTree(*tree_);
-  describe(*tree_, {"classesTree", tr("Colour classes"), tr("A click chooses the class of the next stroke")});
+  describe(*tree_, {"classesTree", tr("Color classes"), tr("A click chooses the class of the next stroke")});
   tree_->setToolTip({});
   tree_->setModel(&model_);
   tree_->setRootIsDecorated(false);
@@ -221,7 +221,7 @@ void ColorClassesView::showQuality() {
     const auto& evaluation = quality->strokes->evaluation;
     const auto& alone = quality->strokes->alone;
     for (int i = 0; i < evaluation.classes(); ++i) {
-      const bool known = evaluation.labelled(i) > 0 && std::ranges::find(alone, i) == alone.end();
+      const bool known = evaluation.labeled(i) > 0 && std::ranges::find(alone, i) == alone.end();
       recalls.push_back(known ? std::optional(evaluation.recall(i)) : std::nullopt);
     }
   }
@@ -229,7 +229,7 @@ void ColorClassesView::showQuality() {
 }
 
 void ColorClassesView::showTitle() {
-  Q_EMIT titleChanged(tr("Colour classes: %1").arg(files_.title()));
+  Q_EMIT titleChanged(tr("Color classes: %1").arg(files_.title()));
 }
 
 void ColorClassesView::say(const QString& text, bool bad) {
@@ -286,11 +286,11 @@ void ColorClassesView::rename(int colorClass, const QString& name) {
 void ColorClassesView::pickColor(int colorClass) {
   const QColor before = model_.row(colorClass).color;
   const QColor color =
-      QColorDialog::getColor(before, this, tr("Colour that %1 is shown in").arg(className(colorClass)));
+      QColorDialog::getColor(before, this, tr("Color that %1 is shown in").arg(className(colorClass)));
   if (!color.isValid() || color == before || colorClass >= bench_.samples().classes.size()) return;
   const robotlink::Rgb rgb{static_cast<std::uint8_t>(color.red()), static_cast<std::uint8_t>(color.green()),
                            static_cast<std::uint8_t>(color.blue())};
-  bench_.change(tr("Colour of %1").arg(className(colorClass)),
+  bench_.change(tr("Color of %1").arg(className(colorClass)),
                 colortool::withRecoloredClass(bench_.samples(), colorClass, rgb));
 }
 

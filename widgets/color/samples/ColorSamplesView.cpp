@@ -21,10 +21,10 @@
 #include "widgets/EmptyHint.h"
 #include "widgets/HeaderState.h"
 #include "widgets/color/ColorBench.h"
+#include "widgets/color/ColorClassModel.h"
 #include "widgets/color/ColorFiles.h"
 #include "widgets/color/samples/ShareDelegate.h"
 #include "widgets/log/OpenLogs.h"
-#include "widgets/color/ColorClassModel.h"
 
 namespace widgets {
 namespace {
@@ -32,7 +32,7 @@ namespace {
 const ViewRegistration kColorSamplesViewRegistration{
     {"color-samples", QT_TRANSLATE_NOOP("View", "Samples"),
      QT_TRANSLATE_NOOP(
-         "View", "Lists the strokes that the colour table is made of, and the history of their changes."),
+         "View", "Lists the strokes that the color table is made of, and the history of their changes."),
      "samples", false, create<ColorSamplesView>}};
 
 constexpr double kWeights[] = {0.5, 1, 2, 5};
@@ -88,7 +88,7 @@ void ColorSamplesView::createTree() {
   using enum ColumnKind;
   new ColumnFit(*tree_, {kName, kNumber, kNumber, kNumber, kNumber, kNumber, kName, kName, kText});
   hint_ = new EmptyHint(tree_);
-  hint_->setHint(tr("There are no strokes yet. Choose a class and draw in the view Colour image."));
+  hint_->setHint(tr("There are no strokes yet. Choose a class and draw in the view Color image."));
 }
 
 void ColorSamplesView::createHistory() {

@@ -41,7 +41,7 @@ constexpr NumberText kNumbers[] = {
          "What a difference in Y counts against one in Cb or Cr; small: light and shadow matter less"),
      2},
     {"rejection", QT_TRANSLATE_NOOP("TrainingPanel", "Rejection"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "What a class needs at least; larger: more colours are of no class"),
+     QT_TRANSLATE_NOOP("TrainingPanel", "What a class needs at least; larger: more colors are of no class"),
      3},
     {"background-weight", QT_TRANSLATE_NOOP("TrainingPanel", "Background"),
      QT_TRANSLATE_NOOP("TrainingPanel", "What a sample of the background counts against one of a class"), 2},
@@ -55,8 +55,7 @@ constexpr NumberText kNumbers[] = {
                        "walls and shadows are"),
      1},
     {"gaussian-distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance²"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance past which a colour is of no class"),
-     1},
+     QT_TRANSLATE_NOOP("TrainingPanel", "Squared Mahalanobis distance past which a color is of no class"), 1},
     {"cost", QT_TRANSLATE_NOOP("TrainingPanel", "Cost"),
      QT_TRANSLATE_NOOP("TrainingPanel",
                        "What a sample on the wrong side costs; larger: follows single samples closer"),
@@ -64,7 +63,7 @@ constexpr NumberText kNumbers[] = {
     {"gamma", QT_TRANSLATE_NOOP("TrainingPanel", "Gamma"),
      QT_TRANSLATE_NOOP("TrainingPanel", "How narrow the functions around samples are; larger: narrower"), 6},
     {"distance", QT_TRANSLATE_NOOP("TrainingPanel", "Distance"),
-     QT_TRANSLATE_NOOP("TrainingPanel", "A colour that is farther from all samples is of no class"), 1}};
+     QT_TRANSLATE_NOOP("TrainingPanel", "A color that is farther from all samples is of no class"), 1}};
 
 QString trainingText(const char* text) {
   return QCoreApplication::translate("TrainingPanel", text);
@@ -101,7 +100,7 @@ void TrainingPanel::createViews() {
   describe(*method_, {"trainingMethod", tr("Method"), tr("How the table is made of the samples")});
   method_->addItem(tr("Kernel votes"));
   method_->setItemData(
-      0, tr("Samples vote for the colours around them; the quickest, and good from a single stroke on"),
+      0, tr("Samples vote for the colors around them; the quickest, and good from a single stroke on"),
       Qt::ToolTipRole);
   method_->addItem(tr("Gaussians"));
   method_->setItemData(1, tr("One Gaussian per class; smooth, and good from ten strokes on"),
@@ -126,23 +125,23 @@ void TrainingPanel::createViews() {
   auto* switches = new QGridLayout;
   switches->setVerticalSpacing(2);
   switches->addWidget(addSwitch("remove-unsupported", tr("Remove strays"),
-                                tr("Colours of a class that no sample of it is near become none")),
+                                tr("Colors of a class that no sample of it is near become none")),
                       0, 0);
   switches->addWidget(
-      addSwitch("fill-holes", tr("Fill holes"), tr("Colours of none that one class encloses become of it")),
-      0, 1);
+      addSwitch("fill-holes", tr("Fill holes"), tr("Colors of none that one class encloses become of it")), 0,
+      1);
   switches->addWidget(
       addSwitch("correct-vignetting", tr("Correct vignetting"),
-                tr("Takes out of the colours what the lens does to the corners, before the table sees them")),
+                tr("Takes out of the colors what the lens does to the corners, before the table sees them")),
       1, 0);
   switches->addWidget(addSwitch("correct-cameras", tr("Correct cameras"),
-                                tr("Makes the colours of each camera those of the others")),
+                                tr("Makes the colors of each camera those of the others")),
                       1, 1);
 
   estimate_ = makeAction(
       this, "labels",
       {"estimateCorrections", tr("Estimate"),
-       tr("Finds out from the strokes what the lens and the cameras do to colours, and corrects it")});
+       tr("Finds out from the strokes what the lens and the cameras do to colors, and corrects it")});
   auto* estimate = makeButton(this, estimate_);
   estimate->setToolButtonStyle(Qt::ToolButtonTextOnly);
   switches->addWidget(estimate, 1, 2);

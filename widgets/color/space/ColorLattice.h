@@ -6,8 +6,8 @@
 #include <cstdint>
 #include <vector>
 
-#include "colortool/table/CellSet.h"
 #include "colortool/image/ColorSpaces.h"
+#include "colortool/table/CellSet.h"
 
 namespace widgets {
 

@@ -7,9 +7,9 @@
 #include <algorithm>
 #include <cmath>
 
+#include "widgets/Theme.h"
 #include "widgets/color/space/ColorSpaceOverlay.h"
 #include "widgets/color/space/ColorSpaceRaster.h"
-#include "widgets/Theme.h"
 
 namespace widgets {
 namespace {
@@ -24,7 +24,7 @@ constexpr int kPickReach = 3;   // pixels around the cursor in which a cell is l
 ColorSpaceCanvas::ColorSpaceCanvas(QWidget* parent)
     : QWidget(parent), contents_(std::make_shared<ColorSpaceContents>()) {
   setObjectName(QStringLiteral("colorSpaceCanvas"));
-  setAccessibleName(tr("Colour space"));
+  setAccessibleName(tr("Color space"));
   setToolTip(
       tr("Drag: turn; right or middle button: move; wheel: zoom; double click: reset. Shift and drag: select "
          "what is inside (with Control: add, with Alt: take away); Escape: select nothing"));

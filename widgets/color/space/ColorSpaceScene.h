@@ -8,10 +8,10 @@
 #include <optional>
 #include <vector>
 
-#include "colortool/table/CellSet.h"
 #include "colortool/samples/Samples.h"
-#include "widgets/color/space/ColorCloud.h"
+#include "colortool/table/CellSet.h"
 #include "widgets/color/ColorFrame.h"
+#include "widgets/color/space/ColorCloud.h"
 #include "widgets/color/space/ColorLattice.h"
 #include "widgets/color/space/ColorSpaceCamera.h"
 #include "widgets/color/space/ColorSpaceCut.h"

@@ -13,19 +13,19 @@
 #include <algorithm>
 
 #include "widgets/Controls.h"
+#include "widgets/Counted.h"
 #include "widgets/EmptyHint.h"
 #include "widgets/color/ColorBench.h"
 #include "widgets/color/space/ColorSpaceCanvas.h"
 #include "widgets/color/space/ColorSpacePanel.h"
-#include "widgets/Counted.h"
 
 namespace widgets {
 namespace {
 
 const ViewRegistration kColorSpaceViewRegistration{
-    {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Colour space"),
+    {"color-space", QT_TRANSLATE_NOOP("widgets::ColorSpaceView", "Color space"),
      QT_TRANSLATE_NOOP("widgets::ColorSpaceView",
-                       "Pixels, samples and the table's classes in the three dimensions of colour"),
+                       "Pixels, samples and the table's classes in the three dimensions of color"),
      "color-space", true, create<ColorSpaceView>}};
 
 constexpr int kTicksBetweenImages = 3;  // images are followed at 10 Hz
@@ -67,10 +67,10 @@ void ColorSpaceView::createActions() {
   };
   pixels_ = toggle(
       "color-pixels",
-      {"colorSpacePixels", tr("Pixels"), tr("Shows the colours of the image's pixels"), Qt::Key_P}, true);
+      {"colorSpacePixels", tr("Pixels"), tr("Shows the colors of the image's pixels"), Qt::Key_P}, true);
   samplesShown_ = toggle("color-samples",
                          {"colorSpaceSamples", tr("Samples"),
-                          tr("Shows the colours that strokes touched, in their class's colour"), Qt::Key_S},
+                          tr("Shows the colors that strokes touched, in their class's color"), Qt::Key_S},
                          true);
   tableShown_ = toggle(
       "color-surfaces",
@@ -117,8 +117,7 @@ void ColorSpaceView::createViews() {
 QWidget* ColorSpaceView::createToolRow() {
   QHBoxLayout* row = makeToolRow(this);
   space_ = new QComboBox(row->parentWidget());
-  widgets::describe(*space_,
-                    {"colorSpaceChoice", tr("Colour space"), tr("In which space colours are shown")});
+  widgets::describe(*space_, {"colorSpaceChoice", tr("Color space"), tr("In which space colors are shown")});
   for (const colortool::ColorSpace space : colortool::kColorSpaces)
     space_->addItem(QLatin1String(colortool::nameOf(space)));
   row->addWidget(space_);
@@ -131,7 +130,7 @@ QWidget* ColorSpaceView::createToolRow() {
 
 QWidget* ColorSpaceView::createFooter() {
   QHBoxLayout* footer = makeFooter(this);
-  swatch_ = addLabel(footer, "colorSpaceSwatch", tr("Colour under the cursor"));
+  swatch_ = addLabel(footer, "colorSpaceSwatch", tr("Color under the cursor"));
   swatch_->setFixedSize(22, 14);
   pointed_ = addLabel(footer, "colorSpacePointed", tr("Cell under the cursor"));
   pointed_->setSizePolicy(QSizePolicy::Ignored, QSizePolicy::Preferred);
@@ -211,10 +210,10 @@ void ColorSpaceView::updateHint() {
       contents_->frame == nullptr && contents_->samples.strokes.empty() &&
       (contents_->table == nullptr ||
        std::ranges::all_of(contents_->table->cells(), [](std::uint8_t cell) { return cell == 0; }));
-  hint_->setHint(
-      nothing ? tr("There are no colours yet.\nOpen a colour image and draw strokes in it: its pixels, "
-                   "the strokes' samples and the table that is made of them appear here.")
-              : QString());
+  hint_->setHint(nothing
+                     ? tr("There are no colors yet.\nOpen a color image and draw strokes in it: its pixels, "
+                          "the strokes' samples and the table that is made of them appear here.")
+                     : QString());
 }
 
 ColorSpaceLook ColorSpaceView::look() const {

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Draws circles of one metre across, left and right in turn: an eight, if the wheels did not slip.
+// Draws circles of one meter across, left and right in turn: an eight, if the wheels did not slip.
 #include <cmath>
 #include <cstdlib>
 #include <iostream>

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Two robots in a convoy: the first drives as it finds room, the second in its tracks, a metre and a half
+// Two robots in a convoy: the first drives as it finds room, the second in its tracks, a meter and a half
 // behind. Put the second one 1.5 m behind the first, with the same heading; in a simulator the program does
 // it.
 #include <algorithm>

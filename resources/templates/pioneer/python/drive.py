@@ -76,8 +76,8 @@ class Pioneer:
         self.x, self.y, self.heading = x / 1000, y / 1000, heading * 360 / 4096
         self.speed, self.battery, self.motors_on = (left + right) / 2000, battery / 10, bool(flags & 1)
         for i in range(count):
-            number, millimetres = struct.unpack_from("<BH", body, 20 + 3 * i)
-            self.sonars[number] = millimetres / 1000
+            number, millimeters = struct.unpack_from("<BH", body, 20 + 3 * i)
+            self.sonars[number] = millimeters / 1000
 
     def close(self):
         self.send(ENABLE, 0)

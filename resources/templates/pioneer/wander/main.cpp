@@ -7,7 +7,7 @@
 
 #include "robotlink/arcos/PioneerRobot.h"
 
-// All of the robot is within this of the centre it turns about, with a hand's breadth to spare: so it may
+// All of the robot is within this of the center it turns about, with a hand's breadth to spare: so it may
 // turn wherever it got.
 constexpr double kRadius = 0.47;  // m
 constexpr double kSight = 3;      // m

@@ -88,13 +88,13 @@ TEST(CommandTest, argumentsThatDoNotFitAreToldOf) {
   EXPECT_EQ(large.error().text, "the argument of VEL is 70000; it must lie between -65535 and 65535");
   EXPECT_EQ(integerArgument(*toCommand(toPacket(command(CommandId::kVel, 70000)))), 65535);
 
-  EXPECT_TRUE(check(command(CommandId::kTty2, std::string(kMaximumSentString, 'x'))));
-  EXPECT_FALSE(check(command(CommandId::kTty2, std::string(kMaximumSentString + 1, 'x'))));
+  EXPECT_TRUE(check(command(CommandId::kTty2, std::string(kMaxSentString, 'x'))));
+  EXPECT_FALSE(check(command(CommandId::kTty2, std::string(kMaxSentString + 1, 'x'))));
   EXPECT_FALSE(check(command(CommandId::kTty2, std::string(5000, 'x'))));
   EXPECT_FALSE(check(Command{1, {}, Bytes(5000, 1)}));
   EXPECT_FALSE(encode(toPacket(command(CommandId::kTty2, std::string(5000, 'x')))).empty());
   EXPECT_FALSE(encode(toPacket(Command{1, std::string(200, 'x'), Bytes(5000, 1)})).empty());
-  Bytes endless(kMaximumData, 0xFF);
+  Bytes endless(kMaxData, 0xFF);
   endless[0] = 0x2B;
   EXPECT_FALSE(toCommand({42, endless}));
 }

@@ -136,7 +136,7 @@ TEST(PacketParserTest, aFloodThatNobodyReadsIsBounded) {
   PacketParser parser;
   const Bytes flood(10000, 0x55);
   for (int i = 0; i < 20; ++i) parser.push(flood);
-  EXPECT_EQ(parser.counters().skippedBytes, 200000 - PacketParser::kMaximumBuffered);
+  EXPECT_EQ(parser.counters().skippedBytes, 200000 - PacketParser::kMaxBuffered);
   parser.push(encode(kPulse));
   while (const auto found = parser.next()) {
     const auto* damage = std::get_if<Damage>(&*found);

@@ -24,7 +24,7 @@ void checkCommand(const Packet& packet) {
   const auto command = toCommand(packet);
   if (!command) return;
   const Packet back = toPacket(*command);
-  require(back.data.size() <= kMaximumData, "a command fits into a frame");
+  require(back.data.size() <= kMaxData, "a command fits into a frame");
   const auto again = toCommand(back);
   require(again && *again == *command, "a command that is written is read as the same");
   static_cast<void>(check(*command));
@@ -45,7 +45,7 @@ void checkPacket(const Packet& packet) {
   for (const Direction direction : {Direction::kFromClient, Direction::kFromRobot}) {
     const PacketDescription description = describe(packet, direction);
     require(!description.name.empty() && !description.line().empty(), "every packet has a description");
-    require(description.fields.size() <= 4 * kMaximumData + 16, "descriptions are bounded");
+    require(description.fields.size() <= 4 * kMaxData + 16, "descriptions are bounded");
   }
 }
 
@@ -75,7 +75,7 @@ void checkStream(const std::uint8_t* data, std::size_t size) {
   drain();
   parser.dropPartial();
   drain();
-  require(size > PacketParser::kMaximumBuffered || back == Bytes(data, data + size),
+  require(size > PacketParser::kMaxBuffered || back == Bytes(data, data + size),
           "every byte is in one packet or damage");
 }
 
@@ -83,7 +83,7 @@ void checkStream(const std::uint8_t* data, std::size_t size) {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   checkStream(data, size);
-  if (size > 0) checkPacket({data[0], Bytes(data + 1, data + std::min(size, kMaximumData + 1))});
+  if (size > 0) checkPacket({data[0], Bytes(data + 1, data + std::min(size, kMaxData + 1))});
   return 0;
 }
 

@@ -55,7 +55,7 @@ void checkOutgoing(ClientSession& session) {
   parser.push(bytes);
   while (const auto found = parser.next()) {
     const auto* packet = std::get_if<Packet>(&*found);
-    require(packet && packet->count() <= kMaximumSentCount, "whole packets go out, that robots take");
+    require(packet && packet->count() <= kMaxSentCount, "whole packets go out, that robots take");
   }
   require(!parser.isPartial(), "what goes out ends with a packet");
 }

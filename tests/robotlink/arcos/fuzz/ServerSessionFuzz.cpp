@@ -26,7 +26,7 @@ void check(IdealRobot& robot) {
   require(std::abs(robot.wheels.command.right) <= kFastest, "the right wheels are limited");
   for (const Packet& packet : robot.received) {
     require(packet.id < 0xFE, "no reserved numbers go out");
-    require(packet.count() <= kMaximumSentCount, "what goes out is short");
+    require(packet.count() <= kMaxSentCount, "what goes out is short");
   }
   const bool waiting = robot.session.state() == ServerSession::State::kWaiting;
   require(!waiting || !robot.session.motion().motorsOn(), "it waits with its motors off");

@@ -189,7 +189,7 @@ TEST_F(RobotPortsTest, whoFloodsGetsABudgetAndTheOthersAreHeardInTheSameCall) {
   for (std::size_t calls = 1; packets[0].size() < 1000 && calls < 100'000; ++calls) {
     const std::size_t before = packets[0].size();
     ports->serve(*this, {});
-    ASSERT_LE(packets[0].size() - before, RobotPorts::kMaximumPackets);
+    ASSERT_LE(packets[0].size() - before, RobotPorts::kMaxPackets);
     if (before == 0 && !packets[0].empty()) {
       EXPECT_THAT(packets[1], SizeIs(1));
     }
@@ -205,7 +205,7 @@ TEST_F(RobotPortsTest, garbageIsReadNoFasterThanItsBudgetAllows) {
   for (int calls = 0; before < 100'000 && calls < 100'000; ++calls) {
     ports->serve(*this, {});
     const std::uint64_t received = ports->statistics(0).receivedBytes;
-    ASSERT_LE(received - before, RobotPorts::kMaximumBytes);
+    ASSERT_LE(received - before, RobotPorts::kMaxBytes);
     before = received;
   }
   EXPECT_EQ(before, 100'000U);

@@ -79,7 +79,7 @@ TEST(SendQueue, itsSizeIsBoundedAndTheOldestGoFirst) {
   reader.take(queue, 5);
   for (int i = 1; i < 250; ++i) {
     for (int j = 0; j < 10; ++j) queue.push(numbered(i, 180), kStart);
-    ASSERT_LE(queue.bytes().size(), SendQueue::kMaximumBytes);
+    ASSERT_LE(queue.bytes().size(), SendQueue::kMaxBytes);
   }
   reader.takeAll(queue);
   EXPECT_EQ(reader.read.front(), 0);

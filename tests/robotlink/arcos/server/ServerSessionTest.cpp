@@ -272,8 +272,8 @@ TEST_F(ServerSessionTest, odometryWrapsAt16Bits) {
 TEST_F(ServerSessionTest, whatGoesOutIsBounded) {
   robot.connect();
   for (int i = 0; i < 5000; ++i) robot.session.take(toPacket(command(CommandId::kConfig)), robot.now);
-  EXPECT_THAT(robot.session.takeOutgoing(), SizeIs(ServerSession::kMaximumOutgoing));
-  EXPECT_EQ(robot.session.droppedPackets(), 5000 - ServerSession::kMaximumOutgoing);
+  EXPECT_THAT(robot.session.takeOutgoing(), SizeIs(ServerSession::kMaxOutgoing));
+  EXPECT_EQ(robot.session.droppedPackets(), 5000 - ServerSession::kMaxOutgoing);
   for (int i = 0; i < 5000; ++i) robot.session.take(toPacket(command(CommandId::kSimReset)), robot.now);
   EXPECT_LE(robot.session.takeRequests().size(), 64U);
 }
@@ -304,7 +304,7 @@ TEST_F(ServerSessionTest, everyCommandNumberIsTakenWithAnyArgument) {
   EXPECT_EQ(robot.session.state(), State::kOpen);
   for (const Packet& packet : robot.received) {
     EXPECT_LT(packet.id, 0xFE);
-    EXPECT_LE(packet.count(), kMaximumSentCount);
+    EXPECT_LE(packet.count(), kMaxSentCount);
   }
 }
 

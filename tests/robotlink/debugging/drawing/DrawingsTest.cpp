@@ -31,7 +31,7 @@ struct SceneDrawingTest : testing::Test {
 
 }  // namespace
 
-TEST_F(ImageDrawingTest, aCircleHasItsDiameterColourWidthFillAndTime) {
+TEST_F(ImageDrawingTest, aCircleHasItsDiameterColorWidthFillAndTime) {
   drawing.circle({10, 20}, 5, {{255, 0, 51}, 0.5}, 2, {{0, 255, 0}, 0.25});
   const auto& circle = message.circles(0);
   EXPECT_EQ(vector2(circle.position()), Vector2(10, 20));
@@ -46,7 +46,7 @@ TEST_F(ImageDrawingTest, aCircleHasItsDiameterColourWidthFillAndTime) {
   EXPECT_FALSE(message.circles(1).has_fill_color());
 }
 
-TEST_F(ImageDrawingTest, linesOfOneColourAndWidthAreOneAnnotation) {
+TEST_F(ImageDrawingTest, linesOfOneColorAndWidthAreOneAnnotation) {
   for (int i = 0; i < 1000; ++i) drawing.line({0.0, 1.0 * i}, {10, 1.0 * i}, colors::kRed);
   ASSERT_EQ(message.points_size(), 1);
   EXPECT_EQ(message.points(0).type(), PointsAnnotation::LINE_LIST);
@@ -118,7 +118,7 @@ TEST_F(SceneDrawingTest, flatShapesLieJustAboveTheGroundWithWidthsInPixels) {
   EXPECT_EQ(message.triangles_size(), 0);
 }
 
-TEST_F(SceneDrawingTest, linesOfOneColourAndWidthAreOnePrimitive) {
+TEST_F(SceneDrawingTest, linesOfOneColorAndWidthAreOnePrimitive) {
   for (int i = 0; i < 100; ++i) drawing.line(Vector3(0, 0, i), Vector3(1, 0, i), colors::kRed);
   drawing.arrow({0, 0}, {1, 0}, colors::kRed);
   ASSERT_EQ(message.lines_size(), 1);

@@ -15,13 +15,13 @@ namespace robotlink {
 /// however old it is and even if the platform's clock was set back. Latched are tables, parameters, color
 /// tables, program set-ups, the map and the scene. A reader that begins in the middle (a log file, a cut, a
 /// view after a jump) needs the newest of each. `type` is the full name of the message type.
-bool holdsUntilToldAnew(std::string_view path, std::string_view type);
-bool holdsUntilToldAnew(const StreamMessage& message);
+bool isLatched(std::string_view path, std::string_view type);
+bool isLatched(const StreamMessage& message);
 
 /// A cache of the latched messages: the newest of each stream and process. It stores copies, so that a table
 /// does not keep the debug queue alive in which it arrived. Streams beyond kMaxStreams are ignored, in case a
 /// robot makes up paths. One thread at a time.
-class HeldMessages {
+class LatchedMessages {
  public:
   static constexpr std::size_t kMaxStreams = 10'000;
 

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Making a colour table as a person does: strokes with the mouse in the real log and on the simulated robot,
+// Making a color table as a person does: strokes with the mouse in the real log and on the simulated robot,
 // a better segmentation, undo, redo, and a robot that finds what it did not know.
 #include <QComboBox>
 #include <QFile>
@@ -19,7 +19,7 @@ namespace {
 using widgets::ColorBench;
 using widgets::ColorCanvas;
 
-/// A person at the colour image view.
+/// A person at the color image view.
 class Painter {
  public:
   explicit Painter(Desk& desk)
@@ -68,7 +68,7 @@ class Painter {
   ColorBench& bench_;
 };
 
-/// Which share of the pixels with a label is shown in a colour; `none` without any. Labels and image may
+/// Which share of the pixels with a label is shown in a color; `none` without any. Labels and image may
 /// differ in size.
 double share(const QImage& segmented, const QImage& labels, int label, const QColor& color, double none) {
   int all = 0, right = 0;
@@ -104,7 +104,7 @@ QPoint middle(const std::vector<QPoint>& pixels) {
 
 }  // namespace
 
-class ColourGuiTest : public WindowTest {
+class ColorGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void aFewStrokesInTheRealLogSegmentItsOtherImages() {
@@ -187,7 +187,7 @@ class ColourGuiTest : public WindowTest {
     QCOMPARE(painter.segmented().pixelColor(grass), painter.colorOf("green"));
   }
 
-  void theSimulatedRobotFindsABallOfAColourThatItDidNotKnow() {
+  void theSimulatedRobotFindsABallOfAColorThatItDidNotKnow() {
     Desk desk(home_);
     desk.window.showPerspective(QStringLiteral("Colour"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
@@ -198,7 +198,7 @@ class ColourGuiTest : public WindowTest {
     painter.key(Qt::Key_H);  // keep this image
     wantBallPercepts(desk);
     QTRY_VERIFY_WITH_TIMEOUT(ballPercept(desk) != nullptr, kWaitMs);
-    QVERIFY2(!ballPercept(desk)->seen(), "to the table of the field's colours nothing is violet");
+    QVERIFY2(!ballPercept(desk)->seen(), "to the table of the field's colors nothing is violet");
 
     const std::vector<QPoint> ball = violet(painter.image());
     const QPoint center = middle(ball);
@@ -222,7 +222,7 @@ class ColourGuiTest : public WindowTest {
   }
 
  private:
-  /// The shipped field with a ball that the field's description has no colour for.
+  /// The shipped field with a ball that the field's description has no color for.
   std::string violetScene() {
     const auto read = [](const char* file) {
       QFile from(QStringLiteral(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/") + QLatin1String(file));
@@ -276,5 +276,5 @@ class ColourGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(ColourGuiTest)
-#include "ColourGuiTest.moc"
+QTEST_MAIN(ColorGuiTest)
+#include "ColorGuiTest.moc"

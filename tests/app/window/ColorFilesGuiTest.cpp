@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-// Samples of colours that are not saved: asked about when the window is closed, back after a crash.
+// Samples of colors that are not saved: asked about when the window is closed, back after a crash.
 #include <QApplication>
 #include <QLabel>
 #include <QMessageBox>
@@ -31,7 +31,7 @@ struct Sitting {
 
 }  // namespace
 
-class ColourFilesGuiTest : public WindowTest {
+class ColorFilesGuiTest : public WindowTest {
   Q_OBJECT
  private Q_SLOTS:
   void closingAsksAboutSamplesThatAreNotSaved() {
@@ -74,5 +74,5 @@ class ColourFilesGuiTest : public WindowTest {
   }
 };
 
-QTEST_MAIN(ColourFilesGuiTest)
-#include "ColourFilesGuiTest.moc"
+QTEST_MAIN(ColorFilesGuiTest)
+#include "ColorFilesGuiTest.moc"

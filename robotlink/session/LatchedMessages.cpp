@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 #include <google/protobuf/message.h>
 
@@ -11,7 +11,7 @@
 
 namespace robotlink {
 
-bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
+bool isLatched(std::string_view path, std::string_view type) {
   constexpr std::array<std::string_view, 6> kTypes{
       "robotcontrol.ColorTable",   "robotcontrol.KeyTable",     "robotcontrol.ParameterValues",
       "robotcontrol.ProcessTable", "robotcontrol.ProgramSetup", "robotcontrol.SolutionTable"};
@@ -19,12 +19,12 @@ bool holdsUntilToldAnew(std::string_view path, std::string_view type) {
          std::find(kTypes.begin(), kTypes.end(), type) != kTypes.end();
 }
 
-bool holdsUntilToldAnew(const StreamMessage& message) {
-  return message.value && holdsUntilToldAnew(message.path, message.value->GetDescriptor()->full_name());
+bool isLatched(const StreamMessage& message) {
+  return message.value && isLatched(message.path, message.value->GetDescriptor()->full_name());
 }
 
-bool HeldMessages::take(const StreamMessage& message) {
-  if (!holdsUntilToldAnew(message)) return false;
+bool LatchedMessages::take(const StreamMessage& message) {
+  if (!isLatched(message)) return false;
   const std::pair key(message.path, message.process);
   if (messages_.size() >= kMaxStreams && !messages_.contains(key)) return false;
   const std::shared_ptr<google::protobuf::Message> copy(message.value->New());
@@ -35,12 +35,12 @@ bool HeldMessages::take(const StreamMessage& message) {
   return true;
 }
 
-void HeldMessages::forget(const std::string& robot) {
+void LatchedMessages::forget(const std::string& robot) {
   const std::string prefix = robot + "/";
   std::erase_if(messages_, [&](const auto& entry) { return entry.first.first.starts_with(prefix); });
 }
 
-std::vector<StreamMessage> HeldMessages::all() const {
+std::vector<StreamMessage> LatchedMessages::all() const {
   std::vector<StreamMessage> result;
   for (const auto& [key, message] : messages_) result.push_back(message);
   return result;

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/PackageWish.h"
+#include "widgets/PackageSubscription.h"
 
 #include <algorithm>
 
@@ -13,8 +13,8 @@ constexpr std::size_t kTables = 64;  // upper bound of remembered key tables
 
 }  // namespace
 
-void PackageWish::want(robotlink::Session& session, const std::string& robot,
-                       std::initializer_list<const char*> packages) {
+void PackageSubscription::want(robotlink::Session& session, const std::string& robot,
+                               std::initializer_list<const char*> packages) {
   if (const auto generation = session.store().generation(); generation != generation_) {
     generation_ = generation;
     settled_.clear();

@@ -29,7 +29,7 @@ const DebugKey kFilterKey{
     "Share of the measurements that the pose explains, and the number of particles (plots)"};
 
 /// The limit of drawn particles.
-constexpr std::size_t kMostDrawn = 1000;
+constexpr std::size_t kMaxDrawn = 1000;
 /// The estimate without a map: completely uncertain.
 constexpr PoseEstimate kNowhere{{}, 1e3, robotlink::kPi};
 
@@ -139,7 +139,7 @@ class MonteCarloLocator final : public SelfLocator {
     if (debug_.on(kLocatorParticlesKey)) {
       auto drawing = debug_.fieldDrawing(kLocatorParticlesKey);
       const std::span<const Particle> all = localizer_->particles();
-      const std::size_t count = std::min(all.size(), kMostDrawn);
+      const std::size_t count = std::min(all.size(), kMaxDrawn);
       for (std::size_t i = 0; i < count; ++i)
         drawing.pose(all[i * all.size() / count].pose(), robotlink::colors::kBlue, 0.15);
     }
@@ -205,7 +205,7 @@ class WheelLocator final : public SelfLocator {
     estimate.robotInField = home_ * now;
     estimate.headingDeviation = orBuiltIn(parameters_.drift_per_radian(), 0.03) * turn_;
     estimate.positionDeviation =
-        orBuiltIn(parameters_.drift_per_metre(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
+        orBuiltIn(parameters_.drift_per_meter(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
     tell(estimate, drive_->timestamp());
   }
 

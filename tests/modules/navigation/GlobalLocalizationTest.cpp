@@ -55,7 +55,7 @@ Outcome wander(const robotlink::GroundMap& map, std::uint64_t seed, double secon
   return outcome;
 }
 
-TEST(GlobalLocalisation, aMinuteInTheOfficeTellsWhereItIs) {
+TEST(GlobalLocalization, aMinuteInTheOfficeTellsWhereItIs) {
   const robotlink::GroundMap map = sharedMap("office.map");
   if (map.lines.empty()) GTEST_SKIP() << "needs ../shared/data/arcos/office.map";
   int found = 0;
@@ -70,7 +70,7 @@ TEST(GlobalLocalisation, aMinuteInTheOfficeTellsWhereItIs) {
   EXPECT_LT(dishonest, 10);
 }
 
-TEST(GlobalLocalisation, sonarsTellIt) {
+TEST(GlobalLocalization, sonarsTellIt) {
   const robotlink::GroundMap map = sharedMap("office.map");
   if (map.lines.empty()) GTEST_SKIP() << "needs ../shared/data/arcos/office.map";
   int found = 0;
@@ -78,7 +78,7 @@ TEST(GlobalLocalisation, sonarsTellIt) {
   EXPECT_GE(found, 4);
 }
 
-TEST(GlobalLocalisation, aRobotThatIsCarriedOffFindsItselfAgain) {
+TEST(GlobalLocalization, aRobotThatIsCarriedOffFindsItselfAgain) {
   const robotlink::GroundMap map = sharedMap("office.map");
   if (map.lines.empty()) GTEST_SKIP() << "needs ../shared/data/arcos/office.map";
   int found = 0;
@@ -87,7 +87,7 @@ TEST(GlobalLocalisation, aRobotThatIsCarriedOffFindsItselfAgain) {
   EXPECT_GE(found, 4);
 }
 
-TEST(GlobalLocalisation, twoMinutesInALargeBuildingTellIt) {
+TEST(GlobalLocalization, twoMinutesInALargeBuildingTellIt) {
   const robotlink::GroundMap map = sharedMap("columbia.map");
   if (map.lines.empty()) GTEST_SKIP() << "needs ../shared/data/arcos/columbia.map";
   int found = 0;

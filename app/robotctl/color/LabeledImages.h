@@ -17,12 +17,12 @@ namespace app {
 /// Writes simulated images and their true classes as files for `robotctl color`: FOLDER/images/NAME.png in
 /// color and FOLDER/labels/NAME.png with class numbers (TrueClasses), whose names are in a file beside them.
 /// NAME consists of the robot and the simulated time in ms: "red1-001200". One thread.
-class LabelledImages {
+class LabeledImages {
  public:
   /// Creates the folders; fails if they cannot be created or written to. Writes at most one image per robot
   /// and `period`.
-  static robotlink::Result<LabelledImages> create(const std::filesystem::path& folder,
-                                                  robotlink::Duration period);
+  static robotlink::Result<LabeledImages> create(const std::filesystem::path& folder,
+                                                 robotlink::Duration period);
 
   /// Writes an image and its classes, if it is due. After a failure nothing more is written.
   void add(const std::string& robot, const foxglove::RawImage& image, const foxglove::RawImage& classes);

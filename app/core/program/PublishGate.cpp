@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/core/program/Outlet.h"
+#include "app/core/program/PublishGate.h"
 
 #include "foxglove/Robot.pb.h"
 #include "logplayer/record/Recorder.h"
@@ -15,7 +15,7 @@
 
 namespace app {
 
-void Outlet::open() {
+void PublishGate::open() {
   const std::lock_guard lock(mutex_);
   open_ = true;
   if (recorder_ != nullptr && !kept_.empty()) recorder_->restart();
@@ -23,17 +23,17 @@ void Outlet::open() {
   kept_.clear();
 }
 
-void Outlet::close() {
+void PublishGate::close() {
   const std::lock_guard lock(mutex_);
   open_ = false;
 }
 
-void Outlet::discard() {
+void PublishGate::discard() {
   const std::lock_guard lock(mutex_);
   kept_.clear();
 }
 
-void Outlet::pass(std::function<void()> push) {
+void PublishGate::pass(std::function<void()> push) {
   {
     const std::lock_guard lock(mutex_);
     if (!open_) {
@@ -46,7 +46,7 @@ void Outlet::pass(std::function<void()> push) {
 
 /// What belongs to frames whose end is not among it belongs to none here: after a jump these are the newest
 /// of each stream.
-void Outlet::record(std::vector<robotlink::StreamMessage> frame) {
+void PublishGate::record(std::vector<robotlink::StreamMessage> frame) {
   if (recorder_ == nullptr) return;
   std::set<std::pair<std::string, std::uint64_t>> whole;
   for (const auto& message : frame) {
@@ -59,36 +59,36 @@ void Outlet::record(std::vector<robotlink::StreamMessage> frame) {
   recorder_->add(std::move(frame));
 }
 
-void Outlet::recordQueue(const std::string& robot,
-                         const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
+void PublishGate::recordQueue(const std::string& robot,
+                              const std::shared_ptr<const robotcontrol::DebugQueue>& queue) {
   if (recorder_ == nullptr || !recorder_->active()) return;
   auto parts = robotlink::messagesOf(robot, queue, {}, robotlink::QueueReader::kRecorder);
   for (auto& frame : robotlink::framesOf(std::move(parts.messages))) record(std::move(frame));
 }
 
-void Outlet::tell(robotlink::StreamMessage message) {
+void PublishGate::tell(robotlink::StreamMessage message) {
   pass([this, message = std::move(message)]() mutable {
     record({message});
     session_.push(std::move(message));
   });
 }
 
-void Outlet::tellFrame(std::vector<robotlink::StreamMessage> frame) {
+void PublishGate::tellFrame(std::vector<robotlink::StreamMessage> frame) {
   pass([this, frame = std::move(frame)]() mutable {
     record(frame);
     session_.push(std::move(frame));
   });
 }
 
-void Outlet::tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue) {
+void PublishGate::tellQueue(const std::string& robot, std::shared_ptr<const robotcontrol::DebugQueue> queue) {
   pass([this, robot, queue = std::move(queue)] {
     recordQueue(robot, queue);
     session_.pushQueue(robot, queue);
   });
 }
 
-void Outlet::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
-                       const std::string& text) {
+void PublishGate::tellError(const std::string& robot, const std::string& source, robotlink::Instant time,
+                            const std::string& text) {
   tellText(robot, source, time, foxglove::Log::ERROR, text);
 }
 
@@ -102,19 +102,19 @@ robotlink::StreamMessage textMessage(const std::string& robot, const std::string
   return {robot + "/" + robotlink::streams::kLog, time, std::move(log)};
 }
 
-void Outlet::tellText(const std::string& robot, const std::string& source, robotlink::Instant time, int level,
-                      const std::string& text) {
+void PublishGate::tellText(const std::string& robot, const std::string& source, robotlink::Instant time,
+                           int level, const std::string& text) {
   tell(textMessage(robot, source, time, level, text));
 }
 
-void Outlet::tellMapNotes(const std::string& robot, robotlink::Instant time,
-                          const robotlink::GroundMap& map) {
+void PublishGate::tellMapNotes(const std::string& robot, robotlink::Instant time,
+                               const robotlink::GroundMap& map) {
   const int level = map.incomplete ? foxglove::Log::WARNING : foxglove::Log::INFO;
   for (const std::string& note : map.notes) tellText(robot, "map", time, level, note);
 }
 
-void Outlet::tellTrouble(const std::string& robot, const robotlink::Process& process,
-                         const std::string& text) {
+void PublishGate::tellTrouble(const std::string& robot, const robotlink::Process& process,
+                              const std::string& text) {
   tellError(robot, process.name(), process.clock().now(), text);
 }
 

@@ -18,7 +18,7 @@ namespace widgets {
 /// publishes them. A key is requested once, as soon as the robot's key table contains it and says that it is
 /// off. If the user switches it off afterwards it stays off until another platform is opened. Packages that a
 /// robot does not have are never requested. GUI thread.
-class PackageWish {
+class PackageSubscription {
  public:
   /// Called in each tick, always with the same packages for a robot. Returns early while the key table is
   /// unchanged.

@@ -35,9 +35,9 @@ robotlink::StreamMessage textMessage(const std::string& robot, const std::string
 /// the outlet is opened with something kept back is another telling, for which it begins a new file.
 ///
 /// Any thread. Session and recorder must outlive it.
-class Outlet {
+class PublishGate {
  public:
-  explicit Outlet(robotlink::Session& session, logplayer::Recorder* recorder = nullptr)
+  explicit PublishGate(robotlink::Session& session, logplayer::Recorder* recorder = nullptr)
       : session_(session), recorder_(recorder) {}
 
   void open();

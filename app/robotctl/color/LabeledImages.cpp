@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "app/robotctl/color/LabelledImages.h"
+#include "app/robotctl/color/LabeledImages.h"
 
 #include <fmt/format.h>
 
@@ -25,9 +25,8 @@ Result<void> writePng(const std::filesystem::path& file, const robotlink::ImageV
 
 }  // namespace
 
-Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folder,
-                                              robotlink::Duration period) {
-  LabelledImages made;
+Result<LabeledImages> LabeledImages::create(const std::filesystem::path& folder, robotlink::Duration period) {
+  LabeledImages made;
   made.images_ = folder / "images";
   made.labels_ = folder / "labels";
   made.period_ = period;
@@ -36,7 +35,7 @@ Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folde
     std::filesystem::create_directories(part, error);
     if (error) {
       return robotlink::failure("image.folder",
-                                "cannot make this folder for labelled images: " + error.message(),
+                                "cannot make this folder for labeled images: " + error.message(),
                                 {part.string(), 0, 0});
     }
   }
@@ -46,8 +45,8 @@ Result<LabelledImages> LabelledImages::create(const std::filesystem::path& folde
   return made;
 }
 
-void LabelledImages::add(const std::string& robot, const foxglove::RawImage& image,
-                         const foxglove::RawImage& classes) {
+void LabeledImages::add(const std::string& robot, const foxglove::RawImage& image,
+                        const foxglove::RawImage& classes) {
   const robotlink::Instant now = robotlink::instant(image.timestamp());
   robotlink::Instant& due = due_[robot];
   if (!outcome_ || now < due) return;
@@ -58,8 +57,8 @@ void LabelledImages::add(const std::string& robot, const foxglove::RawImage& ima
   if (outcome_) ++written_;
 }
 
-Result<void> LabelledImages::write(const std::string& name, const foxglove::RawImage& image,
-                                   const foxglove::RawImage& classes) const {
+Result<void> LabeledImages::write(const std::string& name, const foxglove::RawImage& image,
+                                  const foxglove::RawImage& classes) const {
   const robotlink::Image colors = robotlink::toRgbImage(robotlink::imageView(image));
   if (auto done = writePng(images_ / name, colors.view()); !done) return done;
   return writePng(labels_ / name, robotlink::imageView(classes));

@@ -22,19 +22,19 @@ namespace widgets {
 /// Images without a label are skipped.
 ///
 /// Called by one thread. The destructor cancels and waits for at most one image.
-class LabelledFolder {
+class LabeledFolder {
  public:
   /// The result.
   struct Read {
-    std::vector<LabelledFrame> frames;
+    std::vector<LabeledFrame> frames;
     /// What could not be read, and was skipped.
     robotlink::Errors problems;
   };
   /// Begins at once. `camera`: name of the robot whose corrections apply to the images; empty: none.
-  LabelledFolder(std::filesystem::path folder, std::string camera);
-  ~LabelledFolder();
-  LabelledFolder(const LabelledFolder&) = delete;
-  LabelledFolder& operator=(const LabelledFolder&) = delete;
+  LabeledFolder(std::filesystem::path folder, std::string camera);
+  ~LabeledFolder();
+  LabeledFolder(const LabeledFolder&) = delete;
+  LabeledFolder& operator=(const LabeledFolder&) = delete;
 
   /// 0 to 1.
   double progress() const { return progress_; }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "robotlink/session/HeldMessages.h"
+#include "robotlink/session/LatchedMessages.h"
 
 #include <google/protobuf/descriptor.pb.h>
 #include <gtest/gtest.h>
@@ -18,7 +18,7 @@ StreamMessage message(const std::string& path, PackagePtr value, int ms, const s
   return {path, Instant(std::chrono::milliseconds(ms)), std::move(value), process};
 }
 
-std::vector<std::string> paths(const HeldMessages& held) {
+std::vector<std::string> paths(const LatchedMessages& held) {
   std::vector<std::string> result;
   for (const StreamMessage& each : held.all()) result.push_back(each.path);
   return result;
@@ -26,8 +26,8 @@ std::vector<std::string> paths(const HeldMessages& held) {
 
 }  // namespace
 
-TEST(HeldMessages, keepTheNewestOfEachStreamAndProcessThatHolds) {
-  HeldMessages held;
+TEST(LatchedMessages, keepTheNewestOfEachStreamAndProcessThatHolds) {
+  LatchedMessages held;
   held.take(message("scene", std::make_shared<foxglove::SceneUpdate>(), 1));
   held.take(message("red1/drawings/field/ball", std::make_shared<foxglove::SceneUpdate>(), 1));
   held.take(message("red1/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
@@ -41,8 +41,8 @@ TEST(HeldMessages, keepTheNewestOfEachStreamAndProcessThatHolds) {
   EXPECT_EQ(held.all()[2].time, Instant(std::chrono::milliseconds(7)));
 }
 
-TEST(HeldMessages, forgetARobotWhoseProgramStartsAnew) {
-  HeldMessages held;
+TEST(LatchedMessages, forgetARobotWhoseProgramStartsAnew) {
+  LatchedMessages held;
   held.take(message("scene", std::make_shared<foxglove::SceneUpdate>(), 1));
   held.take(message("red1/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
   held.take(message("red10/program", std::make_shared<robotcontrol::ProgramSetup>(), 1));
@@ -50,10 +50,10 @@ TEST(HeldMessages, forgetARobotWhoseProgramStartsAnew) {
   EXPECT_EQ(paths(held), (std::vector<std::string>{"red10/program", "scene"}));
 }
 
-TEST(HeldMessages, doNotKeepTheQueueAliveInWhichTheyCame) {
+TEST(LatchedMessages, doNotKeepTheQueueAliveInWhichTheyCame) {
   const auto queue = std::make_shared<robotcontrol::DebugQueue>();
   const auto& table = queue->add_messages()->keys();
-  HeldMessages held;
+  LatchedMessages held;
   held.take(message("red1/tables/keys", PackagePtr(queue, &table), 1));
   EXPECT_EQ(queue.use_count(), 1);
 }

@@ -1,5 +1,5 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
-#include "widgets/color/LabelledFolder.h"
+#include "widgets/color/LabeledFolder.h"
 
 #include <algorithm>
 #include <map>
@@ -93,7 +93,7 @@ Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& 
   if (!labels) return tl::unexpected(labels.error());
   const int step = yuyv ? 2 : 1;
   if (labels->format != robotlink::PixelFormat::kMono8)
-    return failure("image.labels", "labels are a grey PNG with the classes' numbers; this one has colours",
+    return failure("image.labels", "labels are a gray PNG with the classes' numbers; this one has colors",
                    {file.string()});
   if (labels->width * step != image.width || labels->height != image.height)
     return failure("image.labels", "the labels are not of the size of their image", {file.string()});
@@ -125,24 +125,24 @@ Result<std::vector<std::string>> namesOf(const fs::path& labels) {
 
 }  // namespace
 
-LabelledFolder::LabelledFolder(fs::path folder, std::string camera)
+LabeledFolder::LabeledFolder(fs::path folder, std::string camera)
     : folder_(std::move(folder)), camera_(std::move(camera)), thread_([this] {
         auto read = readAll();
         const std::lock_guard lock(mutex_);
         read_ = std::move(read);
       }) {}
 
-LabelledFolder::~LabelledFolder() {
+LabeledFolder::~LabeledFolder() {
   quit_ = true;
   thread_.join();
 }
 
-std::optional<Result<LabelledFolder::Read>> LabelledFolder::take() {
+std::optional<Result<LabeledFolder::Read>> LabeledFolder::take() {
   const std::lock_guard lock(mutex_);
   return std::exchange(read_, std::nullopt);
 }
 
-Result<LabelledFolder::Read> LabelledFolder::readAll() {
+Result<LabeledFolder::Read> LabeledFolder::readAll() {
   std::error_code none;
   if (!fs::is_directory(folder_, none))
     return failure("image.labels", "there is no such folder", {folder_.string(), 0, 0});
