@@ -13,6 +13,7 @@
 #include <QPointer>
 #include <QScopedValueRollback>
 #include <QTimer>
+#include <QWindow>
 #include <vector>
 
 #include "widgets/Icon.h"
@@ -65,6 +66,11 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   setStyleSheet(QString());  // the colors of the application's palette, not those of the library
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
+  // A click on a float that a dialog blocks brings the float to the front, and the focus back to the dialog.
+  connect(qApp, &QGuiApplication::focusWindowChanged, this, [](const QWindow* focused) {
+    QWidget* dialog = QApplication::activeModalWidget();
+    if (dialog != nullptr && focused != nullptr && focused == dialog->windowHandle()) dialog->raise();
+  });
   connect(this, &ads::CDockManager::dockAreaCreated, this,
           [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,

@@ -159,15 +159,17 @@ class DocksUnderXTest : public QObject {
     QVERIFY(click(middle(*desk.window.statusBar())));
     QTRY_VERIFY(isAbove(*floating, desk.window));
     // In the dialog's own event loop, which returns when it is closed.
-    bool above = false;
+    bool above = false, stillAbove = false;
     QTimer::singleShot(0, &desk.window, [&] {
       if (!QTest::qWaitFor([] { return QApplication::activeModalWidget() != nullptr; })) return;
       QWidget* dialog = QApplication::activeModalWidget();
       above = QTest::qWaitFor([&] { return isAbove(*dialog, *floating); });
+      stillAbove = click(middle(*floating)) && QTest::qWaitFor([&] { return isAbove(*dialog, *floating); });
       dialog->close();
     });
     desk.find<QAction>("help.about").trigger();
     QVERIFY(above);
+    QVERIFY(stillAbove);
   }
 
   void quittingWithTwoFloatingDocksEndsTheProgram() {
