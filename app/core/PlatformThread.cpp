@@ -38,7 +38,7 @@ void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
     ended_ = {before.adapter, before.sources, feed_->wishes()};
   }
   feed_.reset();  // What it still tells must not get into the next one's history.
-  recorder_.setLive(dynamic_cast<const ReplayFeed*>(feed.get()) == nullptr);
+  recorder_.setLive(!feed || !feed->describe().isLogged());
   feed_ = std::move(feed);
   {
     const std::lock_guard lock(mutex_);

@@ -164,7 +164,7 @@ void addForDrive(CommandTable& commands, Workbench& workbench) {
                 }});
   commands.add({"robot.no-goal", "The selected robot shall go nowhere", {}, [&workbench](const Values&) {
                   Request request;
-                  request.mutable_set_goal()->set_canceled(true);
+                  request.mutable_set_goal()->set_cancelled(true);
                   return ask(workbench, std::move(request));
                 }});
   const auto addSwitch = [&](const char* name, const char* help,

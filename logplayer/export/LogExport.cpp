@@ -78,7 +78,7 @@ Result<ExportReport> writeTexts(const std::shared_ptr<LogFile>& log, const Strea
           const auto* text = dynamic_cast<const foxglove::Log*>(message.value.get());
           if (text == nullptr) return {};
           ++report.written;
-          return put(out, textLine(message, *text));
+          return logplayer::put(out, textLine(message, *text));
         });
     if (!done) return tl::unexpected(done.error());
     noteUnread(*done, report);

@@ -46,7 +46,7 @@ class CsvTable {
                                           return {};
                                         });
     if (!learned) return tl::unexpected(learned.error());
-    if (const auto begun = put(out, csvLine(head())); !begun) return begun;
+    if (const auto begun = logplayer::put(out, csvLine(head())); !begun) return begun;
     const auto written =
         forEachMessage(log_, streams_, options, {0.5, 1}, [&](const StreamMessage& message) -> Result<void> {
           Part& part = parts_.at(message.path);
@@ -56,7 +56,7 @@ class CsvTable {
             ++part.ofOtherTypes;
           } else {
             ++report.written;
-            return put(out, csvLine(row(message)));
+            return logplayer::put(out, csvLine(row(message)));
           }
           return {};
         });
@@ -187,7 +187,7 @@ Result<ExportReport> writeJsonLines(const std::shared_ptr<LogFile>& log, const s
         const auto line = jsonLine(*log, message);
         if (line) {
           ++report.written;
-          return put(out, *line);
+          return logplayer::put(out, *line);
         }
         ++failed[message.path];
         return {};

@@ -118,7 +118,7 @@ class FollowPath final : public DrivingSolution {
 
  private:
   DriveVelocity decide() {
-    if (!path_ || !path_->has_goal() || path_->goal().canceled()) return stand("nothing to do");
+    if (!path_ || !path_->has_goal() || path_->goal().cancelled()) return stand("nothing to do");
     if (isLost()) {
       if (parameters_.wait_when_lost()) return stand("does not know where it is: waits");
       say("does not know where it is: wanders until it does");

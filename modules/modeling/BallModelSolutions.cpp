@@ -74,7 +74,7 @@ LastBall::Options optionsOf(const robotcontrol::LastPerceptBallParameters& p) {
 }
 
 BallFilter::Options optionsOf(const robotcontrol::FilteredBallParameters& p) {
-  return {p.memory(), p.friction(),           p.acceleration(), p.deviation_near(), p.deviation_per_meter(),
+  return {p.memory(), p.friction(),           p.acceleration(), p.deviation_near(), p.deviation_per_metre(),
           p.gate(),   p.outliers_to_restart()};
 }
 

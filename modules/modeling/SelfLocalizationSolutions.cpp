@@ -41,7 +41,7 @@ class OdometryLocator final : public SelfLocator {
     estimate.robotInField = startPose(parameters_.start(), team_) * now;
     estimate.headingDeviation = parameters_.drift_per_radian() * turn_;
     estimate.positionDeviation =
-        parameters_.drift_per_meter() * way_ + 0.5 * way_ * estimate.headingDeviation;
+        parameters_.drift_per_metre() * way_ + 0.5 * way_ * estimate.headingDeviation;
     tell(estimate, motion_->timestamp());
   }
 

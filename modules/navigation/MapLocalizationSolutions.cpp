@@ -205,7 +205,7 @@ class WheelLocator final : public SelfLocator {
     estimate.robotInField = home_ * now;
     estimate.headingDeviation = orBuiltIn(parameters_.drift_per_radian(), 0.03) * turn_;
     estimate.positionDeviation =
-        orBuiltIn(parameters_.drift_per_meter(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
+        orBuiltIn(parameters_.drift_per_metre(), 0.05) * way_ + 0.5 * way_ * estimate.headingDeviation;
     tell(estimate, drive_->timestamp());
   }
 

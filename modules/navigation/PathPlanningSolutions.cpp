@@ -57,7 +57,7 @@ class PathPlanner : public robotlink::Solution {
     plannedAt_ = now;
     sent_ = std::make_shared<DrivePath>();
     robotlink::assign(*sent_->mutable_timestamp(), clock_.now());
-    if (goal_ && !goal_->canceled()) planFor(*goal_);
+    if (goal_ && !goal_->cancelled()) planFor(*goal_);
     path_.send(sent_);
     draw();
   }

@@ -98,7 +98,7 @@ endfunction()
 
 # What GoogleTest programs include most, compiled once for all of them.
 function(robotcontrol_precompile_tests)
-  file(WRITE ${CMAKE_BINARY_DIR}/tests_precompiled.cpp "// Carries the precompiled headers of the tests.\n")
+  file(WRITE ${CMAKE_BINARY_DIR}/tests_precompiled.cpp "// Carries the precompiled headers of the tests.\nint main() {}\n")
   add_executable(tests_precompiled EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/tests_precompiled.cpp)
   target_link_libraries(tests_precompiled PRIVATE robotcontrol_options Eigen3::Eigen protobuf::libprotobuf GTest::gmock_main)
   target_precompile_headers(tests_precompiled PRIVATE

@@ -8,7 +8,7 @@
 namespace robotlink {
 namespace {
 
-tl::expected<RobotUse, Errors> read(Result<YamlReader> reader) {
+tl::expected<RobotUse, Errors> readUse(Result<YamlReader> reader) {
   if (!reader) return tl::unexpected(Errors{reader.error()});
   const YamlNode root = reader->root();
   root.entries();  // The keys that are not read here are the description's.
@@ -36,11 +36,11 @@ std::string RobotUse::teamOf(const std::string& robot) const {
 }
 
 tl::expected<RobotUse, Errors> readRobotUse(const std::filesystem::path& file) {
-  return read(YamlReader::load(file));
+  return readUse(YamlReader::load(file));
 }
 
 tl::expected<RobotUse, Errors> parseRobotUse(const std::string& text, const std::string& file) {
-  return read(YamlReader::parse(text, file));
+  return readUse(YamlReader::parse(text, file));
 }
 
 }  // namespace robotlink

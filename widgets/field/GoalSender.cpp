@@ -51,7 +51,7 @@ void GoalSender::send(robotlink::Session& session, const std::string& robot, con
   request.set_robot(robot);
   auto& goal = *request.mutable_set_goal();
   robotlink::assign(*goal.mutable_timestamp(), session.timeline().newest());
-  goal.set_canceled(canceled);
+  goal.set_cancelled(canceled);
   if (!canceled) {
     robotlink::assign(*goal.mutable_pose_in_field(), aim.pose);
     goal.set_any_heading(aim.anyHeading);

@@ -11,7 +11,7 @@ namespace widgets {
 std::optional<DriveAim> driveAim(const robotlink::StreamStore& store, const std::string& robot,
                                  robotlink::Instant shown) {
   const auto* path = store.latestAs<robotcontrol::DrivePath>(robot + "/" + robotlink::kDrivePath.name, shown);
-  if (path == nullptr || !path->has_goal() || path->goal().canceled()) return {};
+  if (path == nullptr || !path->has_goal() || path->goal().cancelled()) return {};
   DriveAim aim;
   aim.robot = robot;
   aim.goal = robotlink::pose2(path->goal().pose_in_field());

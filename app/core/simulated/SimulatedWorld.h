@@ -14,6 +14,7 @@
 #include "robotlink/base/Error.h"
 #include "robotlink/base/Image.h"
 #include "simcore/Simulation.h"
+#include "simcore/rendering/CameraRenderer.h"
 #include "simcore/world/Lighting.h"
 
 namespace app {

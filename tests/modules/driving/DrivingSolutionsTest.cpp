@@ -102,7 +102,7 @@ class FollowPathTest : public testing::Test {
     robotcontrol::DrivePath path;
     robotlink::assign(*path.mutable_goal()->mutable_pose_in_field(), Pose2{5, 3, 1.5});
     path.mutable_goal()->set_name("Desk");
-    path.mutable_goal()->set_canceled(canceled);
+    path.mutable_goal()->set_cancelled(canceled);
     path.set_blocked(blocked);
     if (blocked) path.set_reason("there is a wall");
     for (const Vector2& point : {Vector2(2, 3), Vector2(5, 3)})

@@ -200,7 +200,7 @@ TEST(GridPathPlanning, aCanceledGoalIsNone) {
   OneSolution planner("path-planning", "grid", crookedRoom());
   planner.set(robotlink::kRobotPose, poseAt(1, 3.3));
   robotcontrol::DriveGoal goal = goalAt(3, 3.3);
-  goal.set_canceled(true);
+  goal.set_cancelled(true);
   planner.set(robotlink::kDriveGoal, goal);
   planner.execute();
   EXPECT_FALSE(planner.sent(robotlink::kDrivePath)->has_goal());

@@ -9,7 +9,7 @@
 using namespace robotlink;
 using robotcontrol::KeyMode;
 using robotcontrol::Request;
-using testing::HasSubstr;
+using ::testing::HasSubstr;
 
 namespace {
 

@@ -148,7 +148,7 @@ class MapTest : public QObject {
     QCOMPARE(s.requests.back().robot(), std::string("p3at1"));
     QVERIFY(std::abs(s.goal().pose_in_field().x() - 2) < 0.02 &&
             std::abs(s.goal().pose_in_field().y() - 3) < 0.02);
-    QVERIFY(s.goal().any_heading() && !s.goal().canceled());
+    QVERIFY(s.goal().any_heading() && !s.goal().cancelled());
   }
 
   void draggingSaysWhereToLookThen() {
@@ -188,7 +188,7 @@ class MapTest : public QObject {
     s.tick(*s.view);
     QVERIFY(cancel.isEnabled());
     QTest::keyClick(s.canvas, Qt::Key_Escape);
-    QVERIFY(s.goal().canceled());
+    QVERIFY(s.goal().cancelled());
     path.clear_goal();
     s.push("p3at1/models/path", path, 2);
     s.tick(*s.view);

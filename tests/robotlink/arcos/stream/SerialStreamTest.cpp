@@ -6,6 +6,7 @@
 #include <numeric>
 #include <thread>
 
+#include "robotlink/arcos/stream/OpenStream.h"
 #include "tests/TestFolder.h"
 #include "tests/robotlink/arcos/PseudoTerminal.h"
 
