@@ -19,7 +19,7 @@ using robotcontrol::DriveState;
 namespace {
 
 /// What the robot told, by its package's name.
-class Ears {
+class HeardStreams {
  public:
   SimulatedRun::Listeners listeners() {
     return {[this](const std::string& robot, const auto& queue) {
@@ -75,7 +75,7 @@ class WheelRobot : public testing::Test {
     return ears_.all<DriveState>("burger1/drive/state");
   }
 
-  Ears ears_;
+  HeardStreams ears_;
   std::unique_ptr<SimulatedRun> run_;
 };
 

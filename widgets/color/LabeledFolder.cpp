@@ -12,6 +12,7 @@
 #include "logplayer/images/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
+#include "widgets/color/PictureFile.h"
 
 namespace widgets {
 namespace {
@@ -22,14 +23,6 @@ using robotlink::Image;
 using robotlink::Result;
 
 constexpr const char* kNamesFile = "labels.classes";
-constexpr int kYuyvWidth = 320, kYuyvHeight = 240;  // pixels of the bytes Y0 Cb Y1 Cr
-
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 std::vector<fs::path> filesOf(const fs::path& folder) {
   std::vector<fs::path> files;
@@ -52,10 +45,8 @@ fs::path labelFolder(const fs::path& folder) {
 std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path& labels) {
   std::map<std::string, fs::path> images;
   const auto add = [&images, &labels](const fs::path& file) {
-    const std::string ending = endingOf(file);
-    const bool isLabel = ending == ".png" && file.parent_path() == labels;
-    if (!isLabel && (ending == ".png" || ending == ".jpg" || ending == ".jpeg" || ending == ".yuyv"))
-      images.try_emplace(file.stem().string(), file);
+    const bool isLabel = pictureSuffix(file) == ".png" && file.parent_path() == labels;
+    if (!isLabel && isPictureFile(file)) images.try_emplace(file.stem().string(), file);
   };
   for (const fs::path& file : filesOf(folder)) {
     std::error_code error;
@@ -68,28 +59,10 @@ std::map<std::string, fs::path> imagesIn(const fs::path& folder, const fs::path&
   return images;
 }
 
-Result<Image> decoded(const fs::path& file) {
-  const auto bytes = robotlink::readFile(file, 256U << 20U);
-  if (!bytes) return tl::unexpected(bytes.error());
-  if (endingOf(file) == ".yuyv") {
-    Image image(2 * kYuyvWidth, kYuyvHeight, robotlink::PixelFormat::kYuyv);
-    if (bytes->size() != image.data.size())
-      return failure("image.size",
-                     "a .yuyv image has 307200 bytes, this has " + std::to_string(bytes->size()),
-                     {file.string()});
-    std::ranges::copy(*bytes, image.data.begin());
-    return image;
-  }
-  const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-  auto image = endingOf(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
-  if (!image) image.error().where = {file.string(), 0, 0};
-  return image;
-}
-
 /// The labels of an image's pixels. In a .yuyv file two pixels share a label, which is given to the second
 /// one.
 Result<std::vector<std::uint8_t>> labelsFor(const Image& image, const fs::path& file, bool yuyv) {
-  const auto labels = decoded(file);
+  const auto labels = readPicture(file, YuyvPixels::kAll);
   if (!labels) return tl::unexpected(labels.error());
   const int step = yuyv ? 2 : 1;
   if (labels->format != robotlink::PixelFormat::kMono8)
@@ -161,8 +134,9 @@ Result<LabeledFolder::Read> LabeledFolder::readAll() {
     const fs::path label = labels / (name + ".png");
     std::error_code error;
     if (!fs::exists(label, error)) continue;
-    const auto image = decoded(file);
-    auto values = image ? labelsFor(*image, label, endingOf(file) == ".yuyv") : tl::unexpected(image.error());
+    const auto image = readPicture(file, YuyvPixels::kAll);
+    auto values =
+        image ? labelsFor(*image, label, pictureSuffix(file) == ".yuyv") : tl::unexpected(image.error());
     if (!values) {
       read.problems.push_back(values.error());
       continue;

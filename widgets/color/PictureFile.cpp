@@ -22,19 +22,17 @@ constexpr std::size_t kLargestFile = 256U << 20U;
 constexpr int kYuyvWidth = 320, kYuyvHeight = 240;
 constexpr std::size_t kYuyvBytes = std::size_t{kYuyvWidth} * kYuyvHeight * 4;
 
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
-
-Result<Image> squarePixels(const std::string& bytes, const fs::path& file) {
+Result<Image> yuyvImage(const std::string& bytes, const fs::path& file, YuyvPixels pixels) {
   if (bytes.size() != kYuyvBytes) {
     return failure("image.size",
                    "a .yuyv picture has 320 x 240 pixels of four bytes, 307200 in all; this file has " +
                        std::to_string(bytes.size()),
                    {file.string(), 0, 0});
+  }
+  if (pixels == YuyvPixels::kAll) {
+    Image image(2 * kYuyvWidth, kYuyvHeight, robotlink::PixelFormat::kYuyv);
+    std::ranges::copy(bytes, image.data.begin());
+    return image;
   }
   Image image(kYuyvWidth, kYuyvHeight, robotlink::PixelFormat::kYuyv);
   const auto* from = reinterpret_cast<const std::uint8_t*>(bytes.data());
@@ -52,17 +50,24 @@ Result<Image> squarePixels(const std::string& bytes, const fs::path& file) {
 
 }  // namespace
 
-bool isPictureFile(const fs::path& file) {
-  constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
-  return std::ranges::find(kEndings, endingOf(file)) != kEndings.end();
+std::string pictureSuffix(const fs::path& file) {
+  std::string suffix = file.extension().string();
+  std::ranges::transform(suffix, suffix.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return suffix;
 }
 
-Result<Image> readPicture(const fs::path& file) {
+bool isPictureFile(const fs::path& file) {
+  constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
+  return std::ranges::find(kEndings, pictureSuffix(file)) != kEndings.end();
+}
+
+Result<Image> readPicture(const fs::path& file, YuyvPixels yuyv) {
   const auto bytes = robotlink::readFile(file, kLargestFile);
   if (!bytes) return tl::unexpected(bytes.error());
-  if (endingOf(file) == ".yuyv") return squarePixels(*bytes, file);
+  if (pictureSuffix(file) == ".yuyv") return yuyvImage(*bytes, file, yuyv);
   const std::span data(reinterpret_cast<const std::uint8_t*>(bytes->data()), bytes->size());
-  auto image = endingOf(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
+  auto image = pictureSuffix(file) == ".png" ? logplayer::decodePng(data) : logplayer::decodeJpeg(data);
   if (!image) image.error().where = {file.string(), 0, 0};
   return image;
 }

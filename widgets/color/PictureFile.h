@@ -2,6 +2,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "robotlink/base/Error.h"
@@ -13,9 +14,17 @@ namespace widgets {
 
 /// By the file name's extension only.
 bool isPictureFile(const std::filesystem::path& file);
-/// Reads a picture; errors name the file. Of a .yuyv file only the second Y of each pair is used, so that
-/// pixels are square; two neighboring pixels share the mean of their Cb and Cr.
-robotlink::Result<robotlink::Image> readPicture(const std::filesystem::path& file);
+/// The extension in small letters: ".png".
+std::string pictureSuffix(const std::filesystem::path& file);
+
+/// Which pixels of a .yuyv file are read.
+enum class YuyvPixels {
+  kSquare,  ///< 320 x 240: the second Y of each pair; two neighbors share the mean of their Cb and Cr
+  kAll,     ///< 640 x 240: every Y
+};
+/// Reads a picture; errors name the file. `yuyv` matters for .yuyv files only.
+robotlink::Result<robotlink::Image> readPicture(const std::filesystem::path& file,
+                                                YuyvPixels yuyv = YuyvPixels::kSquare);
 /// These files, and the pictures in these folders sorted by name (not in subfolders). Fails if there is no
 /// picture or a folder cannot be read.
 robotlink::Result<std::vector<std::filesystem::path>> pictureFiles(

@@ -150,7 +150,7 @@ void LightMenu::refresh() {
   const auto* status = session.store().latestAs<robotcontrol::SimulationStatus>(
       robotlink::streams::kSimulation, session.timeline().newest());
   const bool simulated =
-      status != nullptr && workbench_.loaded() != nullptr && workbench_.loaded()->simulation.has_value();
+      status != nullptr && workbench_.loaded() != nullptr && workbench_.loaded()->isSimulated();
   for (QAction* action : actions()) action->setEnabled(simulated);
   if (!simulated) return;
   const Light reported(status->brightness(), status->warmth());
