@@ -1,6 +1,8 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "tests/app/ArcosBench.h"
 
+#include "robotlink/arcos/stream/OpenStream.h"
+
 #include <gtest/gtest.h>
 
 #include <fstream>
