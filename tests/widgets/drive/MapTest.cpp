@@ -72,7 +72,7 @@ class MapTest : public QObject {
   }
 
   void aSilentRobotIsGrayAndItsAgeIsTold() {
-    Shown s;
+    ShownMapView s;
     s.push("p3at1/drive/state", DriveWorld::state(), 1);
     robotcontrol::RobotPose pose;
     robotlink::assign(*pose.mutable_robot_in_field(), robotlink::Pose2{6, 3, 0});
