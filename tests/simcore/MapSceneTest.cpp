@@ -104,19 +104,6 @@ TEST_F(MapScene, withoutAFloorNoRobotIsAdded) {
               HasSubstr("world.sdf: robots cannot be added here: the scene has no level plane"));
 }
 
-TEST_F(MapScene, twentyRobotsStandInsideOfTheShippedHouse) {
-  const auto scene = Scene::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map", {.count = 20});
-  ASSERT_TRUE(scene) << describe(scene.error());
-  const std::vector<Pose2> places = placesOf(*scene);
-  ASSERT_EQ(places.size(), 20U);
-  EXPECT_NEAR((places[0].translation() - Vector2(1, 5.5)).norm(), 0, 1e-6);  // its home
-  EXPECT_GT(leastDistance(places), 0.7);
-  for (const Pose2& place : places) {
-    EXPECT_TRUE(place.x > 0.3 && place.x < 15.7 && place.y > 0.3 && place.y < 10.7)
-        << place.x << " " << place.y;
-  }
-}
-
 TEST_F(MapScene, theMapOfABuildingOpensInUnderASecond) {
   if (!std::filesystem::exists(kMaps / "columbia.map")) GTEST_SKIP() << "../shared/data/arcos is not here";
   const auto start = std::chrono::steady_clock::now();

@@ -12,6 +12,7 @@
 #include "logplayer/ImageCoding.h"
 #include "robotlink/base/AtomicFile.h"
 #include "robotlink/packages/Conversions.h"
+#include "widgets/color/PictureFile.h"
 
 namespace widgets {
 namespace {
@@ -22,14 +23,6 @@ using robotlink::Image;
 using robotlink::Result;
 
 constexpr const char* kNamesFile = "labels.classes";
-constexpr int kYuyvWidth = 320, kYuyvHeight = 240;  // of pixels with two Y each
-
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 std::vector<fs::path> filesOf(const fs::path& folder) {
   std::vector<fs::path> files;

@@ -19,15 +19,7 @@ using robotlink::Image;
 using robotlink::Result;
 
 constexpr std::size_t kLargestFile = 256U << 20U;
-constexpr int kYuyvWidth = 320, kYuyvHeight = 240;
 constexpr std::size_t kYuyvBytes = std::size_t{kYuyvWidth} * kYuyvHeight * 4;
-
-std::string endingOf(const fs::path& file) {
-  std::string ending = file.extension().string();
-  std::ranges::transform(ending, ending.begin(),
-                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
-  return ending;
-}
 
 Result<Image> squarePixels(const std::string& bytes, const fs::path& file) {
   if (bytes.size() != kYuyvBytes) {
@@ -51,6 +43,13 @@ Result<Image> squarePixels(const std::string& bytes, const fs::path& file) {
 }
 
 }  // namespace
+
+std::string endingOf(const fs::path& file) {
+  std::string ending = file.extension().string();
+  std::ranges::transform(ending, ending.begin(),
+                         [](unsigned char c) { return static_cast<char>(std::tolower(c)); });
+  return ending;
+}
 
 bool isPictureFile(const fs::path& file) {
   constexpr std::array<const char*, 4> kEndings = {".png", ".jpg", ".jpeg", ".yuyv"};
