@@ -2,7 +2,6 @@
 #include "widgets/TypedStreams.h"
 
 #include <algorithm>
-#include <ranges>
 
 namespace widgets {
 
@@ -62,7 +61,8 @@ StreamCursor::News StreamCursor::take(const robotlink::StreamStore::Stream& stre
   }
   const std::uint64_t added = stream.count - count_;
   if (added == 0) return news;
-  for (const auto& message : std::views::reverse(stream.messages)) {
+  for (auto at = stream.messages.rbegin(); at != stream.messages.rend(); ++at) {
+    const auto& message = *at;
     if (news.messages.size() == added) break;
     if (!seen(message)) news.messages.push_back(&message);
   }

@@ -6,6 +6,7 @@
 #include <QDBusInterface>
 #include <QDBusReply>
 #include <QPalette>
+#include <QStyle>
 #include <QStyleFactory>
 #include <optional>
 

@@ -10,17 +10,17 @@
 namespace colortool {
 namespace {
 
-constexpr int kCells = ColorTable::kCells;
+constexpr int kChannelCells = ColorTable::kCells;
 /// The cell whose lower edge is gray, for Cb and Cr.
-constexpr int kGray = kCells / 2;
+constexpr int kGray = kChannelCells / 2;
 /// The colors of one thing in all lights converge at this distance below black, in cells: cameras raise dark
 /// values.
 constexpr double kBlackOffset = 6.5;
 /// Number of cells to which votes are added at a time, where the row is long enough.
-constexpr int kStride = 8;
+constexpr int kKernelStride = 8;
 
 void addProducts(std::int32_t* __restrict votes, const std::int16_t* __restrict kernel, std::int16_t factor) {
-  for (int i = 0; i < kStride; ++i) votes[i] += factor * kernel[i];
+  for (int i = 0; i < kKernelStride; ++i) votes[i] += factor * kernel[i];
 }
 
 /// The ratio of the distances from gray at brightness `to` and at brightness `from`.
@@ -32,21 +32,21 @@ double shadeRatio(int from, int to) {
 
 void CellBox::include(int axis, int from, int to) {
   first[axis] = std::min(first[axis], std::max(from, 0));
-  last[axis] = std::max(last[axis], std::min(to, kCells - 1));
+  last[axis] = std::max(last[axis], std::min(to, kChannelCells - 1));
 }
 
 void CellBox::clear() {
-  std::ranges::fill(first, kCells);
+  std::ranges::fill(first, kChannelCells);
   std::ranges::fill(last, -1);
 }
 
 VoteKernel::VoteKernel(const Shape& shape) : shape_(shape) {
   const auto reach = [&](double deviation) {
-    return std::min(kCells - 1, static_cast<int>(std::ceil(shape.reach * deviation)));
+    return std::min(kChannelCells - 1, static_cast<int>(std::ceil(shape.reach * deviation)));
   };
   chromaReach_ = reach(shape.chroma);
   brightnessReach_ = reach(shape.brightness);
-  width_ = (2 * chromaReach_ + 1 + kStride - 1) / kStride * kStride;
+  width_ = (2 * chromaReach_ + 1 + kKernelStride - 1) / kKernelStride * kKernelStride;
 }
 
 double VoteKernel::largestSum() const {
@@ -56,7 +56,8 @@ double VoteKernel::largestSum() const {
   for (int y = -brightnessReach_; y <= brightnessReach_; ++y) {
     const double ratio = shape_.shaded ? std::min(1.0, shadeRatio(std::abs(y), 0)) : 1;
     const double off = y / shape_.brightness;
-    sum += std::exp(-0.5 * off * off) * std::min(plane / (ratio * ratio) + 1, double{kCells} * kCells);
+    sum += std::exp(-0.5 * off * off) *
+           std::min(plane / (ratio * ratio) + 1, double{kChannelCells} * kChannelCells);
   }
   return shape_.height * sum;
 }
@@ -83,7 +84,7 @@ void VoteKernel::add(std::span<std::int32_t> votes, std::size_t cell, std::int16
   const std::size_t slice =
       (2 * static_cast<std::size_t>(chromaReach_) + 1) * static_cast<std::size_t>(width_);
   changed.include(0, y - brightnessReach_, y + brightnessReach_);
-  const int last = std::min(kCells - 1, y + brightnessReach_);
+  const int last = std::min(kChannelCells - 1, y + brightnessReach_);
   for (int atY = std::max(0, y - brightnessReach_); atY <= last; ++atY) {
     const auto shaded = [&](int chroma) {
       if (!shape_.shaded) return chroma;
@@ -92,7 +93,7 @@ void VoteKernel::add(std::span<std::int32_t> votes, std::size_t cell, std::int16
     const int atCb = shaded(cb), atCr = shaded(cr);
     changed.include(1, atCb - chromaReach_, atCb + chromaReach_);
     changed.include(2, atCr - chromaReach_, atCr + chromaReach_);
-    addSlice(votes.data() + static_cast<std::ptrdiff_t>(atY) * kCells * kCells,
+    addSlice(votes.data() + static_cast<std::ptrdiff_t>(atY) * kChannelCells * kChannelCells,
              values_.data() + static_cast<std::size_t>(atY - y + brightnessReach_) * slice, atCb, atCr,
              strength);
   }
@@ -101,13 +102,14 @@ void VoteKernel::add(std::span<std::int32_t> votes, std::size_t cell, std::int16
 void VoteKernel::addSlice(std::int32_t* votes, const std::int16_t* slice, int cb, int cr,
                           std::int16_t strength) const {
   const int begin = cr - chromaReach_;
-  const bool inside = begin >= 0 && begin + width_ <= kCells;
-  const int from = std::max(0, -begin), to = std::min(2 * chromaReach_ + 1, kCells - begin);
-  for (int atCb = std::max(0, cb - chromaReach_); atCb <= std::min(kCells - 1, cb + chromaReach_); ++atCb) {
+  const bool inside = begin >= 0 && begin + width_ <= kChannelCells;
+  const int from = std::max(0, -begin), to = std::min(2 * chromaReach_ + 1, kChannelCells - begin);
+  for (int atCb = std::max(0, cb - chromaReach_); atCb <= std::min(kChannelCells - 1, cb + chromaReach_);
+       ++atCb) {
     const std::int16_t* kernel = slice + static_cast<std::ptrdiff_t>(atCb - cb + chromaReach_) * width_;
-    std::int32_t* row = votes + static_cast<std::ptrdiff_t>(atCb) * kCells + begin;
+    std::int32_t* row = votes + static_cast<std::ptrdiff_t>(atCb) * kChannelCells + begin;
     if (inside) {
-      for (int i = 0; i < width_; i += kStride) addProducts(row + i, kernel + i, strength);
+      for (int i = 0; i < width_; i += kKernelStride) addProducts(row + i, kernel + i, strength);
     } else {
       for (int i = from; i < to; ++i) row[i] += strength * kernel[i];
     }

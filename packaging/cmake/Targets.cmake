@@ -26,9 +26,14 @@ if(CCACHE AND NOT CMAKE_CXX_COMPILER_LAUNCHER)
   set(CMAKE_CXX_COMPILER_LAUNCHER ${CCACHE})
 endif()
 
-# For those who change the code. Another compiler may see what ours do not, which must not keep anybody from building.
-option(ROBOTCONTROL_WERROR "Warnings are errors" OFF)
 option(ROBOTCONTROL_UNITY "Compile the sources of a target several at a time, which takes a third of the time" OFF)
+# For those who change the code: presets of theirs and .ci/run set it. Another compiler may see what ours does not, which must not
+# keep anybody from building.
+set(ROBOTCONTROL_WERROR_DEFAULT OFF)
+if(CMAKE_CXX_COMPILER_ID STREQUAL GNU AND CMAKE_CXX_COMPILER_VERSION VERSION_LESS 13 AND NOT ROBOTCONTROL_UNITY)
+  set(ROBOTCONTROL_WERROR_DEFAULT ON)
+endif()
+option(ROBOTCONTROL_WERROR "Warnings are errors" ${ROBOTCONTROL_WERROR_DEFAULT})
 # So many sources at a time: enough that their common headers are read seldom, few enough that an edit is compiled soon.
 set(ROBOTCONTROL_UNITY_BATCH 12)
 
@@ -42,12 +47,9 @@ endfunction()
 add_library(robotcontrol_options INTERFACE)
 target_include_directories(robotcontrol_options INTERFACE ${PROJECT_SOURCE_DIR})
 target_compile_options(robotcontrol_options INTERFACE
-  -Wall -Wextra -Wpedantic -Wshadow -Wconversion
+  -Wall -Wextra -Wpedantic -Wshadow -Wconversion $<$<BOOL:${ROBOTCONTROL_WERROR}>:-Werror>
   # Results must not depend on which expressions the compiler fuses.
   -ffp-contract=off)
-if(ROBOTCONTROL_WERROR)
-  target_compile_options(robotcontrol_options INTERFACE -Werror)
-endif()
 if(ROBOTCONTROL_UNITY)
   # Where a compiler takes several sources for one, these warn of what is right in each of them: of parameters with the name of
   # a function of another source, and of members whose type is the source's own. Builds that are not unity have both.
@@ -103,14 +105,6 @@ function(robotcontrol_precompile_tests)
   target_link_libraries(tests_precompiled PRIVATE robotcontrol_options Eigen3::Eigen protobuf::libprotobuf GTest::gmock_main)
   target_precompile_headers(tests_precompiled PRIVATE
     <gtest/gtest.h> <Eigen/Geometry> <google/protobuf/message.h> <functional> <map> <memory> <string> <vector>)
-  if(ROBOTCONTROL_GUI)
-    # The same for QtTest programs.
-    add_executable(qt_tests_precompiled EXCLUDE_FROM_ALL ${CMAKE_BINARY_DIR}/tests_precompiled.cpp)
-    target_link_libraries(qt_tests_precompiled PRIVATE
-      robotcontrol_options Eigen3::Eigen protobuf::libprotobuf Qt5::Test Qt5::Widgets)
-    target_compile_definitions(qt_tests_precompiled PRIVATE QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII)
-    target_precompile_headers(qt_tests_precompiled PRIVATE <QtTest> <QtWidgets> <Eigen/Geometry> <google/protobuf/message.h>)
-  endif()
 endfunction()
 
 # robotcontrol_test(NAME SOURCES file... LIBS lib... [LABELS label...] [TIMEOUT seconds] [QT])
@@ -137,8 +131,6 @@ function(robotcontrol_test name)
   if(ARG_QT)
     set_target_properties(${name} PROPERTIES AUTOMOC ON)
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} Qt5::Test)
-    target_compile_definitions(${name} PRIVATE QT_NO_KEYWORDS QT_NO_CAST_FROM_ASCII)
-    target_precompile_headers(${name} REUSE_FROM qt_tests_precompiled)
   else()
     target_link_libraries(${name} PRIVATE robotcontrol_options ${ARG_LIBS} GTest::gmock_main)
     target_precompile_headers(${name} REUSE_FROM tests_precompiled)

@@ -112,7 +112,8 @@ constexpr int kRadius = 3;
 std::vector<std::vector<Place>> placesIn(const std::vector<LabeledImage>& images, int classes) {
   std::vector<std::vector<Place>> places(static_cast<std::size_t>(classes));
   for (const LabeledImage& one : images) {
-    const auto& [image, labels] = one;
+    const auto& image = one.image;
+    const auto& labels = one.labels;
     for (int y = kRadius; y < image.height - kRadius; ++y) {
       const std::uint8_t* const row = labels.row(y);
       for (int x = kRadius; x < image.width - kRadius; ++x) {

@@ -3,7 +3,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <ranges>
 #include <set>
 
 #include "foxglove/Ranging.pb.h"
@@ -61,7 +60,8 @@ void addSonar(RadarReadings& readings, const StreamStore& store, const std::stri
   if (stream == nullptr) return;
   const auto now = odometryAt(store, robot, shown);
   std::set<int> seen;
-  for (const auto& message : std::views::reverse(stream->messages)) {
+  for (auto at = stream->messages.rbegin(); at != stream->messages.rend(); ++at) {
+    const auto& message = *at;
     if (message.time > shown) continue;
     if (shown - message.time > memory) break;
     const auto* sonar = dynamic_cast<const robotcontrol::SonarReadings*>(message.value.get());
@@ -71,7 +71,8 @@ void addSonar(RadarReadings& readings, const StreamStore& store, const std::stri
       readings.sonarMaximum = sonar->maximum();
       readings.time = std::max(readings.time.value_or(message.time), message.time);
     }
-    for (const auto& reading : std::views::reverse(sonar->readings())) {
+    for (auto of = sonar->readings().rbegin(); of != sonar->readings().rend(); ++of) {
+      const auto& reading = *of;
       if (!(reading.range() > 0) || !std::isfinite(reading.range())) continue;
       const Instant fired = timeOf(reading, message.time);
       RadarReadings::Echo echo;

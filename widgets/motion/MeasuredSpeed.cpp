@@ -2,7 +2,6 @@
 #include "widgets/motion/MeasuredSpeed.h"
 
 #include <cmath>
-#include <ranges>
 
 #include "foxglove/Geometry.pb.h"
 #include "robotlink/debugging/Streams.h"
@@ -42,7 +41,8 @@ std::optional<Speed> measuredSpeed(const robotlink::StreamStore& store, const st
   if (stream == nullptr) return {};
   std::optional<robotlink::Pose2> after, before;
   robotlink::Instant afterTime, beforeTime;
-  for (const auto& message : std::views::reverse(stream->messages)) {
+  for (auto at = stream->messages.rbegin(); at != stream->messages.rend(); ++at) {
+    const auto& message = *at;
     if (message.time > time) continue;
     const auto pose = poseOf(message, robot);
     if (!pose) continue;

@@ -146,9 +146,9 @@ Errors ReplayRobot::playOnly(const Errors& why) {
 std::vector<std::string> ReplayRobot::lostChoices() const {
   std::vector<std::string> lost;
   for (const auto& [task, solution] : choices_.wishes.solutions()) {
-    const auto uses = [&](const auto& process) {
+    const auto uses = [&wanted = task, &choice = solution](const auto& process) {
       return std::any_of(process.tasks.begin(), process.tasks.end(),
-                         [&](const auto& own) { return own.task == task && own.solution == solution; });
+                         [&](const auto& own) { return own.task == wanted && own.solution == choice; });
     };
     const auto& processes = setup_->layout.processes;
     if (std::any_of(processes.begin(), processes.end(), uses)) continue;

@@ -75,7 +75,8 @@ class InteropTest : public testing::TestWithParam<Compression> {
       (isMessage ? lines : others).push_back(line);
     }
     // The stream reader's come last in the output, first here.
-    std::ranges::stable_partition(lines, [](const std::string& line) { return line.starts_with("stream"); });
+    std::stable_partition(lines.begin(), lines.end(),
+                          [](const std::string& line) { return line.starts_with("stream"); });
     EXPECT_EQ(lines, expectedLines(messages));
     EXPECT_THAT(others, testing::Contains("statistics " + std::to_string(messages.size()) + " in " +
                                           std::to_string(chunks) + " chunks"));

@@ -208,18 +208,6 @@ TEST(GroundMap, aFileThatIsNotThereIsAnError) {
   EXPECT_NE(describe(map.error()).find("/nowhere/at/all.map"), std::string::npos);
 }
 
-TEST(GroundMap, theShippedHouseIsReadAsItIs) {
-  const auto map = GroundMap::load(ROBOTCONTROL_SOURCE_DIR "/resources/scenes/house.map");
-  ASSERT_TRUE(map) << describe(map.error());
-  EXPECT_EQ(map->lines.size(), 80U);
-  EXPECT_TRUE(map->points.empty());
-  EXPECT_EQ(map->places.size(), 9U);
-  EXPECT_EQ(map->bounds().low, Vector2(0, 0));
-  EXPECT_EQ(map->bounds().high, Vector2(16, 11));
-  ASSERT_NE(map->find("Library"), nullptr);
-  EXPECT_NEAR(map->find("Library")->pose.heading, robotlink::kPi, 1e-12);
-}
-
 struct RealMap {
   const char* file;
   std::size_t lines, points, places;

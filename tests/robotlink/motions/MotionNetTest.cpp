@@ -91,18 +91,6 @@ TEST(MotionNetTest, aFolderThatIsMissingIsAnError) {
   EXPECT_EQ(net.error()[0].id, "motion.unreadable");
 }
 
-TEST(MotionNetTest, theShippedMotionsKeepTheirText) {
-  const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/resources/motions";
-  std::size_t files = 0;
-  for (const auto& entry : std::filesystem::directory_iterator(folder)) {
-    const auto motion = readMotionFile(entry.path());
-    ASSERT_TRUE(motion) << describe(motion.error());
-    EXPECT_EQ(*readMotion(writeMotion(*motion), motion->path), *motion) << entry.path();
-    ++files;
-  }
-  EXPECT_GE(files, 10U);
-}
-
 /// Motions of a real team, for a robot of 22 joints.
 TEST(MotionNetTest, theMotionsOfARealTeamCompileAndKeepTheirText) {
   const std::filesystem::path folder = ROBOTCONTROL_SOURCE_DIR "/../shared/data/motions/mof";
