@@ -1,6 +1,11 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/robotcontrol/DockSpace.h"
 
+#include <QApplication>
+#include <QEvent>
+#include <QPointer>
+#include <QScopedValueRollback>
+#include <QTimer>
 #include <qtadvanceddocking/DockAreaTitleBar.h>
 #include <qtadvanceddocking/DockAreaWidget.h>
 #include <qtadvanceddocking/DockOverlay.h>
@@ -8,11 +13,6 @@
 #include <qtadvanceddocking/DockWidgetTab.h>
 #include <qtadvanceddocking/FloatingDockContainer.h>
 #include <qtadvanceddocking/IconProvider.h>
-#include <QApplication>
-#include <QEvent>
-#include <QPointer>
-#include <QScopedValueRollback>
-#include <QTimer>
 #include <vector>
 
 #include "widgets/Icon.h"
@@ -29,8 +29,7 @@ void useIconsOfThePalette() {
   icons.registerCustomIcon(ads::DockAreaUndockIcon, widgets::icon("float"));
 }
 
-/// The signs where a dock can be dropped; the library takes them from the palette, where an arrow is as dark
-/// as what it lies on.
+/// The signs where a dock can be dropped; the library takes them from the palette, where an arrow is as dark as what it lies on.
 void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::FrameColor, QColor(0x2b, 0x6c, 0xc4));
   cross.setIconColor(ads::CDockOverlayCross::WindowBackgroundColor, Qt::white);
@@ -39,14 +38,11 @@ void colorDropSigns(ads::CDockOverlayCross& cross) {
   cross.setIconColor(ads::CDockOverlayCross::ShadowColor, QColor(0, 0, 0, 64));
 }
 
-/// Is a dock perhaps dropped by an event? Windows that the window manager moves are dropped when they become
-/// active again.
+/// Is a dock perhaps dropped by an event? Windows that the window manager moves are dropped when they become active again.
 bool mayDrop(const QObject* object, QEvent::Type event) {
-  if (event == QEvent::ActivationChange)
-    return qobject_cast<const ads::CFloatingDockContainer*>(object) != nullptr;
-  return event == QEvent::MouseButtonRelease &&
-         (qobject_cast<const ads::CDockWidgetTab*>(object) != nullptr ||
-          qobject_cast<const ads::CDockAreaTitleBar*>(object) != nullptr);
+  if (event == QEvent::ActivationChange) return qobject_cast<const ads::CFloatingDockContainer*>(object) != nullptr;
+  return event == QEvent::MouseButtonRelease && (qobject_cast<const ads::CDockWidgetTab*>(object) != nullptr ||
+                                                 qobject_cast<const ads::CDockAreaTitleBar*>(object) != nullptr);
 }
 
 /// "Messages", "Image, Field": what is in front in each area of a floating window.
@@ -65,14 +61,13 @@ DockSpace::DockSpace(QWidget* parent) : ads::CDockManager(parent) {
   setStyleSheet(QString());  // The application's palette, light or dark, not the library's own colors.
   useIconsOfThePalette();
   for (auto* cross : findChildren<ads::CDockOverlayCross*>()) colorDropSigns(*cross);
-  connect(this, &ads::CDockManager::dockAreaCreated, this,
-          [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
+  connect(this, &ads::CDockManager::dockAreaCreated, this, [this](ads::CDockAreaWidget* area) { area->titleBar()->installEventFilter(this); });
   connect(this, &ads::CDockManager::floatingWidgetCreated, this,
           [this](ads::CFloatingDockContainer* floating) {
             floating->installEventFilter(this);
             // Only windows of this kind are tied to their parent on X.
-            floating->setWindowFlags(Qt::Dialog | Qt::CustomizeWindowHint | Qt::WindowTitleHint |
-                                     Qt::WindowCloseButtonHint | Qt::WindowMaximizeButtonHint);
+            floating->setWindowFlags(Qt::Dialog | Qt::CustomizeWindowHint | Qt::WindowTitleHint | Qt::WindowCloseButtonHint |
+                                     Qt::WindowMaximizeButtonHint);
           });
 }
 
@@ -136,9 +131,7 @@ bool DockSpace::busy() const {
          QApplication::activeModalWidget() != nullptr;
 }
 
-bool DockSpace::hasVisibleDocks() const {
-  return !openedDockAreas().isEmpty();
-}
+bool DockSpace::hasVisibleDocks() const { return !openedDockAreas().isEmpty(); }
 
 ads::CDockAreaWidget* DockSpace::largestArea() const {
   ads::CDockAreaWidget* largest = nullptr;

@@ -8,10 +8,19 @@
 namespace robotlink {
 namespace {
 
-tl::expected<RobotUse, Errors> read(Result<YamlReader> reader) {
+/// Makes all keys of a node known, however deep.
+void know(const YamlNode& node) {
+  if (node.isMap()) {
+    for (const auto& [key, value] : node.entries()) know(value);
+  } else if (node.isList()) {
+    for (const YamlNode& item : node.items()) know(item);
+  }
+}
+
+tl::expected<RobotUse, Errors> readAll(Result<YamlReader> reader) {
   if (!reader) return tl::unexpected(Errors{reader.error()});
   const YamlNode root = reader->root();
-  root.entries();  // The keys that are not read here are the description's.
+  know(root);  // The keys that are not read here are the description's.
   RobotUse use = readRobotUse(root);
   if (auto finished = reader->finish(); !finished) return tl::unexpected(finished.error());
   return use;
@@ -36,11 +45,11 @@ std::string RobotUse::teamOf(const std::string& robot) const {
 }
 
 tl::expected<RobotUse, Errors> readRobotUse(const std::filesystem::path& file) {
-  return read(YamlReader::load(file));
+  return readAll(YamlReader::load(file));
 }
 
 tl::expected<RobotUse, Errors> parseRobotUse(const std::string& text, const std::string& file) {
-  return read(YamlReader::parse(text, file));
+  return readAll(YamlReader::parse(text, file));
 }
 
 }  // namespace robotlink
