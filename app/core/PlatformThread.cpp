@@ -33,7 +33,7 @@ LoadedPlatform PlatformThread::describe() const {
 }
 
 void PlatformThread::start(std::unique_ptr<PlatformFeed> feed) {
-  if (feed_) {
+  if (feed_ && !feed_->wishes().empty()) {
     const LoadedPlatform before = feed_->describe();
     ended_ = {before.adapter, before.sources, feed_->wishes()};
   }
@@ -54,7 +54,7 @@ void PlatformThread::open(PlatformOpening opening, LoadHandler handler) {
     const bool sameKind = feed_ && feed_->describe().adapter == opening.adapter;
     if (sameKind && !feed_->makeWay()) start(nullptr);
     PlatformContext context{session_, recorder_};
-    if (feed_ == nullptr && ended_.adapter == opening.adapter && ended_.sources == opening.sources)
+    if (ended_.adapter == opening.adapter && ended_.sources == opening.sources)
       context.wishes = ended_.wishes;
     auto feed = opening.make(context);
     if (!feed) {

@@ -47,7 +47,7 @@ class PlatformThread {
 
  private:
   struct Asked;
-  /// What was open last, for when it is opened again.
+  /// What was open last of what keeps choices, for when it is opened again.
   struct Ended {
     std::string adapter;
     std::vector<std::string> sources;

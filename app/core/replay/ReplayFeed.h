@@ -39,7 +39,6 @@ class ReplayFeed final : public PlatformFeed {
   void publishStatus() override;
   PlatformOpening::Made withLog(const std::filesystem::path& file, robotlink::Duration offset,
                                 const logplayer::LogFile::Progress& progress) const override;
-  std::map<std::string, ProgramWishes> wishes() const override { return run_->wishes(); }
 
   robotlink::Instant now() const { return run_->now(); }
   /// With what was chosen since.

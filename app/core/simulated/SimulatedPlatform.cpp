@@ -1,9 +1,6 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #include "app/core/simulated/SimulatedPlatform.h"
 
-#include "app/core/simulated/SimulatedDrivePlatform.h"
-#include "app/core/simulated/SimulatedJointPlatform.h"
-#include "app/core/simulated/SimulatedWheelPlatform.h"
 #include "robotcontrol/Sensing.pb.h"
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/packages/Packages.h"
@@ -16,14 +13,6 @@ SimulatedPlatform::SimulatedPlatform(SimulatedWorld& world, std::string robot)
       world_(world),
       robot_(std::move(robot)),
       oracle_(*this, robotlink::kOracleWorld.name, robotlink::Blocking::kNo) {}
-
-robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedPlatform::create(
-    SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
-  if (description.drive && world.pioneer(robot) != nullptr)
-    return SimulatedDrivePlatform::create(world, std::move(robot), description);
-  if (description.drive) return SimulatedWheelPlatform::create(world, std::move(robot), description);
-  return SimulatedJointPlatform::create(world, std::move(robot), description);
-}
 
 robotlink::Result<void> SimulatedPlatform::control(const robotcontrol::ControlDrive& wish) {
   (void)wish;

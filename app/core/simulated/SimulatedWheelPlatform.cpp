@@ -14,6 +14,15 @@ using robotlink::Blocking;
 using robotlink::Instant;
 using simcore::RangeSensor;
 
+namespace {
+
+/// When it is due next, without drifting; what was missed is not made up for.
+Instant dueAfter(Instant due, robotlink::Duration period, Instant now) {
+  return std::max(due + period, now);
+}
+
+}  // namespace
+
 SimulatedWheelPlatform::SimulatedWheelPlatform(SimulatedWorld& world, std::string robot,
                                                const robotlink::RobotDescription& description)
     : SimulatedPlatform(world, std::move(robot)),
@@ -62,6 +71,7 @@ robotlink::Result<void> SimulatedWheelPlatform::bind() {
     if (own(sensors[i]) && sensors[i].info.type == "angular_velocity") gyroscope_ = i;
   }
   const simcore::WheelState& wheels = simulation.wheelState(drive_);
+  stateDue_ = clock().now();
   leftTravel_ = wheels.leftTravel;
   rightTravel_ = wheels.rightTravel;
   return {};
@@ -69,7 +79,7 @@ robotlink::Result<void> SimulatedWheelPlatform::bind() {
 
 SimulatedWheelPlatform::Ranger SimulatedWheelPlatform::rangerAt(std::size_t port) const {
   const robotlink::Duration period = world().simulation().rangeSensors()[port].period;
-  return {port, period > robotlink::Duration::zero() ? period : kCycle, {}};
+  return {port, period > robotlink::Duration::zero() ? period : kCycle, clock().now()};
 }
 
 // ---- From the program
@@ -119,7 +129,7 @@ void SimulatedWheelPlatform::execute() {
   followOdometry();
   const Instant now = clock().now();
   if (now >= stateDue_) {
-    stateDue_ = now + kCycle;
+    stateDue_ = dueAfter(stateDue_, kCycle, now);
     sendState();
   }
   sendSonars();
@@ -164,7 +174,7 @@ void SimulatedWheelPlatform::sendSonars() {
   auto readings = std::make_shared<robotcontrol::SonarReadings>();
   for (std::size_t i = 0; i < sonarRangers_.size(); ++i) {
     if (now < sonarRangers_[i].due) continue;
-    sonarRangers_[i].due = now + sonarRangers_[i].period;
+    sonarRangers_[i].due = dueAfter(sonarRangers_[i].due, sonarRangers_[i].period, now);
     double range = 0;
     world().simulation().measure(sonarRangers_[i].port, {&range, 1});
     auto& reading = *readings->add_readings();
@@ -183,7 +193,7 @@ void SimulatedWheelPlatform::sendSonars() {
 void SimulatedWheelPlatform::sendLaser() {
   const Instant now = clock().now();
   if (!laserRanger_ || !description_.laser || now < laserRanger_->due) return;
-  laserRanger_->due = now + laserRanger_->period;
+  laserRanger_->due = dueAfter(laserRanger_->due, laserRanger_->period, now);
   world().simulation().measure(laserRanger_->port, scan_);
   const RangeSensor& port = world().simulation().rangeSensors()[laserRanger_->port];
   const robotlink::Pose2& place = description_.laser->inRobot;

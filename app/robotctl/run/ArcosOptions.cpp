@@ -15,9 +15,10 @@
 namespace app {
 
 void ArcosOptions::addTo(CLI::App& command) {
-  command.add_option("--robot", robot,
-                     "The model of the robots that --robots adds: ers210, p3at (those of the scene, if it "
-                     "has any; else p3at)");
+  command.add_option(
+      "--robot", robot,
+      "The model of the robots that --robots adds, a folder of resources/scenes/models: ers210, p3at, "
+      "burger (those of the scene, if it has any; else p3at)");
   robots_ = command.add_option("--robots", robots, "How many robots to add to the scene (to a map: 1)")
                 ->check(CLI::Range(0, 1000));
   command.add_option("--teams", teams, "The teams of added robots that play: both, red or blue")

@@ -1,0 +1,17 @@
+// SPDX-License-Identifier: GPL-3.0-or-later
+// Which platform a simulated robot has.
+#include "app/core/simulated/SimulatedDrivePlatform.h"
+#include "app/core/simulated/SimulatedJointPlatform.h"
+#include "app/core/simulated/SimulatedWheelPlatform.h"
+
+namespace app {
+
+robotlink::Result<std::unique_ptr<SimulatedPlatform>> SimulatedPlatform::create(
+    SimulatedWorld& world, std::string robot, const robotlink::RobotDescription& description) {
+  if (description.drive && world.pioneer(robot) != nullptr)
+    return SimulatedDrivePlatform::create(world, std::move(robot), description);
+  if (description.drive) return SimulatedWheelPlatform::create(world, std::move(robot), description);
+  return SimulatedJointPlatform::create(world, std::move(robot), description);
+}
+
+}  // namespace app
