@@ -1,6 +1,7 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
 #pragma once
 
+#include <algorithm>
 #include <bitset>
 
 #include "logplayer/mcap/ByteStream.h"
@@ -52,6 +53,39 @@ void visitMessages(Bytes records, const ChannelSet& channels, Visit visit) {
     }
     offset += kRecordHeadBytes + static_cast<std::size_t>(length);
   }
+}
+
+/// What the messages of all channels in a section's records have in common.
+struct RecordsOverview {
+  bool inOrder = true;  ///< of time
+  Instant first, last;  ///< the earliest and the latest time
+  std::size_t end = 0;  ///< behind the last message; 0: there is none
+};
+
+/// The loop is kept as short as it can be: chunks in order of time are otherwise only gone over once.
+inline RecordsOverview overviewOf(Bytes records) {
+  constexpr std::uint64_t kLatest = INT64_MAX;  // later ones are taken as this
+  const std::uint8_t* const data = records.data();
+  const std::size_t size = records.size();
+  std::uint64_t first = UINT64_MAX, last = 0, previous = 0;
+  bool inOrder = true;
+  std::size_t end = 0;
+  for (std::size_t offset = 0; size - offset >= kRecordHeadBytes;) {
+    const std::uint8_t* record = data + offset;
+    const auto length = loadNumber<std::uint64_t>(record + 1);
+    if (record[0] == 0 || length > size - offset - kRecordHeadBytes) break;
+    __builtin_prefetch(record + 8 * (kRecordHeadBytes + length));
+    offset += kRecordHeadBytes + static_cast<std::size_t>(length);
+    if (record[0] != static_cast<std::uint8_t>(Opcode::kMessage)) continue;
+    if (length < kMessageHeadBytes - kRecordHeadBytes) continue;
+    const std::uint64_t time = std::min(loadNumber<std::uint64_t>(record + kRecordHeadBytes + 6), kLatest);
+    inOrder = inOrder && previous <= time;
+    previous = time;
+    first = std::min(first, time);
+    last = std::max(last, time);
+    end = offset;
+  }
+  return {inOrder, instantOf(first), instantOf(last), end};
 }
 
 /// Where a stretch of records that was gone over by visitMessages() has the next message of some channels,

@@ -85,6 +85,18 @@ class ColorImageViewTest : public QObject {
     QCOMPARE(s.pixel(*s.right, 16, 12), s.shownColor("orange"));
   }
 
+  void thePictureStaysWhereItIsWhileAStrokesEffectIsSaid() {
+    Shown s;
+    s.choose("orange");
+    s.click(8, 7);
+    const QRect before(s.left->mapTo(&s.view, QPoint()), s.left->size());
+    s.choose("yellow");
+    for (int stroke = 0; stroke < 3; ++stroke) s.drag({{6, 6}, {12, 8}});
+    QTRY_VERIFY(child<QLabel>(s.view, "colorEffect")->isVisible());
+    QCoreApplication::processEvents();
+    QCOMPARE(QRect(s.left->mapTo(&s.view, QPoint()), s.left->size()), before);
+  }
+
   void theTableFollowsWhileTheMouseMoves() {
     Shown s;
     s.choose("green");

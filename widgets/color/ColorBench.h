@@ -7,6 +7,7 @@
 #include <memory>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "colortool/samples/SampleDocument.h"
@@ -63,6 +64,9 @@ class ColorBench final : public QObject {
   void setDocument(colortool::Samples samples, bool changed = false);
   /// The samples were saved as they are.
   void setSaved();
+  /// The whole path of the samples' file; empty if there is none.
+  const std::string& file() const { return file_; }
+  void setFile(std::string file) { file_ = std::move(file); }
 
   /// Meaning of the next stroke: its class, an index into samples().classes; 0: background.
   int currentClass() const { return currentClass_; }
@@ -172,6 +176,8 @@ class ColorBench final : public QObject {
 
   robotlink::Session& session_;
   colortool::SampleDocument document_;
+  /// Of the samples.
+  std::string file_;
   QUndoStack undo_;
   int currentClass_ = 1;
   bool mustNotBe_ = false;

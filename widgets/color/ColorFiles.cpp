@@ -73,6 +73,9 @@ QString ColorFiles::title() const {
 
 void ColorFiles::setFile(const std::filesystem::path& file) {
   file_ = file;
+  std::error_code unknown;
+  bench_.setFile(file.empty() ? std::string()
+                              : std::filesystem::absolute(file, unknown).lexically_normal().string());
   if (!file.empty()) remember(file);
   discard();
   Q_EMIT titleChanged(title());

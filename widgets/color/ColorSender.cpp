@@ -11,7 +11,6 @@
 #include "robotlink/packages/Conversions.h"
 #include "robotlink/session/Session.h"
 #include "widgets/color/ColorBench.h"
-#include "widgets/color/ColorFiles.h"
 
 namespace widgets {
 namespace {
@@ -105,11 +104,8 @@ void ColorSender::send() {
 
 /// For people who look later at what the robot uses.
 void ColorSender::describeSource(robotcontrol::ColorTable& table) const {
-  const auto* files = bench_.findChild<ColorFiles*>(QString(), Qt::FindDirectChildrenOnly);
-  const bool saved = files != nullptr && !files->file().empty() && !files->changed();
-  std::error_code unknown;
-  table.set_source(saved ? std::filesystem::absolute(files->file(), unknown).lexically_normal().string()
-                         : tr("painted, not saved").toStdString());
+  const bool saved = !bench_.file().empty() && bench_.undoStack().isClean();
+  table.set_source(saved ? bench_.file() : tr("painted, not saved").toStdString());
   robotlink::assign(*table.mutable_loaded(),
                     robotlink::Instant(std::chrono::system_clock::now().time_since_epoch()));
 }

@@ -75,7 +75,7 @@ Result<void> remove(Bookmarks& bookmarks, const BookmarkArguments& arguments) {
   return {};
 }
 
-int failed(const robotlink::Error& error) {
+int bookmarkFailed(const robotlink::Error& error) {
   printErrors({error});
   return error.id == "usage" ? kUsage : kFailed;
 }
@@ -90,14 +90,14 @@ int bookmark(const BookmarkArguments& arguments) {
   if (!input) return printErrors({input.error()});
   Result<TimeRange::Instants> range;
   if (!arguments.add.empty()) range = arguments.range.of(arguments.file);
-  if (!range) return failed(range.error());
+  if (!range) return bookmarkFailed(range.error());
   auto bookmarks = Bookmarks::open(input->path());
   if (!bookmarks) return printErrors({bookmarks.error()});
   Result<void> done;
   if (!arguments.add.empty()) done = addBookmark(*bookmarks, arguments, *range);
   if (done && !arguments.remove.empty()) done = remove(*bookmarks, arguments);
   if (done && changes) done = bookmarks->save();
-  if (!done) return failed(done.error());
+  if (!done) return bookmarkFailed(done.error());
   printBookmarks(*bookmarks, arguments.asJson);
   if (changes && bookmarks->savedIn() != arguments.file) {
     std::cerr << "the log cannot be changed; its bookmarks are in " << bookmarks->savedIn().string() << "\n";

@@ -135,21 +135,14 @@ void ChunkMerge::enter(std::size_t section, const MessagePosition& behind) {
 }
 
 void ChunkMerge::lookOver(Open& open) {
-  Instant first = Instant::max(), last = Instant::min();
-  open.inOrder = true;
+  const RecordsOverview overview = overviewOf(*open.records);
+  open.inOrder = overview.inOrder;
   open.place = 0;
-  open.end = 0;
-  visitMessages(*open.records, wanted_, [&](const MessageRecord& message) {
-    open.inOrder = open.inOrder && last <= message.time;
-    first = std::min(first, message.time);
-    last = std::max(last, message.time);
-    open.end = message.offset + kRecordHeadBytes + message.bytes;
-    return true;
-  });
-  open.last = last;
+  open.end = overview.end;
+  open.last = overview.last;
   if (open.end == 0) return;
   if (!open.inOrder) sort(open);
-  cache_.correctTimes(open.section, first, last);
+  cache_.correctTimes(open.section, overview.first, overview.last);
 }
 
 void ChunkMerge::sort(Open& open) const {

@@ -71,11 +71,11 @@ TEST(StreamStore, whatASilentStreamSaidLastDoesNotKeepItsQueueAlive) {
   auto queue = std::make_shared<robotcontrol::DebugQueue>();
   queue->add_messages()->mutable_plot()->set_value(7);
   const std::weak_ptr<const robotcontrol::DebugQueue> alive = queue;
-  store.add({"silent", at(0), PackagePtr(queue, &queue->messages(0).plot())});
+  store.add({"silent", timeAt(0), PackagePtr(queue, &queue->messages(0).plot())});
   queue.reset();
-  for (int i = 0; i <= 15; ++i) store.add(plot("often", i * 0.1, i));
+  for (int i = 0; i <= 15; ++i) store.add(plotted("often", i * 0.1, i));
   EXPECT_FALSE(alive.expired()) << "it may be shown still";
-  for (int i = 16; i <= 100; ++i) store.add(plot("often", i * 0.1, i));
+  for (int i = 16; i <= 100; ++i) store.add(plotted("often", i * 0.1, i));
   EXPECT_TRUE(alive.expired());
   EXPECT_EQ(valueAt(store, "silent", 10), 7);
 }
