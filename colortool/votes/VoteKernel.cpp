@@ -12,7 +12,7 @@ namespace {
 
 constexpr int kChannelCells = ColorTable::kCells;
 /// The cell whose lower edge is gray, for Cb and Cr.
-constexpr int kGray = kChannelCells / 2;
+constexpr int kGrayCell = kChannelCells / 2;
 /// The colors of one thing in all lights converge at this distance below black, in cells: cameras raise dark
 /// values.
 constexpr double kBlackOffset = 6.5;
@@ -88,7 +88,7 @@ void VoteKernel::add(std::span<std::int32_t> votes, std::size_t cell, std::int16
   for (int atY = std::max(0, y - brightnessReach_); atY <= last; ++atY) {
     const auto shaded = [&](int chroma) {
       if (!shape_.shaded) return chroma;
-      return chroma + static_cast<int>(std::lround((chroma + 0.5 - kGray) * (shadeRatio(y, atY) - 1)));
+      return chroma + static_cast<int>(std::lround((chroma + 0.5 - kGrayCell) * (shadeRatio(y, atY) - 1)));
     };
     const int atCb = shaded(cb), atCr = shaded(cr);
     changed.include(1, atCb - chromaReach_, atCb + chromaReach_);
