@@ -49,10 +49,12 @@ class DriveReader {
   }
 
   void readController() {
-    if (!element_->HasAttribute("controller")) return;
-    drive_.controller = element_->Get<std::string>("controller");
-    if (drive_.controller == "arcos") return;
-    fail("scene.drive", "a drive has the controller 'arcos', or none, not '" + drive_.controller + "'");
+    const std::string controller =
+        element_->HasAttribute("controller") ? element_->Get<std::string>("controller") : "arcos";
+    if (controller == "none") return;
+    drive_.controller = controller;
+    if (controller == "arcos") return;
+    fail("scene.drive", "a drive has the controller 'arcos' or 'none', not '" + controller + "'");
   }
 
   double number(const char* key) const { return element_->HasElement(key) ? element_->Get<double>(key) : 0; }

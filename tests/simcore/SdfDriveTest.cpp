@@ -153,14 +153,13 @@ TEST(SdfDrive, wheelsStandWhereTheirCylindersAreWhereverTheirLinksHaveTheirOrigi
   EXPECT_NEAR(geometry.radius, usual.radius, 1e-6);
 }
 
-TEST(SdfDrive, aDriveHasAControllerOnlyIfItSaysSo) {
-  EXPECT_EQ(read(kCart).model->drive->controller, "");
+TEST(SdfDrive, aDriveObeysAPioneersControllerUnlessItSaysThatItHasNone) {
+  EXPECT_EQ(read(kCart).model->drive->controller, "arcos");
   const char* const drive = "<robotcontrol:drive name=\"motors\"";
   EXPECT_EQ(
-      read(replaced(kCart, drive, std::string(drive) + " controller=\"arcos\"")).model->drive->controller,
-      "arcos");
+      read(replaced(kCart, drive, std::string(drive) + " controller=\"none\"")).model->drive->controller, "");
   EXPECT_THAT(errorsWith(drive, std::string(drive) + " controller=\"pigeon\""),
-              HasSubstr("m.sdf:2: a drive has the controller 'arcos', or none, not 'pigeon'"));
+              HasSubstr("m.sdf:2: a drive has the controller 'arcos' or 'none', not 'pigeon'"));
 }
 
 TEST(SdfDrive, wheelsAndTheirCarrierAreLumpedIntoOneBody) {
