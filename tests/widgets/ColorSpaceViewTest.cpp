@@ -281,7 +281,7 @@ class ColorSpaceViewTest : public QObject {
     QVERIFY(s.orangeIsInItsPlace());
     QVERIFY(!s.looksLike(s.picture().pixelColor(s.at(kGreen)), "green"));  // dimmed
     auto* text = child<QLabel>(s.view, "colorSpaceSelection");
-    QVERIFY2(text->text().contains(QStringLiteral("1 cells, 300 pixels")), qPrintable(text->text()));
+    QVERIFY2(text->text().contains(QStringLiteral("1 cell, 300 pixels")), qPrintable(text->text()));
     click(s.view, "colorSpaceClear");
     QVERIFY(s.step());
     QVERIFY(!s.bench.hasSelection());

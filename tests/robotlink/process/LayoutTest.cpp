@@ -82,7 +82,7 @@ TEST(LayoutReaderTest, everythingIsRead) {
 
 TEST(LayoutReaderTest, allErrorsOfFormHaveTheirPlace) {
   const auto layout = parseLayout(
-      "version: 2\nname: No Name\nprocesses:\n  - {name: a, priority: 20, period_ms: -1, color: red, tasks: "
+      "version: 2\nname: No Name\nprocesses:\n  - {name: a, priority: 20, period_ms: -1, colour: red, tasks: "
       "[{x: y, z: w}]}\n",
       "l.yaml");
   ASSERT_FALSE(layout);

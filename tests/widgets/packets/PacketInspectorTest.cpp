@@ -184,7 +184,7 @@ class PacketInspectorTest : public QObject {
     QVERIFY(vel != actions.end());
     QTest::mouseClick(&menu, Qt::LeftButton, {}, menu.actionGeometry(*vel).center());
     QCOMPARE(s.rows(), 3);
-    QCOMPARE(child<QToolButton>(*s.view, "packetsNames").text(), QStringLiteral("1 names hidden"));
+    QCOMPARE(child<QToolButton>(*s.view, "packetsNames").text(), QStringLiteral("1 name hidden"));
     const QJsonObject state = s.view->saveState();
     ShownInspector other;
     other.view->restoreState(state);
