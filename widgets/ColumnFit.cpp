@@ -15,6 +15,7 @@ namespace widgets {
 namespace {
 
 constexpr int kLeastTitle = 32;                        // pixels: a sort indicator and two letters
+constexpr int kLeastNameTitle = 64;                    // pixels
 constexpr int kTextWidth = 160, kLeastTextWidth = 80;  // pixels
 constexpr int kFitInterval = 250;                      // ms between two fits to changed contents
 constexpr int kLeastWidth = 8, kMaxWidth = 4'000;      // pixels
@@ -33,8 +34,8 @@ int comfortableWidth(const ColumnNeed& column, int room) {
 int leastWidth(const ColumnNeed& column, int room) {
   if (column.pinned > 0) return column.pinned;
   if (column.kind == ColumnKind::kText) return kLeastTextWidth;
-  return std::min(std::max(column.contents, std::min(column.title, kLeastTitle)),
-                  comfortableWidth(column, room));
+  const int title = column.kind == ColumnKind::kName ? kLeastNameTitle : kLeastTitle;
+  return std::min(std::max(column.contents, std::min(column.title, title)), comfortableWidth(column, room));
 }
 
 /// Takes `excess` pixels, or as many as there are, from the columns of a kind, from each by what it can

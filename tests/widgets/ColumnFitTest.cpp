@@ -88,8 +88,10 @@ class ColumnFitTest : public QObject {
   }
 
   void aVeryLongNameLeavesAQuarterToTheOthers() {
-    QCOMPARE(fittedWidths({{kName, 60, 2000}, {kNumber, 50, 40}}, 400)[0], 300);
-    QCOMPARE(fittedWidths({{kName, 60, 2000, 350}, {kNumber, 50, 40}}, 400)[0], 350);  // as a person set it
+    const ColumnNeed number{kNumber, 50, 40}, name{kName, 60, 2000};
+    QCOMPARE(fittedWidths({name, number, number, number}, 400)[0], 300);
+    QCOMPARE(fittedWidths({name, number}, 400), (std::vector<int>{350, 50}));  // what they do not need is its
+    QCOMPARE(fittedWidths({{kName, 60, 2000, 360}, number}, 400)[0], 360);     // as a person set it
   }
 
   void aTableShowsItsNamesWholeAtAnyWidth() {

@@ -293,7 +293,6 @@ class LooksTest : public QObject {
       checkColumns<widgets::ProcessesView>("processesTable", {width, 460}, {0, 1});
       checkColumns<widgets::TimingView>("timingTable", {width, 260}, {0, 1, 2});
       checkColumns<widgets::PlotsView>("plotsTree", {2 * width, 260}, {0});
-      checkColumns<widgets::PlotsView>("plotsLegend", {2 * width, 260}, {});
     }
   }
 

@@ -185,6 +185,7 @@ void RadarView::updateStatus() {
   const QString silence = silenceText(robots_->robot(session()), readings.silence);
   state_->setText(silence);
   state_->setVisible(!silence.isEmpty());
+  time_->setVisible(silence.isEmpty());  // there is no room for both
   QStringList nearest;
   if (const auto sonar = readings.nearestSonar()) nearest << tr("sonar %1 m").arg(*sonar, 0, 'f', 2);
   if (const auto laser = readings.nearestLaser()) nearest << tr("laser %1 m").arg(*laser, 0, 'f', 2);

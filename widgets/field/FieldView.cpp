@@ -290,7 +290,8 @@ QString FieldView::noticeOf(const std::vector<RobotBelief>& beliefs) const {
   const std::string robot = robots_->robot(session());
   if (!drives(robot)) return {};
   const auto belief = std::ranges::find(beliefs, robot, &RobotBelief::robot);
-  if (belief == beliefs.end()) return {};
+  // What a robot was asked to do does not help while it is not heard.
+  if (belief == beliefs.end() || belief->silent) return {};
   const auto* base = session().store().latestAs<robotcontrol::DriveState>(
       robot + '/' + robotlink::kDriveState.name, session().timeline().shown());
   return placeNotice(*belief, base, canvas_->map() != nullptr);
