@@ -41,6 +41,8 @@ ImagePoint SnappedWay::snapped(const ColorImage& image, ImagePoint at) {
   const int x = pixelOf(at.x), y = pixelOf(at.y);
   const bool inside = image.contains(x, y);
   ImagePoint best = at;
+  // The middle of its pixel, since a point between two pixels means both of them.
+  if (inside && !outside_ && isLike(image, x, y)) best = {1.0 * x, 1.0 * y};
   if (inside && !outside_ && !isLike(image, x, y)) {
     const double reach = std::min(radius_, kMaxReach);
     double nearest = reach;

@@ -91,8 +91,10 @@ class ColorImageViewTest : public QObject {
     s.click(8, 7);
     const QRect before(s.left->mapTo(&s.view, QPoint()), s.left->size());
     s.choose("yellow");
-    for (int stroke = 0; stroke < 3; ++stroke) s.drag({{6, 6}, {12, 8}});
-    QTRY_VERIFY(child<QLabel>(s.view, "colorEffect")->isVisible());
+    s.bench.setWeight(10);
+    s.tool("colorToolRectangle");
+    s.drag({{4, 4}, {16, 12}});
+    QVERIFY(child<QLabel>(s.view, "colorEffect")->isVisible());
     QCoreApplication::processEvents();
     QCOMPARE(QRect(s.left->mapTo(&s.view, QPoint()), s.left->size()), before);
   }

@@ -368,8 +368,7 @@ void BaseStateView::showLink(const LinkStatus* status, double age) {
 
 QString BaseStateView::timesText(std::uint64_t count) {
   if (count == 0) return tr("never");
-  if (count == 1) return tr("once");
-  return count == 2 ? tr("twice") : tr("%1 times").arg(count);
+  return count == 2 ? tr("twice") : counted(count, tr("once"), tr("%1 times"));
 }
 
 QJsonObject BaseStateView::saveState() const {

@@ -27,8 +27,8 @@ robotlink::Result<std::shared_ptr<robotcontrol::ColorTable>> readColorTable(
 
 robotcontrol::ColorTable colorTableOfLog(const robotcontrol::ColorTable& logged) {
   robotcontrol::ColorTable table = logged;
-  const bool known = !logged.source().empty() && !logged.source().starts_with(kOfTheLog);
-  table.set_source(known ? std::string(kOfTheLog) + ": " + logged.source() : kOfTheLog);
+  if (logged.source().starts_with(kOfTheLog)) return table;
+  table.set_source(logged.source().empty() ? kOfTheLog : std::string(kOfTheLog) + ": " + logged.source());
   return table;
 }
 

@@ -16,7 +16,7 @@
 namespace app {
 namespace {
 
-constexpr int kMaxCharacters = 24;
+constexpr int kMaxCharacters = 16;
 
 /// What the selected robot's program says, or the table that a log holds for a program that does not run
 /// here.

@@ -87,6 +87,11 @@ void SimulationToolBar::createBoxes() {
   layout_->setMinimumContentsLength(10);  // "of the log"
   addFiles(scene_, Workbench::scenes());
   for (const double speed : speeds()) speed_->addItem(speedText(speed), speed);
+  // Its longest entry is a sentence, which only the opened list has to have room for.
+  speed_->setSizeAdjustPolicy(QComboBox::AdjustToMinimumContentsLengthWithIcon);
+  speed_->setMinimumContentsLength(4);
+  speed_->setSizePolicy(QSizePolicy::Maximum, QSizePolicy::Fixed);
+  speed_->view()->setMinimumWidth(speed_->view()->sizeHintForColumn(0) + 2 * fontMetrics().height());
   const auto addLabeled = [this](const QString& text, QWidget* widget) {
     auto* label = new QLabel(text, this);
     label->setMargin(4);
@@ -100,7 +105,7 @@ void SimulationToolBar::createBoxes() {
   ofColors_->setVisible(false);
   addSeparator();
   addActions(simulationActions_);
-  ofSimulation_ = simulationActions_ + addLabeled(tr("Speed:"), speed_);
+  ofSimulation_ = simulationActions_ + QList<QAction*>{addWidget(speed_)};
 }
 
 void SimulationToolBar::connectSignals() {

@@ -45,7 +45,7 @@ class RobotctlTruth : public testing::Test {
 
 TEST_F(RobotctlTruth, labeledImagesAreFilesThatATableIsScoredAgainst) {
   const RobotctlOutcome sim =
-      robotctl("sim " + kScene + " --seconds 1.1 --labelled-images labeled --images-every 0.5 --digest");
+      robotctl("sim " + kScene + " --seconds 1.1 --labelled-images labelled --images-every 0.5 --digest");
   ASSERT_EQ(sim.status, 0) << sim.errors;
   EXPECT_THAT(sim.errors, HasSubstr("3 images with their true classes"));
   EXPECT_EQ(sim.out, robotctl("sim " + kScene + " --seconds 1.1 --digest").out) << "nothing else is changed";
