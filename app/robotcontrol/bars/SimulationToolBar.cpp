@@ -4,6 +4,7 @@
 #include <QAbstractItemView>
 #include <QComboBox>
 #include <QLabel>
+#include <QResizeEvent>
 #include <cmath>
 #include <set>
 
@@ -33,6 +34,9 @@ void addFiles(QComboBox* box, const std::vector<std::filesystem::path>& files) {
   }
 }
 
+/// In narrower windows the boxes have no captions, but tooltips: what is recorded needs the room. Pixels.
+constexpr int kRoomyWindow = 1700;
+
 /// Selects a file, which is added if it is not among the shipped ones; without a file the placeholder is
 /// shown.
 void selectFile(QComboBox* box, const std::filesystem::path& file) {
@@ -54,6 +58,15 @@ SimulationToolBar::SimulationToolBar(Workbench& workbench, CommandActions& actio
   createActions();
   createBoxes();
   connectSignals();
+  parent->installEventFilter(this);
+}
+
+bool SimulationToolBar::eventFilter(QObject* watched, QEvent* event) {
+  if (watched == parent() && event->type() == QEvent::Resize) {
+    const bool roomy = static_cast<QResizeEvent*>(event)->size().width() >= kRoomyWindow;
+    for (QAction* caption : captions_) caption->setVisible(roomy);
+  }
+  return QToolBar::eventFilter(watched, event);
 }
 
 void SimulationToolBar::createActions() {
@@ -95,7 +108,8 @@ void SimulationToolBar::createBoxes() {
   const auto addLabeled = [this](const QString& text, QWidget* widget) {
     auto* label = new QLabel(text, this);
     label->setMargin(4);
-    return QList<QAction*>{addWidget(label), addWidget(widget)};
+    captions_ << addWidget(label);
+    addWidget(widget);
   };
   addLabeled(tr("Scene:"), scene_);
   addLabeled(tr("Layout:"), layout_);

@@ -37,6 +37,10 @@ class SimulationToolBar : public QToolBar {
   /// A speed for display; 0 or less is as fast as possible.
   static QString speedText(double speed);
 
+ protected:
+  /// Hides the captions of the boxes where the window is narrow.
+  bool eventFilter(QObject* watched, QEvent* event) override;
+
  private:
   void createActions();
   void createBoxes();
@@ -61,6 +65,8 @@ class SimulationToolBar : public QToolBar {
   QAction* reset_ = nullptr;
   QAction* stop_ = nullptr;
   QList<QAction*> simulationActions_;
+  /// The captions before the boxes.
+  QList<QAction*> captions_;
   /// The actions of the toolbar that make sense for simulations only: simulationActions_ and the speed.
   QList<QAction*> ofSimulation_;
 };
