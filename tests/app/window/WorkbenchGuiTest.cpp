@@ -78,7 +78,7 @@ class WorkbenchGuiTest : public WindowTest {
     auto& button = desk.find<QToolButton>("colorTableButton");
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     QTRY_COMPARE_WITH_TIMEOUT(button.text(), QStringLiteral("Colors: built-in"), kWaitMs);
-    QVERIFY(button.isVisible());
+    QTRY_VERIFY(button.isVisible());
     std::filesystem::create_directories(home_);
     const std::string file = (home_ / "game.c64").string();
     QVERIFY(colortool::ColorTableFile().save(file).has_value());
