@@ -192,6 +192,7 @@ class ColorGuiTest : public WindowTest {
     desk.window.showPerspective(QStringLiteral("Colour"));
     QTRY_VERIFY_WITH_TIMEOUT(desk.loaded(), kWaitMs);
     QVERIFY(desk.workbench.commands().runLine("simulation.open " + violetScene()));
+    QTRY_VERIFY_WITH_TIMEOUT((desk.window.tick(), !desk.workbench.loading()), kWaitMs);
     Painter painter(desk);
     desk.click("simulation.start");
     QTRY_VERIFY_WITH_TIMEOUT(violet(painter.image()).size() > 60, kWaitMs);
