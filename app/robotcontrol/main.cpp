@@ -125,9 +125,10 @@ app::RunOptions simulationOf(const Arguments& arguments) {
   if (!arguments.layout.empty()) options.layout = app::Workbench::layoutNamed(arguments.layout);
   options.world.seed = arguments.seed;
   options.world.kinematic = arguments.kinematic;
-  if (arguments.robots >= 0) {
+  // Whoever names a model wants a robot of it.
+  if (arguments.robots >= 0 || !arguments.robot.empty()) {
     options.robots = simcore::RobotsToAdd{.model = arguments.robot,
-                                          .count = arguments.robots,
+                                          .count = arguments.robots >= 0 ? arguments.robots : 1,
                                           .seed = arguments.seed,
                                           .teams = app::teamsNamed(arguments.teams)};
   }

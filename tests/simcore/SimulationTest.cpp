@@ -128,7 +128,9 @@ TEST_F(SimulationTest, aBallThatIsPutElsewhereIsNotFeltByTheRobot) {
     start({.seed = 1, .noise = false});
     for (std::size_t i = 0; i < simulation_->servos().size(); ++i) simulation_->setTorqueLimit(i, 0);
     run(40);
-    if (ballIsMoved) EXPECT_TRUE(simulation_->placeModel("ball", {1.5, 1, 0}));
+    if (ballIsMoved) {
+      EXPECT_TRUE(simulation_->placeModel("ball", {1.5, 1, 0}));
+    }
     run(1);
     return reading("red1/accelerometer");
   };
